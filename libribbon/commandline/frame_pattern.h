@@ -1,0 +1,26 @@
+// File names with a place for the frame number: "out/knot.{frame:04}.obj".
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "result/result.h"
+
+namespace ribbon {
+
+class FramePattern {
+ public:
+  // "{frame}" or "{frame:04}" exactly once (a width of 1 to 9 digits, zero-padded). Fails when it
+  // is missing or malformed.
+  static Result<FramePattern> parse(const std::string& text);
+
+  // The file of frame `number` (as users see it, from 1).
+  [[nodiscard]] std::filesystem::path file(int number) const;
+
+ private:
+  std::string before_;
+  std::string after_;
+  int digits_ = 4;
+};
+
+}  // namespace ribbon

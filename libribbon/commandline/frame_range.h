@@ -1,0 +1,17 @@
+// `--frames A:B:STEP` as users write it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "result/result.h"
+
+namespace ribbon {
+
+// Frame numbers as users see them, from 1. "7" one frame, "A:B" both ends included, "A:B:STEP",
+// either end may be left out, a negative number counts from the end (-1 is the last), B < A with a
+// negative STEP runs backwards; empty text: all frames. Returns indices from 0 in the order asked
+// for. Fails when the text cannot be read or names a frame that the recording does not hold.
+Result<std::vector<int>> parse_frame_range(const std::string& text, int frame_count);
+
+}  // namespace ribbon

@@ -1,0 +1,72 @@
+#include "files/files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace ribbon {
+
+namespace {
+
+std::string last_error_text() {
+  return std::error_code(errno, std::generic_category()).message();
+}
+
+// Writes all of `bytes` and forces them to the disk; false with errno set when that fails.
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code))
+    return failure(path.string(), "is a folder", "name a file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    return failure(path.string(), "cannot be opened (" + last_error_text() + ")",
+                   "check the name and the permissions");
+  std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (stream.bad())
+    return failure(path.string(), "cannot be read (" + last_error_text() + ")", "check the disk");
+  return bytes;
+}
+
+Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
+  std::error_code code;
+  if (path.has_parent_path()) {
+    std::filesystem::create_directories(path.parent_path(), code);
+    if (code)
+      return failure(path.parent_path().string(), "cannot be created (" + code.message() + ")",
+                     "choose a folder that you may write to");
+  }
+  const std::filesystem::path temporary = path.string() + ".part" + std::to_string(::getpid());
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    return failure(path.string(), "cannot be written (" + last_error_text() + ")",
+                   "choose a folder that you may write to");
+  const bool written = write_all(descriptor, bytes) && ::fsync(descriptor) == 0;
+  std::string problem = written ? "" : last_error_text();
+  if (::close(descriptor) != 0 && problem.empty()) problem = last_error_text();
+  if (problem.empty() && ::rename(temporary.c_str(), path.c_str()) != 0)
+    problem = last_error_text();
+  if (!problem.empty()) {
+    ::unlink(temporary.c_str());
+    return failure(path.string(), "cannot be written (" + problem + ")",
+                   "free some space or choose another place");
+  }
+  return {};
+}
+
+}  // namespace ribbon

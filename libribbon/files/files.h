@@ -1,0 +1,20 @@
+// Whole files in and out. A file appears under its name complete or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "result/result.h"
+
+namespace ribbon {
+
+// Reads all of `path`. Fails when it cannot be opened or read.
+Result<std::string> read_file(const std::filesystem::path& path);
+
+// Writes `bytes` beside `path` under a temporary name, flushes and renames, so that a crash or a
+// full disk never leaves half a file under `path`. Creates missing parent folders. On failure the
+// temporary is removed and an older file under `path` is untouched.
+Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace ribbon

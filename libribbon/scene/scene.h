@@ -1,0 +1,92 @@
+// What the user asks for: a scene as read from its TOML file. docs/scene.md documents every key.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "result/result.h"
+
+namespace ribbon {
+
+// A world axis. Curves are drawn as seen from its positive end, crossings are pulled apart along
+// it.
+enum class Axis { x, y, z };
+
+struct DrawnPoints {
+  std::vector<Eigen::Vector2d> points;  // at least 2, in drawing units, y down as in SVG
+};
+
+struct DrawnSvg {
+  std::filesystem::path file;  // absolute, or relative to the working directory
+  std::string path_id;         // id of the path to use; empty: the only one
+};
+
+struct CurveScene {
+  std::variant<DrawnSvg, DrawnPoints> drawing;
+  double unit_m = 0.001;                             // metres per drawing unit
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  // drawing point that lies on the world origin
+  Axis axis = Axis::y;
+  bool first_passage_over = true;  // at the first crossing met from the start of the path
+  double clearance_m = 0;          // free space between the bands at a crossing
+};
+
+struct RibbonScene {
+  double width_m = 0;
+  int along = 0;
+  int across = 0;
+  double mass_kg = 1;
+};
+
+// Spring resistances of the paper's section 5.1, in N/m. A resistance of 0 creates no springs.
+struct SpringScene {
+  double stretch = 0;  // k1
+  double shear = 0;    // k2
+  double bend = 0;     // k3
+};
+
+struct ObstacleScene {
+  std::filesystem::path file;  // absolute, or relative to the working directory
+  double scale = 1;            // metres per unit of the mesh file
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+};
+
+// The pre-step fastening force of the paper's section 5.2.
+struct FasteningScene {
+  double speed_m_s = 0;  // speed at which the force alone would carry a free particle that is at
+                         // mean distance from the axis, against the air resistance
+  Eigen::Vector3d axis_point_m = Eigen::Vector3d::Zero();     // a point on the centre axis
+  Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitY();  // unit length
+};
+
+struct TimeScene {
+  double step_s = 0.01;
+  double duration_s = 0;
+};
+
+struct RecordingScene {
+  double frames_per_second = 50;
+  double max_position_error = 1e-5;  // of the ribbon's length, per coordinate
+};
+
+struct Scene {
+  std::string name;
+  std::string text;  // the file as read
+  CurveScene curve;
+  RibbonScene ribbon;
+  SpringScene springs;
+  double air_resistance_per_s = 0;  // deceleration per speed
+  std::optional<ObstacleScene> obstacle;
+  std::optional<FasteningScene> fastening;
+  TimeScene time;
+  RecordingScene recording;
+};
+
+// Reads and checks a scene file. Relative file names in it are taken from its own folder. Fails
+// with file, line and column when a key is unknown, has the wrong type or an impossible value.
+Result<Scene> read_scene(const std::filesystem::path& file);
+
+}  // namespace ribbon

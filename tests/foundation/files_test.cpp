@@ -1,0 +1,36 @@
+#include "files/files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace ribbon {
+namespace {
+
+TEST(Files, what_was_written_is_read_back) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "new folder" / "bytes.bin";
+  const std::string bytes("a\0b\nc", 5);
+  ASSERT_TRUE(write_file(file, bytes).has_value());
+  EXPECT_EQ(read_file(file).value(), bytes);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}), 1)
+      << "a temporary file was left behind";
+}
+
+TEST(Files, a_failed_write_leaves_the_older_file_alone) {
+  const Result<void> written = write_file("/dev/full/never", "x");
+  ASSERT_FALSE(written.has_value());
+  EXPECT_NE(written.error().sentence().find("/dev/full"), std::string::npos);
+}
+
+TEST(Files, a_missing_file_is_named) {
+  const auto bytes = read_file("/no/such/file");
+  ASSERT_FALSE(bytes.has_value());
+  EXPECT_EQ(bytes.error().place, "/no/such/file");
+}
+
+TEST(Files, a_folder_is_not_a_file) {
+  EXPECT_FALSE(read_file(testing::TempDir()).has_value());
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,35 @@
+#include "geometry/ribbon_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace ribbon {
+namespace {
+
+TEST(RibbonGrid, numbers_particles_row_by_row) {
+  const RibbonGrid grid{4, 3};
+  EXPECT_EQ(grid.particle_count(), 12);
+  EXPECT_EQ(grid.particle(2, 1), 7);
+  EXPECT_EQ(grid.row(7), 2);
+  EXPECT_EQ(grid.column(7), 1);
+}
+
+TEST(RibbonGrid, triangles_cover_each_quad_once_and_share_one_orientation) {
+  const RibbonGrid grid{5, 4};
+  const Eigen::Matrix3Xi triangles = grid.triangles();
+  ASSERT_EQ(triangles.cols(), 24);
+  // In a consistently oriented surface no directed edge occurs twice.
+  std::map<std::pair<int, int>, int> directed;
+  for (int t = 0; t < triangles.cols(); ++t)
+    for (int c = 0; c < 3; ++c) ++directed[{triangles(c, t), triangles((c + 1) % 3, t)}];
+  int borders = 0;
+  for (const auto& [edge, count] : directed) {
+    EXPECT_EQ(count, 1);
+    if (!directed.contains({edge.second, edge.first})) ++borders;
+  }
+  EXPECT_EQ(borders, 2 * (5 - 1) + 2 * (4 - 1));
+}
+
+}  // namespace
+}  // namespace ribbon
