@@ -1,0 +1,32 @@
+#include "geometry/segment_triangle.h"
+
+#include <Eigen/Geometry>
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Vector3d;
+
+// Six times the signed volume of tetrahedron abcd: positive when d lies on the side of triangle abc
+// from which it is seen counter-clockwise.
+double volume(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
+  return (b - a).cross(c - a).dot(d - a);
+}
+
+}  // namespace
+
+std::optional<Piercing> pierce(const Vector3d& p, const Vector3d& q, const Vector3d& a,
+                               const Vector3d& b, const Vector3d& c) {
+  const double p_side = volume(a, b, c, p);
+  const double q_side = volume(a, b, c, q);
+  if ((p_side > 0) == (q_side > 0) || p_side == q_side) return std::nullopt;
+  // The line pq passes the triangle's three edges on the same side exactly when it goes through.
+  Vector3d weights(volume(p, q, b, c), volume(p, q, c, a), volume(p, q, a, b));
+  if ((weights.array() < 0).any() && (weights.array() > 0).any()) return std::nullopt;
+  const double sum = weights.sum();
+  if (sum == 0) return std::nullopt;
+  return Piercing{p_side / (p_side - q_side), weights / sum};
+}
+
+}  // namespace ribbon

@@ -1,0 +1,82 @@
+#include "obstacle/obstacle.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+
+namespace ribbon {
+
+namespace {
+
+// Everything but positions and faces is dropped before equal vertices are joined: a seam in uv or
+// normals must not tear the surface open.
+constexpr unsigned dropped_components =
+    aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
+    aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
+    aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS;
+
+constexpr unsigned steps = aiProcess_RemoveComponent | aiProcess_Triangulate |
+                           aiProcess_PreTransformVertices | aiProcess_SortByPType |
+                           aiProcess_JoinIdenticalVertices;
+
+bool holds_triangles(const aiMesh& mesh) {
+  return (mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0;
+}
+
+// All triangles of all meshes of the file, in its units.
+TriangleMesh merged(const aiScene& file) {
+  Eigen::Index vertex_count = 0;
+  Eigen::Index triangle_count = 0;
+  for (unsigned m = 0; m < file.mNumMeshes; ++m) {
+    if (!holds_triangles(*file.mMeshes[m])) continue;
+    vertex_count += file.mMeshes[m]->mNumVertices;
+    triangle_count += file.mMeshes[m]->mNumFaces;
+  }
+  TriangleMesh result;
+  result.vertices.resize(3, vertex_count);
+  result.triangles.resize(3, triangle_count);
+  int vertex = 0;
+  int triangle = 0;
+  for (unsigned m = 0; m < file.mNumMeshes; ++m) {
+    const aiMesh& mesh = *file.mMeshes[m];
+    if (!holds_triangles(mesh)) continue;
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f)
+      for (unsigned corner = 0; corner < 3; ++corner)
+        result.triangles(corner, triangle + static_cast<int>(f)) =
+            vertex + static_cast<int>(mesh.mFaces[f].mIndices[corner]);
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+      result.vertices.col(vertex + static_cast<int>(v)) << mesh.mVertices[v].x, mesh.mVertices[v].y,
+          mesh.mVertices[v].z;
+    vertex += static_cast<int>(mesh.mNumVertices);
+    triangle += static_cast<int>(mesh.mNumFaces);
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<TriangleMesh> read_obstacle(const ObstacleScene& scene) {
+  const std::string place = scene.file.string();
+  Assimp::Importer importer;
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, static_cast<int>(dropped_components));
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* file = importer.ReadFile(place, steps);
+  if (file == nullptr)
+    return failure(place, std::string("no mesh can be read (") + importer.GetErrorString() + ")",
+                   "name a mesh file such as .obj, .ply, .stl, .glb or .fbx");
+  TriangleMesh mesh = merged(*file);
+  mesh.name = scene.file.stem().string();
+  if (mesh.triangles.cols() == 0)
+    return failure(place, "the mesh holds no triangles", "export it with faces");
+  mesh.vertices =
+      ((mesh.vertices.cast<double>() * scene.scale).colwise() + scene.position_m).cast<float>();
+  if (!mesh.vertices.allFinite())
+    return failure(place, "a coordinate of the mesh is not a finite number",
+                   "repair the mesh or choose a smaller obstacle.scale");
+  return mesh;
+}
+
+}  // namespace ribbon

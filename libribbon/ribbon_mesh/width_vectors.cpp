@@ -1,0 +1,75 @@
+#include "ribbon_mesh/width_vectors.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+// Curvature vectors about which the line turns at its inner points: cross products of the
+// directions of consecutive pieces, divided by the spacing; zero at both ends.
+Matrix3Xd turning(const Matrix3Xd& line, double spacing_m) {
+  Matrix3Xd result = Matrix3Xd::Zero(3, line.cols());
+  for (Eigen::Index i = 1; i + 1 < line.cols(); ++i) {
+    const Vector3d before = (line.col(i) - line.col(i - 1)).normalized();
+    const Vector3d after = (line.col(i + 1) - line.col(i)).normalized();
+    result.col(i) = before.cross(after) / spacing_m;
+  }
+  return result;
+}
+
+Matrix3Xd averaged(const Matrix3Xd& values, Eigen::Index reach) {
+  Matrix3Xd result(3, values.cols());
+  for (Eigen::Index i = 0; i < values.cols(); ++i) {
+    const Eigen::Index first = std::max<Eigen::Index>(0, i - reach);
+    const Eigen::Index last = std::min<Eigen::Index>(values.cols() - 1, i + reach);
+    result.col(i) = values.middleCols(first, last - first + 1).rowwise().mean();
+  }
+  return result;
+}
+
+Vector3d tangent(const Matrix3Xd& line, Eigen::Index i) {
+  const Eigen::Index before = std::max<Eigen::Index>(0, i - 1);
+  const Eigen::Index after = std::min<Eigen::Index>(line.cols() - 1, i + 1);
+  return (line.col(after) - line.col(before)).normalized();
+}
+
+// The unit vector orthogonal to `direction` that is closest to `wish`.
+Vector3d made_orthogonal(const Vector3d& wish, const Vector3d& direction) {
+  const Vector3d rest = wish - wish.dot(direction) * direction;
+  return rest.norm() > 1e-9 * wish.norm() ? Vector3d(rest.normalized())
+                                          : Vector3d(direction.unitOrthogonal());
+}
+
+}  // namespace
+
+Matrix3Xd width_vectors(const Matrix3Xd& centre_line, const Vector3d& axis, double width_m) {
+  assert(centre_line.cols() >= 2 && width_m > 0);
+  const double spacing_m = (centre_line.col(1) - centre_line.col(0)).norm();
+  Matrix3Xd wish = averaged(turning(centre_line, spacing_m), 1);
+
+  // A piece counts as straight when it turns on a larger radius than this many widths.
+  const double straight_per_m = 1 / (4 * width_m);
+  for (Eigen::Index i = 0; i < wish.cols(); ++i) {
+    if (wish.col(i).dot(axis) < 0) wish.col(i) *= -1;
+    wish.col(i) += straight_per_m * axis;
+    wish.col(i).normalize();
+  }
+  // The band cannot turn faster than its width allows, so the wish is smoothed over about a width.
+  const auto reach = static_cast<Eigen::Index>(std::lround(0.5 * width_m / spacing_m));
+  wish = averaged(averaged(wish, reach), reach);
+  wish.col(0) = axis;
+
+  Matrix3Xd result(3, wish.cols());
+  for (Eigen::Index i = 0; i < wish.cols(); ++i)
+    result.col(i) = made_orthogonal(wish.col(i), tangent(centre_line, i));
+  return result;
+}
+
+}  // namespace ribbon

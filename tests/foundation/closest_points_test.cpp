@@ -1,0 +1,58 @@
+#include "geometry/closest_points.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace ribbon {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+const Vector3d a(0, 0, 0);
+const Vector3d b(2, 0, 0);
+const Vector3d c(0, 2, 0);
+
+TEST(ClosestOnTriangle, above_the_inside_it_is_the_foot_of_the_perpendicular) {
+  EXPECT_TRUE(closest_on_triangle({0.5, 0.5, 3}, a, b, c).isApprox(Vector3d(0.5, 0.25, 0.25)));
+}
+
+TEST(ClosestOnTriangle, beyond_an_edge_it_lies_on_the_edge_and_beyond_a_corner_on_the_corner) {
+  EXPECT_TRUE(closest_on_triangle({1, -5, 1}, a, b, c).isApprox(Vector3d(0.5, 0.5, 0)));
+  EXPECT_TRUE(closest_on_triangle({9, -1, 0}, a, b, c).isApprox(Vector3d(0, 1, 0)));
+  EXPECT_TRUE(closest_on_triangle({3, 3, 0}, a, b, c).isApprox(Vector3d(0, 0.5, 0.5)));
+}
+
+TEST(ClosestOnTriangle, a_degenerate_triangle_is_its_longest_edge) {
+  const Vector3d weights = closest_on_triangle({1.5, 1, 0}, a, {1, 0, 0}, b);
+  const Vector3d point = weights[1] * Vector3d(1, 0, 0) + weights[2] * b;
+  EXPECT_TRUE(point.isApprox(Vector3d(1.5, 0, 0)));
+}
+
+TEST(ClosestOnSegments, of_crossing_lines_it_is_the_common_perpendicular) {
+  EXPECT_TRUE(closest_on_segments({-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 3, 1})
+                  .isApprox(Vector2d(0.5, 0.25)));
+}
+
+TEST(ClosestOnSegments, no_other_pair_of_points_is_closer) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto point = [&] {
+    return Vector3d(coordinate(random), coordinate(random), coordinate(random));
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vector3d p0 = point();
+    const Vector3d p1 = point();
+    const Vector3d q0 = point();
+    const Vector3d q1 = trial % 4 == 0 ? Vector3d(q0 + (p1 - p0)) : point();  // some are parallel
+    const Vector2d st = closest_on_segments(p0, p1, q0, q1);
+    const double found = (p0 + st[0] * (p1 - p0) - q0 - st[1] * (q1 - q0)).norm();
+    for (int i = 0; i <= 20; ++i)
+      for (int j = 0; j <= 20; ++j)
+        EXPECT_GE((p0 + i / 20.0 * (p1 - p0) - q0 - j / 20.0 * (q1 - q0)).norm(), found - 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,33 @@
+#include "geometry/segment_triangle.h"
+
+#include <gtest/gtest.h>
+
+namespace ribbon {
+namespace {
+
+using Eigen::Vector3d;
+
+const Vector3d a(0, 0, 0);
+const Vector3d b(4, 0, 0);
+const Vector3d c(0, 4, 0);
+
+TEST(Pierce, tells_where_the_edge_goes_through) {
+  const auto piercing = pierce({1, 1, 3}, {1, 1, -1}, a, b, c);
+  ASSERT_TRUE(piercing.has_value());
+  EXPECT_DOUBLE_EQ(piercing->along_segment, 0.75);
+  EXPECT_TRUE(piercing->weights.isApprox(Vector3d(0.5, 0.25, 0.25)));
+}
+
+TEST(Pierce, works_from_both_sides) {
+  EXPECT_TRUE(pierce({1, 1, -1}, {1, 1, 3}, a, b, c).has_value());
+  EXPECT_TRUE(pierce({1, 1, 3}, {1, 1, -1}, a, c, b).has_value());
+}
+
+TEST(Pierce, an_edge_beside_short_of_or_along_the_triangle_does_not) {
+  EXPECT_FALSE(pierce({3, 3, 1}, {3, 3, -1}, a, b, c).has_value());
+  EXPECT_FALSE(pierce({1, 1, 3}, {1, 1, 0.001}, a, b, c).has_value());
+  EXPECT_FALSE(pierce({-1, 1, 0}, {5, 1, 0}, a, b, c).has_value());
+}
+
+}  // namespace
+}  // namespace ribbon
