@@ -1,0 +1,524 @@
+// Reads a scene by a table of its keys: what each is called, how it is checked and where it goes.
+// The few rules that join two keys follow the table.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include "files/files.h"
+#include "scene/nearest_word.h"
+#include "scene/scene.h"
+
+#define TOML_EXCEPTIONS 0
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+namespace ribbon {
+
+namespace {
+
+// Particles are counted in 32 bits, and so are their coordinates and springs, up to 16 a particle.
+constexpr std::int64_t most_particles = std::int64_t{1} << 27;
+constexpr double most_steps = 1e9;
+constexpr double default_frames_per_second = 50;
+constexpr double default_clearance_of_width = 0.1;
+
+std::string in_quotes(std::string_view text) {
+  std::string line = "'";
+  line.append(text).append("'");
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char letter) { return letter < ' ' || letter == 127; },
+      '?');
+  return line;
+}
+
+std::string shortest(double number) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  return {digits.data(), end};
+}
+
+// ---- What a value of the file is, and what to say when it is not what it should be
+
+// Where something stands; a part that TOML only implies has no place of its own.
+std::string place_of(const std::filesystem::path& file, const toml::source_region& source) {
+  if (!source.begin) return file.string();
+  return file.string() + ":" + std::to_string(source.begin.line) + ":" +
+         std::to_string(source.begin.column);
+}
+
+std::string written(const toml::node& node) {
+  if (const auto* number = node.as_integer()) return std::to_string(number->get());
+  if (const auto* number = node.as_floating_point()) return shortest(number->get());
+  if (const auto* text = node.as_string()) return "the text " + in_quotes(text->get());
+  if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
+  if (const auto* array = node.as_array()) return "an array of " + std::to_string(array->size());
+  return node.is_table() ? "a table" : "a date or time";
+}
+
+struct Value {
+  std::string_view key;
+  std::string_view example;  // a value as one may write it
+  const toml::node& node;
+  const std::filesystem::path& file;
+};
+
+// `node` is the value itself or the part of it that is wrong.
+tl::unexpected<Error> wrong(const Value& value, const toml::node& node, const std::string& duty) {
+  return failure(
+      place_of(value.file, node.source()),
+      in_quotes(value.key) + " must be " + duty + ", not " + written(node),
+      "write for example '" + std::string(value.key) + " = " + std::string(value.example) + "'");
+}
+
+struct Range {
+  std::string_view words;
+  double lowest;
+  double highest;
+};
+
+// The far ends are where squares and cubes of lengths still are ordinary numbers.
+constexpr Range any_number{"from -1e12 to 1e12", -1e12, 1e12};
+constexpr Range not_negative{"from 0 to 1e12", 0, 1e12};
+constexpr Range positive{"above 0 (from 1e-12 to 1e12)", 1e-12, 1e12};
+constexpr Range position_error{"from 1e-7 to 0.01", 1e-7, 0.01};
+
+std::optional<double> number_within(const Range& range, const toml::node& node) {
+  if (!node.is_number()) return std::nullopt;
+  const double number = node.is_integer() ? static_cast<double>(node.as_integer()->get())
+                                          : node.as_floating_point()->get();
+  const bool inside = number >= range.lowest && number <= range.highest;  // false for NaN
+  return inside ? std::optional(number) : std::nullopt;
+}
+
+// ---- Kinds of values. Each gives a function from Value to Result.
+
+auto number(const Range& range) {
+  return [range](const Value& value) -> Result<double> {
+    if (const auto number = number_within(range, value.node)) return *number;
+    return wrong(value, value.node, "a number " + std::string(range.words));
+  };
+}
+
+Result<int> particle_count(const Value& value) {
+  const auto* count = value.node.as_integer();
+  if (count == nullptr || count->get() < 2)
+    return wrong(value, value.node, "a whole number of at least 2");
+  if (count->get() > most_particles)
+    return wrong(value, value.node, "at most " + std::to_string(most_particles));
+  return static_cast<int>(count->get());
+}
+
+Result<std::string> text(const Value& value) {
+  const auto* text = value.node.as_string();
+  const bool one_line =
+      text != nullptr && !text->get().empty() &&
+      std::none_of(text->get().begin(), text->get().end(),
+                   [](unsigned char letter) { return letter < ' ' || letter == 127; });
+  if (!one_line) return wrong(value, value.node, "a text of one line that is not empty");
+  return text->get();
+}
+
+Result<std::filesystem::path> file_name(const Value& value) {
+  return text(value).map([&](const std::string& name) {
+    return (value.file.parent_path() / name).lexically_normal();
+  });
+}
+
+template <class Meaning>
+auto one_of(std::vector<std::pair<std::string_view, Meaning>> words) {
+  return [words = std::move(words)](const Value& value) -> Result<Meaning> {
+    std::string list;
+    for (const auto& [word, meaning] : words) {
+      if (value.node.value<std::string_view>() == word) return meaning;
+      list += (list.empty() ? "\"" : ", \"") + std::string(word) + "\"";
+    }
+    return wrong(value, value.node, "one of " + list);
+  };
+}
+
+template <int size>
+using Coordinates = Eigen::Matrix<double, size, 1>;
+
+template <int size>
+Result<Coordinates<size>> coordinates(const Value& value) {
+  const std::string duty =
+      std::to_string(size) + " numbers " + std::string(any_number.words) + " in brackets";
+  const toml::array* array = value.node.as_array();
+  if (array == nullptr || array->size() != size) return wrong(value, value.node, duty);
+  Coordinates<size> vector;
+  for (int i = 0; i < size; ++i) {
+    const toml::node& element = (*array)[static_cast<std::size_t>(i)];
+    const auto number = number_within(any_number, element);
+    if (!number) return wrong(value, element, duty);
+    vector[i] = *number;
+  }
+  return vector;
+}
+
+Result<Coordinates<3>> direction(const Value& value) {
+  auto vector = coordinates<3>(value);
+  if (vector && vector->squaredNorm() == 0)
+    return wrong(value, value.node, "a direction that is not all zeros");
+  return vector.map([](const Coordinates<3>& direction) -> Coordinates<3> {
+    return direction.stableNormalized();
+  });
+}
+
+Result<std::vector<Eigen::Vector2d>> points(const Value& value) {
+  const toml::array* array = value.node.as_array();
+  if (array == nullptr || array->size() < 2)
+    return wrong(value, value.node, "at least 2 points, each [x, y]");
+  std::vector<Eigen::Vector2d> points;
+  for (const toml::node& element : *array) {
+    const auto point = coordinates<2>({value.key, value.example, element, value.file});
+    if (!point) return tl::unexpected(point.error());
+    points.push_back(*point);
+  }
+  return points;
+}
+
+// ---- Where values go
+
+using Reader = std::function<Result<void>(const Value&, Scene&)>;
+
+// `target` gives the place in the scene, `read` is one of the kinds above.
+template <class Target, class Read>
+Reader set(Target target, Read read) {
+  return [=](const Value& value, Scene& scene) {
+    return read(value).map([&](const auto& meaning) { std::invoke(target, scene) = meaning; });
+  };
+}
+
+template <class Part, class Member>
+auto in(Part Scene::*part, Member Part::*member) {
+  return [=](Scene& scene) -> Member& { return scene.*part.*member; };
+}
+
+// A part that a scene may leave out comes into being with its first key.
+template <class Part, class Member>
+auto in(std::optional<Part> Scene::*part, Member Part::*member) {
+  return [=](Scene& scene) -> Member& {
+    std::optional<Part>& optional = scene.*part;
+    return (optional ? *optional : optional.emplace()).*member;
+  };
+}
+
+template <class Member>
+auto in_drawn_svg(Member DrawnSvg::*member) {
+  return [=](Scene& scene) -> Member& { return std::get<DrawnSvg>(scene.curve.drawing).*member; };
+}
+
+std::vector<Eigen::Vector2d>& drawn_points(Scene& scene) {
+  return scene.curve.drawing.emplace<DrawnPoints>().points;
+}
+
+// ---- The table of keys. docs/scene.md tells users about each; a test compares the two.
+
+enum class Need { optional, required };
+
+struct Key {
+  std::string_view name;
+  Need need;
+  std::string_view example;
+  Reader read;
+};
+
+struct Table {
+  std::string_view name;  // empty: the keys above all tables
+  Need need;
+  std::vector<Key> keys;
+};
+
+using enum Need;
+
+std::vector<Key> curve_keys() {
+  return {
+      {"svg", optional, "\"overhand.svg\"", set(in_drawn_svg(&DrawnSvg::file), file_name)},
+      {"path", optional, "\"band\"", set(in_drawn_svg(&DrawnSvg::path_id), text)},
+      {"points", optional, "[[0, 0], [100, 50]]", set(drawn_points, points)},
+      {"unit", optional, "0.001", set(in(&Scene::curve, &CurveScene::unit_m), number(positive))},
+      {"origin", optional, "[0, 0]", set(in(&Scene::curve, &CurveScene::origin), coordinates<2>)},
+      {"axis", optional, "\"y\"",
+       set(in(&Scene::curve, &CurveScene::axis),
+           one_of<Axis>({{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}}))},
+      {"first", optional, "\"over\"",
+       set(in(&Scene::curve, &CurveScene::first_passage_over),
+           one_of<bool>({{"over", true}, {"under", false}}))},
+      {"clearance", optional, "0.005",
+       set(in(&Scene::curve, &CurveScene::clearance_m), number(positive))},
+  };
+}
+
+std::vector<Key> ribbon_keys() {
+  return {
+      {"width", required, "0.05", set(in(&Scene::ribbon, &RibbonScene::width_m), number(positive))},
+      {"along", required, "400", set(in(&Scene::ribbon, &RibbonScene::along), particle_count)},
+      {"across", required, "8", set(in(&Scene::ribbon, &RibbonScene::across), particle_count)},
+      {"mass", optional, "1", set(in(&Scene::ribbon, &RibbonScene::mass_kg), number(positive))},
+  };
+}
+
+std::vector<Key> spring_keys() {
+  return {
+      {"stretch", optional, "1000",
+       set(in(&Scene::springs, &SpringScene::stretch), number(not_negative))},
+      {"shear", optional, "500",
+       set(in(&Scene::springs, &SpringScene::shear), number(not_negative))},
+      {"bend", optional, "10", set(in(&Scene::springs, &SpringScene::bend), number(not_negative))},
+  };
+}
+
+std::vector<Key> obstacle_keys() {
+  return {
+      {"mesh", required, "\"hourglass.obj\"",
+       set(in(&Scene::obstacle, &ObstacleScene::file), file_name)},
+      {"scale", optional, "1", set(in(&Scene::obstacle, &ObstacleScene::scale), number(positive))},
+      {"position", optional, "[0, 0, 0]",
+       set(in(&Scene::obstacle, &ObstacleScene::position_m), coordinates<3>)},
+  };
+}
+
+std::vector<Key> fastening_keys() {
+  return {
+      {"speed", required, "0.5",
+       set(in(&Scene::fastening, &FasteningScene::speed_m_s), number(positive))},
+      {"axis_point", optional, "[0, 0, 0]",
+       set(in(&Scene::fastening, &FasteningScene::axis_point_m), coordinates<3>)},
+      {"axis", optional, "[0, 1, 0]",
+       set(in(&Scene::fastening, &FasteningScene::axis_direction), direction)},
+  };
+}
+
+std::vector<Key> time_keys() {
+  return {
+      {"step", optional, "0.01", set(in(&Scene::time, &TimeScene::step_s), number(positive))},
+      {"duration", required, "4", set(in(&Scene::time, &TimeScene::duration_s), number(positive))},
+  };
+}
+
+std::vector<Key> recording_keys() {
+  return {
+      {"frames_per_second", optional, "50",
+       set(in(&Scene::recording, &RecordingScene::frames_per_second), number(positive))},
+      {"max_position_error", optional, "1e-5",
+       set(in(&Scene::recording, &RecordingScene::max_position_error), number(position_error))},
+  };
+}
+
+const std::vector<Table>& tables() {
+  static const std::vector<Table> all = {
+      {"", required, {{"name", optional, "\"overhand-hourglass\"", set(&Scene::name, text)}}},
+      {"curve", required, curve_keys()},
+      {"ribbon", required, ribbon_keys()},
+      {"springs", optional, spring_keys()},
+      {"air",
+       optional,
+       {{"resistance", optional, "10", set(&Scene::air_resistance_per_s, number(not_negative))}}},
+      {"obstacle", optional, obstacle_keys()},
+      {"fastening", optional, fastening_keys()},
+      {"time", required, time_keys()},
+      {"recording", optional, recording_keys()},
+  };
+  return all;
+}
+
+// ---- Walking the file along the table
+
+struct Document {
+  std::filesystem::path file;
+  toml::table root;
+
+  // The table of that name, the whole file for the empty name, null when there is none.
+  [[nodiscard]] const toml::table* find(std::string_view table) const {
+    return table.empty() ? &root : root.get_as<toml::table>(table);
+  }
+
+  // Of the key, else of its table, else of the file.
+  [[nodiscard]] std::string place(std::string_view table, std::string_view key) const {
+    const toml::table* found = find(table);
+    if (found == nullptr) return file.string();
+    const toml::node* node = found->get(key);
+    return place_of(file, (node != nullptr ? *node : *found).source());
+  }
+};
+
+std::string title(const Table& table) {
+  return table.name.empty() ? "the lines above all tables" : "[" + std::string(table.name) + "]";
+}
+
+std::vector<std::string_view> known_names(const Table& table) {
+  std::vector<std::string_view> names;
+  for (const Key& key : table.keys) names.push_back(key.name);
+  if (table.name.empty())
+    for (const Table& other : tables())
+      if (!other.name.empty()) names.push_back(other.name);
+  return names;
+}
+
+bool knows(const Table& table, std::string_view name) {
+  const std::vector<std::string_view> names = known_names(table);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// What whoever wrote the unknown `name` into `table` may have wanted.
+std::string remedy_for_unknown(const Table& table, std::string_view name) {
+  for (const Table& other : tables())
+    if (knows(other, name)) return "it belongs in " + title(other);
+  const std::vector<std::string_view> names = known_names(table);
+  if (const auto meant = nearest_word(name, names))
+    return "did you mean " + in_quotes(*meant) + "?";
+  std::string list;
+  for (const std::string_view known : names) list += (list.empty() ? "" : ", ") + in_quotes(known);
+  return "it may hold " + list;
+}
+
+Result<void> refuse_unknown(const Document& document, const Table& table,
+                            const toml::table& entries) {
+  for (const auto& [key, node] : entries)
+    if (!knows(table, key.str()))
+      return failure(place_of(document.file, key.source()),
+                     "unknown " + std::string(node.is_table() ? "table " : "key ") +
+                         in_quotes(key.str()) + " in " + title(table),
+                     remedy_for_unknown(table, key.str()));
+  return {};
+}
+
+std::string assignment_example(const Key& key) {
+  return "'" + std::string(key.name) + " = " + std::string(key.example) + "'";
+}
+
+Result<void> read_key(const Document& document, const Table& table, const toml::table& entries,
+                      const Key& key, Scene& scene) {
+  if (const toml::node* node = entries.get(key.name))
+    return key.read({key.name, key.example, *node, document.file}, scene);
+  if (key.need == optional) return {};
+  return failure(document.place(table.name, ""),
+                 in_quotes(key.name) + " is missing in " + title(table),
+                 "add for example " + assignment_example(key));
+}
+
+Result<void> missing_table(const Document& document, const Table& table) {
+  if (const toml::node* other = document.root.get(table.name))
+    return failure(place_of(document.file, other->source()),
+                   in_quotes(table.name) + " must be a table, not " + written(*other),
+                   "write '[" + std::string(table.name) + "]' and its keys on the lines below");
+  if (table.need == optional) return {};
+  std::string keys;
+  for (const Key& key : table.keys)
+    if (key.need == required) keys += " " + assignment_example(key);
+  return failure(document.file.string(), title(table) + " is missing",
+                 "add '" + title(table) + "'" +
+                     (keys.empty() ? "" : " with for example" + keys + " on the lines below"));
+}
+
+Result<void> read_table(const Document& document, const Table& table, Scene& scene) {
+  const toml::table* entries = document.find(table.name);
+  if (entries == nullptr) return missing_table(document, table);
+  Result<void> read = refuse_unknown(document, table, *entries);
+  for (const Key& key : table.keys)
+    if (read) read = read_key(document, table, *entries, key, scene);
+  return read;
+}
+
+// ---- Rules that join two keys
+
+Result<void> one_drawing(const Document& document, const Scene&) {
+  const toml::table& curve = *document.find("curve");
+  const bool svg = curve.contains("svg");
+  const bool points = curve.contains("points");
+  if (svg && points)
+    return failure(document.place("curve", "points"), "[curve] has both 'svg' and 'points'",
+                   "remove one of them");
+  if (!svg && !points)
+    return failure(document.place("curve", ""), "[curve] has no drawing",
+                   "write for example 'svg = \"overhand.svg\"' or 'points = [[0, 0], [100, 50]]'");
+  if (points && curve.contains("path"))
+    return failure(document.place("curve", "path"),
+                   "'path' names a path of an SVG file, but the drawing is a list of 'points'",
+                   "remove 'path', or replace 'points' by 'svg'");
+  return {};
+}
+
+Result<void> countable_particles(const Document& document, const Scene& scene) {
+  const std::int64_t particles = std::int64_t{scene.ribbon.along} * scene.ribbon.across;
+  if (particles <= most_particles) return {};
+  return failure(
+      document.place("ribbon", "along"),
+      "'along' times 'across' is " + std::to_string(particles) + " particles",
+      "write smaller numbers, at most " + std::to_string(most_particles) + " particles together");
+}
+
+Result<void> countable_steps(const Document& document, const Scene& scene) {
+  const double steps = scene.time.duration_s / scene.time.step_s;
+  if (steps < 1 - 1e-9)
+    return failure(document.place("time", "duration"),
+                   "'duration' is shorter than one 'step' of " + shortest(scene.time.step_s) + " s",
+                   "write a longer duration or a shorter step");
+  if (steps > most_steps)
+    return failure(document.place("time", "duration"),
+                   "'duration' is " + shortest(std::round(steps)) + " steps of " +
+                       shortest(scene.time.step_s) + " s",
+                   "write a shorter duration or a longer step, at most 1e9 steps");
+  return {};
+}
+
+// Frames are taken at steps, so there cannot be more frames than steps.
+Result<void> at_most_a_frame_a_step(const Document& document, const Scene& scene) {
+  const double most = 1 / scene.time.step_s;
+  if (scene.recording.frames_per_second <= most * (1 + 1e-9)) return {};
+  return failure(document.place("recording", "frames_per_second"),
+                 "'frames_per_second' is " + shortest(scene.recording.frames_per_second) +
+                     ", but with a step of " + shortest(scene.time.step_s) + " s there are only " +
+                     shortest(most) + " steps per second",
+                 "write 'frames_per_second = " + shortest(most) + "' or less, or a shorter step");
+}
+
+Result<void> fastening_against_air(const Document& document, const Scene& scene) {
+  if (!scene.fastening || scene.air_resistance_per_s > 0) return {};
+  return failure(document.place("fastening", ""),
+                 "[fastening] needs air resistance, because its force is the one that reaches "
+                 "'speed' against it",
+                 "write for example 'resistance = 10' in [air]");
+}
+
+void set_defaults(const Document& document, Scene& scene) {
+  if (scene.name.empty()) scene.name = document.file.stem().string();
+  if (scene.curve.clearance_m == 0)
+    scene.curve.clearance_m = default_clearance_of_width * scene.ribbon.width_m;
+  const toml::table* recording = document.find("recording");
+  if (recording == nullptr || !recording->contains("frames_per_second"))
+    scene.recording.frames_per_second = std::min(default_frames_per_second, 1 / scene.time.step_s);
+}
+
+Result<Scene> scene_of(const Document& document) {
+  Scene scene;
+  for (const Table& table : tables())
+    if (auto read = read_table(document, table, scene); !read) return tl::unexpected(read.error());
+  set_defaults(document, scene);
+  for (const auto& rule : {one_drawing, countable_particles, countable_steps,
+                           at_most_a_frame_a_step, fastening_against_air})
+    if (auto kept = rule(document, scene); !kept) return tl::unexpected(kept.error());
+  return scene;
+}
+
+}  // namespace
+
+Result<Scene> read_scene(const std::filesystem::path& file) {
+  Result<std::string> text = read_file(file);
+  if (!text) return tl::unexpected(text.error());
+  toml::parse_result parsed = toml::parse(*text);
+  if (!parsed)
+    return failure(place_of(file, parsed.error().source()),
+                   std::string(parsed.error().description()), "correct the TOML here");
+  return scene_of({file, std::move(parsed).table()}).map([&](Scene scene) {
+    scene.text = *std::move(text);
+    return scene;
+  });
+}
+
+}  // namespace ribbon

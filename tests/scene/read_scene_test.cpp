@@ -1,0 +1,297 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "scene/scene.h"
+#include "scene/scene_files.h"
+
+namespace ribbon {
+namespace {
+
+std::string with(const std::string& lines) {
+  return smallest_scene() + lines;
+}
+
+std::string with_in(const std::string& table, const std::string& lines) {
+  return replaced(smallest_scene(), table + "\n", table + "\n" + lines + "\n");
+}
+
+TEST(ReadScene, what_a_scene_does_not_name_costs_nothing) {
+  const Scene scene = read_text(smallest_scene()).value();
+  EXPECT_EQ(scene.name, "knot");
+  EXPECT_EQ(scene.text, smallest_scene());
+  EXPECT_FALSE(scene.obstacle.has_value());
+  EXPECT_FALSE(scene.fastening.has_value());
+  EXPECT_EQ(scene.springs.stretch, 0);
+  EXPECT_EQ(scene.springs.shear, 0);
+  EXPECT_EQ(scene.springs.bend, 0);
+  EXPECT_EQ(scene.air_resistance_per_s, 0);
+}
+
+TEST(ReadScene, defaults_are_as_documented) {
+  const Scene scene = read_text(smallest_scene()).value();
+  EXPECT_EQ(scene.curve.unit_m, 0.001);
+  EXPECT_EQ(scene.curve.origin, Eigen::Vector2d(0, 0));
+  EXPECT_EQ(scene.curve.axis, Axis::y);
+  EXPECT_TRUE(scene.curve.first_passage_over);
+  EXPECT_DOUBLE_EQ(scene.curve.clearance_m, 0.005);
+  EXPECT_EQ(scene.ribbon.mass_kg, 1);
+  EXPECT_EQ(scene.time.step_s, 0.01);
+  EXPECT_EQ(scene.recording.frames_per_second, 50);
+  EXPECT_EQ(scene.recording.max_position_error, 1e-5);
+}
+
+TEST(ReadScene, every_key_reaches_its_place) {
+  const std::string text =
+      "name = 'my knot'\n"
+      "[curve]\nsvg = '/drawings/a.svg'\npath = 'p'\nunit = 2\norigin = [3, 4.5]\naxis = 'z'\n"
+      "first = 'under'\nclearance = 5\n"
+      "[ribbon]\nwidth = 6\nalong = 7\nacross = 8\nmass = 9\n"
+      "[springs]\nstretch = 10\nshear = 11\nbend = 12\n"
+      "[air]\nresistance = 13\n"
+      "[obstacle]\nmesh = '/meshes/b.obj'\nscale = 14\nposition = [15, 16, 17]\n"
+      "[fastening]\nspeed = 18\naxis_point = [19, 20, 21]\naxis = [0, 3, 4]\n"
+      "[time]\nstep = 0.5\nduration = 22\n"
+      "[recording]\nframes_per_second = 0.25\nmax_position_error = 1e-4\n";
+  const Scene scene = read_text(text).value();
+  EXPECT_EQ(scene.name, "my knot");
+  EXPECT_EQ(std::get<DrawnSvg>(scene.curve.drawing).file, "/drawings/a.svg");
+  EXPECT_EQ(std::get<DrawnSvg>(scene.curve.drawing).path_id, "p");
+  EXPECT_EQ(scene.curve.unit_m, 2);
+  EXPECT_EQ(scene.curve.origin, Eigen::Vector2d(3, 4.5));
+  EXPECT_EQ(scene.curve.axis, Axis::z);
+  EXPECT_FALSE(scene.curve.first_passage_over);
+  EXPECT_EQ(scene.curve.clearance_m, 5);
+  EXPECT_EQ(scene.ribbon.width_m, 6);
+  EXPECT_EQ(scene.ribbon.along, 7);
+  EXPECT_EQ(scene.ribbon.across, 8);
+  EXPECT_EQ(scene.ribbon.mass_kg, 9);
+  EXPECT_EQ(scene.springs.stretch, 10);
+  EXPECT_EQ(scene.springs.shear, 11);
+  EXPECT_EQ(scene.springs.bend, 12);
+  EXPECT_EQ(scene.air_resistance_per_s, 13);
+  EXPECT_EQ(scene.obstacle->file, "/meshes/b.obj");
+  EXPECT_EQ(scene.obstacle->scale, 14);
+  EXPECT_EQ(scene.obstacle->position_m, Eigen::Vector3d(15, 16, 17));
+  EXPECT_EQ(scene.fastening->speed_m_s, 18);
+  EXPECT_EQ(scene.fastening->axis_point_m, Eigen::Vector3d(19, 20, 21));
+  EXPECT_TRUE(scene.fastening->axis_direction.isApprox(Eigen::Vector3d(0, 0.6, 0.8), 1e-15));
+  EXPECT_EQ(scene.time.step_s, 0.5);
+  EXPECT_EQ(scene.time.duration_s, 22);
+  EXPECT_EQ(scene.recording.frames_per_second, 0.25);
+  EXPECT_EQ(scene.recording.max_position_error, 1e-4);
+}
+
+TEST(ReadScene, points_are_read_in_order) {
+  const Scene scene = read_text(smallest_scene()).value();
+  const std::vector<Eigen::Vector2d> expected = {{0, 0}, {100, 50}};
+  EXPECT_EQ(std::get<DrawnPoints>(scene.curve.drawing).points, expected);
+}
+
+TEST(ReadScene, relative_file_names_are_taken_from_the_scenes_folder) {
+  const Scene scene = read_text(with("[obstacle]\nmesh = '../meshes/a.obj'\n")).value();
+  EXPECT_TRUE(scene.obstacle->file.is_absolute());
+  EXPECT_EQ(scene.obstacle->file.filename(), "a.obj");
+  EXPECT_EQ(scene.obstacle->file.parent_path().filename(), "meshes");
+}
+
+TEST(ReadScene, a_missing_file_is_named) {
+  const Result<Scene> scene = read_scene("/no/such/knot.toml");
+  ASSERT_FALSE(scene.has_value());
+  EXPECT_EQ(scene.error().place, "/no/such/knot.toml");
+}
+
+TEST(ReadScene, a_syntax_error_has_line_and_column) {
+  const std::string sentence = complaint("[curve]\npoints = [[0, 0]\n[ribbon]\n");
+  EXPECT_EQ(sentence.substr(0, 12), "knot.toml:3:") << sentence;
+  EXPECT_NE(sentence.find("; correct the TOML here"), std::string::npos) << sentence;
+}
+
+TEST(ReadScene, a_key_given_twice_is_an_error) {
+  EXPECT_EQ(complaint(with_in("[ribbon]", "width = 1")).substr(0, 12), "knot.toml:5:");
+}
+
+TEST(ReadScene, a_mistyped_key_is_told_with_the_right_one) {
+  EXPECT_EQ(complaint(replaced(smallest_scene(), "width", "widht")),
+            "knot.toml:4:1: unknown key 'widht' in [ribbon]; did you mean 'width'?");
+}
+
+TEST(ReadScene, a_mistyped_table_is_told_with_the_right_one) {
+  EXPECT_EQ(complaint(with("[spring]\nbend = 1\n")),
+            "knot.toml:10:2: unknown table 'spring' in the lines above all tables; "
+            "did you mean 'springs'?");
+}
+
+TEST(ReadScene, a_key_of_another_table_is_sent_there) {
+  EXPECT_EQ(complaint(with("resistance = 5\n")),
+            "knot.toml:10:1: unknown key 'resistance' in [time]; it belongs in [air]");
+  EXPECT_EQ(complaint(with("name = 'late'\n")),
+            "knot.toml:10:1: unknown key 'name' in [time]; it belongs in the lines above all "
+            "tables");
+}
+
+TEST(ReadScene, an_unheard_of_key_is_answered_with_the_known_ones) {
+  EXPECT_EQ(complaint(with_in("[ribbon]", "colour = 'red'")),
+            "knot.toml:4:1: unknown key 'colour' in [ribbon]; "
+            "it may hold 'width', 'along', 'across', 'mass'");
+}
+
+TEST(ReadScene, a_key_with_control_characters_stays_on_one_line) {
+  EXPECT_NE(complaint(with_in("[ribbon]", "\"a\\nb\\u001b\" = 1")).find("'a?b?'"),
+            std::string::npos);
+}
+
+TEST(ReadScene, a_missing_key_is_told_at_its_table) {
+  EXPECT_EQ(complaint(replaced(smallest_scene(), "width = 0.05", "")),
+            "knot.toml:3:1: 'width' is missing in [ribbon]; add for example 'width = 0.05'");
+  EXPECT_EQ(complaint(with("[obstacle]\n")),
+            "knot.toml:10:1: 'mesh' is missing in [obstacle]; "
+            "add for example 'mesh = \"hourglass.obj\"'");
+}
+
+TEST(ReadScene, a_missing_table_is_told_with_what_it_needs) {
+  EXPECT_EQ(complaint(""), "knot.toml: [curve] is missing; add '[curve]'");
+  EXPECT_EQ(complaint(replaced(smallest_scene(), "[time]\nduration = 4\n", "")),
+            "knot.toml: [time] is missing; "
+            "add '[time]' with for example 'duration = 4' on the lines below");
+}
+
+TEST(ReadScene, a_value_in_place_of_a_table_is_an_error) {
+  EXPECT_EQ(complaint("air = 5\n" + smallest_scene()),
+            "knot.toml:1:7: 'air' must be a table, not 5; "
+            "write '[air]' and its keys on the lines below");
+}
+
+struct Impossible {
+  std::string name;
+  std::string text;
+  std::string sentence;
+};
+
+std::string ribbon_line(const std::string& from, const std::string& to) {
+  return replaced(smallest_scene(), from, to);
+}
+
+class ImpossibleValue : public testing::TestWithParam<Impossible> {};
+
+TEST_P(ImpossibleValue, is_told_with_place_and_remedy) {
+  EXPECT_EQ(complaint(GetParam().text), "knot.toml:" + GetParam().sentence);
+}
+
+const std::string width_rule = "'width' must be a number above 0 (from 1e-12 to 1e12), not ";
+const std::string width_remedy = "; write for example 'width = 0.05'";
+
+INSTANTIATE_TEST_SUITE_P(
+    ReadScene, ImpossibleValue,
+    testing::Values(
+        Impossible{"zero", ribbon_line("0.05", "0"), "4:9: " + width_rule + "0" + width_remedy},
+        Impossible{"negative", ribbon_line("0.05", "-0.5"),
+                   "4:9: " + width_rule + "-0.5" + width_remedy},
+        Impossible{"not_a_number", ribbon_line("0.05", "nan"),
+                   "4:9: " + width_rule + "nan" + width_remedy},
+        Impossible{"infinite", ribbon_line("0.05", "inf"),
+                   "4:9: " + width_rule + "inf" + width_remedy},
+        Impossible{"huge", ribbon_line("0.05", "1e300"),
+                   "4:9: " + width_rule + "1e+300" + width_remedy},
+        Impossible{"text_for_a_number", ribbon_line("0.05", "'5 cm'"),
+                   "4:9: " + width_rule + "the text '5 cm'" + width_remedy},
+        Impossible{"fraction_for_a_count", ribbon_line("400", "1.5"),
+                   "5:9: 'along' must be a whole number of at least 2, not 1.5; "
+                   "write for example 'along = 400'"},
+        Impossible{"one_particle", ribbon_line("across = 8", "across = 1"),
+                   "6:10: 'across' must be a whole number of at least 2, not 1; "
+                   "write for example 'across = 8'"},
+        Impossible{"count_beyond_32_bits", ribbon_line("400", "4294967296"),
+                   "5:9: 'along' must be at most 134217728, not 4294967296; "
+                   "write for example 'along = 400'"},
+        Impossible{"too_many_particles_together", ribbon_line("400", "16777217"),
+                   "5:9: 'along' times 'across' is 134217736 particles; "
+                   "write smaller numbers, at most 134217728 particles together"},
+        Impossible{"negative_spring", with("[springs]\nbend = -1\n"),
+                   "11:8: 'bend' must be a number from 0 to 1e12, not -1; "
+                   "write for example 'bend = 10'"},
+        Impossible{"unknown_word", with_in("[curve]", "axis = 'w'"),
+                   "2:8: 'axis' must be one of \"x\", \"y\", \"z\", not the text 'w'; "
+                   "write for example 'axis = \"y\"'"},
+        Impossible{"two_coordinates_for_three", with("[obstacle]\nmesh = 'a'\nposition = [1, 2]\n"),
+                   "12:12: 'position' must be 3 numbers from -1e12 to 1e12 in brackets, "
+                   "not an array of 2; write for example 'position = [0, 0, 0]'"},
+        Impossible{"text_among_coordinates", with_in("[curve]", "origin = [0, 'a']"),
+                   "2:14: 'origin' must be 2 numbers from -1e12 to 1e12 in brackets, "
+                   "not the text 'a'; write for example 'origin = [0, 0]'"},
+        Impossible{"infinite_point", ribbon_line("[100, 50]", "[100, inf]"),
+                   "2:25: 'points' must be 2 numbers from -1e12 to 1e12 in brackets, not inf; "
+                   "write for example 'points = [[0, 0], [100, 50]]'"},
+        Impossible{"one_point", ribbon_line(", [100, 50]", ""),
+                   "2:10: 'points' must be at least 2 points, each [x, y], not an array of 1; "
+                   "write for example 'points = [[0, 0], [100, 50]]'"},
+        Impossible{"empty_text", "name = ''\n" + smallest_scene(),
+                   "1:8: 'name' must be a text of one line that is not empty, not the text ''; "
+                   "write for example 'name = \"overhand-hourglass\"'"},
+        Impossible{"axis_without_direction",
+                   with("[air]\nresistance = 1\n[fastening]\nspeed = 1\naxis = [0, 0, 0]\n"),
+                   "14:8: 'axis' must be a direction that is not all zeros, not an array of 3; "
+                   "write for example 'axis = [0, 1, 0]'"},
+        Impossible{"too_coarse_recording", with("[recording]\nmax_position_error = 0.5\n"),
+                   "11:22: 'max_position_error' must be a number from 1e-7 to 0.01, not 0.5; "
+                   "write for example 'max_position_error = 1e-5'"},
+        Impossible{"too_many_frames", with("[recording]\nframes_per_second = 101\n"),
+                   "11:21: 'frames_per_second' is 101, but with a step of 0.01 s there are only "
+                   "100 steps per second; write 'frames_per_second = 100' or less, or a shorter "
+                   "step"},
+        Impossible{"too_many_steps", ribbon_line("duration = 4", "duration = 1e8"),
+                   "8:12: 'duration' is 1e+10 steps of 0.01 s; "
+                   "write a shorter duration or a longer step, at most 1e9 steps"},
+        Impossible{"less_than_a_step", ribbon_line("duration = 4", "duration = 0.005"),
+                   "8:12: 'duration' is shorter than one 'step' of 0.01 s; "
+                   "write a longer duration or a shorter step"},
+        Impossible{"no_drawing", ribbon_line("points = [[0, 0], [100, 50]]", ""),
+                   "1:1: [curve] has no drawing; write for example 'svg = \"overhand.svg\"' "
+                   "or 'points = [[0, 0], [100, 50]]'"},
+        Impossible{"two_drawings", with_in("[curve]", "svg = 'a.svg'"),
+                   "3:10: [curve] has both 'svg' and 'points'; remove one of them"},
+        Impossible{"path_of_points", with_in("[curve]", "path = 'a'"),
+                   "2:8: 'path' names a path of an SVG file, but the drawing is a list of "
+                   "'points'; remove 'path', or replace 'points' by 'svg'"},
+        Impossible{"fastening_without_air", with("[fastening]\nspeed = 1\n"),
+                   "10:1: [fastening] needs air resistance, because its force is the one that "
+                   "reaches 'speed' against it; write for example 'resistance = 10' in [air]"}),
+    [](const auto& instance) { return instance.param.name; });
+
+TEST(ReadScene, the_highest_frame_rate_is_one_frame_a_step) {
+  // 1 / 0.0003 is no round number: what the message offers must be accepted.
+  const std::string text = with("[recording]\nframes_per_second = 3333.3333333333335\n");
+  EXPECT_EQ(complaint(replaced(text, "duration", "step = 0.0003\nduration")), "");
+}
+
+TEST(ReadScene, long_steps_lower_the_default_frame_rate) {
+  const auto scene = read_text(replaced(smallest_scene(), "duration", "step = 0.25\nduration"));
+  EXPECT_EQ(scene.value().recording.frames_per_second, 4);
+}
+
+TEST(ReadScene, the_most_particles_are_accepted) {
+  const Scene scene = read_text(replaced(smallest_scene(), "400", "16777216")).value();
+  EXPECT_EQ(scene.ribbon.along, 16777216);
+}
+
+TEST(ReadScene, inline_tables_and_dotted_keys_are_tables) {
+  const Scene scene =
+      read_text("air = { resistance = 5 }\nsprings.bend = 2\n" + smallest_scene()).value();
+  EXPECT_EQ(scene.air_resistance_per_s, 5);
+  EXPECT_EQ(scene.springs.bend, 2);
+}
+
+TEST(ReadScene, a_cut_off_scene_is_an_error_and_never_a_crash) {
+  const std::string text = "name = 'a'\n" + smallest_scene();
+  const std::size_t complete = text.find("4\n# the end") + 1;
+  for (std::size_t size = 0; size < complete; ++size)
+    EXPECT_NE(complaint(text.substr(0, size)), "") << text.substr(0, size);
+  EXPECT_EQ(complaint(text.substr(0, complete)), "");
+}
+
+TEST(ReadScene, bytes_that_are_no_text_are_an_error) {
+  EXPECT_EQ(complaint(std::string("\x80\xff\0", 3)).substr(0, 12), "knot.toml:1:");
+}
+
+}  // namespace
+}  // namespace ribbon
