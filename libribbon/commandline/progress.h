@@ -6,6 +6,12 @@
 
 namespace ribbon {
 
+// The line as drawn: "[######..................] 123/600 frames, ETA 0:42, strain 4.1 %", cut off
+// so that it fits `columns` of a terminal. The time left assumes that what is still to do goes as
+// fast as what is done.
+std::string progress_text(const std::string& unit, int done, int total, double elapsed_s,
+                          const std::string& remark, int columns);
+
 class ProgressLine {
  public:
   // `total` units of work of the named kind ("frame"). Draws only when standard error is a terminal

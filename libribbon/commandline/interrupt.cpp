@@ -1,0 +1,54 @@
+#include "commandline/interrupt.h"
+
+#include <atomic>
+#include <cassert>
+
+namespace ribbon {
+
+namespace {
+
+// A signal handler can reach nothing else.
+std::atomic<bool> interrupt_requested = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void let_the_next_one_end_the_process(int signal) {
+  struct sigaction usual {};
+  usual.sa_handler = SIG_DFL;
+  ::sigaction(signal, &usual, nullptr);
+}
+
+void request(int) {
+  interrupt_requested = true;
+  let_the_next_one_end_the_process(SIGINT);
+  let_the_next_one_end_the_process(SIGTERM);
+}
+
+struct sigaction handle(int signal) {
+  struct sigaction handler {};
+  handler.sa_handler = request;
+  handler.sa_flags = SA_RESTART;
+  struct sigaction old {};
+  ::sigaction(signal, nullptr, &old);
+  if (old.sa_handler != SIG_IGN) ::sigaction(signal, &handler, nullptr);
+  return old;
+}
+
+}  // namespace
+
+Interrupt::Interrupt() {
+  interrupt_requested = false;
+  old_interrupt_ = handle(SIGINT);
+  old_terminate_ = handle(SIGTERM);
+  assert(old_interrupt_.sa_handler != request);
+}
+
+Interrupt::~Interrupt() {
+  ::sigaction(SIGINT, &old_interrupt_, nullptr);
+  ::sigaction(SIGTERM, &old_terminate_, nullptr);
+}
+
+bool Interrupt::requested() const {
+  return interrupt_requested;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,30 @@
+#include "commandline/tool.h"
+
+#include <cstdio>
+#include <exception>
+
+namespace ribbon {
+
+namespace {
+
+int could_not(const std::string& tool_name, const std::string& sentence) {
+  std::fprintf(stderr, "%s: %s\n", tool_name.c_str(), sentence.c_str());
+  return static_cast<int>(ExitCode::could_not);
+}
+
+}  // namespace
+
+int run_tool(const std::string& tool_name, const std::function<Result<ExitCode>()>& body) {
+  try {
+    const Result<ExitCode> answer = body();
+    if (!answer) return could_not(tool_name, answer.error().sentence());
+    return static_cast<int>(*answer);
+  } catch (const std::bad_alloc&) {
+    return could_not(tool_name, "not enough memory; close other programs or ask for less at once");
+  } catch (const std::exception& exception) {
+    return could_not(tool_name, std::string("stopped by an unexpected problem (") +
+                                    exception.what() + "); please report it");
+  }
+}
+
+}  // namespace ribbon

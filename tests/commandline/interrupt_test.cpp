@@ -1,0 +1,47 @@
+#include "commandline/interrupt.h"
+
+#include <gtest/gtest.h>
+
+namespace ribbon {
+namespace {
+
+TEST(Interrupt, nothing_is_requested_at_first) {
+  EXPECT_FALSE(Interrupt().requested());
+}
+
+TEST(Interrupt, the_first_signal_sets_the_flag_and_the_job_goes_on) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Interrupt interrupt;
+    ASSERT_EQ(std::raise(signal), 0);
+    EXPECT_TRUE(interrupt.requested());
+  }
+}
+
+TEST(InterruptDeathTest, the_second_signal_ends_the_process) {
+  const auto raise_twice = [](int first, int second) {
+    const Interrupt interrupt;
+    std::raise(first);
+    std::raise(second);
+  };
+  EXPECT_EXIT(raise_twice(SIGINT, SIGINT), testing::KilledBySignal(SIGINT), "");
+  EXPECT_EXIT(raise_twice(SIGINT, SIGTERM), testing::KilledBySignal(SIGTERM), "");
+}
+
+TEST(InterruptDeathTest, afterwards_a_signal_ends_the_process_again) {
+  const auto raise_after = [] {
+    { const Interrupt interrupt; }
+    std::raise(SIGINT);
+  };
+  EXPECT_EXIT(raise_after(), testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(Interrupt, an_ignored_signal_stays_ignored) {
+  const auto before = std::signal(SIGINT, SIG_IGN);
+  const Interrupt interrupt;
+  ASSERT_EQ(std::raise(SIGINT), 0);
+  EXPECT_FALSE(interrupt.requested());
+  EXPECT_EQ(std::signal(SIGINT, before), SIG_IGN);
+}
+
+}  // namespace
+}  // namespace ribbon

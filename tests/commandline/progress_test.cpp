@@ -1,0 +1,125 @@
+#include "commandline/progress.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+namespace ribbon {
+namespace {
+
+TEST(ProgressText, tells_how_far_and_how_long_still) {
+  // A quarter took 10 s, so three quarters take 30 s.
+  EXPECT_EQ(progress_text("frame", 25, 100, 10, "strain 4.1 %", 80),
+            "[######..................] 25/100 frames, ETA 0:30, strain 4.1 %");
+}
+
+TEST(ProgressText, has_no_forecast_before_the_first_and_after_the_last) {
+  EXPECT_EQ(progress_text("frame", 0, 100, 10, "", 80), "[........................] 0/100 frames");
+  EXPECT_EQ(progress_text("frame", 100, 100, 10, "", 80),
+            "[########################] 100/100 frames");
+}
+
+TEST(ProgressText, long_jobs_are_told_in_hours) {
+  EXPECT_NE(progress_text("frame", 1, 2, 11105, "", 80).find("ETA 3:05:05"), std::string::npos);
+  EXPECT_NE(progress_text("frame", 1, 2, 754, "", 80).find("ETA 12:34"), std::string::npos);
+}
+
+TEST(ProgressText, one_unit_is_singular) {
+  EXPECT_EQ(progress_text("file", 1, 1, 1, "", 80), "[########################] 1/1 file");
+}
+
+TEST(ProgressText, fits_the_terminal) {
+  EXPECT_EQ(progress_text("frame", 25, 100, 10, "strain", 30), "[######..................] 25");
+  EXPECT_EQ(progress_text("frame", 25, 100, 10, "strain", 0), "");
+}
+
+TEST(ProgressText, survives_empty_and_overfull_jobs) {
+  EXPECT_EQ(progress_text("frame", 0, 0, 0, "", 80), "[########################] 0/0 frames");
+  EXPECT_EQ(progress_text("frame", 5, 4, 1, "", 80), "[########################] 5/4 frames");
+}
+
+// Standard error as `descriptor` while it lives.
+class StandardErrorIs {
+ public:
+  explicit StandardErrorIs(int descriptor) : saved_(::dup(STDERR_FILENO)) {
+    ::dup2(descriptor, STDERR_FILENO);
+  }
+  ~StandardErrorIs() {
+    ::dup2(saved_, STDERR_FILENO);
+    ::close(saved_);
+  }
+  StandardErrorIs(const StandardErrorIs&) = delete;
+  StandardErrorIs& operator=(const StandardErrorIs&) = delete;
+
+ private:
+  int saved_;
+};
+
+// What `job` writes on standard error when that is a terminal of 60 columns.
+std::string seen_on_a_terminal(const std::function<void()>& job) {
+  const int screen = ::posix_openpt(O_RDWR | O_NOCTTY);
+  EXPECT_EQ(::grantpt(screen) + ::unlockpt(screen), 0);
+  const int terminal = ::open(::ptsname(screen), O_RDWR | O_NOCTTY);
+  EXPECT_GE(terminal, 0);
+  const winsize size{.ws_row = 24, .ws_col = 60, .ws_xpixel = 0, .ws_ypixel = 0};
+  ::ioctl(terminal, TIOCSWINSZ, &size);
+  {
+    const StandardErrorIs redirected(terminal);
+    job();
+  }
+  EXPECT_EQ(::write(terminal, "$", 1), 1);
+  std::string seen;
+  std::array<char, 4096> bytes{};
+  while (seen.find('$') == std::string::npos) {
+    const ssize_t count = ::read(screen, bytes.data(), bytes.size());
+    if (count <= 0) break;
+    seen.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+  ::close(terminal);
+  ::close(screen);
+  return seen.substr(0, seen.find('$'));
+}
+
+const std::string erased = "\r\x1b[K";
+
+TEST(ProgressLine, draws_on_a_terminal_and_removes_itself) {
+  const std::string seen = seen_on_a_terminal([] {
+    ProgressLine line("frame", 4, false);
+    line.update(2, "a remark that is much too long for this narrow terminal");
+  });
+  ASSERT_GT(seen.size(), 2 * erased.size());
+  EXPECT_EQ(seen.substr(0, 44), erased + "[############............] 2/4 frames, E");
+  EXPECT_EQ(seen.size(), 59 + 2 * erased.size());
+  EXPECT_EQ(seen.substr(seen.size() - erased.size()), erased);
+}
+
+TEST(ProgressLine, redraws_at_most_ten_times_a_second) {
+  const std::string seen = seen_on_a_terminal([] {
+    ProgressLine line("frame", 1000, false);
+    for (int i = 0; i < 1000; ++i) line.update(i);
+    std::this_thread::sleep_for(std::chrono::milliseconds(110));
+    line.update(1000);
+  });
+  EXPECT_NE(seen.find(" 0/1000"), std::string::npos);
+  EXPECT_EQ(seen.find(" 1/1000"), std::string::npos);
+  EXPECT_NE(seen.find(" 1000/1000"), std::string::npos);
+}
+
+TEST(ProgressLine, is_silent_when_quiet) {
+  EXPECT_EQ(seen_on_a_terminal([] { ProgressLine("frame", 4, true).update(2); }), "");
+}
+
+TEST(ProgressLine, is_silent_when_standard_error_is_no_terminal) {
+  testing::internal::CaptureStderr();
+  ProgressLine("frame", 4, false).update(2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace ribbon

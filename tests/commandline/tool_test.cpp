@@ -1,0 +1,56 @@
+#include "commandline/tool.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+
+namespace ribbon {
+namespace {
+
+struct Outcome {
+  int code;
+  std::string standard_error;
+};
+
+Outcome outcome(const std::function<Result<ExitCode>()>& body) {
+  testing::internal::CaptureStderr();
+  const int code = run_tool("ribbon-test", body);
+  return {code, testing::internal::GetCapturedStderr()};
+}
+
+TEST(RunTool, answers_become_exit_codes) {
+  EXPECT_EQ(outcome([] { return ExitCode::done; }).code, 0);
+  EXPECT_EQ(outcome([] { return ExitCode::answer_is_no; }).code, 1);
+  EXPECT_EQ(outcome([] { return ExitCode::could_not; }).code, 2);
+}
+
+TEST(RunTool, an_answer_is_no_reason_to_write_to_standard_error) {
+  EXPECT_EQ(outcome([] { return ExitCode::answer_is_no; }).standard_error, "");
+}
+
+TEST(RunTool, an_error_is_one_sentence_after_the_tools_name) {
+  const auto [code, standard_error] = outcome([]() -> Result<ExitCode> {
+    return failure("knot.toml:3:1", "unknown key 'widht'", "write 'width'");
+  });
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(standard_error, "ribbon-test: knot.toml:3:1: unknown key 'widht'; write 'width'\n");
+}
+
+TEST(RunTool, a_lack_of_memory_is_reported) {
+  const auto [code, standard_error] = outcome([]() -> Result<ExitCode> { throw std::bad_alloc(); });
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(standard_error,
+            "ribbon-test: not enough memory; close other programs or ask for less at once\n");
+}
+
+TEST(RunTool, an_escaped_exception_is_reported) {
+  const auto [code, standard_error] =
+      outcome([]() -> Result<ExitCode> { throw std::runtime_error("surprise"); });
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(standard_error,
+            "ribbon-test: stopped by an unexpected problem (surprise); please report it\n");
+}
+
+}  // namespace
+}  // namespace ribbon
