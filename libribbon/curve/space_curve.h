@@ -18,14 +18,18 @@ struct SpaceCurve {
   std::vector<Crossing> crossings;
 };
 
-// The uniform Catmull-Rom point at parameter t in [0, 1] between p1 and p2.
+// The centripetal Catmull-Rom point at parameter t in [0, 1] between p1 and p2: the usual one where
+// the points are evenly spaced, without loops or overshoot where they are not. Consecutive points
+// must differ.
 Eigen::Vector3d catmull_rom(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
                             const Eigen::Vector3d& p2, const Eigen::Vector3d& p3, double t);
 
 // Reads the drawing of `scene`, finds its crossings, pulls the two passages of each apart along the
-// chosen axis so that bands of `ribbon_width_m` have room, smooths with Catmull-Rom and samples
-// `samples` (>= 2) points. Fails, with the place, where the drawing cannot be told or its crossings
-// are too close for the width.
+// chosen axis so that bands of `ribbon_width_m` standing along that axis have room, smooths with
+// Catmull-Rom and samples `samples` (>= 2) points. The curve is level at each passage, half of
+// width + clearance above or below the plane, and lies in the plane at its ends. Fails, with the
+// place, where the drawing cannot be told, where smoothing would make it cross elsewhere, and where
+// passages follow one another so closely that the curve would rise more steeply than 45 degrees.
 Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m,
                                         int samples);
 

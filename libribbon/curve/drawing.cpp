@@ -1,0 +1,200 @@
+#include "curve/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <pugixml.hpp>
+#include <string_view>
+
+#include "curve/svg_path.h"
+#include "files/files.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr double largest_coordinate = 1e9;  // far from where squares lose their last digits
+
+// A parsed file that can say on which line something stands.
+struct SvgFile {
+  std::string name;
+  std::string bytes;
+  pugi::xml_document document;
+
+  [[nodiscard]] std::string place(std::ptrdiff_t offset) const {
+    if (offset < 0 || static_cast<std::size_t>(offset) > bytes.size()) return name;
+    const auto newlines = std::count(bytes.begin(), bytes.begin() + offset, '\n');
+    return name + ":" + std::to_string(newlines + 1);
+  }
+  [[nodiscard]] std::string place(const pugi::xml_node& node) const {
+    return place(node.offset_debug());
+  }
+};
+
+// "path" for <path> and, where the root is <svg:svg>, for <svg:path>; foreign elements such as
+// <sodipodi:namedview> keep their prefix.
+std::string_view svg_name(const pugi::xml_node& node) {
+  const std::string_view root = node.root().first_child().name();
+  const std::size_t colon = root.find(':');
+  std::string_view name = node.name();
+  if (colon != std::string_view::npos && name.substr(0, colon + 1) == root.substr(0, colon + 1))
+    name.remove_prefix(colon + 1);
+  return name;
+}
+
+bool is_container(std::string_view name) {
+  return name == "g" || name == "a" || name == "switch";
+}
+
+bool is_path(std::string_view name) {
+  return name == "path" || name == "polyline" || name == "line";
+}
+
+bool is_hidden(const pugi::xml_node& node) {
+  std::string style = node.attribute("style").value();
+  std::erase_if(style, [](char c) { return c == ' ' || c == '\t' || c == '\n'; });
+  return node.attribute("display").value() == std::string_view("none") ||
+         (";" + style + ";").find(";display:none;") != std::string::npos;
+}
+
+// All paths that the viewer sees, in document order.
+std::vector<pugi::xml_node> visible_paths(const pugi::xml_node& root) {
+  std::vector<pugi::xml_node> paths;
+  std::vector<pugi::xml_node> stack{root};
+  while (!stack.empty()) {
+    const pugi::xml_node node = stack.back();
+    stack.pop_back();
+    if (is_hidden(node)) continue;
+    if (is_path(svg_name(node))) paths.push_back(node);
+    if (node != root && !is_container(svg_name(node))) continue;
+    for (pugi::xml_node child = node.last_child(); child; child = child.previous_sibling())
+      stack.push_back(child);
+  }
+  return paths;
+}
+
+std::string id_of(const pugi::xml_node& node) {
+  return node.attribute("id").value();
+}
+
+std::string list_ids(const std::vector<pugi::xml_node>& paths) {
+  constexpr std::size_t most = 8;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(paths.size(), most); ++i) {
+    const std::string id = id_of(paths[i]);
+    list += (i == 0 ? "" : ", ") + (id.empty() ? "one without id" : "'" + id + "'");
+  }
+  if (paths.size() > most) list += " and " + std::to_string(paths.size() - most) + " more";
+  return list;
+}
+
+Result<SvgFile> load(const std::filesystem::path& path) {
+  auto bytes = read_file(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  SvgFile file{path.string(), std::move(*bytes), {}};
+  const auto parsed = file.document.load_buffer(file.bytes.data(), file.bytes.size());
+  if (!parsed)
+    return failure(file.place(parsed.offset),
+                   std::string("is not XML (") + parsed.description() + ")",
+                   "save the drawing as plain, uncompressed SVG");
+  if (svg_name(file.document.document_element()) != "svg")
+    return failure(file.place(file.document.document_element()),
+                   std::string("is not SVG but <") + file.document.document_element().name() + ">",
+                   "save the drawing as plain SVG");
+  return file;
+}
+
+Result<pugi::xml_node> only_path(const SvgFile& file, const std::vector<pugi::xml_node>& paths) {
+  if (paths.empty())
+    return failure(file.name, "has no path that can be seen",
+                   "draw one open path; what is hidden, in <defs> or in a symbol does not count, "
+                   "and shapes become paths by Path > Object to Path in Inkscape");
+  if (paths.size() > 1)
+    return failure(file.place(paths[1]),
+                   "has " + std::to_string(paths.size()) + " paths: " + list_ids(paths),
+                   "choose one by its id or delete the others");
+  return paths.front();
+}
+
+Result<pugi::xml_node> path_by_id(const SvgFile& file, const std::vector<pugi::xml_node>& paths,
+                                  const std::string& id) {
+  for (const pugi::xml_node& path : paths)
+    if (id_of(path) == id) return path;
+  const pugi::xml_node other = file.document.find_node(
+      [&](const pugi::xml_node& node) { return id == node.attribute("id").value(); });
+  if (other)
+    return failure(file.place(other),
+                   "'" + id + "' is a <" + other.name() + "> that is hidden or not a path",
+                   "show it, or convert it by Path > Object to Path in Inkscape");
+  return failure(file.name, "has no path with the id '" + id + "'",
+                 paths.empty() ? "draw one" : "choose among " + list_ids(paths));
+}
+
+Result<Eigen::Affine2d> root_from_path(const SvgFile& file, const pugi::xml_node& path) {
+  Eigen::Affine2d transform = Eigen::Affine2d::Identity();
+  for (pugi::xml_node node = path; node; node = node.parent()) {
+    const pugi::xml_attribute attribute = node.attribute("transform");
+    if (!attribute) continue;
+    const auto own = read_transform(attribute.value());
+    if (!own)
+      return failure(file.place(node),
+                     std::string("the transform '") + attribute.value() + "' cannot be read",
+                     "write matrix, translate, rotate, scale, skewX or skewY");
+    transform = *own * transform;
+  }
+  return transform;
+}
+
+// Polylines and lines say the same as path data, in other words.
+std::string path_data(const pugi::xml_node& node) {
+  if (svg_name(node) == "path") return node.attribute("d").value();
+  std::string data = "M";
+  if (svg_name(node) == "polyline") return data + node.attribute("points").value();
+  for (const char* name : {"x1", "y1", "x2", "y2"}) {
+    data += node.attribute(name).as_string("0");
+    data += ' ';
+  }
+  return data;
+}
+
+bool is_in_range(const Eigen::Vector2d& point) {
+  return point.allFinite() && point.cwiseAbs().maxCoeff() <= largest_coordinate;
+}
+
+Result<Drawing> checked(const std::string& place, const std::string& name, const SvgPath& path) {
+  if (path.closed)
+    return failure(place, name + " is closed",
+                   "open it: in Inkscape, select two neighbouring nodes with the node tool and "
+                   "delete the segment between them");
+  if (path.subpaths > 1)
+    return failure(place, name + " is made of " + std::to_string(path.subpaths) + " pieces",
+                   "in Inkscape, join their ends with the node tool (Shift+J), or split them by "
+                   "Path > Break Apart and choose one");
+  if (!std::all_of(path.points.begin(), path.points.end(), is_in_range))
+    return failure(place, name + " has coordinates beyond 1e9 drawing units",
+                   "draw it smaller or correct its transforms");
+  if (path.points.size() < 2)
+    return failure(place, name + " has no length", "draw a curve with at least two points");
+  return path.points;
+}
+
+}  // namespace
+
+Result<Drawing> read_svg_path(const std::filesystem::path& file, const std::string& path_id,
+                              double tolerance) {
+  const auto svg = load(file);
+  if (!svg) return tl::unexpected(svg.error());
+  const auto paths = visible_paths(svg->document.document_element());
+  const auto node = path_id.empty() ? only_path(*svg, paths) : path_by_id(*svg, paths, path_id);
+  if (!node) return tl::unexpected(node.error());
+  const auto transform = root_from_path(*svg, *node);
+  if (!transform) return tl::unexpected(transform.error());
+  const std::string name = id_of(*node).empty() ? "the path" : "path '" + id_of(*node) + "'";
+  const auto path = read_path_data(path_data(*node), *transform, tolerance);
+  if (!path)
+    return failure(svg->place(*node), name + " has data that cannot be read",
+                   "correct its numbers and commands, or draw it again");
+  return checked(svg->place(*node), name, *path);
+}
+
+}  // namespace ribbon

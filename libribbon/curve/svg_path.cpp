@@ -1,0 +1,170 @@
+#include "curve/svg_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <svgpp/parser/path_data.hpp>
+#include <svgpp/parser/transform_list.hpp>
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// A malformed attribute is an answer here, not an exception.
+struct AnswerFalse {
+  using context_type = void;
+  template <class Context, class Attribute, class Text>
+  static bool parse_failed(Context& /*context*/, Attribute /*attribute*/, const Text& /*text*/) {
+    return false;
+  }
+};
+
+// At least four chords even to a coarse tolerance, so that no curve, not even one that ends where
+// it starts, collapses to a point.
+int chord_count(double wanted) {
+  return static_cast<int>(std::ceil(std::clamp(wanted, 4.0, 1e4)));
+}
+
+// Receives the path's events, all absolute and without shorthands, and collects chords.
+class Flattener {
+ public:
+  Flattener(const Eigen::Affine2d& root_from_path, double tolerance)
+      : root_from_path_(root_from_path), tolerance_(tolerance) {}
+
+  template <class Absolute>
+  void path_move_to(double x, double y, Absolute /*tag*/) {
+    current_ = {x, y};
+    subpath_is_empty_ = true;
+  }
+
+  template <class Absolute>
+  void path_line_to(double x, double y, Absolute /*tag*/) {
+    begin_segment();
+    end_segment({x, y});
+  }
+
+  template <class Absolute>
+  void path_quadratic_bezier_to(double x1, double y1, double x, double y, Absolute tag) {
+    const Vector2d middle(x1, y1);
+    const Vector2d end(x, y);
+    const Vector2d c1 = current_ + (middle - current_) * (2.0 / 3.0);
+    const Vector2d c2 = end + (middle - end) * (2.0 / 3.0);
+    path_cubic_bezier_to(c1.x(), c1.y(), c2.x(), c2.y(), x, y, tag);
+  }
+
+  // A cubic stays within 6/8 of its largest second difference / n^2 of n even chords.
+  template <class Absolute>
+  void path_cubic_bezier_to(double x1, double y1, double x2, double y2, double x, double y,
+                            Absolute /*tag*/) {
+    begin_segment();
+    const Vector2d p0 = root_from_path_ * current_;
+    const Vector2d p1 = root_from_path_ * Vector2d(x1, y1);
+    const Vector2d p2 = root_from_path_ * Vector2d(x2, y2);
+    const Vector2d p3 = root_from_path_ * Vector2d(x, y);
+    const double bend = std::max((p0 - 2 * p1 + p2).norm(), (p1 - 2 * p2 + p3).norm());
+    add_chords(std::sqrt(0.75 * bend / tolerance_), [&](double t) -> Vector2d {
+      const double u = 1 - t;
+      return u * u * u * p0 + 3 * u * u * t * p1 + 3 * u * t * t * p2 + t * t * t * p3;
+    });
+    end_segment({x, y});
+  }
+
+  template <class Absolute>
+  void path_elliptical_arc_to(double rx, double ry, double rotation_deg, bool large, bool sweep,
+                              double x, double y, Absolute /*tag*/) {
+    begin_segment();
+    if (rx > 0 && ry > 0 && current_ != Vector2d(x, y))
+      add_arc(rx, ry, rotation_deg * std::numbers::pi / 180, large, sweep, {x, y});
+    end_segment({x, y});
+  }
+
+  void path_close_subpath() { path_.closed = true; }
+  void path_exit() {}
+
+  [[nodiscard]] const SvgPath& path() const { return path_; }
+
+ private:
+  void begin_segment() {
+    if (!subpath_is_empty_) return;
+    subpath_is_empty_ = false;
+    ++path_.subpaths;
+    add(root_from_path_ * current_);
+  }
+
+  void end_segment(const Vector2d& end) {
+    current_ = end;
+    add(root_from_path_ * end);
+  }
+
+  void add(const Vector2d& point) {
+    if (path_.subpaths == 1 && (path_.points.empty() || path_.points.back() != point))
+      path_.points.push_back(point);
+  }
+
+  // The points between the ends of the curve `point`(0 ... 1).
+  void add_chords(double wanted, const std::function<Vector2d(double)>& point) {
+    const int n = chord_count(wanted);
+    for (int i = 1; i < n; ++i) add(point(static_cast<double>(i) / n));
+  }
+
+  void add_arc(double rx, double ry, double rotation, bool large, bool sweep, const Vector2d& end) {
+    double cx = 0;
+    double cy = 0;
+    double begin_angle = 0;
+    double end_angle = 0;
+    svgpp::arc_endpoint_to_center(current_.x(), current_.y(), end.x(), end.y(), rx, ry, rotation,
+                                  large, sweep, cx, cy, begin_angle, end_angle);
+    double turn = end_angle - begin_angle;
+    if (sweep && turn < 0) turn += 2 * std::numbers::pi;
+    if (!sweep && turn > 0) turn -= 2 * std::numbers::pi;
+    const Vector2d centre = root_from_path_ * Vector2d(cx, cy);
+    const Eigen::Rotation2Dd rotated(rotation);
+    const Vector2d u = root_from_path_.linear() * (rotated * Vector2d(rx, 0));
+    const Vector2d v = root_from_path_.linear() * (rotated * Vector2d(0, ry));
+    const double radius = std::hypot(u.norm(), v.norm());
+    add_chords(std::abs(turn) * std::sqrt(radius / (8 * tolerance_)), [&](double t) -> Vector2d {
+      const double angle = begin_angle + t * turn;
+      return centre + std::cos(angle) * u + std::sin(angle) * v;
+    });
+  }
+
+  Eigen::Affine2d root_from_path_;
+  double tolerance_;
+  Vector2d current_ = Vector2d::Zero();
+  bool subpath_is_empty_ = true;
+  SvgPath path_;
+};
+
+struct TransformList {
+  Eigen::Affine2d product = Eigen::Affine2d::Identity();
+
+  void transform_matrix(const boost::array<double, 6>& m) {
+    product.matrix() << m[0], m[2], m[4], m[1], m[3], m[5], 0, 0, 1;
+  }
+};
+
+}  // namespace
+
+std::optional<SvgPath> read_path_data(const std::string& data,
+                                      const Eigen::Affine2d& root_from_path, double tolerance) {
+  using Parser = svgpp::value_parser<svgpp::tag::type::path_data, svgpp::error_policy<AnswerFalse>>;
+  Flattener flattener(root_from_path, tolerance);
+  if (!Parser::parse(svgpp::tag::attribute::d(), flattener, data, svgpp::tag::source::attribute()))
+    return std::nullopt;
+  return flattener.path();
+}
+
+std::optional<Eigen::Affine2d> read_transform(const std::string& text) {
+  using Parser =
+      svgpp::value_parser<svgpp::tag::type::transform_list, svgpp::error_policy<AnswerFalse>>;
+  TransformList list;
+  if (!Parser::parse(svgpp::tag::attribute::transform(), list, text,
+                     svgpp::tag::source::attribute()))
+    return std::nullopt;
+  return list.product;
+}
+
+}  // namespace ribbon

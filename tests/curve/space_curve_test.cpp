@@ -1,0 +1,201 @@
+#include "curve/space_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace ribbon {
+namespace {
+
+using Eigen::Vector3d;
+
+// As in crossings_test.cpp: along each strand the crossings are 2 sqrt(2) units apart.
+const std::vector<Eigen::Vector2d> trefoil = {{0, -1}, {2, 1}, {4, -1}, {6, 1}, {6, 4},
+                                              {0, 4},  {0, 1}, {2, -1}, {4, 1}, {6, -1}};
+
+CurveScene scene_of(const std::vector<Eigen::Vector2d>& points, double unit_m = 1) {
+  CurveScene scene;
+  scene.drawing = DrawnPoints{points};
+  scene.unit_m = unit_m;
+  scene.clearance_m = 0.01;
+  return scene;
+}
+
+SpaceCurve curve_of(const CurveScene& scene, double width_m, int samples) {
+  const auto curve = generate_space_curve(scene, width_m, samples);
+  EXPECT_TRUE(curve.has_value()) << curve.error().sentence();
+  return curve.value();
+}
+
+std::string problem_of(const CurveScene& scene, double width_m) {
+  const auto curve = generate_space_curve(scene, width_m, 10);
+  return curve ? "none" : curve.error().sentence();
+}
+
+// The heights (world y) of the passages over a plan point, in order of the walk.
+std::vector<double> heights_at(const SpaceCurve& curve, double x, double z) {
+  const auto distance = [&](Eigen::Index i) {
+    return std::hypot(curve.points(0, i) - x, curve.points(2, i) - z);
+  };
+  std::vector<double> heights;
+  for (Eigen::Index i = 1; i + 1 < curve.points.cols(); ++i)
+    if (distance(i) < 1e-3 && distance(i) <= distance(i - 1) && distance(i) < distance(i + 1))
+      heights.push_back(curve.points(1, i));
+  return heights;
+}
+
+TEST(CatmullRom, passes_through_its_middle_points) {
+  const Vector3d p0(0, 0, 0);
+  const Vector3d p1(1, 2, 3);
+  const Vector3d p2(1.1, 2, 3);
+  const Vector3d p3(5, -4, 1);
+  EXPECT_EQ(catmull_rom(p0, p1, p2, p3, 0), p1);
+  EXPECT_EQ(catmull_rom(p0, p1, p2, p3, 1), p2);
+}
+
+TEST(CatmullRom, is_the_usual_one_between_evenly_spaced_points) {
+  // (-p0 + 9 p1 + 9 p2 - p3) / 16
+  const Vector3d middle = catmull_rom({0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {3, 1, 0}, 0.5);
+  EXPECT_NEAR((middle - Vector3d(1.5, 0.5, 0)).norm(), 0, 1e-15);
+}
+
+TEST(CatmullRom, stays_on_a_line_and_goes_forward_however_uneven_the_points) {
+  double before = 1;
+  for (int k = 1; k <= 100; ++k) {
+    const Vector3d p = catmull_rom({0, 0, 0}, {1, 1, 1}, {1.01, 1.01, 1.01}, {9, 9, 9}, k / 100.0);
+    EXPECT_NEAR(p.x(), p.y(), 1e-12);
+    EXPECT_NEAR(p.x(), p.z(), 1e-12);
+    EXPECT_GT(p.x(), before);
+    before = p.x();
+  }
+}
+
+TEST(SpaceCurve, straight_line_is_reproduced) {
+  const SpaceCurve curve = curve_of(scene_of({{0, 0}, {100, 0}, {1000, 0}}, 0.001), 0.1, 5);
+  EXPECT_NEAR(curve.length_m, 1, 1e-12);
+  EXPECT_TRUE(curve.crossings.empty());
+  for (int i = 0; i < 5; ++i)
+    EXPECT_NEAR((curve.points.col(i) - Vector3d(0.25 * i, 0, 0)).norm(), 0, 1e-9);
+}
+
+TEST(SpaceCurve, drawing_is_seen_from_the_positive_end_of_the_axis) {
+  CurveScene scene = scene_of({{0, 0}, {3, 4}});
+  scene.origin = {1, 1};
+  const auto expect_ends = [&](Axis axis, const Vector3d& begin, const Vector3d& end) {
+    scene.axis = axis;
+    const SpaceCurve curve = curve_of(scene, 0.1, 2);
+    EXPECT_NEAR((curve.points.col(0) - begin).norm(), 0, 1e-12);
+    EXPECT_NEAR((curve.points.col(1) - end).norm(), 0, 1e-12);
+  };
+  expect_ends(Axis::y, {-1, 0, -1}, {2, 0, 3});
+  expect_ends(Axis::z, {-1, 1, 0}, {2, -3, 0});
+  expect_ends(Axis::x, {0, 1, 1}, {0, -3, -2});
+}
+
+TEST(SpaceCurve, passages_are_half_of_width_and_clearance_above_and_below) {
+  CurveScene scene = scene_of(trefoil, 0.1);
+  for (const double over : {0.05, -0.05}) {
+    scene.first_passage_over = over > 0;
+    const SpaceCurve curve = curve_of(scene, 0.09, 8001);
+    double first = over;
+    for (const double x : {0.1, 0.3, 0.5}) {
+      const auto heights = heights_at(curve, x, 0);
+      ASSERT_EQ(heights.size(), 2U) << x;
+      EXPECT_NEAR(heights[0], first, 1e-6);
+      EXPECT_NEAR(heights[1], -first, 1e-6);
+      first = -first;
+    }
+    EXPECT_EQ(curve.crossings.size(), 3U);
+  }
+}
+
+TEST(SpaceCurve, heights_point_along_the_axis_towards_the_viewer) {
+  CurveScene scene = scene_of(trefoil, 0.1);
+  scene.axis = Axis::z;
+  EXPECT_NEAR(curve_of(scene, 0.09, 8001).points.row(2).maxCoeff(), 0.05, 1e-6);
+  scene.axis = Axis::x;
+  EXPECT_NEAR(curve_of(scene, 0.09, 8001).points.row(0).maxCoeff(), 0.05, 1e-6);
+}
+
+TEST(SpaceCurve, ends_lie_in_the_plane_and_no_passage_is_overshot) {
+  const SpaceCurve curve = curve_of(scene_of(trefoil, 0.1), 0.09, 400);
+  EXPECT_EQ(curve.points(1, 0), 0);
+  EXPECT_EQ(curve.points(1, 399), 0);
+  EXPECT_LE(curve.points.row(1).cwiseAbs().maxCoeff(), 0.05 + 1e-12);
+}
+
+TEST(SpaceCurve, samples_are_even_along_the_curve) {
+  constexpr int groups = 100;
+  constexpr int per_group = 1000;
+  const SpaceCurve curve = curve_of(scene_of(trefoil, 0.1), 0.09, groups * per_group + 1);
+  for (int g = 0; g < groups; ++g) {
+    double length = 0;
+    for (int i = g * per_group; i < (g + 1) * per_group; ++i)
+      length += (curve.points.col(i + 1) - curve.points.col(i)).norm();
+    EXPECT_NEAR(length * groups / curve.length_m, 1, 1e-6);
+  }
+}
+
+TEST(SpaceCurve, length_of_a_circle_is_right) {
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i < 1000; ++i) points.emplace_back(std::cos(i * 0.006), std::sin(i * 0.006));
+  EXPECT_NEAR(curve_of(scene_of(points), 0.1, 10).length_m, 999 * 0.006, 1e-5);
+}
+
+TEST(SpaceCurve, smoothing_keeps_the_drawn_points) {
+  const SpaceCurve curve = curve_of(scene_of({{0, 0}, {4, 1}, {5, 5}, {2, 8}}), 0.1, 20001);
+  for (const Vector3d& drawn : {Vector3d(4, 0, 1), Vector3d(5, 0, 5)})
+    EXPECT_LT((curve.points.colwise() - drawn).colwise().norm().minCoeff(), 1e-3);
+}
+
+TEST(SpaceCurve, passages_too_close_for_the_width_are_refused_with_a_width_that_fits) {
+  const CurveScene scene = scene_of(trefoil, 0.1);
+  const std::string problem = problem_of(scene, 0.5);
+  EXPECT_NE(problem.find("drawing at ("), std::string::npos) << problem;
+  EXPECT_NE(problem.find("in metres ("), std::string::npos) << problem;
+  const std::string remedy = "set ribbon.width to ";
+  ASSERT_NE(problem.find(remedy), std::string::npos) << problem;
+  const double widest_m = std::stod(problem.substr(problem.find(remedy) + remedy.size()));
+  // 45 degrees at the steepest, 1.5 times the mean: at least 2 sqrt(2) / 10 m / 1.5 - clearance.
+  EXPECT_GT(widest_m, 0.17);
+  EXPECT_LT(widest_m, 0.25);
+  EXPECT_EQ(problem_of(scene, widest_m), "none");
+  EXPECT_NE(problem_of(scene, 1.03 * widest_m), "none");
+}
+
+TEST(SpaceCurve, crossing_at_the_very_end_leaves_no_way_to_rise) {
+  std::vector<Eigen::Vector2d> points = trefoil;
+  points.front() = {0.9, -0.1};
+  const std::string problem = problem_of(scene_of(points, 0.1), 0.09);
+  EXPECT_NE(problem.find("drawing at (1, 0)"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("from the start to the first crossing"), std::string::npos) << problem;
+}
+
+TEST(SpaceCurve, smoothing_that_would_cross_elsewhere_is_refused) {
+  // Rounded, the corner at (10, 0) bulges across the strand that passes just outside.
+  const std::string problem =
+      problem_of(scene_of({{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, -0.2}, {0, -0.2}}), 0.1);
+  EXPECT_NE(problem.find("smoothed"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("drawing at ("), std::string::npos) << problem;
+}
+
+TEST(SpaceCurve, repeated_points_are_dropped) {
+  const SpaceCurve curve = curve_of(scene_of({{0, 0}, {0, 0}, {1, 0}, {1, 0}}), 0.1, 3);
+  EXPECT_NEAR(curve.length_m, 1, 1e-12);
+  EXPECT_NE(problem_of(scene_of({{1, 1}, {1, 1}}), 0.1).find("no length"), std::string::npos);
+}
+
+TEST(SpaceCurve, points_that_are_no_numbers_are_refused) {
+  EXPECT_NE(problem_of(scene_of({{0, 0}, {NAN, 1}}), 0.1), "none");
+  EXPECT_NE(problem_of(scene_of({{0, 0}, {1e300, 1}}), 0.1), "none");
+}
+
+TEST(SpaceCurve, missing_drawing_is_named) {
+  CurveScene scene;
+  scene.drawing = DrawnSvg{"/no/such/knot.svg", ""};
+  EXPECT_NE(problem_of(scene, 0.1).find("/no/such/knot.svg"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ribbon
