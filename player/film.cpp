@@ -1,0 +1,38 @@
+#include "film.h"
+
+#include "render.h"
+
+namespace ribbon {
+
+Result<std::vector<Camera>> place_cameras(RecordingReader& reader, const std::vector<Shot>& shots) {
+  std::vector<Framing> framings;
+  for (const Shot& shot : shots) framings.emplace_back(shot.view, shot.size);
+  const auto include = [&framings](const Eigen::Matrix3Xf& points) {
+    for (Framing& framing : framings) framing.include(points);
+  };
+  if (reader.header().obstacle) include(reader.header().obstacle->vertices);
+  Eigen::Matrix3Xf positions;
+  for (int index = 0; index < reader.frame_count(); ++index) {
+    if (!reader.readable(index)) continue;
+    if (auto read = reader.read(index, positions); !read) return tl::unexpected(read.error());
+    include(positions);
+  }
+  std::vector<Camera> cameras;
+  for (const Framing& framing : framings) cameras.push_back(framing.camera());
+  return cameras;
+}
+
+Film::Film(RecordingReader& reader, int samples)
+    : reader_(reader), stage_(reader.header()), patterns_(samples) {}
+
+Result<void> Film::show(int index) {
+  if (auto read = reader_.read(index, positions_); !read) return read;
+  stage_.set_ribbon(positions_);
+  return {};
+}
+
+Picture Film::picture(const Camera& camera, PictureSize size) const {
+  return develop(render(stage_, camera, size, patterns_));
+}
+
+}  // namespace ribbon

@@ -1,0 +1,41 @@
+// Films a recording: one camera for all of it, one picture per frame.
+#pragma once
+
+#include <vector>
+
+#include "framing.h"
+#include "picture.h"
+#include "playback/recording_reader.h"
+#include "sampling.h"
+#include "stage.h"
+
+namespace ribbon {
+
+struct Shot {
+  View view;
+  PictureSize size;
+};
+
+// One camera per shot, each so near that it just holds the obstacle and the ribbon of every
+// readable frame, so that a frame looks the same whichever others are rendered. Fails when a frame
+// cannot be read. At least one frame must be readable.
+Result<std::vector<Camera>> place_cameras(RecordingReader& reader, const std::vector<Shot>& shots);
+
+class Film {
+ public:
+  // Keeps a reference to `reader`. samples: per pixel.
+  Film(RecordingReader& reader, int samples);
+
+  // Brings frame `index` on the stage. Fails when it cannot be read.
+  Result<void> show(int index);
+  // The frame that was shown last.
+  [[nodiscard]] Picture picture(const Camera& camera, PictureSize size) const;
+
+ private:
+  RecordingReader& reader_;
+  Stage stage_;
+  SamplePatterns patterns_;
+  Eigen::Matrix3Xf positions_;
+};
+
+}  // namespace ribbon

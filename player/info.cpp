@@ -1,0 +1,145 @@
+#include "info.h"
+
+#include <cstdio>
+
+namespace ribbon {
+
+namespace {
+
+// The worst of a number over all frames where it is known, and the first frame that has it.
+template <class Function>
+std::optional<WorstFrame> worst(const RecordingInfo& info, const Function& value) {
+  std::optional<WorstFrame> result;
+  for (int index = 0; index < info.frame_count(); ++index) {
+    const auto& numbers = info.numbers[index];
+    if (numbers && (!result || value(*numbers) > result->value))
+      result = {static_cast<double>(value(*numbers)), index + 1};
+  }
+  return result;
+}
+
+std::string decimals(double number, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, number);
+  return text;
+}
+
+std::string short_number(double number) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
+}
+
+std::string line(const std::string& name, const std::string& value) {
+  constexpr std::size_t column = 16;
+  return name + std::string(column - name.size(), ' ') + value + "\n";
+}
+
+std::string frames_text(const RecordingInfo& info) {
+  std::string text = std::to_string(info.frame_count()) + " in " + decimals(info.duration_s(), 2) +
+                     " s, " + short_number(info.header.frames_per_second) + " per second";
+  if (!info.finished) text += "; the recorder was stopped on the way";
+  return text;
+}
+
+std::string obstacle_text(const RecordingInfo& info) {
+  if (!info.header.obstacle) return "none";
+  const TriangleMesh& mesh = *info.header.obstacle;
+  return (mesh.name.empty() ? "" : mesh.name + ", ") + std::to_string(mesh.vertices.cols()) +
+         " vertices, " + std::to_string(mesh.triangles.cols()) + " triangles";
+}
+
+std::string numbers_text(const RecordingInfo& info) {
+  const auto strain = info.worst_strain();
+  const auto penetrations = info.most_penetrations();
+  if (!strain || !penetrations) return line("numbers", "none");
+  return line("worst strain",
+              decimals(100 * strain->value, 1) + " % in frame " + std::to_string(strain->frame)) +
+         line("penetrations", "at most " + decimals(penetrations->value, 0) + ", in frame " +
+                                  std::to_string(penetrations->frame) + "; in the last frame " +
+                                  std::to_string(*info.last_penetrations()));
+}
+
+std::string damage_text(const RecordingInfo& info) {
+  std::string text;
+  for (const Damage& damage : info.damage)
+    text += line("damage", std::to_string(damage.length) + " bytes at byte " +
+                               std::to_string(damage.byte) + ": " + damage.reason);
+  if (!info.missing.empty()) text += line("lost frames", number_list(info.missing));
+  return text;
+}
+
+}  // namespace
+
+double RecordingInfo::duration_s() const {
+  const FrameNumbers* first = nullptr;
+  const FrameNumbers* last = nullptr;
+  for (const auto& frame : numbers) {
+    if (!frame) continue;
+    if (first == nullptr) first = &*frame;
+    last = &*frame;
+  }
+  return first == nullptr ? 0 : last->time_s - first->time_s;
+}
+
+std::optional<WorstFrame> RecordingInfo::worst_strain() const {
+  return worst(*this, [](const FrameNumbers& frame) { return frame.worst_strain; });
+}
+
+std::optional<WorstFrame> RecordingInfo::most_penetrations() const {
+  return worst(*this, [](const FrameNumbers& frame) { return frame.penetrating_edges; });
+}
+
+std::optional<std::uint32_t> RecordingInfo::last_penetrations() const {
+  for (auto frame = numbers.rbegin(); frame != numbers.rend(); ++frame)
+    if (*frame) return (*frame)->penetrating_edges;
+  return std::nullopt;
+}
+
+double RecordingInfo::bytes_per_vertex_and_frame() const {
+  if (numbers.empty()) return 0;
+  return static_cast<double>(file_bytes) / static_cast<double>(numbers.size()) /
+         header.grid.particle_count();
+}
+
+RecordingInfo recording_info(const std::filesystem::path& file, const RecordingReader& reader) {
+  RecordingInfo info{file, reader.file_bytes(), reader.finished(), reader.header(), {},
+                     {},   reader.damage()};
+  for (int index = 0; index < reader.frame_count(); ++index) {
+    info.numbers.push_back(reader.numbers(index));
+    if (!reader.readable(index)) info.missing.push_back(index + 1);
+  }
+  return info;
+}
+
+std::string info_text(const RecordingInfo& info) {
+  const RecordingHeader& header = info.header;
+  return line("recording", info.file.string()) + line("scene", header.scene_name) +
+         line("written by", header.writer) + line("frames", frames_text(info)) +
+         line("ribbon", std::to_string(header.grid.across) + " x " +
+                            std::to_string(header.grid.along) + " particles, " +
+                            short_number(header.ribbon_width_m) + " m wide, " +
+                            short_number(header.ribbon_length_m) + " m long") +
+         line("obstacle", obstacle_text(info)) + numbers_text(info) +
+         line("position error",
+              "at most " + short_number(1000 * header.max_position_error_m) + " mm") +
+         line("size", std::to_string(info.file_bytes) + " bytes, " +
+                          decimals(info.bytes_per_vertex_and_frame(), 2) +
+                          " per vertex and frame") +
+         damage_text(info);
+}
+
+std::string number_list(const std::vector<int>& numbers) {
+  std::string text;
+  for (std::size_t begin = 0; begin < numbers.size();) {
+    std::size_t end = begin + 1;
+    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
+    if (begin != 0) text += ", ";
+    text += std::to_string(numbers[begin]);
+    if (end - begin > 1) text.append("-").append(std::to_string(numbers[end - 1]));
+    begin = end;
+  }
+  return text;
+}
+
+}  // namespace ribbon

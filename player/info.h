@@ -1,0 +1,51 @@
+// What a recording holds, for people and for programs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "playback/recording_reader.h"
+
+namespace ribbon {
+
+// A worst value and the frame that has it, numbered from 1.
+struct WorstFrame {
+  double value = 0;
+  int frame = 0;
+};
+
+struct RecordingInfo {
+  std::filesystem::path file;
+  std::uint64_t file_bytes = 0;
+  bool finished = false;
+  RecordingHeader header;
+  std::vector<std::optional<FrameNumbers>> numbers;  // one per frame; nothing where it is lost
+  std::vector<int> missing;                          // numbers, from 1, of frames that are lost
+  std::vector<Damage> damage;
+
+  [[nodiscard]] int frame_count() const { return static_cast<int>(numbers.size()); }
+  // From the first to the last frame whose numbers are known; 0 without any.
+  [[nodiscard]] double duration_s() const;
+  // Nothing where no frame's numbers are known.
+  [[nodiscard]] std::optional<WorstFrame> worst_strain() const;
+  [[nodiscard]] std::optional<WorstFrame> most_penetrations() const;
+  [[nodiscard]] std::optional<std::uint32_t> last_penetrations() const;
+  // Size of the file over particles and frames; 0 without frames.
+  [[nodiscard]] double bytes_per_vertex_and_frame() const;
+};
+
+RecordingInfo recording_info(const std::filesystem::path& file, const RecordingReader& reader);
+
+// Several lines to read.
+std::string info_text(const RecordingInfo& info);
+
+// One JSON object; what is not known is null.
+std::string info_json(const RecordingInfo& info);
+
+// "3, 7-9, 12" of numbers in ascending order.
+std::string number_list(const std::vector<int>& numbers);
+
+}  // namespace ribbon

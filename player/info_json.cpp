@@ -1,0 +1,79 @@
+#include <nlohmann/json.hpp>
+
+#include "info.h"
+
+namespace ribbon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json worst_json(const std::optional<WorstFrame>& worst) {
+  if (!worst) return nullptr;
+  return {{"value", worst->value}, {"frame", worst->frame}};
+}
+
+Json obstacle_json(const std::optional<TriangleMesh>& obstacle) {
+  if (!obstacle) return nullptr;
+  return {{"name", obstacle->name},
+          {"vertices", obstacle->vertices.cols()},
+          {"triangles", obstacle->triangles.cols()}};
+}
+
+Json penetrations_json(const RecordingInfo& info) {
+  const auto last = info.last_penetrations();
+  return {{"worst", worst_json(info.most_penetrations())},
+          {"last", last ? Json(*last) : Json(nullptr)}};
+}
+
+Json damage_json(const std::vector<Damage>& damage) {
+  Json list = Json::array();
+  for (const Damage& part : damage)
+    list.push_back({{"byte", part.byte}, {"length", part.length}, {"reason", part.reason}});
+  return list;
+}
+
+Json frames_json(const RecordingInfo& info) {
+  Json list = Json::array();
+  for (int index = 0; index < info.frame_count(); ++index) {
+    const auto& numbers = info.numbers[index];
+    Json frame{{"frame", index + 1}};
+    frame["time_s"] = numbers ? Json(numbers->time_s) : Json(nullptr);
+    frame["worst_strain"] = numbers ? Json(numbers->worst_strain) : Json(nullptr);
+    frame["penetrating_edges"] = numbers ? Json(numbers->penetrating_edges) : Json(nullptr);
+    frame["recovery_iterations"] = numbers ? Json(numbers->recovery_iterations) : Json(nullptr);
+    list.push_back(std::move(frame));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string info_json(const RecordingInfo& info) {
+  const RecordingHeader& header = info.header;
+  const Json json{{"file", info.file.string()},
+                  {"file_bytes", info.file_bytes},
+                  {"bytes_per_vertex_and_frame", info.bytes_per_vertex_and_frame()},
+                  {"writer", header.writer},
+                  {"finished", info.finished},
+                  {"scene", {{"name", header.scene_name}, {"text", header.scene_text}}},
+                  {"ribbon",
+                   {{"along", header.grid.along},
+                    {"across", header.grid.across},
+                    {"length_m", header.ribbon_length_m},
+                    {"width_m", header.ribbon_width_m}}},
+                  {"obstacle", obstacle_json(header.obstacle)},
+                  {"frame_count", info.frame_count()},
+                  {"frames_per_second", header.frames_per_second},
+                  {"duration_s", info.duration_s()},
+                  {"max_position_error_m", header.max_position_error_m},
+                  {"worst_strain", worst_json(info.worst_strain())},
+                  {"penetrating_edges", penetrations_json(info)},
+                  {"missing_frames", info.missing},
+                  {"damage", damage_json(info.damage)},
+                  {"frames", frames_json(info)}};
+  // Names come from files and need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ribbon

@@ -1,0 +1,30 @@
+// What the user asks ribbon-play for.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "picture.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+struct Options {
+  std::filesystem::path recording;
+  std::string pictures;         // file pattern of the pictures; empty: none
+  std::filesystem::path sheet;  // file of the contact sheet; empty: none
+  std::string frames;           // as parse_frame_range reads it; empty: all
+  PictureSize size;
+  int samples = 16;  // per pixel
+  int threads = 0;   // 0: all cores
+  bool info = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+// Nothing when --help or --version was asked for: that has been printed to standard output. Fails
+// when the command line cannot be understood or asks for nothing.
+Result<std::optional<Options>> parse_options(int argc, const char* const* argv);
+
+}  // namespace ribbon

@@ -1,0 +1,27 @@
+// Meshes with the normals that make them look smooth.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/ribbon_grid.h"
+#include "geometry/triangle_mesh.h"
+
+namespace ribbon {
+
+struct Surface {
+  Eigen::Matrix3Xf vertices;   // 3 x V, metres
+  Eigen::Matrix3Xf normals;    // 3 x V, unit length, to the front (outside); zero where none exists
+  Eigen::Matrix3Xi triangles;  // 3 x T, counter-clockwise about the front
+};
+
+// The ribbon with its triangles and no positions yet.
+Surface ribbon_surface(const RibbonGrid& grid);
+
+// Moves the ribbon: positions is 3 x particles.
+void place_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Surface& ribbon);
+
+// Smooth where neighbouring triangles meet at less than `crease_deg`, sharp elsewhere: a cylinder's
+// side is round and its rim is not. Corners are not shared between triangles.
+Surface creased_surface(const TriangleMesh& mesh, float crease_deg = 40);
+
+}  // namespace ribbon

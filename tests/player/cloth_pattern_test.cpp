@@ -1,0 +1,41 @@
+#include "cloth_pattern.h"
+
+#include <gtest/gtest.h>
+
+namespace ribbon {
+namespace {
+
+float difference(const Color& a, const Color& b) {
+  return (a - b).abs().maxCoeff();
+}
+
+TEST(ClothPattern, front_and_back_differ_everywhere) {
+  for (float along = 0; along < 3; along += 0.013F)
+    for (float across = 0; across <= 1; across += 0.01F)
+      EXPECT_GT(difference(cloth_front(along, across), cloth_back(along, across)), 0.1F);
+}
+
+TEST(ClothPattern, both_selvages_have_a_stripe) {
+  EXPECT_LT(difference(cloth_front(0.3F, 0.05F), cloth_front(7.1F, 0.95F)), 1e-6F);
+  EXPECT_GT(difference(cloth_back(0, 0.05F), cloth_back(0, 0.5F)), 0.1F);
+}
+
+TEST(ClothPattern, the_front_shows_which_way_it_runs) {
+  // Within one disc the arcs bulge towards the second end: mirrored, the pattern is another one.
+  int differing = 0;
+  for (float along = 0.005F; along < 1; along += 0.01F)
+    if (difference(cloth_front(2 + along, 0.4F), cloth_front(2 - along, 0.4F)) > 0.1F) ++differing;
+  EXPECT_GT(differing, 15);
+}
+
+TEST(ClothPattern, returns_less_light_than_it_gets) {
+  for (float along = 0; along < 2; along += 0.01F)
+    for (float across = 0; across <= 1; across += 0.01F)
+      for (const Color& color : {cloth_front(along, across), cloth_back(along, across)}) {
+        EXPECT_GT(color.minCoeff(), 0);
+        EXPECT_LT(color.maxCoeff(), 0.9F);
+      }
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,39 @@
+// Small scenes whose light can be worked out by hand.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/triangle_mesh.h"
+#include "recording/recording.h"
+
+namespace ribbon::test {
+
+// A square of two triangles with the given corners, counter-clockwise about its front.
+inline TriangleMesh quad_mesh(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                              const Eigen::Vector3f& c, const Eigen::Vector3f& d) {
+  TriangleMesh mesh{"quad", Eigen::Matrix3Xf(3, 4), Eigen::Matrix3Xi(3, 2)};
+  mesh.vertices << a, b, c, d;
+  mesh.triangles << 0, 0, 1, 2, 2, 3;
+  return mesh;
+}
+
+// A ribbon of one quad, 4 m long and 1 m wide.
+inline RecordingHeader quad_ribbon() {
+  RecordingHeader header;
+  header.scene_name = "one quad";
+  header.grid = {2, 2};
+  header.uv.resize(2, 4);
+  header.uv << 0, 0, 1, 1, 0, 1, 0, 1;
+  header.ribbon_length_m = 4;
+  header.ribbon_width_m = 1;
+  return header;
+}
+
+// Its particles in the plane z = 0, around the origin, along x, front to +z.
+inline Eigen::Matrix3Xf flat_quad() {
+  Eigen::Matrix3Xf positions(3, 4);
+  positions << -2, -2, 2, 2, -0.5F, 0.5F, -0.5F, 0.5F, 0, 0, 0, 0;
+  return positions;
+}
+
+}  // namespace ribbon::test
