@@ -1,0 +1,19 @@
+// What the user typed.
+#pragma once
+
+#include <optional>
+
+#include "converter/conversion.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+struct CommandLine {
+  ConversionRequest request;
+  int threads = 0;  // 0: all cores
+};
+
+// Nothing when help or the version was asked for, which this prints. Fails when it makes no sense.
+Result<std::optional<CommandLine>> parse_command_line(int argc, const char* const* argv);
+
+}  // namespace ribbon

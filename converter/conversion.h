@@ -1,0 +1,38 @@
+// A recording becomes files for modelling packages.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "playback/recording_reader.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+struct ConversionRequest {
+  std::filesystem::path recording;
+  std::string output;  // "out/knot.{frame:04}.obj", ".fbx" or "out/knot.pc2"
+  std::string frames;  // "A:B:STEP"; empty: all
+  bool with_obstacle = true;
+  bool quiet = false;                                        // no progress line
+  std::function<bool()> interrupted = [] { return false; };  // asked before each frame; any thread
+};
+
+struct ConversionReport {
+  int frames_written = 0;
+  std::uint64_t bytes_written = 0;
+  std::filesystem::path first_file;
+  std::filesystem::path last_file;
+  std::vector<int> missing;    // numbers (from 1) of asked frames that the damaged recording lost
+  std::vector<Damage> damage;  // of the recording
+};
+
+// Writes every asked frame that can be read, on all cores. Each file appears complete or not at
+// all. Fails, naming the place, when the recording cannot be opened or holds none of the frames,
+// when the output cannot be written, when a frame is not finite, or when interrupted.
+Result<ConversionReport> convert(const ConversionRequest& request);
+
+}  // namespace ribbon

@@ -1,0 +1,16 @@
+// Which format an output name asks for, and why some are refused.
+#pragma once
+
+#include <string>
+
+#include "result/result.h"
+
+namespace ribbon {
+
+enum class OutputFormat { obj, fbx, pc2 };
+
+// Told by the extension, in upper or lower case. Fails for any other with what is written instead,
+// and with the reason where the format is one that users ask for.
+Result<OutputFormat> output_format(const std::string& output);
+
+}  // namespace ribbon

@@ -1,0 +1,55 @@
+// ribbon-convert: a recording becomes files for modelling packages.
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+#include "commandline/interrupt.h"
+#include "commandline/tool.h"
+#include "converter/command_line.h"
+#include "converter/conversion.h"
+#include "converter/number_list.h"
+#include "parallel/parallel.h"
+
+namespace {
+
+void print_summary(const ribbon::ConversionReport& report, double seconds) {
+  const bool several = report.first_file != report.last_file;
+  std::printf("%d frames, %.1f MB in %.1f s: %s%s%s\n", report.frames_written,
+              static_cast<double>(report.bytes_written) / 1e6, seconds, report.first_file.c_str(),
+              several ? " ... " : "", several ? report.last_file.c_str() : "");
+}
+
+void print_damage(const ribbon::ConversionReport& report) {
+  for (const ribbon::Damage& damage : report.damage)
+    std::fprintf(stderr, "ribbon-convert: damaged at byte %llu, %llu bytes skipped: %s\n",
+                 static_cast<unsigned long long>(damage.byte),
+                 static_cast<unsigned long long>(damage.length), damage.reason.c_str());
+  if (!report.missing.empty())
+    std::fprintf(stderr, "ribbon-convert: the recording has lost %zu of the frames: %s\n",
+                 report.missing.size(), ribbon::number_list(report.missing).c_str());
+}
+
+ribbon::Result<ribbon::ExitCode> run(int argc, const char* const* argv) {
+  auto line = ribbon::parse_command_line(argc, argv);
+  if (!line) return tl::unexpected(line.error());
+  if (!*line) return ribbon::ExitCode::done;
+  ribbon::set_thread_limit((*line)->threads);
+  const ribbon::Interrupt interrupt;
+  (*line)->request.interrupted = [&] { return interrupt.requested(); };
+  const auto start = std::chrono::steady_clock::now();
+  const auto report = ribbon::convert((*line)->request);
+  if (!report) return tl::unexpected(report.error());
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  if (!(*line)->request.quiet) print_summary(*report, elapsed.count());
+  print_damage(*report);
+  const bool whole = report->missing.empty() && report->damage.empty();
+  return whole ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A file-size limit is then an error like a full disk, and no half-written file stays behind.
+  std::signal(SIGXFSZ, SIG_IGN);
+  return ribbon::run_tool("ribbon-convert", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,241 @@
+"""Blender opens what ribbon-convert writes, and sees what was recorded.
+
+  blender -b --factory-startup -noaudio --python-exit-code 1 --python blender_import.py -- \
+      RIBBON_CONVERT BLENDER_SAMPLES FOLDER
+
+Every export is imported and compared with the recording: objects, names, materials, numbers of
+vertices and faces, vertex order, uv, axes (Blender is z up: x, -z, y of the recording), unit, and
+each position. The same comparison must refuse the spoiled exports, or it would prove nothing.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+import bpy
+
+# Blender turns imported objects upright by a rotation in single precision, so its positions are
+# exact only to a few times this part of the largest coordinate.
+FLOAT_ROUNDING = 4 * 2.0**-23
+
+# What the comparison must say about each fault that blender_samples plants.
+FAULTS = {
+    "moved_vertex": "a position is off",
+    "moved_obstacle": "a position is off",
+    "swapped_vertices": "a position is off",
+    "wrong_axes": "a position is off",
+    "hundredfold": "a position is off",
+    "wrong_unit": "a position is off",
+    "swapped_frames": "a position is off",
+    "frozen": "a position is off",
+    "swapped_uv": "uv differ",
+    "wrong_name": "objects are",
+    "unrepaired": "Blender does not open it",
+}
+
+
+class Reference:
+    """What the recording holds (blender_samples wrote it)."""
+
+    def __init__(self, path):
+        data = json.loads(path.read_text())
+        self.ribbon = data["ribbon"]
+        self.obstacle = data["obstacle"]
+        self.length = data["length"]
+        self.uv = data["uv"]
+        self.quads = data["quads"]
+        self.obstacle_vertices = data["obstacle_vertices"]
+        self.obstacle_triangles = data["obstacle_triangles"]
+        self.frames = data["frames"]
+        largest = max(abs(x) for p in self.frames[0] + self.obstacle_vertices for x in p)
+        self.tolerance = 1e-5 * self.length + FLOAT_ROUNDING * largest
+
+
+def z_up(point):
+    x, y, z = point
+    return (x, -z, y)
+
+
+def empty_scene():
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+
+
+def import_file(path):
+    empty_scene()
+    if path.suffix == ".obj":
+        bpy.ops.wm.obj_import(filepath=str(path))
+    else:
+        bpy.ops.import_scene.fbx(filepath=str(path))
+
+
+def attach_cache(name, path):
+    cache = bpy.data.objects[name].modifiers.new("cache", "MESH_CACHE")
+    cache.cache_format = "PC2"
+    cache.filepath = str(path)
+
+
+def largest_distance(ours, expected):
+    return max(
+        max(abs(a - b) for a, b in zip(p, z_up(q))) for p, q in zip(ours, expected)
+    )
+
+
+def world_positions(obj, mesh):
+    return [obj.matrix_world @ vertex.co for vertex in mesh.vertices]
+
+
+def compare_uv(mesh, uv):
+    """Every corner has its vertex's uv, so vertices match the recording's by uv too."""
+    if not mesh.uv_layers:
+        return ["the ribbon has no uv"]
+    layer = mesh.uv_layers[0].data
+    worst = max(
+        max(abs(a - b) for a, b in zip(layer[loop.index].uv, uv[loop.vertex_index]))
+        for loop in mesh.loops
+    )
+    return [f"uv differ by {worst:.3g}"] if worst > 1e-6 else []
+
+
+def compare_mesh(obj, mesh, expected, faces, corners, tolerance):
+    what = repr(obj.name)
+    if len(mesh.vertices) != len(expected):
+        return [f"{what}: {len(mesh.vertices)} vertices, not {len(expected)}"]
+    problems = []
+    sizes = [len(polygon.vertices) for polygon in mesh.polygons]
+    if sizes != [corners] * faces:
+        problems.append(f"{what}: {len(sizes)} faces, not {faces} with {corners} corners each")
+    distance = largest_distance(world_positions(obj, mesh), expected)
+    if not distance <= tolerance:
+        problems.append(f"{what}: a position is off by {distance:.3g} m")
+    return problems
+
+
+def compare_objects(reference):
+    """Names, materials and the obstacle."""
+    found = sorted((o.name, o.type) for o in bpy.data.objects)
+    wanted = sorted([(reference.ribbon, "MESH"), (reference.obstacle, "MESH")])
+    if found != wanted:
+        return [f"objects are {found}, not {wanted}"]
+    problems = []
+    for name, material in ((reference.ribbon, "ribbon"), (reference.obstacle, "obstacle")):
+        names = [slot.name for slot in bpy.data.objects[name].material_slots]
+        if names != [material]:
+            problems.append(f"{name!r} has materials {names}, not {material!r}")
+    obstacle = bpy.data.objects[reference.obstacle]
+    return problems + compare_mesh(
+        obstacle,
+        obstacle.data,
+        reference.obstacle_vertices,
+        reference.obstacle_triangles,
+        3,
+        reference.tolerance,
+    )
+
+
+def compare_ribbon(reference, mesh, frame):
+    ribbon = bpy.data.objects[reference.ribbon]
+    return compare_mesh(
+        ribbon, mesh, reference.frames[frame], reference.quads, 4, reference.tolerance
+    )
+
+
+def check_file(path, reference, frame):
+    """Problems of one exported frame; none when it is right."""
+    try:
+        import_file(path)
+    except Exception as error:  # whatever an importer raises on a broken file
+        return ["Blender does not open it: " + str(error).strip().splitlines()[-1]]
+    problems = compare_objects(reference)
+    if reference.ribbon not in bpy.data.objects:
+        return problems
+    mesh = bpy.data.objects[reference.ribbon].data
+    return problems + compare_ribbon(reference, mesh, frame) + compare_uv(mesh, reference.uv)
+
+
+def check_cache(base, cache, reference):
+    """Problems of a point cache on its base, over all frames."""
+    problems = check_file(base, reference, 0)
+    attach_cache(reference.ribbon, cache)
+    for frame in range(len(reference.frames)):
+        bpy.context.scene.frame_set(frame)
+        evaluated = bpy.data.objects[reference.ribbon].evaluated_get(
+            bpy.context.evaluated_depsgraph_get()
+        )
+        problems += [
+            f"frame {frame}: {problem}"
+            for problem in compare_ribbon(reference, evaluated.data, frame)
+        ]
+    return problems
+
+
+class Verdicts:
+    def __init__(self):
+        self.failed = 0
+
+    def _say(self, good, what, why):
+        self.failed += 0 if good else 1
+        print(f"{'ok    ' if good else 'FAILED'} {what}: {why}", flush=True)
+
+    def accepts(self, what, problems):
+        self._say(not problems, what, "; ".join(problems) or "as recorded")
+
+    def refuses(self, what, problems, reason):
+        good = any(reason in problem for problem in problems)
+        answer = "; ".join(problems) or "nothing wrong"
+        self._say(good, what, f"refused: {answer}" if good else f"not {reason!r}, but: {answer}")
+
+    def judges(self, path, problems):
+        """A file of blender_samples, whose name tells its fault."""
+        if path.stem == "right":
+            self.accepts(f"spoiled {path.name}", problems)
+        else:
+            self.refuses(f"spoiled {path.name}", problems, FAULTS[path.stem])
+
+
+def check_exports(verdicts, convert, folder, sample):
+    reference = Reference(folder / f"{sample}.json")
+    recording = folder / f"{sample}.rbn"
+    out = folder / sample
+    for extension in (".obj", ".fbx"):
+        pattern = out / ("knot.{frame:04}" + extension)
+        subprocess.run([convert, recording, "-o", pattern, "--quiet"], check=True)
+        for frame in range(len(reference.frames)):
+            path = out / f"knot.{frame + 1:04}{extension}"
+            verdicts.accepts(f"{sample} {path.name}", check_file(path, reference, frame))
+    cache = out / "knot.pc2"
+    subprocess.run([convert, recording, "-o", cache, "--quiet"], check=True)
+    verdicts.accepts(
+        f"{sample} {cache.name}", check_cache(cache.with_suffix(".obj"), cache, reference)
+    )
+
+
+def check_that_faults_are_seen(verdicts, folder):
+    reference = Reference(folder / "near.json")
+    spoiled = folder / "spoiled"
+    faults = sorted(path for path in spoiled.iterdir() if path.suffix in (".obj", ".fbx"))
+    for path in faults:
+        verdicts.judges(path, check_file(path, reference, 0))
+    for extension in (".obj", ".fbx"):
+        neighbour = folder / "near" / f"knot.0002{extension}"
+        problems = check_file(neighbour, reference, 0)
+        verdicts.refuses(f"frame 2 for frame 1, {extension}", problems, "a position is off")
+    for cache in sorted(spoiled.glob("*.pc2")):
+        verdicts.judges(cache, check_cache(spoiled / "right.obj", cache, reference))
+
+
+def main():
+    convert, samples, folder = sys.argv[sys.argv.index("--") + 1 :]
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    subprocess.run([samples, folder], check=True)
+    verdicts = Verdicts()
+    for sample in ("near", "far"):
+        check_exports(verdicts, convert, folder, sample)
+    check_that_faults_are_seen(verdicts, folder)
+    if verdicts.failed:
+        raise SystemExit(f"{verdicts.failed} comparisons went wrong")
+    print("Blender", bpy.app.version_string, "sees what was recorded", flush=True)
+
+
+main()

@@ -1,0 +1,166 @@
+// Writes what blender_import.py compares: sample recordings, what they hold as JSON, and spoiled
+// exports that its comparison must refuse.
+//
+//   blender_samples FOLDER
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <limits>
+
+#include "converter/fbx_export.h"
+#include "converter/obj_text.h"
+#include "converter/point_cache.h"
+#include "fbx_records.h"
+#include "files/files.h"
+#include "playback/recording_reader.h"
+#include "recording/recording_writer.h"
+#include "sample_knot.h"
+
+namespace {
+
+using ribbon::Model;
+using Folder = std::filesystem::path;
+
+void require(bool good, const char* what) {
+  if (good) return;
+  std::fprintf(stderr, "blender_samples: %s\n", what);
+  std::exit(1);
+}
+
+template <class Columns>
+void write_columns(std::ostream& json, const Columns& columns) {
+  json << '[';
+  for (Eigen::Index column = 0; column < columns.cols(); ++column) {
+    json << (column > 0 ? ",[" : "[");
+    for (Eigen::Index row = 0; row < columns.rows(); ++row)
+      json << (row > 0 ? "," : "") << columns(row, column);
+    json << ']';
+  }
+  json << ']';
+}
+
+void write_recording(const Folder& file, const ribbon::SampleKnot& knot) {
+  auto writer = ribbon::RecordingWriter::create(file, knot.header);
+  require(writer.has_value(), "cannot create the recording");
+  for (std::size_t frame = 0; frame < knot.frames.size(); ++frame)
+    require(writer->append({.time_s = 0.02 * static_cast<double>(frame)}, knot.frames[frame])
+                .has_value(),
+            "cannot append a frame");
+  require(writer->finish().has_value(), "cannot finish the recording");
+}
+
+// Everything that an export of the recording must show, in the recording's own axes and units.
+void write_reference(const Folder& recording, const Folder& file) {
+  auto reader = ribbon::RecordingReader::open(recording);
+  require(reader.has_value(), "cannot read the recording");
+  const ribbon::RecordingHeader& header = reader->header();
+  std::ofstream json(file);
+  json << std::setprecision(std::numeric_limits<float>::max_digits10);
+  json << R"({"ribbon": ")" << header.scene_name << R"(", "obstacle": ")" << header.obstacle->name
+       << R"(", "length": )" << header.ribbon_length_m << R"(, "uv": )";
+  write_columns(json, header.uv);
+  json << R"(, "quads": )" << header.grid.quad_count() << R"(, "obstacle_vertices": )";
+  write_columns(json, header.obstacle->vertices);
+  json << R"(, "obstacle_triangles": )" << header.obstacle->triangles.cols() << R"(, "frames": [)";
+  for (int frame = 0; frame < reader->frame_count(); ++frame) {
+    Eigen::Matrix3Xf positions;
+    require(reader->read(frame, positions).has_value(), "cannot read a frame");
+    json << (frame > 0 ? "," : "");
+    write_columns(json, positions);
+  }
+  json << "]}\n";
+  json.close();
+  require(json.good(), "cannot write the reference");
+}
+
+void write(const Folder& file, const std::string& bytes) {
+  require(ribbon::write_file(file, bytes).has_value(), "cannot write a spoiled export");
+}
+
+Model model_of(const ribbon::SampleKnot& knot, const Eigen::Matrix3Xd& ribbon_positions) {
+  Model model = ribbon::model_of_recording(knot.header, true).value();
+  model.objects[0].positions = ribbon_positions.cast<float>();
+  return model;
+}
+
+void write_spoiled(const Folder& folder, const ribbon::SampleKnot& knot, const std::string& fault,
+                   const std::function<void(Model&)>& spoil) {
+  Model model = model_of(knot, knot.frames[0]);
+  spoil(model);
+  write(folder / (fault + ".obj"), ribbon::obj_text(model, "spoiled.mtl"));
+  write(folder / (fault + ".fbx"), ribbon::fbx_bytes(model).value());
+}
+
+void swap_y_and_z(Model& model) {
+  for (auto& object : model.objects) object.positions.row(1).swap(object.positions.row(2));
+}
+
+// The file says that its unit is the centimetre, though the numbers are metres.
+std::string with_wrong_unit(std::string fbx) {
+  const std::string key = "UnitScaleFactor";
+  const double centimetre = 1;
+  std::size_t found = fbx.find(key);
+  require(found != std::string::npos, "no unit in the FBX");
+  found = fbx.find("D", found + key.size() + sizeof "SdoubleSNumberS");
+  std::memcpy(fbx.data() + found + 1, &centimetre, sizeof centimetre);
+  return fbx;
+}
+
+void write_spoiled_cache(const Folder& file, const ribbon::SampleKnot& knot,
+                         const std::function<void(std::vector<Eigen::Matrix3Xd>&)>& spoil) {
+  std::vector<Eigen::Matrix3Xd> frames = knot.frames;
+  spoil(frames);
+  auto cache = ribbon::PointCacheWriter::create(file, knot.header.grid.particle_count(),
+                                                static_cast<int>(frames.size()));
+  require(cache.has_value(), "cannot create a spoiled cache");
+  for (const auto& frame : frames)
+    require(cache->append(frame.cast<float>()).has_value(), "cannot write a spoiled cache");
+  require(cache->finish().has_value(), "cannot finish a spoiled cache");
+}
+
+void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
+  const double visible = 1e-4 * knot.header.ribbon_length_m;
+  const auto move_one = [=](auto& positions) { positions(1, 17) += visible; };
+  write_spoiled(folder, knot, "right", [](Model&) {});
+  write_spoiled(folder, knot, "moved_vertex",
+                [&](Model& m) { m.objects[0].positions(1, 17) += static_cast<float>(visible); });
+  write_spoiled(folder, knot, "moved_obstacle",
+                [&](Model& m) { m.objects[1].positions(1, 3) += static_cast<float>(visible); });
+  write_spoiled(folder, knot, "wrong_axes", swap_y_and_z);
+  write_spoiled(folder, knot, "hundredfold", [](Model& m) {
+    for (auto& object : m.objects) object.positions *= 100;
+  });
+  write_spoiled(folder, knot, "swapped_uv",
+                [](Model& m) { m.objects[0].uv.row(0).swap(m.objects[0].uv.row(1)); });
+  write_spoiled(folder, knot, "wrong_name", [](Model& m) { m.objects[0].name = "Mesh"; });
+  write_spoiled(folder, knot, "swapped_vertices", [](Model& m) {
+    m.objects[0].positions.col(3).swap(m.objects[0].positions.col(4));
+  });
+  const Model right = model_of(knot, knot.frames[0]);
+  const std::string unrepaired = ribbon::unrepaired_fbx_bytes(right).value();
+  if (ribbon::fbx_top_list_end(unrepaired) == 0)  // an assimp before 5.3
+    write(folder / "unrepaired.fbx", unrepaired);
+  write(folder / "wrong_unit.fbx", with_wrong_unit(ribbon::fbx_bytes(right).value()));
+  write_spoiled_cache(folder / "right.pc2", knot, [](auto&) {});
+  write_spoiled_cache(folder / "moved_vertex.pc2", knot, [&](auto& f) { move_one(f[1]); });
+  write_spoiled_cache(folder / "swapped_frames.pc2", knot, [](auto& f) { f[1].swap(f[2]); });
+  write_spoiled_cache(folder / "frozen.pc2", knot, [](auto& f) { f[1] = f[2] = f[4] = f[0]; });
+}
+
+void write_sample(const Folder& folder, const std::string& name, const ribbon::SampleKnot& knot) {
+  write_recording(folder / (name + ".rbn"), knot);
+  write_reference(folder / (name + ".rbn"), folder / (name + ".json"));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  require(argc == 2, "usage: blender_samples FOLDER");
+  const Folder folder = argv[1];
+  const ribbon::RibbonGrid grid{.along = 12, .across = 4};
+  write_sample(folder, "near", ribbon::sample_knot(grid));
+  write_sample(folder, "far", ribbon::sample_knot(grid, {1000, 2000, -3000}));
+  write_all_spoiled(folder / "spoiled", ribbon::sample_knot(grid));
+}

@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include "converter/number_list.h"
+#include "converter/output_format.h"
+#include "converter/output_names.h"
+
+namespace ribbon {
+namespace {
+
+TEST(OutputFormat, the_extension_tells_it_in_any_case) {
+  EXPECT_EQ(output_format("out/knot.{frame:04}.obj").value(), OutputFormat::obj);
+  EXPECT_EQ(output_format("knot.FBX").value(), OutputFormat::fbx);
+  EXPECT_EQ(output_format("a.b/knot.pc2").value(), OutputFormat::pc2);
+}
+
+TEST(OutputFormat, an_unknown_one_is_answered_with_what_there_is) {
+  for (const char* output : {"knot.doc", "knot", "out.obj/knot"}) {
+    const auto format = output_format(output);
+    ASSERT_FALSE(format.has_value()) << output;
+    for (const char* extension : {".obj", ".fbx", ".pc2"})
+      EXPECT_NE(format.error().remedy.find(extension), std::string::npos) << output;
+  }
+}
+
+TEST(OutputFormat, a_broken_one_is_refused_with_the_reason) {
+  EXPECT_NE(output_format("knot.3mf").error().problem.find("fourth corner"), std::string::npos);
+  EXPECT_NE(output_format("knot.GLTF").error().problem.find("quads"), std::string::npos);
+}
+
+TEST(OutputNames, the_material_library_is_named_after_the_sequence) {
+  EXPECT_EQ(material_library_name("out/knot.{frame:04}.obj"), "knot.mtl");
+  EXPECT_EQ(material_library_name("{frame}_first knot.obj"), "first knot.mtl");
+  EXPECT_EQ(material_library_name("out/{frame:04}.obj"), "ribbon.mtl");
+  EXPECT_EQ(material_library_name("{frame}/knot.obj"), "knot.mtl");
+  EXPECT_EQ(material_library_name("knot.pc2"), "knot.mtl");
+}
+
+TEST(OutputNames, one_frame_needs_no_pattern_and_two_do) {
+  EXPECT_EQ(frame_files("knot.obj", 1).value()(7), "knot.obj");
+  EXPECT_EQ(frame_files("knot.{frame:04}.obj", 1).value()(7), "knot.0007.obj");
+  EXPECT_FALSE(frame_files("knot.obj", 2).has_value());
+}
+
+TEST(NumberList, consecutive_numbers_become_spans) {
+  EXPECT_EQ(number_list({}), "");
+  EXPECT_EQ(number_list({4}), "4");
+  EXPECT_EQ(number_list({4, 5, 6, 9, 11, 12}), "4-6, 9, 11-12");
+  EXPECT_EQ(number_list({3, 2, 1}), "3, 2, 1");
+}
+
+}  // namespace
+}  // namespace ribbon

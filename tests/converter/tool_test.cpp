@@ -1,0 +1,201 @@
+// The built ribbon-convert, as a user meets it.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "files/files.h"
+#include "playback/recording_reader.h"
+#include "recording/recording_writer.h"
+#include "sample_knot.h"
+
+namespace ribbon {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Answer {
+  int exit_code = 0;
+  std::string out;
+  std::string err;
+};
+
+class Tool : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / "ribbon-convert" / test->name();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    recording_ = folder_ / "knot.rbn";
+    record(sample_knot());
+  }
+
+  void record(const SampleKnot& knot) const {
+    auto writer = RecordingWriter::create(recording_, knot.header).value();
+    for (std::size_t frame = 0; frame < knot.frames.size(); ++frame)
+      ASSERT_TRUE(writer.append({.time_s = 0.02 * static_cast<double>(frame)}, knot.frames[frame]));
+    ASSERT_TRUE(writer.finish());
+  }
+
+  // Runs the tool inside the test's folder; `before` is shell, for limits.
+  [[nodiscard]] Answer run(const std::string& arguments, const std::string& before = "") const {
+    const std::string command = "cd '" + folder_.string() + "' && " + before +
+                                " " RIBBON_CONVERT " " + arguments + " > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    const Answer answer{WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+                        read_file(folder_ / "out.txt").value(),
+                        read_file(folder_ / "err.txt").value()};
+    fs::remove(folder_ / "out.txt");
+    fs::remove(folder_ / "err.txt");
+    return answer;
+  }
+
+  // Names in a folder below the test's, sorted and joined by blanks.
+  [[nodiscard]] std::string names(const std::string& below) const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder_ / below))
+      found.push_back(entry.path().filename().string());
+    std::sort(found.begin(), found.end());
+    std::string joined;
+    for (const std::string& name : found) joined += (joined.empty() ? "" : " ") + name;
+    return joined;
+  }
+
+  [[nodiscard]] std::string bytes(const std::string& file) const {
+    return read_file(folder_ / file).value();
+  }
+
+  fs::path folder_;
+  fs::path recording_;
+};
+
+TEST_F(Tool, an_obj_sequence_shares_one_material_library) {
+  const Answer answer = run("knot.rbn -o 'out/knot.{frame:04}.obj'");
+  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_EQ(names("out"),
+            "knot.0001.obj knot.0002.obj knot.0003.obj knot.0004.obj knot.0005.obj knot.mtl");
+  EXPECT_NE(bytes("out/knot.0005.obj").find("mtllib knot.mtl\n"), std::string::npos);
+  EXPECT_EQ(bytes("out/knot.0001.obj"), bytes("out/knot.0004.obj")) << "the same shape";
+  EXPECT_EQ(answer.out.find("5 frames"), 0U) << answer.out;
+}
+
+TEST_F(Tool, the_number_of_threads_changes_nothing) {
+  SampleKnot knot = sample_knot();
+  for (int copy = 0; copy < 6; ++copy) knot.frames.push_back(knot.frames[copy] * (1.1 + copy));
+  knot.frames.insert(knot.frames.end(), knot.frames.begin(), knot.frames.begin() + 11);
+  record(knot);
+  ASSERT_EQ(run("knot.rbn -o '1/{frame}.obj' --threads 1").exit_code, 0);
+  ASSERT_EQ(run("knot.rbn -o '2/{frame}.obj' --threads 2").exit_code, 0);
+  EXPECT_EQ(names("1"), names("2"));
+  for (int number = 1; number <= 22; ++number) {
+    const std::string name = std::to_string(number) + ".obj";
+    EXPECT_EQ(bytes("1/" + name), bytes("2/" + name)) << name;
+  }
+}
+
+TEST_F(Tool, an_fbx_sequence_has_one_file_a_frame) {
+  const Answer answer = run("knot.rbn -o 'out/knot.{frame:04}.fbx' --frames 2:4 --quiet");
+  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_EQ(answer.out + answer.err, "");
+  EXPECT_EQ(names("out"), "knot.0002.fbx knot.0003.fbx knot.0004.fbx");
+  EXPECT_TRUE(bytes("out/knot.0002.fbx").starts_with("Kaydara FBX Binary"));
+}
+
+TEST_F(Tool, a_point_cache_equals_the_recording_and_has_its_base) {
+  ASSERT_EQ(run("knot.rbn -o out/knot.pc2").exit_code, 0);
+  EXPECT_EQ(names("out"), "knot.mtl knot.obj knot.pc2");
+  const std::string cache = bytes("out/knot.pc2");
+  ASSERT_EQ(cache.size(), 32U + 5 * 48 * 12);
+  auto reader = RecordingReader::open(recording_).value();
+  for (int frame = 0; frame < 5; ++frame) {
+    Eigen::Matrix3Xf recorded;
+    ASSERT_TRUE(reader.read(frame, recorded));
+    Eigen::Matrix3Xf cached(3, 48);
+    std::memcpy(cached.data(), cache.data() + 32 + frame * 48 * 12, 48 * 12);
+    EXPECT_EQ(cached, recorded) << "frame " << frame;
+  }
+  ASSERT_EQ(run("knot.rbn -o first.obj --frames 1").exit_code, 0);
+  const auto objects = [](const std::string& obj) { return obj.substr(obj.find("\no ")); };
+  EXPECT_EQ(objects(bytes("out/knot.obj")), objects(bytes("first.obj")));
+}
+
+TEST_F(Tool, the_last_frame_alone_needs_no_pattern) {
+  ASSERT_EQ(run("knot.rbn -o last.obj --frames -1").exit_code, 0);
+  EXPECT_EQ(names("."), "knot.rbn last.mtl last.obj");
+}
+
+TEST_F(Tool, the_obstacle_can_be_left_out) {
+  ASSERT_EQ(run("knot.rbn -o a.obj --frames 1 --object ribbon").exit_code, 0);
+  EXPECT_EQ(bytes("a.obj").find("small object"), std::string::npos);
+  EXPECT_EQ(bytes("a.mtl").find("obstacle"), std::string::npos);
+}
+
+TEST_F(Tool, several_frames_without_a_pattern_are_refused) {
+  const Answer answer = run("knot.rbn -o out/knot.obj");
+  EXPECT_EQ(answer.exit_code, 2);
+  EXPECT_NE(answer.err.find("{frame"), std::string::npos) << answer.err;
+  EXPECT_EQ(names("."), "knot.rbn");
+}
+
+TEST_F(Tool, a_point_cache_with_a_pattern_is_refused) {
+  const Answer answer = run("knot.rbn -o 'knot.{frame}.pc2'");
+  EXPECT_EQ(answer.exit_code, 2);
+  EXPECT_NE(answer.err.find("leave {frame} out"), std::string::npos) << answer.err;
+}
+
+TEST_F(Tool, an_unknown_extension_is_one_sentence_that_lists_the_known) {
+  const Answer answer = run("knot.rbn -o 'knot.{frame}.glb'");
+  EXPECT_EQ(answer.exit_code, 2);
+  EXPECT_EQ(answer.err,
+            "ribbon-convert: knot.{frame}.glb: is not written as .glb (assimp splits the quads and "
+            "joins vertices); choose .obj or .fbx (one file a frame) or .pc2 (all frames in one "
+            "file)\n");
+}
+
+TEST_F(Tool, a_frame_that_is_not_there_is_refused) {
+  EXPECT_EQ(run("knot.rbn -o a.obj --frames 6").exit_code, 2);
+  EXPECT_EQ(names("."), "knot.rbn");
+}
+
+TEST_F(Tool, a_missing_recording_and_a_wrong_option_could_not) {
+  const Answer missing = run("other.rbn -o a.pc2");
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_NE(missing.err.find("other.rbn"), std::string::npos) << missing.err;
+  EXPECT_EQ(run("knot.rbn -o a.pc2 --speed 3").exit_code, 2);
+  EXPECT_EQ(run("knot.rbn").exit_code, 2);
+}
+
+TEST_F(Tool, help_shows_examples_and_version_a_number) {
+  const Answer help = run("--help");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.out.find("ribbon-convert knot.rbn -o 'out/knot.{frame:04}.obj'"),
+            std::string::npos);
+  const Answer version = run("--version");
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_EQ(version.out.find("ribbon-convert "), 0U) << version.out;
+}
+
+TEST_F(Tool, an_unwritable_folder_is_named) {
+  for (const char* extension : {"{frame}.obj", "{frame}.fbx", "a.pc2"}) {
+    const Answer answer = run(std::string("knot.rbn -o 'knot.rbn/below/") + extension + "'");
+    EXPECT_EQ(answer.exit_code, 2);
+    EXPECT_NE(answer.err.find("knot.rbn/below"), std::string::npos) << answer.err;
+  }
+}
+
+TEST_F(Tool, a_disk_that_fills_up_leaves_no_half_file) {
+  for (const char* output : {"out/a.{frame}.obj", "out/a.{frame}.fbx", "out/a.pc2"}) {
+    const Answer answer =
+        run(std::string("knot.rbn -o '") + output + "'", "ulimit -f 2 &&");  // 1 or 2 kB
+    EXPECT_EQ(answer.exit_code, 2) << output;
+    EXPECT_NE(answer.err.find("cannot be written"), std::string::npos) << answer.err;
+    for (const auto& entry : fs::directory_iterator(folder_ / "out"))
+      EXPECT_EQ(entry.path().filename(), "a.mtl");
+  }
+}
+
+}  // namespace
+}  // namespace ribbon
