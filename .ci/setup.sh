@@ -1,0 +1,58 @@
+# Sourced by samples/first-knot.sh and tests/run.sh: Debian packages, configure and build.
+# shellcheck shell=bash disable=SC2034  # the lists are for who sources this
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# docs/dependencies.md says what each library is for.
+build_packages=(
+  g++ cmake ninja-build pkg-config
+  libassimp-dev libboost-dev libcli11-dev libdeflate-dev libeigen3-dev libembree-dev libexpected-dev
+  libfreetype-dev libpng-dev libpugixml-dev libsvgpp-dev libtbb-dev libtomlplusplus-dev libzstd-dev
+  nlohmann-json3-dev fonts-dejavu-core
+)
+test_packages=(blender clang-format clang-tidy libcgal-dev libgtest-dev python3 shellcheck)
+
+is_installed() {
+  [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
+}
+
+as_root() {
+  if [[ $(id -u) -eq 0 ]]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    echo "need root to run '$*'; run this as root or install sudo" >&2
+    return 1
+  fi
+}
+
+# Touches the network and asks for a password only when a package really is missing.
+install_missing() {
+  local package missing=()
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+  echo "== Installing ${missing[*]}"
+  as_root apt-get update --quiet
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --quiet --no-install-recommends "${missing[@]}"
+}
+
+# build PRESET CMAKE_OPTION... -- TARGET...   Without targets: everything. Reuses what is built.
+build() {
+  local preset=$1 options=() targets=()
+  shift
+  while [[ $# -gt 0 && $1 != -- ]]; do
+    options+=("$1")
+    shift
+  done
+  [[ $# -eq 0 ]] || targets=(--target "${@:2}")
+  echo "== Building $preset"
+  (
+    cd "$root" || exit
+    cmake --preset "$preset" "${options[@]}" >/dev/null
+    cmake --build --preset "$preset" --parallel "$(nproc)" "${targets[@]}"
+  )
+}

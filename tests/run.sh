@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# Everything that must hold before a change goes in: installs what is missing, builds in Release, runs
+# all tests, runs the fast ones under the sanitizers, checks format and lint. Ends with one line
+# "N passed, N failed"; fails when that is not 0.
+#   --quick   only the Release build and its tests
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
+
+case ${1-} in
+  '' | --quick) ;;
+  *)
+    echo "unknown option '$1'; write --quick or nothing" >&2
+    exit 2
+    ;;
+esac
+
+passed=0
+failed=0
+skipped=0
+
+finish() {
+  local status=$?
+  # Something could not even be tried.
+  [[ $status -eq 0 || $failed -gt 0 ]] || failed=1
+  [[ $skipped -eq 0 ]] || echo "$skipped tests were skipped; their reasons stand above"
+  echo "$passed passed, $failed failed"
+  [[ $failed -eq 0 ]] || exit 1
+}
+trap finish EXIT
+
+# The value of an attribute of ctest's summary.
+reported() { grep --max-count=1 --only-matching --perl-regexp "\s$1=\"\K[0-9]+" "$2"; }
+
+# run_ctest PRESET CTEST_OPTION...
+run_ctest() {
+  local preset=$1 status=0 report failures skips
+  report=$root/build/$preset/test-report.xml
+  rm -f "$report"
+  (cd "$root" && ctest --preset "$preset" --parallel "$(nproc)" \
+    --output-junit "$report" "${@:2}") || status=$?
+  failures=$(reported failures "$report")
+  skips=$(reported skipped "$report")
+  # What ctest could not run is no failure to its report, but it is to us.
+  [[ $status -eq 0 || $failures -gt 0 ]] || failures=1
+  failed=$((failed + failures))
+  skipped=$((skipped + skips))
+  passed=$((passed + $(reported tests "$report") - failures - skips))
+}
+
+# check WHAT COMMAND...
+check() {
+  echo "== Checking $1"
+  if "${@:2}"; then
+    passed=$((passed + 1))
+  else
+    echo "FAILED: $1"
+    failed=$((failed + 1))
+  fi
+}
+
+install_missing "${build_packages[@]}" "${test_packages[@]}"
+build release -DRIBBON_BUILD_TESTS=ON
+run_ctest release
+[[ ${1-} != --quick ]] || exit 0
+build sanitize
+run_ctest sanitize --label-exclude slow
+check "format" "$root/tests/lint.sh" format
+check "shell scripts" "$root/tests/lint.sh" shell
+check "lint" "$root/tests/lint.sh" tidy
