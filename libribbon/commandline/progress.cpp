@@ -52,8 +52,7 @@ std::string progress_text(const std::string& unit, int done, int total, double e
   const double share = total > 0 ? std::clamp(static_cast<double>(done) / total, 0.0, 1.0) : 1.0;
   std::string text = bar(share) + " " + std::to_string(done) + "/" + std::to_string(total) + " " +
                      unit + (total == 1 ? "" : "s");
-  if (done > 0 && done < total)
-    text += ", ETA " + clock_text(elapsed_s / done * (total - done));
+  if (done > 0 && done < total) text += ", ETA " + clock_text(elapsed_s / done * (total - done));
   if (!remark.empty()) text += ", " + remark;
   // A line that fills the last column would wrap on some terminals and could not be erased.
   return text.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));

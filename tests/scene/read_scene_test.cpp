@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <ostream>
 
 #include "scene/scene.h"
 #include "scene/scene_files.h"
@@ -166,6 +167,10 @@ struct Impossible {
   std::string name;
   std::string text;
   std::string sentence;
+
+  friend std::ostream& operator<<(std::ostream& stream, const Impossible& impossible) {
+    return stream << impossible.name;
+  }
 };
 
 std::string ribbon_line(const std::string& from, const std::string& to) {
