@@ -1,0 +1,322 @@
+#include "curve/drawing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "files/files.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double tolerance = 1e-3;
+
+std::filesystem::path file_with(const std::string& text) {
+  const auto file = std::filesystem::path(testing::TempDir()) /
+                    (std::string("drawing_") +
+                     testing::UnitTest::GetInstance()->current_test_info()->name() + ".svg");
+  EXPECT_TRUE(write_file(file, text).has_value());
+  return file;
+}
+
+std::filesystem::path svg_with(const std::string& body) {
+  std::string text = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 7 7'>\n";
+  text += body;
+  return file_with(text + "\n</svg>\n");
+}
+
+Drawing drawing_of(const std::string& body, const std::string& id = "") {
+  const auto drawing = read_svg_path(svg_with(body), id, tolerance);
+  EXPECT_TRUE(drawing.has_value()) << drawing.error().sentence();
+  return drawing.value_or(Drawing{});
+}
+
+std::string path_of(const std::string& data) {
+  std::string path = "<path d='";
+  path += data;
+  return path + "'/>";
+}
+
+Drawing data_of(const std::string& data) {
+  return drawing_of(path_of(data));
+}
+
+void expect_points(const Drawing& drawing, const Drawing& expected) {
+  ASSERT_EQ(drawing.size(), expected.size());
+  for (std::size_t i = 0; i < drawing.size(); ++i)
+    EXPECT_NEAR((drawing[i] - expected[i]).norm(), 0, 1e-9)
+        << i << ": " << drawing[i].transpose() << " is not " << expected[i].transpose();
+}
+
+double distance_to(const Drawing& drawing, const Vector2d& point) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < drawing.size(); ++i) {
+    const Vector2d way = drawing[i + 1] - drawing[i];
+    const double t = std::clamp((point - drawing[i]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    distance = std::min(distance, (drawing[i] + t * way - point).norm());
+  }
+  return distance;
+}
+
+void expect_curve(const std::string& data, const Drawing& through, const Vector2d& end) {
+  const Drawing drawing = data_of(data);
+  for (const Vector2d& point : through)
+    EXPECT_LE(distance_to(drawing, point), tolerance) << data << " misses " << point.transpose();
+  EXPECT_NEAR((drawing.back() - end).norm(), 0, 1e-9) << data;
+}
+
+std::string problem_of(const std::filesystem::path& file, const std::string& id = "") {
+  const auto drawing = read_svg_path(file, id, tolerance);
+  return drawing ? "none" : drawing.error().sentence();
+}
+
+void expect_problem(const std::string& problem, const std::string& place,
+                    const std::string& words) {
+  EXPECT_NE(problem.find(place), std::string::npos) << problem;
+  EXPECT_NE(problem.find(words), std::string::npos) << problem;
+}
+
+TEST(PathData, lines_absolute_and_relative_with_repeats) {
+  expect_points(
+      data_of("m 10 10 20 0 L 40 20 H 50 h -5 V 40 v 5 l 1 1 -2 3"),
+      {{10, 10}, {30, 10}, {40, 20}, {50, 20}, {45, 20}, {45, 40}, {45, 45}, {46, 46}, {44, 49}});
+  expect_points(data_of("M 1 2 3 4 5 6 L 7 8 9 10"), {{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}});
+}
+
+TEST(PathData, numbers_as_terse_as_programs_write_them) {
+  expect_points(data_of("M.5.5-1-1,1e1,2E-1l+1-.5"), {{.5, .5}, {-1, -1}, {10, .2}, {11, -.3}});
+}
+
+TEST(PathData, cubics_and_their_shorthand) {
+  // At t = 1/2 a cubic is (p0 + 3 p1 + 3 p2 + p3) / 8.
+  expect_curve("M 0 0 C 0 4 4 4 4 0 S 8 -4 8 0", {{2, 3}, {4, 0}, {6, -3}}, {8, 0});
+  expect_curve("M 1 1 c 0 4 4 4 4 0 s 4 -4 4 0", {{3, 4}, {5, 1}, {7, -2}}, {9, 1});
+  expect_curve("M 0 0 c 0 4 4 4 4 0 0 4 4 4 4 0", {{2, 3}, {6, 3}}, {8, 0});
+  // Without a cubic before, the first control point is the current point: (0 + 0 + 3 p2 + p3) / 8.
+  expect_curve("M 0 0 S 4 4 4 0", {{2, 1.5}}, {4, 0});
+}
+
+TEST(PathData, quadratics_and_their_shorthand) {
+  // At t = 1/2 a quadratic is (p0 + 2 p1 + p2) / 4.
+  expect_curve("M 0 0 Q 2 4 4 0 T 8 0", {{2, 2}, {6, -2}}, {8, 0});
+  expect_curve("M 1 1 q 2 4 4 0 t 4 0 4 0", {{3, 3}, {7, -1}, {11, 3}}, {13, 1});
+}
+
+TEST(PathData, arcs_with_all_flags) {
+  expect_curve("M 0 0 A 5 5 0 0 1 10 0", {{5, -5}}, {10, 0});
+  expect_curve("M 0 0 A 5 5 0 0 0 10 0", {{5, 5}}, {10, 0});
+  expect_curve("M 0 0 A 5 5 0 1 1 5 5", {{5, -5}, {10, 0}}, {5, 5});
+  expect_curve("M 0 0 A 5 5 0 1 0 5 5", {{-5, 5}, {0, 10}}, {5, 5});
+  expect_curve("M 0 0 A 5 5 0 0 0 5 5", {{5 - 5 * std::sqrt(.5), 5 * std::sqrt(.5)}}, {5, 5});
+  expect_curve("M 1 1 a 5 5 0 0110 0", {{6, -4}}, {11, 1});
+}
+
+TEST(PathData, arcs_rotated_scaled_up_and_degenerate) {
+  expect_curve("M 0 0 A 10 5 90 0 1 10 0", {{5, -10}}, {10, 0});
+  expect_curve("M 0 0 A 1 1 0 0 1 10 0", {{5, -5}}, {10, 0});
+  expect_points(data_of("M 0 0 A 0 5 0 0 1 10 0"), {{0, 0}, {10, 0}});
+  expect_points(data_of("M 0 0 A 5 5 0 0 1 0 0 L 3 0"), {{0, 0}, {3, 0}});
+}
+
+TEST(PathData, circle_stays_within_the_tolerance_without_waste) {
+  const Drawing circle = data_of("M -100 0 A 100 100 0 0 1 100 0");
+  for (std::size_t i = 0; i + 1 < circle.size(); ++i) {
+    EXPECT_NEAR(circle[i].norm(), 100, 1e-9);
+    EXPECT_GE((circle[i] + circle[i + 1]).norm() / 2, 100 - tolerance);
+  }
+  EXPECT_LT(circle.size(), 900U);  // pi / sqrt(8 tolerance / 100) = 352 chords at the least
+}
+
+TEST(PathData, tolerance_holds_after_the_transform) {
+  const Drawing circle =
+      drawing_of("<path transform='scale(1000)' d='M -0.1 0 A 0.1 0.1 0 0 1 0.1 0'/>");
+  for (std::size_t i = 0; i + 1 < circle.size(); ++i)
+    EXPECT_GE((circle[i] + circle[i + 1]).norm() / 2, 100 - tolerance);
+}
+
+TEST(PathData, repeated_points_are_dropped) {
+  expect_points(data_of("M 1 1 L 1 1 2 2 2 2 h 0 l 1 1"), {{1, 1}, {2, 2}, {3, 3}});
+}
+
+TEST(SvgTransform, each_kind_by_hand) {
+  const auto moved = [](const std::string& transform, const Vector2d& expected) {
+    const Drawing drawing = drawing_of("<path transform='" + transform + "' d='M 2 1 L 100 100'/>");
+    EXPECT_NEAR((drawing.front() - expected).norm(), 0, 1e-9)
+        << transform << " gives " << drawing.front().transpose();
+  };
+  moved("translate(10,20)", {12, 21});
+  moved("translate(10)", {12, 1});
+  moved("scale(3)", {6, 3});
+  moved("scale(3 -4)", {6, -4});
+  moved("rotate(90)", {-1, 2});
+  moved("rotate(90, 1, 1)", {1, 2});
+  moved("skewX(45)", {3, 1});
+  moved("skewY(45)", {2, 3});
+  moved("matrix(1 2 3 4 5 6)", {10, 14});
+  moved("translate(1) scale(2,3)", {5, 3});
+}
+
+TEST(SvgTransform, groups_nest_from_the_outside_in) {
+  expect_points(drawing_of("<g transform='translate(10,20)'><g><g transform='rotate(90)'>"
+                           "<path transform='scale(2)' d='M 1 0 H 2'/></g></g></g>"),
+                {{10, 22}, {10, 24}});
+}
+
+TEST(SvgTransform, curves_are_mapped_as_a_whole) {
+  const Drawing drawing =
+      drawing_of("<g transform='matrix(0 2 -1 0 3 4)'><path d='M 0 0 A 5 5 0 0 1 10 0'/></g>");
+  EXPECT_LE(distance_to(drawing, {8, 14}), tolerance);  // of (5, -5)
+  EXPECT_NEAR((drawing.back() - Vector2d(3, 24)).norm(), 0, 1e-9);
+}
+
+TEST(SvgFile, as_inkscape_writes_it) {
+  const auto file = file_with(R"svg(<?xml version="1.0" encoding="UTF-8" standalone="no"?>
+<!-- Created with Inkscape (http://www.inkscape.org/) -->
+<svg
+   width="210mm"
+   height="297mm"
+   viewBox="0 0 210 297"
+   id="svg5"
+   sodipodi:docname="knot.svg"
+   xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
+   xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
+   xmlns="http://www.w3.org/2000/svg">
+  <sodipodi:namedview id="namedview7" inkscape:document-units="mm" showgrid="false">
+    <inkscape:grid type="xygrid" id="grid1" />
+  </sodipodi:namedview>
+  <defs id="defs2">
+    <inkscape:path-effect effect="spiro" id="path-effect9" />
+    <marker id="arrow"><path d="M 0,0 5,-5" id="head" /></marker>
+    <clipPath id="clip"><path d="M 0,0 5,-5" /></clipPath>
+  </defs>
+  <g inkscape:label="Layer 1" inkscape:groupmode="layer" id="layer1"
+     transform="translate(-10,-20)">
+    <path
+       style="fill:none;stroke:#000000;stroke-width:0.26;display:inline"
+       d="m 20,40 c 0,4 4,4 4,0
+          0,-4 4,-4 4,0"
+       id="path846"
+       inkscape:original-d="M 0,0 Z"
+       sodipodi:nodetypes="csc" />
+  </g>
+</svg>
+)svg");
+  const auto drawing = read_svg_path(file, "", tolerance);
+  ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+  EXPECT_EQ(drawing->front(), Vector2d(10, 20));
+  EXPECT_LE(distance_to(*drawing, {12, 23}), tolerance);
+  EXPECT_LE(distance_to(*drawing, {16, 17}), tolerance);
+  EXPECT_EQ(drawing->back(), Vector2d(18, 20));
+}
+
+TEST(SvgFile, polylines_and_lines_are_paths_too) {
+  expect_points(drawing_of("<polyline points='0,0 1,2\n3,4'/>"), {{0, 0}, {1, 2}, {3, 4}});
+  expect_points(drawing_of("<line x1='1' y1='2' x2='3'/>"), {{1, 2}, {3, 0}});
+}
+
+TEST(SvgFile, what_is_not_drawn_is_ignored) {
+  const std::string hidden = "<path d='M 9 9 L 8 8'/>";
+  std::string body;
+  for (const char* name : {"defs", "clipPath", "marker", "symbol", "pattern", "mask"})
+    body += std::string("<") + name + ">" + hidden + "</" + name + ">";
+  body += "<g style='display: none'>" + hidden + "</g><g display='none'>" + hidden + "</g>";
+  body += "<path style='stroke:red;display:none' d='M 9 9 L 8 8'/>";
+  body += "<rect width='3' height='3'/><circle r='3'/><text>M 1 1</text>";
+  expect_points(drawing_of(body + path_of("M 1 1 L 2 2")), {{1, 1}, {2, 2}});
+}
+
+TEST(SvgFile, prefixed_svg_is_svg) {
+  const auto file = file_with(
+      "<svg:svg xmlns:svg='http://www.w3.org/2000/svg'><svg:g><svg:path d='M 1 1 L 2 2'/>"
+      "</svg:g></svg:svg>");
+  expect_points(read_svg_path(file, "", tolerance).value(), {{1, 1}, {2, 2}});
+}
+
+TEST(SvgFile, id_chooses_among_several_paths) {
+  expect_points(
+      drawing_of("<path id='a' d='M 0 0 L 1 1'/><g><path id='b' d='M 2 2 L 3 3'/></g>", "b"),
+      {{2, 2}, {3, 3}});
+}
+
+TEST(SvgErrors, missing_file_is_named) {
+  expect_problem(problem_of("/no/such/knot.svg"), "/no/such/knot.svg", "cannot be opened");
+}
+
+TEST(SvgErrors, broken_xml_is_told_with_its_line) {
+  expect_problem(problem_of(file_with("<svg>\n<g>\n<path d='M 0 0'\n</svg>")), ".svg:", "not XML");
+  expect_problem(problem_of(file_with("<svg>\n<g>\n</svg>")), ".svg:3", "not XML");
+  expect_problem(problem_of(file_with("")), ".svg", "not XML");
+  expect_problem(problem_of(file_with("just text")), ".svg", "not XML");
+}
+
+TEST(SvgErrors, other_xml_is_told) {
+  expect_problem(problem_of(file_with("\n<html></html>")), ".svg:2", "not SVG but <html>");
+}
+
+TEST(SvgErrors, no_path) {
+  expect_problem(problem_of(svg_with("<rect width='1' height='1'/>")), ".svg", "no path");
+}
+
+TEST(SvgErrors, several_paths_are_listed) {
+  const std::string problem =
+      problem_of(svg_with("<path id='left' d='M 0 0 L 1 1'/>\n<path id='right' d='M 2 2 L 3 3'/>"));
+  expect_problem(problem, ".svg:3", "2 paths");
+  expect_problem(problem, "'left', 'right'", "choose one");
+}
+
+TEST(SvgErrors, unknown_id_names_those_there_are) {
+  expect_problem(problem_of(svg_with("<path id='left' d='M 0 0 L 1 1'/>"), "knot"), "'knot'",
+                 "'left'");
+}
+
+TEST(SvgErrors, id_of_something_else_says_what_it_is) {
+  expect_problem(problem_of(svg_with("<rect id='knot'/>"), "knot"), ".svg:2", "<rect>");
+}
+
+TEST(SvgErrors, closed_path) {
+  expect_problem(problem_of(svg_with("\n<path id='ring' d='M 0 0 L 1 1 2 0 Z'/>")), ".svg:3",
+                 "path 'ring' is closed; open it: in Inkscape");
+}
+
+TEST(SvgErrors, several_pieces) {
+  expect_problem(problem_of(svg_with(path_of("M 0 0 L 1 1 M 2 2 L 3 3"))), ".svg:2",
+                 "made of 2 pieces; in Inkscape, join");
+  expect_points(data_of("M 9 9 M 0 0 L 1 1 M 5 5"), {{0, 0}, {1, 1}});
+}
+
+TEST(SvgErrors, malformed_data_and_transforms) {
+  for (const char* data : {"L 1 1", "M 0 0 L 1", "M 0 0 L nan 1", "M 0 0 X 1 1", "M 0 0 L inf 2"})
+    expect_problem(problem_of(svg_with(path_of(data))), ".svg:2", "cannot be read");
+  expect_problem(problem_of(svg_with("<g\ntransform='turn(3)'>" + path_of("M 0 0 L 1 1") + "</g>")),
+                 ".svg:2", "'turn(3)'");
+  expect_problem(problem_of(svg_with("<line x1='1mm' x2='3'/>")), ".svg:2", "cannot be read");
+}
+
+TEST(SvgErrors, coordinates_out_of_range) {
+  for (const char* data : {"M 0 0 L 1e300 1", "M 0 0 L 2e9 1", "M 0 0 C 1e308 0 1e308 1 0 1"})
+    EXPECT_NE(problem_of(svg_with(path_of(data))).find(".svg:2"), std::string::npos) << data;
+  expect_problem(
+      problem_of(svg_with("<g transform='scale(1e12)'>" + path_of("M 0 0 L 1 1") + "</g>")),
+      ".svg:2", "beyond");
+  EXPECT_NE(problem_of(svg_with(path_of("M 0 0 L 1e999 1"))), "none");
+}
+
+TEST(SvgErrors, path_without_length) {
+  for (const char* data : {"", "M 1 1", "M 1 1 L 1 1"})
+    expect_problem(problem_of(svg_with(path_of(data))), ".svg:2", "no length");
+  expect_problem(problem_of(svg_with("<path/>")), ".svg:2", "no length");
+}
+
+TEST(SvgErrors, a_million_nested_groups_are_walked) {
+  std::string body;
+  for (int i = 0; i < 1000000; ++i) body += "<g>";
+  EXPECT_NE(problem_of(svg_with(body)), "none");
+}
+
+}  // namespace
+}  // namespace ribbon
