@@ -1,0 +1,35 @@
+// A file of which any part can be read at any time.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "result/result.h"
+
+namespace ribbon {
+
+class RandomAccessFile {
+ public:
+  static Result<RandomAccessFile> open(const std::filesystem::path& path);
+
+  RandomAccessFile(RandomAccessFile&& other) noexcept;
+  RandomAccessFile& operator=(RandomAccessFile&& other) noexcept;
+  RandomAccessFile(const RandomAccessFile&) = delete;
+  RandomAccessFile& operator=(const RandomAccessFile&) = delete;
+  ~RandomAccessFile();
+
+  // As it was when opened.
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  // The bytes from `offset` on, `count` of them or as many as there are: fewer at the end, and none
+  // where the disk fails.
+  [[nodiscard]] std::string read(std::uint64_t offset, std::uint64_t count) const;
+
+ private:
+  RandomAccessFile(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace ribbon

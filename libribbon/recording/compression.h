@@ -1,0 +1,48 @@
+// zstd, for everything in a recording that is not a plain number.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ribbon {
+
+// Keeps its working memory between calls. Equal input gives equal bytes.
+class Compressor {
+ public:
+  Compressor();
+  Compressor(Compressor&&) noexcept;
+  Compressor& operator=(Compressor&&) noexcept;
+  ~Compressor();
+
+  // One zstd frame that holds `parts` one after the other. Each part begins a new block, and so
+  // gets an entropy table of its own: parts are what is alike inside and unlike its neighbours.
+  std::string compress(std::span<const std::string_view> parts);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// Keeps its working memory between calls.
+class Decompressor {
+ public:
+  Decompressor();
+  Decompressor(Decompressor&&) noexcept;
+  Decompressor& operator=(Decompressor&&) noexcept;
+  ~Decompressor();
+
+  // The content of one whole zstd frame, at most `limit` bytes of it; nothing where the frame is
+  // not valid or holds more. Memory grows with what is really decoded, never with what the frame
+  // claims. The answer is valid until the next call.
+  std::optional<std::string_view> decompress(std::string_view bytes, std::size_t limit);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ribbon

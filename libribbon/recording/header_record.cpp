@@ -1,0 +1,146 @@
+#include "recording/header_record.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "recording/bytes.h"
+#include "recording/compression.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr std::uint16_t major_version = 1;
+constexpr std::uint16_t minor_version = 0;
+constexpr std::uint32_t position_codec = 1;
+constexpr std::uint64_t largest_grid = std::uint64_t{1} << 24;
+constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;
+
+void put_string(std::string& bytes, std::string_view text) {
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(text.size()));
+  bytes += text;
+}
+
+std::string take_string(ByteTaker& taker) {
+  return std::string(taker.take_bytes(taker.take<std::uint32_t>()));
+}
+
+// A matrix column by column, as little-endian numbers in one compressed block.
+template <class Stored, class Matrix>
+void put_matrix(std::string& bytes, const Matrix& matrix) {
+  std::string content;
+  content.reserve(static_cast<std::size_t>(matrix.size()) * sizeof(Stored));
+  for (const auto number : matrix.reshaped()) put<Stored>(content, static_cast<Stored>(number));
+  put_string(bytes, Compressor().compress(std::array{std::string_view(content)}));
+}
+
+// The inverse; nothing where the block does not hold exactly `columns` columns. The matrix is
+// allocated only then.
+template <class Stored, class Matrix>
+bool take_matrix(ByteTaker& taker, std::uint64_t columns, Matrix& matrix) {
+  const std::string_view block = taker.take_bytes(taker.take<std::uint32_t>());
+  const std::uint64_t expected = columns * Matrix::RowsAtCompileTime * sizeof(Stored);
+  Decompressor decompressor;
+  const auto content = decompressor.decompress(block, expected);
+  if (!content || content->size() != expected) return false;
+  matrix.resize(Eigen::NoChange, static_cast<Eigen::Index>(columns));
+  ByteTaker numbers(*content);
+  for (auto& number : matrix.reshaped())
+    number = static_cast<typename Matrix::Scalar>(numbers.take<Stored>());
+  return true;
+}
+
+void put_obstacle(std::string& bytes, const TriangleMesh& mesh) {
+  put_string(bytes, mesh.name);
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(mesh.vertices.cols()));
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(mesh.triangles.cols()));
+  put_matrix<float>(bytes, mesh.vertices);
+  put_matrix<std::uint32_t>(bytes, mesh.triangles);
+}
+
+bool take_obstacle(ByteTaker& taker, TriangleMesh& mesh) {
+  mesh.name = take_string(taker);
+  const auto vertices = taker.take<std::uint32_t>();
+  const auto triangles = taker.take<std::uint32_t>();
+  if (vertices > largest_mesh || triangles > largest_mesh) return false;
+  if (!take_matrix<float>(taker, vertices, mesh.vertices) ||
+      !take_matrix<std::uint32_t>(taker, triangles, mesh.triangles))
+    return false;
+  const auto corners = mesh.triangles.reshaped();
+  return mesh.vertices.allFinite() && (corners.array() >= 0).all() &&
+         (corners.array() < static_cast<int>(vertices)).all();
+}
+
+tl::unexpected<Error> damaged() {
+  return failure("", "the header is not valid", "use a copy of the recording that is not damaged");
+}
+
+bool is_positive(double number) {
+  return std::isfinite(number) && number > 0;
+}
+
+// The counts of the grid, bounded before anything is made of them.
+bool take_grid(ByteTaker& taker, RibbonGrid& grid) {
+  const auto along = taker.take<std::uint32_t>();
+  const auto across = taker.take<std::uint32_t>();
+  if (along < 2 || across < 2 || std::uint64_t{along} * across > largest_grid) return false;
+  grid = {static_cast<int>(along), static_cast<int>(across)};
+  return true;
+}
+
+}  // namespace
+
+std::string header_payload(const RecordingHeader& header) {
+  std::string bytes;
+  put<std::uint16_t>(bytes, major_version);
+  put<std::uint16_t>(bytes, minor_version);
+  put<std::uint32_t>(bytes, position_codec);
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(header.grid.along));
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(header.grid.across));
+  put<double>(bytes, header.ribbon_length_m);
+  put<double>(bytes, header.ribbon_width_m);
+  put<double>(bytes, header.frames_per_second);
+  put<double>(bytes, header.max_position_error_m);
+  put_string(bytes, header.scene_name);
+  put_string(bytes, header.writer);
+  put_string(bytes, header.scene_text);
+  put_matrix<float>(bytes, header.uv);
+  put<std::uint8_t>(bytes, header.obstacle ? 1 : 0);
+  if (header.obstacle) put_obstacle(bytes, *header.obstacle);
+  return bytes;
+}
+
+Result<RecordingHeader> parse_header_payload(std::string_view payload) {
+  ByteTaker taker(payload);
+  const auto major = taker.take<std::uint16_t>();
+  taker.take<std::uint16_t>();  // a newer minor version only appends
+  if (taker.complete() && major > major_version)
+    return failure("",
+                   "was written in format version " + std::to_string(major) +
+                       ", this program reads up to version " + std::to_string(major_version),
+                   "use a newer program");
+  const auto codec = taker.take<std::uint32_t>();
+  RecordingHeader header;
+  if (major != major_version || codec != position_codec || !take_grid(taker, header.grid))
+    return damaged();
+  header.ribbon_length_m = taker.take<double>();
+  header.ribbon_width_m = taker.take<double>();
+  header.frames_per_second = taker.take<double>();
+  header.max_position_error_m = taker.take<double>();
+  header.scene_name = take_string(taker);
+  header.writer = take_string(taker);
+  header.scene_text = take_string(taker);
+  const auto particles = static_cast<std::uint64_t>(header.grid.particle_count());
+  if (!taker.complete() || !take_matrix<float>(taker, particles, header.uv)) return damaged();
+  if (taker.take<std::uint8_t>() != 0 && !take_obstacle(taker, header.obstacle.emplace()))
+    return damaged();
+  const bool valid = taker.complete() && !header.scene_name.empty() &&
+                     is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&
+                     is_positive(header.frames_per_second) &&
+                     is_positive(header.max_position_error_m) && header.uv.allFinite();
+  if (!valid) return damaged();
+  return header;
+}
+
+}  // namespace ribbon

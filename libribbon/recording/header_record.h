@@ -1,0 +1,18 @@
+// The payload of the header record (FORMAT.md, section 4).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "recording/recording.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+std::string header_payload(const RecordingHeader& header);
+
+// Fails, with a place still to be filled in, when the payload is of a newer major version or not
+// valid in itself.
+Result<RecordingHeader> parse_header_payload(std::string_view payload);
+
+}  // namespace ribbon

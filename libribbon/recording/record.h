@@ -1,0 +1,31 @@
+// Records: what a recording file is made of (FORMAT.md, sections 1 and 2).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ribbon {
+
+inline constexpr std::string_view file_signature{"\x89RBN\r\n\x1A\n", 8};
+inline constexpr std::string_view record_magic{"\xB1REC", 4};
+inline constexpr std::size_t record_head_bytes = 24;
+
+enum class RecordType : std::uint32_t { header = 1, frame = 2, index = 3, footer = 4 };
+
+struct RecordHead {
+  RecordType type{};  // may be one that this version does not know
+  std::uint64_t payload_bytes = 0;
+  std::uint32_t payload_checksum = 0;
+};
+
+// A whole record: head and payload.
+std::string make_record(RecordType type, std::string_view payload);
+
+// The head that `bytes` begin with; nothing where they are too few, have no magic or fail the
+// head's checksum. The payload is not looked at.
+std::optional<RecordHead> parse_record_head(std::string_view bytes);
+
+}  // namespace ribbon

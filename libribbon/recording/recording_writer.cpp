@@ -1,0 +1,173 @@
+#include "recording/recording_writer.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "recording/checksum.h"
+#include "recording/frame_record.h"
+#include "recording/header_record.h"
+#include "recording/index_record.h"
+#include "recording/position_codec.h"
+#include "recording/record.h"
+
+namespace ribbon {
+
+namespace {
+
+std::string last_error_text() {
+  return std::error_code(errno, std::generic_category()).message();
+}
+
+// One write() where the system lets us, so that a kill leaves whole records.
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+struct RecordingWriter::State {
+  State(std::filesystem::path target, const RecordingHeader& header)
+      : path(std::move(target)), encoder(header.grid, header.max_position_error_m) {}
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  State(State&&) = delete;
+  State& operator=(State&&) = delete;
+  ~State() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+
+  std::filesystem::path path;
+  int descriptor = -1;
+  std::uint32_t recording_id = 0;
+  std::uint64_t frames_begin = 0;
+  std::uint64_t bytes = 0;
+  PositionEncoder encoder;
+  std::vector<IndexEntry> entries;
+
+  Result<void> open();
+  Result<void> write(std::string_view record);
+  [[nodiscard]] std::string complete_up_to() const;
+};
+
+Result<void> RecordingWriter::State::open() {
+  std::error_code code;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
+  if (code)
+    return failure(path.parent_path().string(), "cannot be created (" + code.message() + ")",
+                   "choose a folder that you may write to");
+  descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    return failure(path.string(), "cannot be written (" + last_error_text() + ")",
+                   "choose a file that you may write to");
+  return {};
+}
+
+std::string RecordingWriter::State::complete_up_to() const {
+  return entries.empty()
+             ? "the recording holds no frame"
+             : "the recording is complete up to frame " + std::to_string(entries.size());
+}
+
+// What a failed write left of the record is taken back, so that the file ends with a whole record.
+Result<void> RecordingWriter::State::write(std::string_view record) {
+  if (write_all(descriptor, record)) {
+    bytes += record.size();
+    return {};
+  }
+  const std::string reason = last_error_text();
+  if (::ftruncate(descriptor, static_cast<off_t>(bytes)) == 0)
+    ::lseek(descriptor, static_cast<off_t>(bytes), SEEK_SET);
+  return failure(path.string(), "cannot be written (" + reason + ") and " + complete_up_to(),
+                 "free some space or choose another place");
+}
+
+RecordingWriter::RecordingWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
+RecordingWriter& RecordingWriter::operator=(RecordingWriter&&) noexcept = default;
+RecordingWriter::~RecordingWriter() = default;
+
+Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& path,
+                                                const RecordingHeader& header) {
+  assert(!header.scene_name.empty() && header.max_position_error_m > 0);
+  assert(header.uv.cols() == header.grid.particle_count());
+  auto state = std::make_unique<State>(path, header);
+  if (auto opened = state->open(); !opened) return tl::unexpected(std::move(opened.error()));
+  const std::string payload = header_payload(header);
+  state->recording_id = checksum(payload);
+  auto written =
+      state->write(std::string(file_signature) + make_record(RecordType::header, payload));
+  if (!written) return tl::unexpected(std::move(written.error()));
+  state->frames_begin = state->bytes;
+  return RecordingWriter(std::move(state));
+}
+
+Result<void> RecordingWriter::append(const FrameNumbers& numbers,
+                                     const Eigen::Matrix3Xd& positions) {
+  State& state = *state_;
+  assert(state.descriptor >= 0 && "not after finish()");
+  auto encoded = state.encoder.encode(positions);
+  if (!encoded) {
+    Error error = std::move(encoded.error());
+    error.place = state.path.string() + ": frame " + std::to_string(state.entries.size() + 1);
+    return tl::unexpected(std::move(error));
+  }
+  FrameRecord frame;
+  frame.recording_id = state.recording_id;
+  frame.frame = frames_written();
+  frame.frames_since_key = encoded->frames_since_key;
+  frame.encoding = encoded->encoding;
+  frame.numbers = numbers;
+  frame.geometry = encoded->geometry;
+  const std::string record = make_record(RecordType::frame, frame_payload(frame));
+  const std::uint64_t offset = state.bytes;
+  auto written = state.write(record);
+  if (!written) {
+    state.encoder.restart();
+    return written;
+  }
+  state.entries.push_back(
+      {offset, static_cast<std::uint32_t>(record.size()), frame.frames_since_key, numbers});
+  return {};
+}
+
+Result<void> RecordingWriter::finish() {
+  State& state = *state_;
+  assert(state.descriptor >= 0 && "only once");
+  const std::uint64_t index_offset = state.bytes;
+  auto written = state.write(
+      make_record(RecordType::index,
+                  index_payload(state.recording_id, state.entries, state.frames_begin)) +
+      make_record(RecordType::footer, footer_payload(state.recording_id, index_offset)));
+  if (!written) return written;
+  // Pipes and devices cannot be forced to the disk, and need not be.
+  const bool synced = ::fsync(state.descriptor) == 0 || errno == EINVAL || errno == EROFS;
+  std::string problem = synced ? "" : last_error_text();
+  if (::close(std::exchange(state.descriptor, -1)) != 0 && problem.empty())
+    problem = last_error_text();
+  if (!problem.empty())
+    return failure(state.path.string(), "may not have reached the disk (" + problem + ")",
+                   "check the disk");
+  return {};
+}
+
+std::uint64_t RecordingWriter::bytes_written() const {
+  return state_->bytes;
+}
+
+std::uint32_t RecordingWriter::frames_written() const {
+  return static_cast<std::uint32_t>(state_->entries.size());
+}
+
+}  // namespace ribbon

@@ -1,0 +1,29 @@
+// A small recording for the tests of whatever reads recordings.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+
+#include "recording/recording.h"
+
+namespace ribbon {
+
+// A ribbon of 40 x 6 particles, 1 m long and 0.1 m wide, that begins to twist about its own axis,
+// with an octahedron named "stone" as obstacle.
+RecordingHeader sample_header();
+
+// Where its particles truly are in a frame (from 0): 3 x 240, metres. The middle of the ribbon
+// stays within the box from -0.6 to 0.6.
+Eigen::Matrix3Xd sample_positions(int frame);
+
+// Time frame / 50 s; strain 0.001 * frame; frame % 3 penetrating edges; 2 * frame iterations.
+FrameNumbers sample_numbers(int frame);
+
+enum class Ending { finished, killed };
+
+// Records the first `frames` frames to `path`; killed: without index and footer. Fails the running
+// test when that does not work.
+void write_sample_recording(const std::filesystem::path& path, int frames,
+                            Ending ending = Ending::finished);
+
+}  // namespace ribbon
