@@ -54,6 +54,10 @@ struct ObstacleScene {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
 };
 
+// How contact is dealt with: `gate` keeps every pair of features apart; `paper` is the published
+// method with its recovery schemes A, B and C.
+enum class ContactMethod { gate, paper };
+
 // The pre-step fastening force of the paper's section 5.2.
 struct FasteningScene {
   double speed_m_s = 0;  // speed at which the force alone would carry a free particle that is at
@@ -79,6 +83,7 @@ struct Scene {
   RibbonScene ribbon;
   SpringScene springs;
   double air_resistance_per_s = 0;  // deceleration per speed
+  ContactMethod contact = ContactMethod::gate;
   std::optional<ObstacleScene> obstacle;
   std::optional<FasteningScene> fastening;
   TimeScene time;

@@ -1,0 +1,46 @@
+// How a step deals with contact.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "simulation/bodies.h"
+#include "simulation/cloth.h"
+
+namespace ribbon {
+
+// Lengths of contact handling, from the shortest edge of the ribbon.
+struct ContactLengths {
+  double edge_m = 0;      // the shortest natural edge, along or across
+  double rounding_m = 0;  // how far recording may move a coordinate
+};
+
+// The two moments of a step at which contact decides. `before` holds the positions at the start of
+// the step; cloth.positions what the step wishes so far.
+class Contact {
+ public:
+  virtual ~Contact() = default;
+
+  struct Report {
+    int collision_rounds = 0;
+    int recovery_iterations = 0;
+  };
+
+  // After the displacement: detecting collisions and adding repulsions (section 5.4).
+  virtual Report after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) = 0;
+
+  // After the smoothing: recovering from errors (section 5.6), or not letting them happen.
+  virtual Report after_smoothing(const Eigen::Matrix3Xd& before, Cloth& cloth) = 0;
+};
+
+// As published: collisions are repelled as far as they are found, smoothing may push the ribbon
+// through itself, and schemes A, B and C bring it back as well as they can.
+std::unique_ptr<Contact> paper_contact(Bodies& bodies, const ContactLengths& lengths);
+
+// Collisions are repelled likewise, but positions reach the cloth only through the gate, so that
+// what did not intersect at the start never does. `step_s` turns what the gate holds back into
+// velocity.
+std::unique_ptr<Contact> gated_contact(Bodies& bodies, const ContactLengths& lengths,
+                                       double step_s);
+
+}  // namespace ribbon

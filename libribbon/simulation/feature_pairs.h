@@ -1,0 +1,31 @@
+// The pairs of features that a collision test looks at: particle-polygon and edge-edge (paper,
+// section 5.4.1, Figures 7 and 8).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "simulation/collision_surface.h"
+#include "simulation/hierarchy.h"
+
+namespace ribbon {
+
+// Two features that share no vertex. vertex_triangle: vertices[0] against triangle vertices[1..3].
+// edge_edge: edge vertices[0..1] against edge vertices[2..3].
+struct FeaturePair {
+  enum class Kind { vertex_triangle, edge_edge };
+  Kind kind = Kind::vertex_triangle;
+  std::array<int, 4> vertices{};
+};
+
+// The feature pairs of `pairs` (triangles of surface a and of surface b, which may be the same
+// object) whose boxes over the way from t0 to t1, grown by margin_m, meet. Each pair of features is
+// listed once.
+std::vector<FeaturePair> feature_pairs(const CollisionSurface& a, const CollisionSurface& b,
+                                       std::span<const TrianglePair> pairs,
+                                       const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1,
+                                       double margin_m);
+
+}  // namespace ribbon

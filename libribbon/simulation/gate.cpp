@@ -1,0 +1,94 @@
+#include "simulation/gate.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "parallel/parallel.h"
+#include "simulation/closest_weights.h"
+#include "simulation/swept_pairs.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+using Corners = Eigen::Matrix<double, 3, 4>;
+
+// The part of the gap that one passage may use up; the rest keeps rounding harmless.
+constexpr double usable = 0.9;
+
+}  // namespace
+
+Vector4d shares_of_way(FeaturePair::Kind kind, const Corners& start, const Corners& way,
+                       double min_gap_m) {
+  const int first_count = kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
+  const Vector3d apart = start * closest_weights(kind, start);
+  const double distance_m = apart.norm();
+  if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches
+  const Vector3d normal = apart / distance_m;
+
+  // Heights over the plane's direction: the first feature lies above the second.
+  const Vector4d height = start.transpose() * normal;
+  const Vector4d rise = way.transpose() * normal;
+  const double lowest_first = height.head(first_count).minCoeff();
+  const double highest_second = height.tail(4 - first_count).maxCoeff();
+  const double room_m = usable * (lowest_first - highest_second - min_gap_m);
+  const double sink_first = std::max(0.0, -rise.head(first_count).minCoeff());
+  const double climb_second = std::max(0.0, rise.tail(4 - first_count).maxCoeff());
+  Vector4d shares = Vector4d::Ones();
+  if (sink_first + climb_second <= room_m) return shares;
+
+  const double room_per_way = std::max(0.0, room_m) / (sink_first + climb_second);
+  const double floor_of_first = lowest_first - sink_first * room_per_way;
+  const double ceiling_of_second = highest_second + climb_second * room_per_way;
+  for (int k = 0; k < first_count; ++k)
+    if (rise[k] < 0 && height[k] + rise[k] < floor_of_first)
+      shares[k] = room_m > 0 ? (height[k] - floor_of_first) / -rise[k] : 0;
+  for (int k = first_count; k < 4; ++k)
+    if (rise[k] > 0 && height[k] + rise[k] > ceiling_of_second)
+      shares[k] = room_m > 0 ? (ceiling_of_second - height[k]) / rise[k] : 0;
+  return shares.cwiseMin(1).cwiseMax(0);
+}
+
+GateReport pass_gate(Bodies& bodies, double min_gap_m, const Matrix3Xd& wished,
+                     Matrix3Xd& positions) {
+  const std::vector<FeaturePair> pairs =
+      swept_pairs(bodies, Hierarchy::Spare::boxes, positions, wished, min_gap_m);
+  std::vector<Vector4d> shares(pairs.size());
+  parallel_ranges(pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Corners start;
+      Corners way;
+      for (int k = 0; k < 4; ++k) {
+        const int vertex = pairs[i].vertices[static_cast<std::size_t>(k)];
+        start.col(k) = positions.col(vertex);
+        way.col(k) = wished.col(vertex) - positions.col(vertex);
+      }
+      shares[i] = shares_of_way(pairs[i].kind, start, way, min_gap_m);
+    }
+  });
+
+  Eigen::VectorXd share = Eigen::VectorXd::Ones(positions.cols());
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (int k = 0; k < 4; ++k) {
+      double& of_vertex = share[pairs[i].vertices[static_cast<std::size_t>(k)]];
+      of_vertex = std::min(of_vertex, shares[i][k]);
+    }
+  GateReport report;
+  report.pairs = static_cast<int>(pairs.size());
+  for (Eigen::Index vertex = 0; vertex < positions.cols(); ++vertex) {
+    if (share[vertex] == 1) {
+      positions.col(vertex) = wished.col(vertex);
+    } else {
+      positions.col(vertex) += share[vertex] * (wished.col(vertex) - positions.col(vertex));
+      ++report.held_back;
+    }
+  }
+  return report;
+}
+
+}  // namespace ribbon

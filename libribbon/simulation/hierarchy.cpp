@@ -1,0 +1,364 @@
+#include "simulation/hierarchy.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+#include <map>
+
+#include "parallel/parallel.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+// --- Building: groups of three neighbours with the shortest common contour -----------------------
+
+// The regions of one rank while the next is grouped.
+struct Rank {
+  std::vector<int> nodes;                         // their node numbers
+  std::vector<double> contours_m;                 // length of each region's outline
+  std::vector<std::map<int, double>> neighbours;  // region -> length of the shared outline
+};
+
+double shared_m(const Rank& rank, int a, int b) {
+  const auto& neighbours = rank.neighbours[static_cast<std::size_t>(a)];
+  const auto found = neighbours.find(b);
+  return found == neighbours.end() ? 0 : found->second;
+}
+
+Rank triangle_rank(const CollisionSurface& surface, const Matrix3Xd& positions) {
+  Rank rank;
+  const auto count = static_cast<std::size_t>(surface.triangles.cols());
+  rank.contours_m.assign(count, 0);
+  rank.neighbours.resize(count);
+  std::vector<std::vector<int>> triangles_at(surface.edges.size());
+  for (std::size_t t = 0; t < count; ++t) {
+    rank.nodes.push_back(static_cast<int>(t));
+    for (const int edge : surface.triangle_edges[t])
+      triangles_at[static_cast<std::size_t>(edge)].push_back(static_cast<int>(t));
+  }
+  for (std::size_t e = 0; e < surface.edges.size(); ++e) {
+    const auto [a, b] = surface.edges[e];
+    const double length_m = (positions.col(b) - positions.col(a)).norm();
+    for (const int t : triangles_at[e]) {
+      rank.contours_m[static_cast<std::size_t>(t)] += length_m;
+      for (const int other : triangles_at[e])
+        if (other != t) rank.neighbours[static_cast<std::size_t>(t)][other] += length_m;
+    }
+  }
+  return rank;
+}
+
+// The best partners for region r among the regions that are still free: none, one or two.
+std::vector<int> best_partners(const Rank& rank, const std::vector<int>& group_of, int r) {
+  const auto is_free = [&](int region) { return group_of[static_cast<std::size_t>(region)] < 0; };
+  const auto contour_m = [&](int region) {
+    return rank.contours_m[static_cast<std::size_t>(region)];
+  };
+  std::vector<int> best;
+  double best_m = std::numeric_limits<double>::infinity();
+  for (const auto& [a, ra_m] : rank.neighbours[static_cast<std::size_t>(r)]) {
+    if (!is_free(a)) continue;
+    const double pair_m = contour_m(r) + contour_m(a) - 2 * ra_m;
+    if (best.size() < 2 && pair_m < best_m) {
+      best = {a};
+      best_m = pair_m;
+    }
+    for (const int middle : {r, a}) {
+      for (const auto& [b, shared] : rank.neighbours[static_cast<std::size_t>(middle)]) {
+        if (b == r || b == a || !is_free(b)) continue;
+        const double triple_m =
+            pair_m + contour_m(b) - 2 * (shared_m(rank, r, b) + shared_m(rank, a, b));
+        if (best.size() < 2 || triple_m < best_m) {
+          best = {a, b};
+          best_m = triple_m;
+        }
+      }
+    }
+  }
+  return best;
+}
+
+// Numbers of the groups that the regions of `rank` form; returns how many there are: as many as
+// regions when no two of them are connected.
+int grouped(const Rank& rank, std::vector<int>& group_of) {
+  const auto count = static_cast<int>(rank.nodes.size());
+  group_of.assign(rank.nodes.size(), -1);
+  int groups = 0;
+  for (int r = 0; r < count; ++r) {
+    if (group_of[static_cast<std::size_t>(r)] >= 0) continue;
+    const std::vector<int> partners = best_partners(rank, group_of, r);
+    if (partners.empty()) {
+      // All neighbours are taken: join the one with the longest shared outline.
+      int best = -1;
+      double best_m = -1;
+      for (const auto& [a, shared] : rank.neighbours[static_cast<std::size_t>(r)])
+        if (shared > best_m) {
+          best = a;
+          best_m = shared;
+        }
+      if (best >= 0) {
+        group_of[static_cast<std::size_t>(r)] = group_of[static_cast<std::size_t>(best)];
+        continue;
+      }
+    }
+    group_of[static_cast<std::size_t>(r)] = groups;
+    for (const int partner : partners) group_of[static_cast<std::size_t>(partner)] = groups;
+    ++groups;
+  }
+  return groups;
+}
+
+Rank next_rank(const Rank& rank, const std::vector<int>& group_of, int groups) {
+  Rank next;
+  next.contours_m.assign(static_cast<std::size_t>(groups), 0);
+  next.neighbours.resize(static_cast<std::size_t>(groups));
+  for (std::size_t r = 0; r < rank.nodes.size(); ++r) {
+    const auto group = static_cast<std::size_t>(group_of[r]);
+    next.contours_m[group] += rank.contours_m[r];
+    for (const auto& [other, shared] : rank.neighbours[r]) {
+      const int other_group = group_of[static_cast<std::size_t>(other)];
+      if (other_group == group_of[r])
+        next.contours_m[group] -= shared;
+      else
+        next.neighbours[group][other_group] += shared;
+    }
+  }
+  return next;
+}
+
+// --- Curvature -----------------------------------------------------------------------------------
+
+// One bit for each of the 14 directions of a cube's faces and corners: does the normal point that
+// way? A degenerate triangle points nowhere.
+std::uint32_t directions_of(const Vector3d& n) {
+  std::uint32_t bits = 0;
+  const std::array<double, 7> along = {n[0],
+                                       n[1],
+                                       n[2],
+                                       n[0] + n[1] + n[2],
+                                       n[0] + n[1] - n[2],
+                                       n[0] - n[1] + n[2],
+                                       n[0] - n[1] - n[2]};
+  for (unsigned d = 0; d < along.size(); ++d) {
+    if (along[d] > 0) bits |= 1U << (2 * d);
+    if (along[d] < 0) bits |= 2U << (2 * d);
+  }
+  return bits;
+}
+
+Vector3d normal(const Matrix3Xd& positions, const Eigen::Vector3i& triangle) {
+  const Vector3d a = positions.col(triangle[0]);
+  return (positions.col(triangle[1]) - a).cross(positions.col(triangle[2]) - a);
+}
+
+}  // namespace
+
+Hierarchy::Hierarchy(const CollisionSurface& surface, const Matrix3Xd& positions)
+    : triangles_(surface.triangles) {
+  assert(triangles_.cols() > 0);
+  Rank rank = triangle_rank(surface, positions);
+  first_child_.assign(rank.nodes.size() + 1, 0);
+  first_joining_node_ = std::numeric_limits<int>::max();
+  std::vector<int> group_of;
+  while (rank.nodes.size() > 1) {
+    int groups = grouped(rank, group_of);
+    if (groups == static_cast<int>(rank.nodes.size())) {
+      // Neighbourhood says nothing about separate pieces: they are paired as they come.
+      first_joining_node_ =
+          std::min(first_joining_node_, static_cast<int>(first_child_.size()) - 1);
+      groups = (groups + 1) / 2;
+      for (std::size_t r = 0; r < group_of.size(); ++r) group_of[r] = static_cast<int>(r / 2);
+    }
+    std::vector<std::vector<int>> members(static_cast<std::size_t>(groups));
+    for (std::size_t r = 0; r < rank.nodes.size(); ++r)
+      members[static_cast<std::size_t>(group_of[r])].push_back(rank.nodes[r]);
+    Rank next = next_rank(rank, group_of, groups);
+    for (const auto& children : members) {
+      next.nodes.push_back(static_cast<int>(first_child_.size()) - 1);
+      children_.insert(children_.end(), children.begin(), children.end());
+      first_child_.push_back(static_cast<int>(children_.size()));
+    }
+    rank = std::move(next);
+  }
+  const std::size_t nodes = first_child_.size() - 1;
+  boxes_.resize(nodes);
+  curvatures_.resize(nodes);
+
+  // A vertex lies on a region's border while a triangle outside the region uses it.
+  std::vector<int> uses(static_cast<std::size_t>(positions.cols()), 0);
+  for (const int vertex : triangles_.reshaped()) ++uses[static_cast<std::size_t>(vertex)];
+  std::vector<std::map<int, int>> uses_within(nodes);
+  first_border_.push_back(0);
+  for (int node = 0; node < static_cast<int>(nodes); ++node) {
+    auto& within = uses_within[static_cast<std::size_t>(node)];
+    if (is_leaf(node)) {
+      for (const int vertex : triangles_.col(node)) ++within[vertex];
+    } else {
+      for (int c = first_child_[static_cast<std::size_t>(node)];
+           c < first_child_[static_cast<std::size_t>(node) + 1]; ++c) {
+        auto& child = uses_within[static_cast<std::size_t>(children_[static_cast<std::size_t>(c)])];
+        for (const auto& [vertex, count] : child) within[vertex] += count;
+        child.clear();
+      }
+    }
+    std::erase_if(within, [&](const auto& entry) {
+      return entry.second == uses[static_cast<std::size_t>(entry.first)];
+    });
+    for (const auto& [vertex, count] : within) border_.push_back(vertex);
+    first_border_.push_back(static_cast<int>(border_.size()));
+  }
+  refit(positions, positions, 0);
+}
+
+void Hierarchy::refit(const Matrix3Xd& t0, const Matrix3Xd& t1, double margin_m) {
+  const bool moves = &t0 != &t1;
+  parallel_ranges(
+      static_cast<std::size_t>(triangles_.cols()), 2048, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t leaf = begin; leaf < end; ++leaf) {
+          const Eigen::Vector3i triangle = triangles_.col(static_cast<Eigen::Index>(leaf));
+          Box box = Box::around(t0.col(triangle[0]));
+          box.include(t0.col(triangle[1]));
+          box.include(t0.col(triangle[2]));
+          std::uint32_t curvature = directions_of(normal(t0, triangle));
+          if (moves) {
+            for (const int vertex : triangle) box.include(t1.col(vertex));
+            curvature &= directions_of(normal(t1, triangle));
+          }
+          box.grow(margin_m);
+          boxes_[leaf] = box;
+          curvatures_[leaf] = curvature;
+        }
+      });
+  for (auto node = static_cast<std::size_t>(triangles_.cols()); node < boxes_.size(); ++node) {
+    const auto first = static_cast<std::size_t>(first_child_[node]);
+    Box box = boxes_[static_cast<std::size_t>(children_[first])];
+    std::uint32_t curvature = static_cast<int>(node) < first_joining_node_ ? ~0U : 0;
+    for (std::size_t c = first; c < static_cast<std::size_t>(first_child_[node + 1]); ++c) {
+      const auto child = static_cast<std::size_t>(children_[c]);
+      box.include(boxes_[child]);
+      curvature &= curvatures_[child];
+    }
+    boxes_[node] = box;
+    curvatures_[node] = curvature;
+  }
+}
+
+bool Hierarchy::adjacent(int a, int b) const {
+  const auto border = [&](int node) {
+    return std::pair{border_.begin() + first_border_[static_cast<std::size_t>(node)],
+                     border_.begin() + first_border_[static_cast<std::size_t>(node) + 1]};
+  };
+  auto [i, i_end] = border(a);
+  auto [j, j_end] = border(b);
+  while (i != i_end && j != j_end) {
+    if (*i == *j) return true;
+    *i < *j ? ++i : ++j;
+  }
+  return false;
+}
+
+bool Hierarchy::can_meet(const NodePair& pair, Spare spare) const {
+  const bool by_curvature =
+      spare == Spare::curvature_and_boxes && (curvatures_[static_cast<std::size_t>(pair.a)] &
+                                              curvatures_[static_cast<std::size_t>(pair.b)]) != 0;
+  if (pair.a == pair.b) return !by_curvature && !is_leaf(pair.a);
+  if (!boxes_[static_cast<std::size_t>(pair.a)].meets(boxes_[static_cast<std::size_t>(pair.b)]))
+    return false;
+  return !by_curvature || !adjacent(pair.a, pair.b);
+}
+
+void Hierarchy::descend(const NodePair& pair, std::vector<NodePair>& next) const {
+  if (pair.a != pair.b) {
+    descend(*this, *this, pair, next);
+    return;
+  }
+  const int first = first_child_[static_cast<std::size_t>(pair.a)];
+  const int last = first_child_[static_cast<std::size_t>(pair.a) + 1];
+  for (int i = first; i < last; ++i)
+    for (int j = i; j < last; ++j)
+      next.push_back(
+          {children_[static_cast<std::size_t>(i)], children_[static_cast<std::size_t>(j)]});
+}
+
+void Hierarchy::descend(const Hierarchy& first, const Hierarchy& second, const NodePair& pair,
+                        std::vector<NodePair>& next) {
+  const auto size = [](const Hierarchy& tree, int node) {
+    const Box& box = tree.boxes_[static_cast<std::size_t>(node)];
+    return (box.high - box.low).squaredNorm();
+  };
+  const bool split_first = second.is_leaf(pair.b) ||
+                           (!first.is_leaf(pair.a) && size(first, pair.a) >= size(second, pair.b));
+  const Hierarchy& tree = split_first ? first : second;
+  const auto node = static_cast<std::size_t>(split_first ? pair.a : pair.b);
+  for (int c = tree.first_child_[node]; c < tree.first_child_[node + 1]; ++c) {
+    const int child = tree.children_[static_cast<std::size_t>(c)];
+    next.push_back(split_first ? NodePair{child, pair.b} : NodePair{pair.a, child});
+  }
+}
+
+namespace {
+
+// Walks from `start` top-down: `expand` replaces a pair by those below it that can still meet, and
+// reports pairs of leaves. The widest front is shared out over the cores; the order of the answer
+// depends on the tree alone.
+template <class NodePair, class Expand>
+std::vector<TrianglePair> walk(const NodePair& start, const Expand& expand) {
+  constexpr std::size_t wide_enough = 512;
+  std::vector<TrianglePair> found;
+  std::vector<NodePair> front{start};
+  std::vector<NodePair> next;
+  while (!front.empty() && front.size() < wide_enough) {
+    next.clear();
+    for (const NodePair& pair : front) expand(pair, next, found);
+    front.swap(next);
+  }
+  std::vector<std::vector<TrianglePair>> found_below(front.size());
+  parallel_ranges(front.size(), 16, [&](std::size_t begin, std::size_t end) {
+    std::vector<NodePair> open;
+    for (std::size_t i = begin; i < end; ++i) {
+      open.assign(1, front[i]);
+      while (!open.empty()) {
+        const NodePair pair = open.back();
+        open.pop_back();
+        expand(pair, open, found_below[i]);
+      }
+    }
+  });
+  for (const auto& below : found_below) found.insert(found.end(), below.begin(), below.end());
+  return found;
+}
+
+}  // namespace
+
+std::vector<TrianglePair> Hierarchy::pairs_within(Spare spare) const {
+  return walk(NodePair{root(), root()},
+              [this, spare](const NodePair& pair, std::vector<NodePair>& next,
+                            std::vector<TrianglePair>& found) {
+                if (!can_meet(pair, spare)) return;
+                if (is_leaf(pair.a) && is_leaf(pair.b))
+                  found.push_back({pair.a, pair.b});
+                else
+                  descend(pair, next);
+              });
+}
+
+std::vector<TrianglePair> Hierarchy::pairs_with(const Hierarchy& other) const {
+  return walk(NodePair{root(), other.root()}, [&](const NodePair& pair, std::vector<NodePair>& next,
+                                                  std::vector<TrianglePair>& found) {
+    if (!boxes_[static_cast<std::size_t>(pair.a)].meets(
+            other.boxes_[static_cast<std::size_t>(pair.b)]))
+      return;
+    if (is_leaf(pair.a) && other.is_leaf(pair.b))
+      found.push_back({pair.a, pair.b});
+    else
+      descend(*this, other, pair, next);
+  });
+}
+
+}  // namespace ribbon

@@ -1,0 +1,99 @@
+#include "simulation/recovery.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "simulation/penetration.h"
+#include "simulation/recovery_schemes.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+
+std::vector<Penetration> ribbon_into_obstacle(Bodies& bodies, const Matrix3Xd& positions) {
+  if (!bodies.obstacle) return {};
+  return mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy,
+                             bodies.obstacle->surface, bodies.obstacle->hierarchy, positions)
+      .edges_of_first;
+}
+
+std::vector<Penetration> ribbon_into_itself(Bodies& bodies, const Matrix3Xd& positions) {
+  return self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy,
+                           Hierarchy::Spare::curvature_and_boxes, positions);
+}
+
+std::vector<Penetration> border_into_ribbon(Bodies& bodies, const Matrix3Xd& positions) {
+  std::vector<Penetration> found = ribbon_into_itself(bodies, positions);
+  std::erase_if(found, [&](const Penetration& penetration) {
+    return !is_border_edge(bodies.grid,
+                           bodies.ribbon.surface.edges[static_cast<std::size_t>(penetration.edge)]);
+  });
+  return found;
+}
+
+// while (∃ error) apply the scheme, as long as each application leaves fewer errors than before;
+// one that does not is taken back. `iterations` counts the applications.
+template <class Detect, class Scheme>
+void repeat(const Detect& detect, const Scheme& scheme, Matrix3Xd& positions, int& iterations) {
+  std::vector<Penetration> errors = detect();
+  while (!errors.empty()) {
+    const Matrix3Xd before = positions;
+    scheme(errors);
+    ++iterations;
+    std::vector<Penetration> left = detect();
+    if (left.size() >= errors.size()) {
+      positions = before;
+      return;
+    }
+    errors = std::move(left);
+  }
+}
+
+}  // namespace
+
+int count_penetrating_edges(Bodies& bodies, const Matrix3Xd& positions) {
+  // An honest count does not lean on curvature.
+  std::vector<Penetration> of_ribbon = self_penetrations(
+      bodies.ribbon.surface, bodies.ribbon.hierarchy, Hierarchy::Spare::boxes, positions);
+  int of_obstacle = 0;
+  if (bodies.obstacle) {
+    const MutualPenetrations mutual =
+        mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy,
+                            bodies.obstacle->surface, bodies.obstacle->hierarchy, positions);
+    of_ribbon.insert(of_ribbon.end(), mutual.edges_of_first.begin(), mutual.edges_of_first.end());
+    of_obstacle = distinct_edges(mutual.edges_of_second);
+  }
+  return distinct_edges(of_ribbon) + of_obstacle;
+}
+
+RecoveryReport recover(Bodies& bodies, const RecoverySettings& settings, Matrix3Xd& positions) {
+  RecoveryReport report;
+  report.penetrating_edges = count_penetrating_edges(bodies, positions);
+  bool improves = true;
+  while (report.penetrating_edges > 0 && improves) {
+    repeat([&] { return ribbon_into_obstacle(bodies, positions); },
+           [&](const std::vector<Penetration>& errors) {
+             apply_scheme_a(bodies.grid, bodies.ribbon.surface, bodies.obstacle->surface, errors,
+                            settings.gap_m, positions);
+           },
+           positions, report.iterations);
+    repeat([&] { return border_into_ribbon(bodies, positions); },
+           [&](const std::vector<Penetration>& errors) {
+             apply_scheme_b(bodies.grid, bodies.ribbon.surface, errors, settings.step_m, positions);
+           },
+           positions, report.iterations);
+    repeat([&] { return ribbon_into_itself(bodies, positions); },
+           [&](const std::vector<Penetration>& errors) {
+             apply_scheme_c(bodies.grid, bodies.ribbon.surface, errors, settings.gap_m, positions);
+           },
+           positions, report.iterations);
+    const int left = count_penetrating_edges(bodies, positions);
+    improves = left < report.penetrating_edges;
+    report.penetrating_edges = left;
+  }
+  return report;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,36 @@
+// Smoothing by post-step geometric correction (paper, section 5.5, Figure 9).
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/ribbon_grid.h"
+
+namespace ribbon {
+
+// The correction of one ribbon: edges along and across are brought back within `limit` of their
+// natural length.
+class StrainCorrection {
+ public:
+  StrainCorrection(const RibbonGrid& grid, double length_m, double width_m, double limit);
+
+  // Is any edge along or across longer or shorter than the limit allows?
+  [[nodiscard]] bool any_over_limit(const Eigen::Matrix3Xd& positions) const;
+
+  // One round: both particles of each edge over the limit move toward or away from each other by
+  // equal parts, first all edges along the ribbon and then all across, in the direction of the
+  // smoothed surface rather than of the edge, so that particles do not leave the surface.
+  void apply(Eigen::Matrix3Xd& positions) const;
+
+ private:
+  // Signed change of length that brings an edge back within the limit; 0 within it.
+  [[nodiscard]] double excess_m(double length_m, double natural_m) const;
+  void correct_edge(int a, int b, double natural_m, const Eigen::Vector3d& direction,
+                    Eigen::Matrix3Xd& positions) const;
+
+  RibbonGrid grid_;
+  double along_m_;
+  double across_m_;
+  double limit_;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,82 @@
+#include "simulation/fastening_force.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/smoothed_directions.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+// A straight ribbon along x at distance 2 from the y axis, its rows 1 m apart.
+Matrix3Xd straight(const RibbonGrid& grid) {
+  Matrix3Xd positions(3, grid.particle_count());
+  for (int p = 0; p < grid.particle_count(); ++p)
+    positions.col(p) << grid.row(p) - (grid.along - 1) / 2.0, grid.column(p), 2;
+  return positions;
+}
+
+TEST(SmoothedDirections, of_a_straight_ribbon_are_its_direction) {
+  const RibbonGrid grid{9, 2};
+  const Matrix3Xd directions = smoothed_directions_along(grid, straight(grid));
+  for (int p = 0; p < grid.particle_count(); ++p)
+    EXPECT_TRUE(directions.col(p).isApprox(Vector3d::UnitX())) << p;
+}
+
+TEST(SmoothedDirections, fade_where_the_ribbon_is_folded) {
+  // By hand, across = 1 row reach either side: column x = 0, 1, 0, 1, 0, edges cancel in pairs.
+  const RibbonGrid grid{8, 2};
+  Matrix3Xd positions = straight(grid);
+  for (int p = 0; p < grid.particle_count(); ++p) positions(0, p) = grid.row(p) % 2;
+  const Matrix3Xd directions = smoothed_directions_along(grid, positions);
+  // Row 4: rows 1 to 6, five edges of length 1 that add up to -1.
+  EXPECT_TRUE(directions.col(grid.particle(4, 0)).isApprox(Vector3d(-0.2, 0, 0)));
+}
+
+TEST(FasteningForce, pulls_each_half_toward_its_own_end) {
+  const RibbonGrid grid{9, 2};
+  const FasteningForce force({.speed_m_s = 1}, 1, grid, straight(grid), 0.5);
+  const Matrix3Xd forces = force.at(straight(grid));
+  for (int p = 0; p < grid.particle_count(); ++p) {
+    const double way = grid.row(p) - 4;
+    EXPECT_GE(forces(0, p) * way, 0);
+    EXPECT_EQ(forces(0, p) == 0, way == 0);
+  }
+}
+
+TEST(FasteningForce, is_proportional_to_the_distance_from_the_axis) {
+  const RibbonGrid grid{9, 2};
+  const Matrix3Xd positions = straight(grid);
+  const FasteningForce force({.speed_m_s = 1}, 1, grid, positions, 0.5);
+  const Matrix3Xd forces = force.at(positions);
+  // Rows 5 and 8 lie 1 and 4 m along x and 2 m beside the axis.
+  EXPECT_NEAR(forces.col(grid.particle(8, 0)).norm() / forces.col(grid.particle(5, 0)).norm(),
+              std::sqrt(20.0) / std::sqrt(5.0), 1e-12);
+}
+
+TEST(FasteningForce, balances_air_resistance_at_the_given_speed_and_mean_distance) {
+  const RibbonGrid grid{9, 2};
+  const double mass_kg = 0.5;
+  const double air_per_s = 3;
+  const double speed_m_s = 0.7;
+  const FasteningForce force({.speed_m_s = speed_m_s}, air_per_s, grid, straight(grid), mass_kg);
+  double mean_m = 0;
+  double mean_force = 0;
+  const Matrix3Xd forces = force.at(straight(grid));
+  for (int p = 0; p < grid.particle_count(); ++p) {
+    if (grid.row(p) == 4) continue;  // the middle row is pulled both ways and stays
+    mean_force += forces.col(p).norm();
+  }
+  for (int p = 0; p < grid.particle_count(); ++p) {
+    const double distance_m = std::hypot(grid.row(p) - 4, 2);
+    mean_m += distance_m;
+    if (grid.row(p) == 4) mean_force += distance_m / std::sqrt(5.0) * forces.col(10).norm();
+  }
+  EXPECT_NEAR(mean_force / grid.particle_count(), mass_kg * air_per_s * speed_m_s, 1e-9);
+  EXPECT_GT(mean_m, 0);
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,127 @@
+#include "simulation/fastening_processor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "parallel/parallel.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+// A band once round the axis, its ends passing each other in front, to be drawn tight on a post.
+SpaceCurve loop(int samples) {
+  SpaceCurve curve;
+  curve.points.resize(3, samples);
+  for (int i = 0; i < samples; ++i) {
+    const double t = static_cast<double>(i) / (samples - 1);
+    const double angle = 2.6 * std::numbers::pi * (t - 0.5);
+    curve.points.col(i) << 0.5 * std::sin(angle), 0.16 * (t - 0.5), -0.5 * std::cos(angle);
+  }
+  curve.length_m = std::hypot(0.5 * 2.6 * std::numbers::pi, 0.16);
+  return curve;
+}
+
+TriangleMesh post(double radius_m) {
+  constexpr int sides = 24;
+  TriangleMesh mesh;
+  mesh.name = "post";
+  mesh.vertices.resize(3, 2 * sides);
+  mesh.triangles.resize(3, 2 * sides);
+  for (int s = 0; s < sides; ++s) {
+    const double angle = 2 * std::numbers::pi * s / sides;
+    for (int end = 0; end < 2; ++end)
+      mesh.vertices.col(2 * s + end) << static_cast<float>(radius_m * std::sin(angle)),
+          end == 0 ? -0.6F : 0.6F, static_cast<float>(radius_m * std::cos(angle));
+    const int next = (s + 1) % sides;
+    mesh.triangles.col(2 * s) << 2 * s, 2 * next, 2 * next + 1;
+    mesh.triangles.col(2 * s + 1) << 2 * s, 2 * next + 1, 2 * s + 1;
+  }
+  return mesh;
+}
+
+Scene scene_of_loop() {
+  Scene scene;
+  scene.ribbon = {.width_m = 0.06, .along = 120, .across = 4, .mass_kg = 0.3};
+  scene.springs = {.stretch = 10, .shear = 10, .bend = 10};
+  scene.air_resistance_per_s = 4;
+  scene.fastening = FasteningScene{.speed_m_s = 0.4};
+  scene.time = {.step_s = 0.01, .duration_s = 1};
+  return scene;
+}
+
+FasteningProcessor processor(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
+  return {scene, generate_ribbon_mesh(loop(scene.ribbon.along), scene.ribbon, Axis::y), obstacle};
+}
+
+TEST(FasteningProcessor, draws_the_loop_tight_and_the_ends_out) {
+  FasteningProcessor fastening = processor(scene_of_loop(), post(0.3));
+  const Matrix3Xd start = fastening.positions();
+  ASSERT_EQ(fastening.penetrating_edges(), 0);
+  for (int i = 0; i < 150; ++i) fastening.step();
+  const Matrix3Xd end = fastening.positions();
+  EXPECT_GT((end.col(0) - start.col(0)).norm(), 0.2);
+  const Eigen::Index middle = end.cols() / 2;
+  EXPECT_LT(std::hypot(end(0, middle), end(2, middle)), 0.4);
+  EXPECT_GT(std::hypot(end(0, middle), end(2, middle)), 0.29);
+  EXPECT_DOUBLE_EQ(fastening.time_s(), 1.5);
+}
+
+TEST(FasteningProcessor, lets_no_edge_through_at_any_step) {
+  Scene scene = scene_of_loop();
+  scene.fastening->speed_m_s = 2;
+  FasteningProcessor fastening = processor(scene, post(0.3));
+  for (int i = 0; i < 80; ++i) {
+    fastening.step();
+    ASSERT_EQ(fastening.penetrating_edges(), 0) << i;
+    ASSERT_TRUE(fastening.positions().allFinite()) << i;
+  }
+}
+
+TEST(FasteningProcessor, gives_the_same_bits_for_any_number_of_threads) {
+  std::vector<Matrix3Xd> answers;
+  for (const int threads : {1, 2, 5}) {
+    set_thread_limit(threads);
+    FasteningProcessor fastening = processor(scene_of_loop(), post(0.3));
+    for (int i = 0; i < 40; ++i) fastening.step();
+    answers.push_back(fastening.positions());
+  }
+  set_thread_limit(0);
+  EXPECT_EQ(answers[0], answers[1]);
+  EXPECT_EQ(answers[0], answers[2]);
+}
+
+TEST(FasteningProcessor, as_published_recovers_and_reports_how_often) {
+  Scene scene = scene_of_loop();
+  scene.contact = ContactMethod::paper;
+  scene.fastening->speed_m_s = 4;
+  FasteningProcessor fastening = processor(scene, post(0.3));
+  int recoveries = 0;
+  for (int i = 0; i < 80; ++i) recoveries += fastening.step().recovery_iterations;
+  EXPECT_GT(recoveries, 0);
+  EXPECT_TRUE(fastening.positions().allFinite());
+}
+
+TEST(FasteningProcessor, a_scene_that_asks_for_nothing_leaves_the_ribbon_at_rest) {
+  Scene scene = scene_of_loop();
+  scene.springs = {};
+  scene.fastening.reset();
+  scene.air_resistance_per_s = 0;
+  const RibbonScene ribbon = scene.ribbon;
+  SpaceCurve straight;
+  straight.points.resize(3, ribbon.along);
+  for (int i = 0; i < ribbon.along; ++i) straight.points.col(i) << 0.02 * i, 0, 0;
+  straight.length_m = 0.02 * (ribbon.along - 1);
+  const RibbonMesh mesh = generate_ribbon_mesh(straight, ribbon, Axis::y);
+  FasteningProcessor nothing(scene, mesh, std::nullopt);
+  const StepReport report = nothing.step();
+  EXPECT_EQ(nothing.positions(), mesh.positions);
+  EXPECT_EQ(report.worst_strain, 0);
+}
+
+}  // namespace
+}  // namespace ribbon

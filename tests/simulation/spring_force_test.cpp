@@ -1,0 +1,83 @@
+#include "simulation/spring_force.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+SpringNetwork one_spring(double resistance, double rest_length_m) {
+  SpringNetwork network;
+  network.stretch = {resistance, {{0, 1, rest_length_m}}};
+  return network;
+}
+
+// By hand: 3-4-5 triangle, length 5 at rest 2, elongation 3, resistance 10: 30 N along (0.6, 0.8,
+// 0).
+TEST(SpringForce, is_resistance_times_elongation_along_the_spring) {
+  Matrix3Xd positions(3, 2);
+  positions << 0, 3, 0, 4, 1, 1;
+  Matrix3Xd forces = Matrix3Xd::Zero(3, 2);
+  add_spring_forces(one_spring(10, 2), positions, forces);
+  EXPECT_TRUE(forces.col(0).isApprox(Eigen::Vector3d(18, 24, 0)));
+  EXPECT_TRUE(forces.col(1).isApprox(Eigen::Vector3d(-18, -24, 0)));
+}
+
+TEST(SpringForce, of_a_spring_without_length_is_zero_rather_than_not_a_number) {
+  Matrix3Xd forces = Matrix3Xd::Zero(3, 2);
+  add_spring_forces(one_spring(10, 2), Matrix3Xd::Ones(3, 2), forces);
+  EXPECT_EQ(forces.norm(), 0);
+}
+
+double energy(const SpringNetwork& network, const Matrix3Xd& x) {
+  double sum = 0;
+  for (const SpringSet* set : {&network.stretch, &network.shear, &network.bend})
+    for (const Spring& spring : set->springs) {
+      const double elongation = (x.col(spring.b) - x.col(spring.a)).norm() - spring.rest_length_m;
+      sum += set->resistance / 2 * elongation * elongation;
+    }
+  return sum;
+}
+
+TEST(SpringForce, is_the_negative_slope_of_the_elastic_energy) {
+  const RibbonGrid grid{6, 4};
+  const SpringNetwork network =
+      spring_network(grid, 1.0, 0.6, {.stretch = 10, .shear = 7, .bend = 3});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  Matrix3Xd x(3, grid.particle_count());
+  for (double& value : x.reshaped()) value = coordinate(random);
+  Matrix3Xd forces = Matrix3Xd::Zero(3, grid.particle_count());
+  add_spring_forces(network, x, forces);
+  const double h = 1e-6;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    Matrix3Xd ahead = x;
+    Matrix3Xd behind = x;
+    ahead.reshaped()[i] += h;
+    behind.reshaped()[i] -= h;
+    EXPECT_NEAR(forces.reshaped()[i], -(energy(network, ahead) - energy(network, behind)) / (2 * h),
+                1e-6);
+  }
+}
+
+TEST(WorstStrain, counts_stretch_and_shear_and_shrinking_too) {
+  SpringNetwork network = one_spring(1, 1);
+  network.shear = {1, {{0, 2, 1}}};
+  network.bend = {1, {{1, 2, 0.01}}};
+  Matrix3Xd positions = Matrix3Xd::Zero(3, 3);
+  positions(0, 1) = 1.1;
+  positions(1, 2) = 0.75;
+  EXPECT_DOUBLE_EQ(worst_strain(network, positions), 0.25);
+}
+
+TEST(FastestFrequency, of_two_particles_on_a_spring_bounds_the_true_one) {
+  // By hand: two masses m on a spring k swing at sqrt(2 k / m).
+  EXPECT_GE(fastest_frequency(one_spring(8, 1), 2, 2), std::sqrt(8.0));
+  EXPECT_LE(fastest_frequency(one_spring(8, 1), 2, 2), 1.01 * std::sqrt(8.0));
+}
+
+}  // namespace
+}  // namespace ribbon
