@@ -20,8 +20,10 @@ struct Crossing {
 
 // All crossings in order of their first passage; over and under alternate along the walk, beginning
 // with `first_passage_over`. Fails with the place in drawing units when a crossing cannot be told:
-// pieces that touch or overlap, three passages through one point, an odd meeting that cannot
-// alternate.
+// pieces that touch (are nearer than a ten-thousandth of the drawing's diagonal without crossing)
+// or run along each other (cross at less than about 2 degrees), three passages through one point,
+// an end shut in by a loop, so that over and under cannot alternate. `drawing` holds at least 2
+// points.
 Result<std::vector<Crossing>> find_crossings(const Drawing& drawing, bool first_passage_over);
 
 }  // namespace ribbon

@@ -49,7 +49,7 @@ Result<Drawing> read_drawing(const DrawnPoints& drawn) {
 // Reads twice, since how fine to flatten depends on how large the drawing is.
 Result<Drawing> read_drawing(const DrawnSvg& drawn) {
   const auto coarse = read_svg_path(drawn.file, drawn.path_id, std::numeric_limits<double>::max());
-  if (!coarse) return coarse;
+  if (!coarse) return tl::unexpected(coarse.error());
   return read_svg_path(drawn.file, drawn.path_id, flattening_per_extent * extent_of(*coarse));
 }
 

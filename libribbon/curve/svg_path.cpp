@@ -6,6 +6,7 @@
 #include <numbers>
 #include <svgpp/parser/path_data.hpp>
 #include <svgpp/parser/transform_list.hpp>
+#include <utility>
 
 namespace ribbon {
 
@@ -31,8 +32,8 @@ int chord_count(double wanted) {
 // Receives the path's events, all absolute and without shorthands, and collects chords.
 class Flattener {
  public:
-  Flattener(const Eigen::Affine2d& root_from_path, double tolerance)
-      : root_from_path_(root_from_path), tolerance_(tolerance) {}
+  Flattener(Eigen::Affine2d root_from_path, double tolerance)
+      : root_from_path_(std::move(root_from_path)), tolerance_(tolerance) {}
 
   template <class Absolute>
   void path_move_to(double x, double y, Absolute /*tag*/) {

@@ -25,8 +25,8 @@ void expect_problem(const Drawing& drawing, const std::string& place, const std:
   EXPECT_NE(sentence.find(problem), std::string::npos) << sentence;
 }
 
-void expect_crossing(const Crossing& crossing, double first, double second, Eigen::Vector2d point,
-                     bool first_over, int sign) {
+void expect_crossing(const Crossing& crossing, double first, double second,
+                     const Eigen::Vector2d& point, bool first_over, int sign) {
   EXPECT_NEAR(crossing.first, first, 1e-12);
   EXPECT_NEAR(crossing.second, second, 1e-12);
   EXPECT_NEAR((crossing.point - point).norm(), 0, 1e-12);

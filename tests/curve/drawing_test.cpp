@@ -17,9 +17,9 @@ using Eigen::Vector2d;
 constexpr double tolerance = 1e-3;
 
 std::filesystem::path file_with(const std::string& text) {
-  const auto file = std::filesystem::path(testing::TempDir()) /
-                    (std::string("drawing_") +
-                     testing::UnitTest::GetInstance()->current_test_info()->name() + ".svg");
+  auto file = std::filesystem::path(testing::TempDir()) /
+              (std::string("drawing_") +
+               testing::UnitTest::GetInstance()->current_test_info()->name() + ".svg");
   EXPECT_TRUE(write_file(file, text).has_value());
   return file;
 }

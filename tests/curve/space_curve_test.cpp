@@ -138,8 +138,8 @@ TEST(SpaceCurve, samples_are_even_along_the_curve) {
 }
 
 TEST(SpaceCurve, length_of_a_circle_is_right) {
-  std::vector<Eigen::Vector2d> points;
-  for (int i = 0; i < 1000; ++i) points.emplace_back(std::cos(i * 0.006), std::sin(i * 0.006));
+  std::vector<Eigen::Vector2d> points(1000);
+  for (int i = 0; i < 1000; ++i) points[i] = {std::cos(i * 0.006), std::sin(i * 0.006)};
   EXPECT_NEAR(curve_of(scene_of(points), 0.1, 10).length_m, 999 * 0.006, 1e-5);
 }
 
