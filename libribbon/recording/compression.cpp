@@ -9,8 +9,12 @@ namespace ribbon {
 
 namespace {
 
-// Residuals are noise: higher levels search longer for repetitions that are not there.
+// What is compressed here is mostly noise. Its entropy coding is all the gain there is; repetitions
+// are accidents whose description costs more than it saves. Long matches only and a tiny table
+// leave those that are real, such as a ribbon at rest.
 constexpr int level = 1;
+constexpr int shortest_match = 7;
+constexpr int match_table_log = 6;
 
 // Above every window that this level uses; a file that asks for more memory is not one of ours.
 constexpr int largest_window_log = 23;
@@ -29,6 +33,8 @@ struct Compressor::State {
 Compressor::Compressor() : state_(std::make_unique<State>()) {
   ZSTD_CCtx_setParameter(state_->context.get(), ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(state_->context.get(), ZSTD_c_contentSizeFlag, 0);
+  ZSTD_CCtx_setParameter(state_->context.get(), ZSTD_c_minMatch, shortest_match);
+  ZSTD_CCtx_setParameter(state_->context.get(), ZSTD_c_hashLog, match_table_log);
 }
 Compressor::Compressor(Compressor&&) noexcept = default;
 Compressor& Compressor::operator=(Compressor&&) noexcept = default;

@@ -10,7 +10,7 @@ namespace ribbon {
 
 namespace {
 
-constexpr std::size_t taps_max = delta_taps;
+constexpr std::size_t taps_max = past_taps;
 using Row = std::array<double, taps_max + 1>;  // the last column belongs to the wanted value
 using Normal = std::array<Row, taps_max + 1>;
 
@@ -56,12 +56,26 @@ Row solve(const Normal& factor, std::size_t taps) {
   return solution;
 }
 
-// Rough size of the frame's residuals and coefficients: Gaussian residuals of this mean square.
-double estimated_bits(double squared_error, std::size_t sample_count, int particles, int taps) {
-  constexpr double squared_step = units_per_step * units_per_step;
-  const double variance =
-      std::max(squared_error, 0.0) / static_cast<double>(sample_count) / squared_step;
-  return 0.5 * std::log2(variance + 1.0 / 12) * particles + 14.0 * taps;
+// Base-2 logarithm, linear between powers of two: exact arithmetic, so all machines choose alike.
+double rough_log2(std::uint32_t number) {
+  const int whole = static_cast<int>(std::bit_width(number)) - 1;
+  return whole - 1 + static_cast<double>(number) / static_cast<double>(std::uint32_t{1} << whole);
+}
+
+// Rough size of a frame's residuals and coefficients, from how far the prediction is off at the
+// samples. A sum of logarithms, not of squares: restless places are packed apart from calm ones.
+double estimated_bits(const std::vector<Sample>& samples, const Predictor& predictor,
+                      int particles) {
+  double bits = 0;
+  for (const Sample& sample : samples) {
+    std::uint32_t sum = 0;
+    for (std::size_t tap = 0; tap < static_cast<std::size_t>(predictor.taps); ++tap)
+      sum += wrapping_product(predictor.coefficients[tap], sample.taps[tap]);
+    const std::int64_t off = std::int64_t{sample.wanted} - rounded_shift(sum, predictor.shift);
+    bits += rough_log2(static_cast<std::uint32_t>(
+        units_per_step + std::min<std::int64_t>(2 * std::abs(off), 1 << 30)));
+  }
+  return bits / static_cast<double>(samples.size()) * particles + 14.0 * predictor.taps;
 }
 
 // As fine as possible while the weighted sum, a little more than the largest wanted value, fits
@@ -75,7 +89,9 @@ int shift_for(const std::vector<Sample>& samples) {
 
 Predictor rounded(const Row& solution, int taps, int shift) {
   constexpr double limit = 1 << 29;
-  Predictor predictor{taps, shift, {}};
+  Predictor predictor;
+  predictor.taps = taps;
+  predictor.shift = shift;
   for (std::size_t a = 0; a < static_cast<std::size_t>(taps); ++a)
     predictor.coefficients[a] = static_cast<std::int32_t>(
         std::clamp(std::floor(std::ldexp(solution[a], shift) + 0.5), -limit, limit));
@@ -84,25 +100,19 @@ Predictor rounded(const Row& solution, int taps, int shift) {
 
 }  // namespace
 
-Predictor fit_predictor(const std::vector<Sample>& samples, std::span<const int> choices,
-                        int particles) {
+Fit fit_predictor(const std::vector<Sample>& samples, std::span<const int> choices, int particles) {
   if (samples.empty()) return {};
   Normal normal = normal_equations(samples);
-  double squared_error = normal[taps_max][taps_max];
   factorise(normal, samples.size());
-  double fewest_bits = estimated_bits(squared_error, samples.size(), particles, 0);
-  int best = 0;
-  std::size_t done = 0;
+  const int shift = shift_for(samples);
+  Fit best;
+  best.bits = estimated_bits(samples, best.predictor, particles);
   for (const int taps : choices) {
-    for (; done < static_cast<std::size_t>(taps); ++done)
-      squared_error -= normal[done][taps_max] * normal[done][taps_max];
-    const double bits = estimated_bits(squared_error, samples.size(), particles, taps);
-    if (bits < fewest_bits) {
-      fewest_bits = bits;
-      best = taps;
-    }
+    const Predictor predictor = rounded(solve(normal, static_cast<std::size_t>(taps)), taps, shift);
+    const double bits = estimated_bits(samples, predictor, particles);
+    if (bits < best.bits) best = {predictor, bits};
   }
-  return rounded(solve(normal, static_cast<std::size_t>(best)), best, shift_for(samples));
+  return best;
 }
 
 }  // namespace ribbon

@@ -15,10 +15,14 @@ struct Sample {
   std::int32_t wanted = 0;
 };
 
+struct Fit {
+  Predictor predictor;  // its base is left to the caller
+  double bits = 0;      // estimated size of the residuals and coefficients
+};
+
 // Least squares over the samples for each of the tap counts in `choices`; of these the one that
-// costs the fewest bits for `particles` particles, its coefficients included. The same samples give
+// costs the fewest bits for `particles` particles. The same samples give
 // the same bits on any IEEE machine: plain double arithmetic in a fixed order.
-Predictor fit_predictor(const std::vector<Sample>& samples, std::span<const int> choices,
-                        int particles);
+Fit fit_predictor(const std::vector<Sample>& samples, std::span<const int> choices, int particles);
 
 }  // namespace ribbon

@@ -25,8 +25,8 @@ constexpr std::uint32_t frames_per_group = 32;
 constexpr double largest_lattice_value = 1 << 30;
 
 constexpr std::size_t sample_limit = 2000;
-constexpr std::array delta_tap_choices{1, 6, delta_taps};
-constexpr std::array key_tap_choices{1, key_taps};
+constexpr std::array past_tap_choices{1, 6, past_taps};
+constexpr std::array row_tap_choices{1, row_taps};
 
 struct LatticeFrame {
   std::array<Field, 3> position;
@@ -57,11 +57,11 @@ struct Memory {
 
   void remember_delta(LatticeFrame& frame) {
     for (std::size_t c = 0; c < 3; ++c) {
+      grid.replicate_border(frame.position[c]);
       past[c].older_motion.swap(past[c].motion);
-      past[c].motion.swap(frame.change[c]);
+      for (std::size_t at = 0; at < grid.size(); ++at)
+        past[c].motion[at] = wrapping_subtract(frame.position[c][at], past[c].position[at]);
       past[c].position.swap(frame.position[c]);
-      grid.replicate_border(past[c].motion);
-      grid.replicate_border(past[c].position);
     }
     activity.remember(frame.residuals);
   }
@@ -73,9 +73,22 @@ float metres(std::int32_t lattice_value, double unit_m) {
   return static_cast<float>(static_cast<double>(lattice_value) * unit_m);
 }
 
+// One component of a frame, from its predictor and its residuals.
+template <class Residual>
+void rebuild(const Memory& memory, std::size_t component, const Predictor& predictor,
+             Residual residual, LatticeFrame& frame) {
+  Field& position = frame.position[component];
+  Field& change = frame.change[component];
+  if (predictor.base == PredictionBase::previous_frame)
+    rebuild_from_past(memory.grid, memory.past[component], predictor, residual, position, change);
+  else
+    rebuild_from_rows(memory.grid, predictor, residual, position, change);
+}
+
 std::string packed_predictors(const std::array<Predictor, 3>& predictors) {
   std::string bytes;
   for (const Predictor& predictor : predictors) {
+    put<std::uint8_t>(bytes, static_cast<std::uint8_t>(predictor.base));
     put<std::uint8_t>(bytes, static_cast<std::uint8_t>(predictor.taps));
     put<std::uint8_t>(bytes, static_cast<std::uint8_t>(predictor.shift));
     for (std::size_t tap = 0; tap < static_cast<std::size_t>(predictor.taps); ++tap)
@@ -84,13 +97,15 @@ std::string packed_predictors(const std::array<Predictor, 3>& predictors) {
   return bytes;
 }
 
-bool take_predictor(std::string_view& bytes, int taps_allowed, Predictor& predictor) {
+bool take_predictor(std::string_view& bytes, Predictor& predictor) {
   ByteTaker taker(bytes);
+  const auto base = taker.take<std::uint8_t>();
+  predictor.base = static_cast<PredictionBase>(base);
   predictor.taps = taker.take<std::uint8_t>();
   predictor.shift = taker.take<std::uint8_t>();
   bytes = taker.rest();
-  if (!taker.complete() || predictor.taps > taps_allowed || predictor.shift < 1 ||
-      predictor.shift > 30)
+  if (!taker.complete() || base > 1 || predictor.taps > (base == 1 ? past_taps : row_taps) ||
+      predictor.shift < 1 || predictor.shift > 30)
     return false;
   for (std::size_t tap = 0; tap < static_cast<std::size_t>(predictor.taps); ++tap) {
     const auto coefficient = take_varint(bytes);
@@ -116,8 +131,8 @@ struct PositionEncoder::State {
   void set_target(const Eigen::Matrix3Xd& positions, double unit_m);
   bool within_bound(const Eigen::Matrix3Xd& positions, double unit_m) const;
   std::vector<std::size_t> sampled_particles() const;
-  Predictor fit_delta(std::size_t component) const;
-  Predictor fit_key(std::size_t component) const;
+  Fit fit_from_past(std::size_t component) const;
+  Fit fit_from_rows(std::size_t component) const;
   auto residual_of(std::size_t component);
   std::string compressed(std::string prefix, const Activity& activity);
 
@@ -162,7 +177,7 @@ std::vector<std::size_t> PositionEncoder::State::sampled_particles() const {
   return places;
 }
 
-Predictor PositionEncoder::State::fit_delta(std::size_t component) const {
+Fit PositionEncoder::State::fit_from_past(std::size_t component) const {
   const PaddedGrid& grid = memory.grid;
   const Past& past = memory.past[component];
   Field change(grid.size());
@@ -175,15 +190,17 @@ Predictor PositionEncoder::State::fit_delta(std::size_t component) const {
   }
   std::vector<Sample> samples;
   for (const std::size_t at : sampled_particles()) {
-    samples.push_back({taps_of_delta(grid, past, change, at), change[at]});
+    samples.push_back({taps_from_past(grid, past, change, at), change[at]});
     // The border on the left held the value above when the first particle of a row was predicted.
     if ((at - 1) % static_cast<std::size_t>(grid.stride) == 0)
       samples.back().taps[2] = change[at - static_cast<std::size_t>(grid.stride)];
   }
-  return fit_predictor(samples, delta_tap_choices, memory.ribbon.particle_count());
+  Fit fit = fit_predictor(samples, past_tap_choices, memory.ribbon.particle_count());
+  fit.predictor.base = PredictionBase::previous_frame;
+  return fit;
 }
 
-Predictor PositionEncoder::State::fit_key(std::size_t component) const {
+Fit PositionEncoder::State::fit_from_rows(std::size_t component) const {
   const PaddedGrid& grid = memory.grid;
   Field position(grid.size());
   Field change(grid.size());
@@ -198,11 +215,11 @@ Predictor PositionEncoder::State::fit_key(std::size_t component) const {
   std::vector<Sample> samples;
   for (const std::size_t at : sampled_particles()) {
     if (at < grid.at(1, 0)) continue;
-    samples.push_back({taps_of_key(grid, position, change, at), change[at]});
+    samples.push_back({taps_from_rows(grid, position, change, at), change[at]});
     if ((at - 1) % static_cast<std::size_t>(grid.stride) == 0)
       samples.back().taps[0] = change[at - static_cast<std::size_t>(grid.stride)];
   }
-  return fit_predictor(samples, key_tap_choices, memory.ribbon.particle_count());
+  return fit_predictor(samples, row_tap_choices, memory.ribbon.particle_count());
 }
 
 // Makes the residual that brings a prediction nearest to the target, and notes it.
@@ -232,9 +249,10 @@ std::optional<EncodedFrame> PositionEncoder::State::try_delta(const Eigen::Matri
   set_target(positions, memory.unit_m);
   std::array<Predictor, 3> predictors;
   for (std::size_t c = 0; c < 3; ++c) {
-    predictors[c] = fit_delta(c);
-    rebuild_delta(memory.grid, memory.past[c], predictors[c], residual_of(c), frame.position[c],
-                  frame.change[c]);
+    const Fit from_past = fit_from_past(c);
+    const Fit from_rows = fit_from_rows(c);
+    predictors[c] = from_past.bits < from_rows.bits ? from_past.predictor : from_rows.predictor;
+    rebuild(memory, c, predictors[c], residual_of(c), frame);
   }
   if (!within_bound(positions, memory.unit_m)) return std::nullopt;
   EncodedFrame result{FrameEncoding::delta, ++frames_since_key,
@@ -253,8 +271,8 @@ std::optional<EncodedFrame> PositionEncoder::State::try_key(const Eigen::Matrix3
   set_target(positions, unit_m);
   std::array<Predictor, 3> predictors;
   for (std::size_t c = 0; c < 3; ++c) {
-    predictors[c] = fit_key(c);
-    rebuild_key(memory.grid, predictors[c], residual_of(c), frame.position[c], frame.change[c]);
+    predictors[c] = fit_from_rows(c).predictor;
+    rebuild(memory, c, predictors[c], residual_of(c), frame);
   }
   if (!within_bound(positions, unit_m)) return std::nullopt;
   std::string prefix;
@@ -324,8 +342,7 @@ struct PositionDecoder::State {
   bool decode_plain(std::string_view geometry);
   bool decode_key(std::string_view geometry);
   bool decode_delta(std::string_view geometry);
-  bool take_parameters(std::string_view& content, int taps_allowed,
-                       std::array<Predictor, 3>& predictors);
+  bool take_parameters(std::string_view content, std::array<Predictor, 3>& predictors);
   auto residual_of(std::size_t component) const;
 };
 
@@ -335,10 +352,10 @@ auto PositionDecoder::State::residual_of(std::size_t component) const {
   };
 }
 
-bool PositionDecoder::State::take_parameters(std::string_view& content, int taps_allowed,
+bool PositionDecoder::State::take_parameters(std::string_view content,
                                              std::array<Predictor, 3>& predictors) {
   for (Predictor& predictor : predictors)
-    if (!take_predictor(content, taps_allowed, predictor)) return false;
+    if (!take_predictor(content, predictor)) return false;
   return unpack_residuals(memory.grid, memory.activity, content, frame.residuals);
 }
 
@@ -358,7 +375,7 @@ bool PositionDecoder::State::decode_plain(std::string_view geometry) {
 
 // Parameters of three predictors at most, the unit and the residuals.
 std::size_t content_limit(const PaddedGrid& grid) {
-  return 8 + 3 * (2 + 5 * delta_taps) + packed_residuals_limit(grid);
+  return 8 + 3 * (3 + 5 * past_taps) + packed_residuals_limit(grid);
 }
 
 bool PositionDecoder::State::decode_key(std::string_view geometry) {
@@ -370,11 +387,11 @@ bool PositionDecoder::State::decode_key(std::string_view geometry) {
   if (!(unit_m > 0) || unit_m * 0x1p31 > static_cast<double>(std::numeric_limits<float>::max()))
     return false;
   memory.activity.forget();
-  std::string_view rest = taker.rest();
   std::array<Predictor, 3> predictors;
-  if (!take_parameters(rest, key_taps, predictors)) return false;
-  for (std::size_t c = 0; c < 3; ++c)
-    rebuild_key(memory.grid, predictors[c], residual_of(c), frame.position[c], frame.change[c]);
+  if (!take_parameters(taker.rest(), predictors)) return false;
+  for (const Predictor& predictor : predictors)
+    if (predictor.base != PredictionBase::row_above) return false;
+  for (std::size_t c = 0; c < 3; ++c) rebuild(memory, c, predictors[c], residual_of(c), frame);
   memory.remember_key(frame);
   memory.unit_m = unit_m;
   return true;
@@ -384,12 +401,9 @@ bool PositionDecoder::State::decode_delta(std::string_view geometry) {
   if (memory.unit_m == 0) return false;
   const auto content = decompressor.decompress(geometry, content_limit(memory.grid));
   if (!content) return false;
-  std::string_view rest = *content;
   std::array<Predictor, 3> predictors;
-  if (!take_parameters(rest, delta_taps, predictors)) return false;
-  for (std::size_t c = 0; c < 3; ++c)
-    rebuild_delta(memory.grid, memory.past[c], predictors[c], residual_of(c), frame.position[c],
-                  frame.change[c]);
+  if (!take_parameters(*content, predictors)) return false;
+  for (std::size_t c = 0; c < 3; ++c) rebuild(memory, c, predictors[c], residual_of(c), frame);
   memory.remember_delta(frame);
   return true;
 }

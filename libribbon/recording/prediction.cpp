@@ -23,7 +23,7 @@ void PaddedGrid::replicate_border(Field& field) const {
   std::copy_n(field.end() - 2 * stride, stride, field.end() - stride);
 }
 
-Taps taps_of_delta(const PaddedGrid& grid, const Past& past, const Field& change, std::size_t at) {
+Taps taps_from_past(const PaddedGrid& grid, const Past& past, const Field& change, std::size_t at) {
   const auto stride = static_cast<std::size_t>(grid.stride);
   const Field& motion = past.motion;
   Taps taps{motion[at],
@@ -42,8 +42,8 @@ Taps taps_of_delta(const PaddedGrid& grid, const Past& past, const Field& change
   return taps;
 }
 
-Taps taps_of_key(const PaddedGrid& grid, const Field& position, const Field& change,
-                 std::size_t at) {
+Taps taps_from_rows(const PaddedGrid& grid, const Field& position, const Field& change,
+                    std::size_t at) {
   const auto stride = static_cast<std::size_t>(grid.stride);
   const std::size_t above = at - stride;
   const std::size_t second = above - stride;
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> weighted_past(const PaddedGrid& grid, const Past& pas
   const auto stride = static_cast<std::size_t>(grid.stride);
   // Neighbours count relative to the particle itself, which therefore gets minus their sum.
   std::uint32_t own = 0;
-  for (int tap = 10; tap < delta_taps; ++tap)
+  for (int tap = 10; tap < past_taps; ++tap)
     own -= static_cast<std::uint32_t>(c[static_cast<std::size_t>(tap)]);
   std::vector<std::uint32_t> sums(grid.size());
   const Field& p = past.position;
@@ -82,9 +82,9 @@ std::vector<std::uint32_t> weighted_past(const PaddedGrid& grid, const Past& pas
 
 std::uint32_t weighted_rows_above(const PaddedGrid& grid, const Field& position,
                                   const Field& change, std::size_t at, const Predictor& predictor) {
-  const Taps taps = taps_of_key(grid, position, change, at);
+  const Taps taps = taps_from_rows(grid, position, change, at);
   std::uint32_t sum = 0;
-  for (std::size_t tap = 1; tap < key_taps; ++tap)
+  for (std::size_t tap = 1; tap < row_taps; ++tap)
     sum += wrapping_product(predictor.coefficients[tap], taps[tap]);
   return sum;
 }

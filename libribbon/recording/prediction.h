@@ -42,32 +42,36 @@ struct Past {
   Field older_motion;  // one frame earlier
 };
 
-inline constexpr int delta_taps = 18;
-inline constexpr int key_taps = 9;
+inline constexpr int past_taps = 18;  // from the previous frame
+inline constexpr int row_taps = 9;    // from the row above
+
+// What a prediction starts from and corrects by its taps.
+enum class PredictionBase : std::uint8_t { row_above = 0, previous_frame = 1 };
 
 // A linear prediction: the first `taps` taps, each times its coefficient, over 2^shift.
 struct Predictor {
+  PredictionBase base = PredictionBase::row_above;
   int taps = 0;
-  int shift = 1;                                        // 1 to 30
-  std::array<std::int32_t, delta_taps> coefficients{};  // zero from `taps` on
+  int shift = 1;                                       // 1 to 30
+  std::array<std::int32_t, past_taps> coefficients{};  // zero from `taps` on
 };
 
 // The taps of a particle, as many as the predictor could use. `change` is what is predicted: the
-// motion since the previous frame (delta), the step from the row above (key).
-using Taps = std::array<std::int32_t, delta_taps>;
-Taps taps_of_delta(const PaddedGrid& grid, const Past& past, const Field& change, std::size_t at);
-Taps taps_of_key(const PaddedGrid& grid, const Field& position, const Field& change,
-                 std::size_t at);
+// motion since the previous frame or the step from the row above.
+using Taps = std::array<std::int32_t, past_taps>;
+Taps taps_from_past(const PaddedGrid& grid, const Past& past, const Field& change, std::size_t at);
+Taps taps_from_rows(const PaddedGrid& grid, const Field& position, const Field& change,
+                    std::size_t at);
 
 // Rebuilds one component of a frame. residual(at, prediction) gives the number of steps to add to
 // the prediction at a particle: a decoder has them, an encoder makes them. Calls go row by row.
-// `change` is resized and filled as described at taps_of_delta.
+// `change` is resized and filled as described at taps_from_past.
 template <class Residual>
-void rebuild_delta(const PaddedGrid& grid, const Past& past, const Predictor& predictor,
-                   Residual residual, Field& position, Field& change);
+void rebuild_from_past(const PaddedGrid& grid, const Past& past, const Predictor& predictor,
+                       Residual residual, Field& position, Field& change);
 template <class Residual>
-void rebuild_key(const PaddedGrid& grid, const Predictor& predictor, Residual residual,
-                 Field& position, Field& change);
+void rebuild_from_rows(const PaddedGrid& grid, const Predictor& predictor, Residual residual,
+                       Field& position, Field& change);
 
 // Details of the templates.
 
@@ -85,7 +89,7 @@ inline std::uint32_t wrapping_product(std::int32_t a, std::int32_t b) {
 // The weighted sum of all taps that do not depend on this frame, for all particles at once.
 std::vector<std::uint32_t> weighted_past(const PaddedGrid& grid, const Past& past,
                                          const Predictor& predictor);
-// The weighted sum of all taps of a key frame but the first.
+// The weighted sum of all taps from the rows above, all but the first.
 std::uint32_t weighted_rows_above(const PaddedGrid& grid, const Field& position,
                                   const Field& change, std::size_t at, const Predictor& predictor);
 
@@ -103,8 +107,8 @@ inline void close_row(const PaddedGrid& grid, int i, Field& change) {
 }
 
 template <class Residual>
-void rebuild_delta(const PaddedGrid& grid, const Past& past, const Predictor& predictor,
-                   Residual residual, Field& position, Field& change) {
+void rebuild_from_past(const PaddedGrid& grid, const Past& past, const Predictor& predictor,
+                       Residual residual, Field& position, Field& change) {
   position.resize(grid.size());
   change.assign(grid.size(), 0);
   const std::vector<std::uint32_t> sums = weighted_past(grid, past, predictor);
@@ -129,8 +133,8 @@ void rebuild_delta(const PaddedGrid& grid, const Past& past, const Predictor& pr
 }
 
 template <class Residual>
-void rebuild_key(const PaddedGrid& grid, const Predictor& predictor, Residual residual,
-                 Field& position, Field& change) {
+void rebuild_from_rows(const PaddedGrid& grid, const Predictor& predictor, Residual residual,
+                       Field& position, Field& change) {
   position.assign(grid.size(), 0);
   change.assign(grid.size(), 0);
   const auto stride = static_cast<std::size_t>(grid.stride);

@@ -8,7 +8,63 @@ namespace ribbon {
 
 namespace {
 
-constexpr std::uint32_t escape = 255;
+// How the residuals of one class lie in bytes.
+struct Form {
+  int low_bits = 0;          // these go elsewhere, one beside the other
+  int symbols_per_byte = 1;  // of the rest: 1, 2 or 4
+
+  [[nodiscard]] int symbol_bits() const { return 8 / symbols_per_byte; }
+  // Stands for itself and everything above.
+  [[nodiscard]] std::uint32_t escape() const { return (std::uint32_t{1} << symbol_bits()) - 1; }
+  [[nodiscard]] std::uint64_t bytes(std::uint64_t symbols) const {
+    const auto per_byte = static_cast<std::uint64_t>(symbols_per_byte);
+    return (symbols + per_byte - 1) / per_byte;
+  }
+};
+
+// Entropy coding spends at least one bit on a byte, so numbers that are nearly always zero share
+// one; of large numbers it sees only the part that is not noise.
+Form form_for(double mean) {
+  if (mean < 0.5) return {0, 4};
+  if (mean < 2) return {0, 2};
+  return {std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(mean))) - 5), 1};
+}
+
+// One byte in the stream: the number of low bits, or 32 for two and 33 for four symbols a byte.
+std::uint8_t form_code(const Form& form) {
+  if (form.symbols_per_byte == 1) return static_cast<std::uint8_t>(form.low_bits);
+  return form.symbols_per_byte == 2 ? 32 : 33;
+}
+
+std::optional<Form> form_of_code(std::uint8_t code) {
+  if (code < 32) return Form{code, 1};
+  if (code == 32) return Form{0, 2};
+  if (code == 33) return Form{0, 4};
+  return std::nullopt;
+}
+
+// Symbols that lie one to a byte, several to a byte; the first in the lowest bits.
+std::string packed(std::string_view symbols, const Form& form) {
+  std::string bytes(form.bytes(symbols.size()), '\0');
+  const auto per_byte = static_cast<std::size_t>(form.symbols_per_byte);
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const int shift = static_cast<int>(i % per_byte) * form.symbol_bits();
+    bytes[i / per_byte] = static_cast<char>(static_cast<std::uint8_t>(bytes[i / per_byte]) |
+                                            (static_cast<std::uint8_t>(symbols[i]) << shift));
+  }
+  return bytes;
+}
+
+std::string unpacked(std::string_view bytes, const Form& form, std::uint64_t count) {
+  std::string symbols(count, '\0');
+  const auto per_byte = static_cast<std::size_t>(form.symbols_per_byte);
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const int shift = static_cast<int>(i % per_byte) * form.symbol_bits();
+    symbols[i] = static_cast<char>((static_cast<std::uint8_t>(bytes[i / per_byte]) >> shift) &
+                                   form.escape());
+  }
+  return symbols;
+}
 
 template <class Visit>
 void for_each_particle(const PaddedGrid& grid, Visit visit) {
@@ -100,7 +156,7 @@ void Activity::remember(const Residuals& residuals) {
           static_cast<std::uint32_t>(2 * recent[at] + recent[at - stride] + recent[at + stride] +
                                      recent[at - 1] + recent[at + 1]);
       class_[component][at] = static_cast<std::uint8_t>(
-          std::clamp(static_cast<int>(std::bit_width(around)) - 4, 0, classes - 1));
+          std::clamp(static_cast<int>(std::bit_width(around)) - 5, 0, classes - 1));
     });
   }
 }
@@ -112,49 +168,57 @@ int Activity::expected_class(int component, std::size_t at) const {
 std::vector<std::string> pack_residuals(const PaddedGrid& grid, const Activity& activity,
                                         const Residuals& residuals) {
   const Members members_of = members(grid, activity, &residuals);
-  std::vector<std::string> parts(Activity::classes + 3);
-  std::array<int, Activity::classes> low_bits{};
-  for (std::size_t c = 0; c < low_bits.size(); ++c) {
-    const std::uint64_t mean = members_of.count[c] ? members_of.sum[c] / members_of.count[c] : 0;
-    low_bits[c] = std::max(0, static_cast<int>(std::bit_width(mean)) - 5);
-    parts[0].push_back(static_cast<char>(low_bits[c]));
-    parts[c + 1].reserve(members_of.count[c]);
+  std::array<Form, Activity::classes> forms;
+  std::array<std::string, Activity::classes> symbols;
+  for (std::size_t c = 0; c < forms.size(); ++c) {
+    const auto count = static_cast<double>(std::max<std::uint64_t>(members_of.count[c], 1));
+    forms[c] = form_for(static_cast<double>(members_of.sum[c]) / count);
+    symbols[c].reserve(members_of.count[c]);
   }
   BitPacker packer;
-  std::string& escapes = parts[Activity::classes + 1];
+  std::string escapes;
   for (int component = 0; component < 3; ++component)
     for_each_particle(grid, [&](std::size_t at) {
       const auto c = static_cast<std::size_t>(activity.expected_class(component, at));
       const std::uint32_t number = zigzag(residuals[static_cast<std::size_t>(component)][at]);
-      const std::uint32_t high = number >> low_bits[c];
-      parts[c + 1].push_back(static_cast<char>(std::min(high, escape)));
+      const std::uint32_t high = number >> forms[c].low_bits;
+      const std::uint32_t escape = forms[c].escape();
+      symbols[c].push_back(static_cast<char>(std::min(high, escape)));
       if (high >= escape) put_varint(escapes, high - escape);
-      packer.put_bits(number, low_bits[c]);
+      packer.put_bits(number, forms[c].low_bits);
     });
-  parts.back() = packer.finish();
+  std::vector<std::string> parts(1);
+  for (std::size_t c = 0; c < forms.size(); ++c) {
+    parts[0].push_back(static_cast<char>(form_code(forms[c])));
+    parts.push_back(packed(symbols[c], forms[c]));
+  }
+  parts.push_back(std::move(escapes));
+  parts.push_back(packer.finish());
   return parts;
 }
 
 bool unpack_residuals(const PaddedGrid& grid, const Activity& activity, std::string_view bytes,
                       Residuals& residuals) {
   const Members members_of = members(grid, activity, nullptr);
-  if (bytes.size() < Activity::classes) return false;
-  std::array<int, Activity::classes> low_bits{};
-  for (int& bits : low_bits) {
-    bits = static_cast<std::uint8_t>(bytes.front());
+  std::array<Form, Activity::classes> forms;
+  if (bytes.size() < forms.size()) return false;
+  for (Form& form : forms) {
+    const auto known = form_of_code(static_cast<std::uint8_t>(bytes.front()));
     bytes.remove_prefix(1);
-    if (bits > 31) return false;
+    if (!known) return false;
+    form = *known;
   }
-  std::array<const char*, Activity::classes> next{};
+  std::array<std::string, Activity::classes> symbols;
   std::size_t escape_count = 0;
-  std::uint64_t packed_bits = 0;
-  for (std::size_t c = 0; c < next.size(); ++c) {
-    if (bytes.size() < members_of.count[c]) return false;
-    const std::string_view symbols = bytes.substr(0, members_of.count[c]);
-    escape_count += static_cast<std::size_t>(std::count(symbols.begin(), symbols.end(), '\xFF'));
-    packed_bits += members_of.count[c] * static_cast<std::uint64_t>(low_bits[c]);
-    next[c] = symbols.data();
-    bytes.remove_prefix(symbols.size());
+  std::uint64_t low_bits = 0;
+  for (std::size_t c = 0; c < forms.size(); ++c) {
+    const std::uint64_t size = forms[c].bytes(members_of.count[c]);
+    if (bytes.size() < size) return false;
+    symbols[c] = unpacked(bytes.substr(0, size), forms[c], members_of.count[c]);
+    bytes.remove_prefix(size);
+    escape_count += static_cast<std::size_t>(
+        std::count(symbols[c].begin(), symbols[c].end(), static_cast<char>(forms[c].escape())));
+    low_bits += members_of.count[c] * static_cast<std::uint64_t>(forms[c].low_bits);
   }
   std::vector<std::uint32_t> escapes(escape_count);
   for (std::uint32_t& number : escapes) {
@@ -162,17 +226,19 @@ bool unpack_residuals(const PaddedGrid& grid, const Activity& activity, std::str
     if (!taken) return false;
     number = *taken;
   }
-  if (bytes.size() != (packed_bits + 7) / 8) return false;
+  if (bytes.size() != (low_bits + 7) / 8) return false;
   BitTaker taker(bytes);
   auto escaped = escapes.begin();
+  std::array<const char*, Activity::classes> next{};
+  for (std::size_t c = 0; c < next.size(); ++c) next[c] = symbols[c].data();
   for (int component = 0; component < 3; ++component) {
     Field& plane = residuals[static_cast<std::size_t>(component)];
     plane.resize(grid.size());
     for_each_particle(grid, [&](std::size_t at) {
       const auto c = static_cast<std::size_t>(activity.expected_class(component, at));
       std::uint32_t high = static_cast<std::uint8_t>(*next[c]++);
-      if (high == escape) high += *escaped++;
-      plane[at] = unzigzag((high << low_bits[c]) | taker.take_bits(low_bits[c]));
+      if (high == forms[c].escape()) high += *escaped++;
+      plane[at] = unzigzag((high << forms[c].low_bits) | taker.take_bits(forms[c].low_bits));
     });
   }
   return true;
