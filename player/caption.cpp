@@ -42,7 +42,7 @@ void blend(const std::array<std::uint8_t, 3>& ink, int coverage, std::uint8_t* r
         (rgb[channel] * (255 - coverage) + ink[channel] * coverage + 127) / 255);
 }
 
-void draw_glyph(const FT_GlyphSlot glyph, int left, int baseline,
+void draw_glyph(const FT_GlyphSlotRec* glyph, int left, int baseline,
                 const std::array<std::uint8_t, 3>& ink, Picture& picture) {
   const FT_Bitmap& bitmap = glyph->bitmap;
   for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {

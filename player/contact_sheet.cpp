@@ -1,9 +1,9 @@
 #include "contact_sheet.h"
 
 #include <cassert>
-#include <cstdio>
 
 #include "caption.h"
+#include "number_text.h"
 
 namespace ribbon {
 
@@ -26,12 +26,6 @@ PictureSize sheet_size(int columns, int views) {
           heading_height + views * (sheet_cell.height + gap) + caption_height};
 }
 
-std::string percent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f %%", 100 * share);
-  return text;
-}
-
 void draw_column(const SheetColumn& column, int left, const CaptionPainter& painter,
                  Picture& sheet) {
   int top = heading_height;
@@ -48,12 +42,10 @@ void draw_column(const SheetColumn& column, int left, const CaptionPainter& pain
 }  // namespace
 
 std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& numbers) {
-  char time[32];
-  std::snprintf(time, sizeof time, "%.2f s", numbers.time_s);
-  return {"frame " + std::to_string(frame_number) + " · " + time,
-          "strain " + percent(numbers.worst_strain) + " · " +
-              std::to_string(numbers.penetrating_edges) +
-              (numbers.penetrating_edges == 1 ? " penetration" : " penetrations")};
+  const std::uint32_t edges = numbers.penetrating_edges;
+  return {"frame " + std::to_string(frame_number) + " · " + decimals(numbers.time_s, 2) + " s",
+          "strain " + decimals(100 * numbers.worst_strain, 1) + " % · " + std::to_string(edges) +
+              (edges == 1 ? " penetration" : " penetrations")};
 }
 
 Picture contact_sheet(const std::string& title, const std::string& subtitle,
@@ -78,9 +70,9 @@ std::vector<int> spread_frames(const std::vector<int>& frames, int most) {
   assert(most >= 2);
   const auto count = static_cast<int>(frames.size());
   if (count <= most) return frames;
-  std::vector<int> chosen;
+  std::vector<int> chosen(most);
   for (int i = 0; i < most; ++i)
-    chosen.push_back(frames[static_cast<std::size_t>(i) * (count - 1) / (most - 1)]);
+    chosen[i] = frames[static_cast<std::size_t>(i) * (count - 1) / (most - 1)];
   return chosen;
 }
 

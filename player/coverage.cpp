@@ -1,6 +1,7 @@
 #include "coverage.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ribbon {
 
@@ -11,8 +12,8 @@ constexpr float sample_reach = 1.6F;
 
 }  // namespace
 
-TileCoverage::TileCoverage(const Camera& camera, PictureSize size, int tile_side)
-    : camera_(camera),
+TileCoverage::TileCoverage(Camera camera, PictureSize size, int tile_side)
+    : camera_(std::move(camera)),
       size_(size),
       tile_side_(tile_side),
       columns_((size.width + tile_side - 1) / tile_side),

@@ -13,7 +13,7 @@ namespace ribbon {
 // A picture cut into square tiles, row by row from the top left; the last ones may be cut off.
 class TileCoverage {
  public:
-  TileCoverage(const Camera& camera, PictureSize size, int tile_side);
+  TileCoverage(Camera camera, PictureSize size, int tile_side);
 
   // Marks every tile that a sample of `surface` can fall into, and perhaps some more.
   void mark(const Surface& surface);
@@ -27,7 +27,7 @@ class TileCoverage {
  private:
   void mark_box(const Eigen::Vector2f& low, const Eigen::Vector2f& high);
 
-  const Camera camera_;
+  Camera camera_;
   PictureSize size_;
   int tile_side_;
   int columns_;

@@ -4,8 +4,9 @@
 
 namespace ribbon {
 
-Result<std::vector<Camera>> place_cameras(RecordingReader& reader, const std::vector<Shot>& shots) {
+std::vector<Camera> place_cameras(RecordingReader& reader, const std::vector<Shot>& shots) {
   std::vector<Framing> framings;
+  framings.reserve(shots.size());
   for (const Shot& shot : shots) framings.emplace_back(shot.view, shot.size);
   const auto include = [&framings](const Eigen::Matrix3Xf& points) {
     for (Framing& framing : framings) framing.include(points);
@@ -13,11 +14,10 @@ Result<std::vector<Camera>> place_cameras(RecordingReader& reader, const std::ve
   if (reader.header().obstacle) include(reader.header().obstacle->vertices);
   Eigen::Matrix3Xf positions;
   for (int index = 0; index < reader.frame_count(); ++index) {
-    if (!reader.readable(index)) continue;
-    if (auto read = reader.read(index, positions); !read) return tl::unexpected(read.error());
-    include(positions);
+    if (reader.readable(index) && reader.read(index, positions)) include(positions);
   }
   std::vector<Camera> cameras;
+  cameras.reserve(shots.size());
   for (const Framing& framing : framings) cameras.push_back(framing.camera());
   return cameras;
 }

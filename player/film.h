@@ -17,9 +17,9 @@ struct Shot {
 };
 
 // One camera per shot, each so near that it just holds the obstacle and the ribbon of every
-// readable frame, so that a frame looks the same whichever others are rendered. Fails when a frame
-// cannot be read. At least one frame must be readable.
-Result<std::vector<Camera>> place_cameras(RecordingReader& reader, const std::vector<Shot>& shots);
+// frame that can be read, so that a frame looks the same whichever others are rendered. At least
+// one frame must be readable.
+std::vector<Camera> place_cameras(RecordingReader& reader, const std::vector<Shot>& shots);
 
 class Film {
  public:

@@ -1,6 +1,8 @@
 #include "info.h"
 
-#include <cstdio>
+#include <algorithm>
+
+#include "number_text.h"
 
 namespace ribbon {
 
@@ -16,18 +18,6 @@ std::optional<WorstFrame> worst(const RecordingInfo& info, const Function& value
       result = {static_cast<double>(value(*numbers)), index + 1};
   }
   return result;
-}
-
-std::string decimals(double number, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, number);
-  return text;
-}
-
-std::string short_number(double number) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
 }
 
 std::string line(const std::string& name, const std::string& value) {
@@ -91,9 +81,10 @@ std::optional<WorstFrame> RecordingInfo::most_penetrations() const {
 }
 
 std::optional<std::uint32_t> RecordingInfo::last_penetrations() const {
-  for (auto frame = numbers.rbegin(); frame != numbers.rend(); ++frame)
-    if (*frame) return (*frame)->penetrating_edges;
-  return std::nullopt;
+  const auto last = std::find_if(numbers.rbegin(), numbers.rend(),
+                                 [](const auto& frame) { return frame.has_value(); });
+  if (last == numbers.rend()) return std::nullopt;
+  return (*last)->penetrating_edges;
 }
 
 double RecordingInfo::bytes_per_vertex_and_frame() const {
@@ -102,13 +93,19 @@ double RecordingInfo::bytes_per_vertex_and_frame() const {
          header.grid.particle_count();
 }
 
-RecordingInfo recording_info(const std::filesystem::path& file, const RecordingReader& reader) {
-  RecordingInfo info{file, reader.file_bytes(), reader.finished(), reader.header(), {},
-                     {},   reader.damage()};
+RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader& reader) {
+  RecordingInfo info;
+  info.file = file;
+  info.file_bytes = reader.file_bytes();
+  info.finished = reader.finished();
+  info.header = reader.header();
+  Eigen::Matrix3Xf positions;
   for (int index = 0; index < reader.frame_count(); ++index) {
     info.numbers.push_back(reader.numbers(index));
-    if (!reader.readable(index)) info.missing.push_back(index + 1);
+    if (!reader.readable(index) || !reader.read(index, positions))
+      info.missing.push_back(index + 1);
   }
+  info.damage = reader.damage();
   return info;
 }
 
@@ -127,19 +124,6 @@ std::string info_text(const RecordingInfo& info) {
                           decimals(info.bytes_per_vertex_and_frame(), 2) +
                           " per vertex and frame") +
          damage_text(info);
-}
-
-std::string number_list(const std::vector<int>& numbers) {
-  std::string text;
-  for (std::size_t begin = 0; begin < numbers.size();) {
-    std::size_t end = begin + 1;
-    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
-    if (begin != 0) text += ", ";
-    text += std::to_string(numbers[begin]);
-    if (end - begin > 1) text.append("-").append(std::to_string(numbers[end - 1]));
-    begin = end;
-  }
-  return text;
 }
 
 }  // namespace ribbon

@@ -37,15 +37,13 @@ struct RecordingInfo {
   [[nodiscard]] double bytes_per_vertex_and_frame() const;
 };
 
-RecordingInfo recording_info(const std::filesystem::path& file, const RecordingReader& reader);
+// Decodes every frame once, so that a frame that is said to be there is.
+RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader& reader);
 
 // Several lines to read.
 std::string info_text(const RecordingInfo& info);
 
 // One JSON object; what is not known is null.
 std::string info_json(const RecordingInfo& info);
-
-// "3, 7-9, 12" of numbers in ascending order.
-std::string number_list(const std::vector<int>& numbers);
 
 }  // namespace ribbon

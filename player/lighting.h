@@ -15,11 +15,10 @@ struct Lighting {
   // Tangent of half the angle under which the sun is seen: larger makes softer shadows.
   float sun_radius = 0.05F;
   // Radiance of the sky straight above and straight below; it changes evenly in between.
-  Color sky_above = {0.50F, 0.55F, 0.63F};
-  Color sky_below = {0.16F, 0.15F, 0.14F};
-  // What hides the sky in a fold is lit cloth itself: the share of the sky's light that it returns,
-  // on top of its colour.
-  float bounce = 0.35F;
+  Color sky_above = {0.55F, 0.59F, 0.66F};
+  Color sky_below = {0.21F, 0.20F, 0.19F};
+  // What hides the sky in a fold is itself lit: the share of the sky's light that it returns.
+  float bounce = 0.22F;
 
   [[nodiscard]] Color sky(const Eigen::Vector3f& direction) const {
     return sky_below + (sky_above - sky_below) * (0.5F + direction.y() / 2);

@@ -41,7 +41,9 @@ Result<PictureSize> parse_size(const std::string& text) {
 }
 
 void add_options(CLI::App& app, Options& options, std::string& size) {
-  app.add_option("RECORDING", options.recording, "the recording (.rbn)")->required();
+  app.add_option("RECORDING", options.recording, "the recording (.rbn)")
+      ->required()
+      ->type_name("FILE");
   app.add_option("-o,--output", options.pictures,
                  "PNG files to write, with {frame} or {frame:04} for the frame's number")
       ->type_name("PATTERN");
@@ -52,7 +54,8 @@ void add_options(CLI::App& app, Options& options, std::string& size) {
       ->type_name("WxH")
       ->capture_default_str();
   app.add_option("--samples", options.samples, "samples per pixel: more is smoother and slower")
-      ->check(CLI::Range(1, 4096))
+      ->check(CLI::Range(1, 4096).description(""))
+      ->type_name("N")
       ->capture_default_str();
   app.add_option("--sheet", options.sheet,
                  "contact sheet to write: several frames, two cameras, captions")
@@ -60,7 +63,7 @@ void add_options(CLI::App& app, Options& options, std::string& size) {
   app.add_flag("--info", options.info, "tell what the recording holds");
   app.add_flag("--json", options.json, "tell it as JSON");
   app.add_option("--threads", options.threads, "use at most this many threads (default: all cores)")
-      ->check(CLI::Range(1, 1024))
+      ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N");
   app.add_flag("--quiet", options.quiet, "no progress and no summary");
 }

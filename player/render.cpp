@@ -174,7 +174,7 @@ class TilePainter {
   void add_sky_light(std::size_t i, const Eigen::Vector3f& towards, bool free) {
     const SurfacePoint& point = seen_[i].point;
     Color light = s_.lighting.mean_sky(point.normal);
-    if (!free) light -= s_.lighting.sky(towards) * (1.0F - s_.lighting.bounce * point.albedo);
+    if (!free) light -= s_.lighting.sky(towards) * (1 - s_.lighting.bounce);
     pixel(seen_[i].sample) += point.albedo * light;
   }
 

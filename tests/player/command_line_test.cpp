@@ -1,0 +1,206 @@
+// ribbon-play as its users run it.
+#include <gtest/gtest.h>
+#include <png.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "files/files.h"
+#include "picture.h"
+#include "recording/sample_recording.h"
+
+namespace ribbon {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int exit_code;
+  std::string output;
+  std::string errors;
+};
+
+class RibbonPlay : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-play-") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    recording_ = folder_ / "knot.rbn";
+    write_sample_recording(recording_, 7);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // Runs it in the test's own folder; small pictures unless told otherwise.
+  [[nodiscard]] Outcome play(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() + "' && '" RIBBON_PLAY "' " + arguments +
+                                " > stdout.txt 2> stderr.txt";
+    // NOLINTNEXTLINE(concurrency-mt-unsafe, cert-env33-c)
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout.txt"), read("stderr.txt")};
+  }
+  [[nodiscard]] Outcome play_small(const std::string& arguments) const {
+    return play("knot.rbn --size 64x48 --samples 1 " + arguments);
+  }
+
+  [[nodiscard]] std::string read(const std::string& name) const {
+    return read_file(folder_ / name).value_or("");
+  }
+
+  [[nodiscard]] std::set<std::string> files_in(const std::string& name) const {
+    std::set<std::string> files;
+    for (const auto& entry : fs::directory_iterator(folder_ / name))
+      files.insert(entry.path().filename().string());
+    return files;
+  }
+
+  fs::path folder_;
+  fs::path recording_;
+};
+
+// One sentence: one line after the tool's name, and what to do.
+void expect_refusal(const Outcome& outcome, const std::string& part) {
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.errors.rfind("ribbon-play: ", 0), 0U) << outcome.errors;
+  EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+  EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+  EXPECT_EQ(outcome.output, "");
+}
+
+PictureSize png_size(const std::string& bytes) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  EXPECT_NE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()), 0);
+  png_image_free(&image);
+  return {static_cast<int>(image.width), static_cast<int>(image.height)};
+}
+
+TEST_F(RibbonPlay, every_frame_becomes_a_picture) {
+  const Outcome outcome = play_small("-o 'frames/{frame:04}.png'");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(files_in("frames"),
+            (std::set<std::string>{"0001.png", "0002.png", "0003.png", "0004.png", "0005.png",
+                                   "0006.png", "0007.png"}));
+  EXPECT_EQ(png_size(read("frames/0007.png")), (PictureSize{64, 48}));
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_NE(outcome.output.find("7 pictures"), std::string::npos);
+}
+
+TEST_F(RibbonPlay, frames_are_chosen_by_range_and_step) {
+  EXPECT_EQ(play_small("-o 'a/{frame:04}.png' --frames 2:-1:2 --quiet").exit_code, 0);
+  EXPECT_EQ(files_in("a"), (std::set<std::string>{"0002.png", "0004.png", "0006.png"}));
+  expect_refusal(play_small("-o 'b/{frame}.png' --frames 8"), "7 frames");
+}
+
+TEST_F(RibbonPlay, a_frame_is_the_same_whatever_else_is_rendered_and_by_how_many_threads) {
+  ASSERT_EQ(play_small("-o 'all/{frame:01}.png' --threads 1").exit_code, 0);
+  ASSERT_EQ(play_small("-o 'one/{frame:01}.png' --frames 5 --threads 3").exit_code, 0);
+  ASSERT_FALSE(read("one/5.png").empty());
+  EXPECT_EQ(read("all/5.png"), read("one/5.png"));
+  EXPECT_NE(read("all/5.png"), read("all/6.png"));
+}
+
+TEST_F(RibbonPlay, a_contact_sheet_is_one_file) {
+  EXPECT_EQ(play_small("--sheet out/sheet.png").exit_code, 0);
+  EXPECT_GT(png_size(read("out/sheet.png")).width, 6 * 400);
+}
+
+TEST_F(RibbonPlay, quiet_says_nothing) {
+  const Outcome outcome = play_small("-o '{frame}.png' --frames 1 --quiet");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.output + outcome.errors, "");
+}
+
+TEST_F(RibbonPlay, info_tells_what_the_recording_holds) {
+  const Outcome outcome = play("knot.rbn --info");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.output.find("frames          7 in 0.12 s, 50 per second\n"), std::string::npos)
+      << outcome.output;
+  EXPECT_NE(outcome.output.find("stone, 6 vertices, 8 triangles"), std::string::npos);
+}
+
+TEST_F(RibbonPlay, info_as_json_parses) {
+  const Outcome outcome = play("knot.rbn --info --json");
+  EXPECT_EQ(outcome.exit_code, 0);
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(json["frame_count"], 7);
+  EXPECT_EQ(json["frames"][6]["recovery_iterations"], 12);
+  EXPECT_EQ(json["file_bytes"], fs::file_size(recording_));
+}
+
+TEST_F(RibbonPlay, damage_costs_frames_and_is_told) {
+  std::string bytes = read("knot.rbn");
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
+  ASSERT_TRUE(write_file(recording_, bytes));
+  const Outcome info = play("knot.rbn --json");
+  ASSERT_EQ(info.exit_code, 1);
+  const auto missing = nlohmann::json::parse(info.output)["missing_frames"];
+  ASSERT_FALSE(missing.empty());
+  const Outcome outcome = play_small("-o 'frames/{frame}.png'");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(files_in("frames").size(), 7 - missing.size());
+  EXPECT_NE(outcome.errors.find("frames " + std::to_string(missing[0].get<int>())),
+            std::string::npos)
+      << outcome.errors;
+}
+
+TEST_F(RibbonPlay, what_cannot_be_read_is_refused) {
+  expect_refusal(play("nowhere.rbn --info"), "nowhere.rbn");
+  ASSERT_TRUE(write_file(folder_ / "letter.rbn", "Dear reader, this is no recording at all."));
+  expect_refusal(play("letter.rbn --info"), "letter.rbn");
+  ASSERT_TRUE(write_file(folder_ / "empty.rbn", ""));
+  expect_refusal(play("empty.rbn --info"), "empty.rbn");
+}
+
+TEST_F(RibbonPlay, a_recording_without_frames_has_no_pictures) {
+  write_sample_recording(recording_, 0);
+  EXPECT_EQ(play("knot.rbn --info").exit_code, 0);
+  expect_refusal(play_small("-o '{frame}.png'"), "no frames");
+  expect_refusal(play_small("--sheet sheet.png"), "no frames");
+}
+
+TEST_F(RibbonPlay, a_pattern_needs_a_place_for_the_number) {
+  expect_refusal(play_small("-o still.png"), "{frame");
+}
+
+TEST_F(RibbonPlay, a_folder_that_cannot_be_written_is_refused) {
+  ASSERT_TRUE(write_file(folder_ / "taken", "a file"));
+  expect_refusal(play_small("-o 'taken/{frame}.png'"), "taken");
+  expect_refusal(play_small("--sheet taken/sheet.png"), "taken");
+}
+
+TEST_F(RibbonPlay, absurd_sizes_are_refused) {
+  for (const std::string size : {"0x0", "-5x100", "1e9x1e9", "99999x10", "1280", "x", "axb",
+                                 "1280x720x3", "1280x", "9999999999999x16"})
+    expect_refusal(play("knot.rbn -o '{frame}.png' --size=" + size), "--size");
+}
+
+TEST_F(RibbonPlay, absurd_numbers_are_refused) {
+  expect_refusal(play("knot.rbn -o '{frame}.png' --samples 0"), "--samples");
+  expect_refusal(play("knot.rbn -o '{frame}.png' --threads -1"), "--threads");
+  expect_refusal(play("knot.rbn -o '{frame}.png' --frames a:b"), "frames 'a:b'");
+}
+
+TEST_F(RibbonPlay, asking_for_nothing_or_for_something_unknown_is_refused) {
+  expect_refusal(play("knot.rbn"), "nothing to do");
+  expect_refusal(play("knot.rbn --turbo"), "--turbo");
+  expect_refusal(play(""), "--help");
+}
+
+TEST_F(RibbonPlay, help_has_examples_and_version_is_a_line) {
+  const Outcome help = play("--help");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.output.find("ribbon-play knot.rbn -o 'frames/{frame:04}.png'"), std::string::npos);
+  const Outcome version = play("--version");
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_EQ(version.output, "ribbon-play " RIBBON_VERSION "\n");
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "info.h"
+
+namespace ribbon {
+namespace {
+
+RecordingInfo two_frames() {
+  RecordingInfo info;
+  info.file = "knot.rbn";
+  info.header.scene_name = "obi";
+  info.header.grid = {10, 4};
+  info.header.obstacle =
+      TriangleMesh{"stone", Eigen::Matrix3Xf::Zero(3, 6), Eigen::Matrix3Xi::Zero(3, 8)};
+  info.numbers = {FrameNumbers{0.5, 0.25, 7, 3}, std::nullopt};
+  info.missing = {2};
+  info.damage = {{2000, 150, "checksum differs"}};
+  return info;
+}
+
+TEST(InfoJson, programs_read_what_people_read) {
+  const auto json = nlohmann::json::parse(info_json(two_frames()));
+  EXPECT_EQ(json["scene"]["name"], "obi");
+  EXPECT_EQ(json["ribbon"]["across"], 4);
+  EXPECT_EQ(json["obstacle"]["triangles"], 8);
+  EXPECT_EQ(json["frame_count"], 2);
+  EXPECT_EQ(json["worst_strain"]["value"], 0.25);
+  EXPECT_EQ(json["penetrating_edges"]["worst"]["frame"], 1);
+  EXPECT_EQ(json["missing_frames"], nlohmann::json::array({2}));
+  EXPECT_EQ(json["damage"][0]["byte"], 2000);
+  EXPECT_EQ(json["frames"][0]["recovery_iterations"], 3);
+}
+
+TEST(InfoJson, what_is_not_known_is_null) {
+  RecordingInfo info = two_frames();
+  EXPECT_TRUE(nlohmann::json::parse(info_json(info))["frames"][1]["time_s"].is_null());
+  info.numbers.clear();
+  info.header.obstacle.reset();
+  const auto json = nlohmann::json::parse(info_json(info));
+  EXPECT_TRUE(json["obstacle"].is_null());
+  EXPECT_TRUE(json["worst_strain"].is_null());
+  EXPECT_TRUE(json["penetrating_edges"]["last"].is_null());
+}
+
+TEST(InfoJson, names_that_are_not_utf8_still_give_json) {
+  RecordingInfo info = two_frames();
+  info.header.scene_name = "\xFFobi";
+  EXPECT_EQ(nlohmann::json::parse(info_json(info))["scene"]["name"], "\xEF\xBF\xBDobi");
+}
+
+}  // namespace
+}  // namespace ribbon

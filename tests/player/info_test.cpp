@@ -1,0 +1,72 @@
+#include "info.h"
+
+#include <gtest/gtest.h>
+
+namespace ribbon {
+namespace {
+
+// Three frames recorded, the second lost.
+RecordingInfo three_frames() {
+  RecordingInfo info;
+  info.file = "knot.rbn";
+  info.file_bytes = 6000;
+  info.finished = true;
+  info.header.scene_name = "obi";
+  info.header.writer = "ribbon-record 0.1.0";
+  info.header.grid = {10, 4};
+  info.header.ribbon_length_m = 2;
+  info.header.ribbon_width_m = 0.08;
+  info.header.frames_per_second = 25;
+  info.header.max_position_error_m = 2e-5;
+  info.numbers = {FrameNumbers{1, 0.02, 7, 3}, std::nullopt, FrameNumbers{1.08, 0.0415, 2, 5}};
+  info.missing = {2};
+  info.damage = {{2000, 150, "checksum differs"}};
+  return info;
+}
+
+TEST(RecordingInfo, sums_up_the_frames_that_are_known) {
+  const RecordingInfo info = three_frames();
+  EXPECT_EQ(info.frame_count(), 3);
+  EXPECT_NEAR(info.duration_s(), 0.08, 1e-12);
+  EXPECT_EQ(info.worst_strain()->value, 0.0415);
+  EXPECT_EQ(info.worst_strain()->frame, 3);
+  EXPECT_EQ(info.most_penetrations()->value, 7);
+  EXPECT_EQ(info.most_penetrations()->frame, 1);
+  EXPECT_EQ(info.last_penetrations(), 2U);
+  EXPECT_EQ(info.bytes_per_vertex_and_frame(), 6000.0 / 3 / 40);
+}
+
+TEST(RecordingInfo, without_frames_there_is_nothing_to_sum_up) {
+  RecordingInfo info = three_frames();
+  info.numbers.clear();
+  EXPECT_EQ(info.duration_s(), 0);
+  EXPECT_FALSE(info.worst_strain());
+  EXPECT_FALSE(info.last_penetrations());
+  EXPECT_EQ(info.bytes_per_vertex_and_frame(), 0);
+  EXPECT_NE(info_text(info).find("0 in 0.00 s"), std::string::npos);
+}
+
+TEST(RecordingInfo, the_text_is_readable) {
+  EXPECT_EQ(info_text(three_frames()),
+            "recording       knot.rbn\n"
+            "scene           obi\n"
+            "written by      ribbon-record 0.1.0\n"
+            "frames          3 in 0.08 s, 25 per second\n"
+            "ribbon          4 x 10 particles, 0.08 m wide, 2 m long\n"
+            "obstacle        none\n"
+            "worst strain    4.2 % in frame 3\n"
+            "penetrations    at most 7, in frame 1; in the last frame 2\n"
+            "position error  at most 0.02 mm\n"
+            "size            6000 bytes, 50.00 per vertex and frame\n"
+            "damage          150 bytes at byte 2000: checksum differs\n"
+            "lost frames     2\n");
+}
+
+TEST(RecordingInfo, a_stopped_recorder_is_mentioned) {
+  RecordingInfo info = three_frames();
+  info.finished = false;
+  EXPECT_NE(info_text(info).find("; the recorder was stopped on the way"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ribbon
