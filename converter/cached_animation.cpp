@@ -41,7 +41,7 @@ Result<void> append_frames(RecordingReader& reader, const std::vector<int>& fram
     report.frames_written += *posed ? 1 : 0;
     auto appended = cache.append(model.objects.front().positions);
     if (!appended) return appended;
-    progress.update(report.frames_written);
+    progress.update(report.frames_written + static_cast<int>(report.missing.size()));
   }
   return {};
 }
@@ -75,6 +75,7 @@ Result<ConversionReport> write_cached_animation(const ConversionRequest& request
       .and_then([&] { return write_base(base, request.output); })
       .map([&] {
         report.bytes_written = std::filesystem::file_size(request.output);
+        report.damage = reader.damage();
         return report;
       });
 }

@@ -33,12 +33,7 @@ Result<ConversionReport> convert(const ConversionRequest& request) {
   if (!frames) return tl::unexpected(frames.error());
   if (frames->empty())
     return failure(request.recording.string(), "holds no frames", "record it again");
-  const std::vector<Damage> damage = reader->damage();
-  return convert_frames(request, *format, std::move(*reader), *frames)
-      .map([&](ConversionReport report) {
-        report.damage = damage;
-        return report;
-      });
+  return convert_frames(request, *format, std::move(*reader), *frames);
 }
 
 }  // namespace ribbon

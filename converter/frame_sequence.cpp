@@ -102,8 +102,9 @@ class Sequence {
     progress_.update(++done_);
   }
 
-  [[nodiscard]] Result<ConversionReport> report() const {
+  [[nodiscard]] Result<ConversionReport> report() {
     ConversionReport report;
+    report.damage = readers_.damage();
     report.first_file = file_(frames_.front() + 1);
     report.last_file = file_(frames_.back() + 1);
     for (std::size_t slot = 0; slot < frames_.size(); ++slot) {
@@ -113,6 +114,8 @@ class Sequence {
       report.frames_written += outcome.lost ? 0 : 1;
       report.bytes_written += outcome.bytes;
     }
+    if (report.frames_written == 0)
+      return failure("", "none of the frames can be read", "record it again");
     return report;
   }
 

@@ -26,4 +26,12 @@ void ReaderPool::give_back(RecordingReader reader) {
   idle_.push_back(std::move(reader));
 }
 
+std::vector<Damage> ReaderPool::damage() {
+  const std::lock_guard lock(mutex_);
+  std::vector<Damage> most;  // one that has met damage has scanned the whole file for more
+  for (const RecordingReader& reader : idle_)
+    if (reader.damage().size() > most.size()) most = reader.damage();
+  return most;
+}
+
 }  // namespace ribbon

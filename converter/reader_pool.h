@@ -19,6 +19,9 @@ class ReaderPool {
   Result<RecordingReader> take();
   void give_back(RecordingReader reader);
 
+  // All the damage that the readers have met so far; they look for it where a frame cannot be read.
+  std::vector<Damage> damage();
+
  private:
   std::filesystem::path recording_;
   std::mutex mutex_;

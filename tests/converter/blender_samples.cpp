@@ -85,9 +85,12 @@ Model model_of(const ribbon::SampleKnot& knot, const Eigen::Matrix3Xd& ribbon_po
   return model;
 }
 
+// Frame 3 of the sample, in which vertices coincide.
+constexpr std::size_t spoiled_frame = 2;
+
 void write_spoiled(const Folder& folder, const ribbon::SampleKnot& knot, const std::string& fault,
                    const std::function<void(Model&)>& spoil) {
-  Model model = model_of(knot, knot.frames[0]);
+  Model model = model_of(knot, knot.frames[spoiled_frame]);
   spoil(model);
   write(folder / (fault + ".obj"), ribbon::obj_text(model, "spoiled.mtl"));
   write(folder / (fault + ".fbx"), ribbon::fbx_bytes(model).value());
@@ -103,7 +106,7 @@ std::string with_wrong_unit(std::string fbx) {
   const double centimetre = 1;
   std::size_t found = fbx.find(key);
   require(found != std::string::npos, "no unit in the FBX");
-  found = fbx.find("D", found + key.size() + sizeof "SdoubleSNumberS");
+  found = fbx.find('D', found + key.size() + sizeof "SdoubleSNumberS");
   std::memcpy(fbx.data() + found + 1, &centimetre, sizeof centimetre);
   return fbx;
 }
@@ -138,7 +141,7 @@ void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
   write_spoiled(folder, knot, "swapped_vertices", [](Model& m) {
     m.objects[0].positions.col(3).swap(m.objects[0].positions.col(4));
   });
-  const Model right = model_of(knot, knot.frames[0]);
+  const Model right = model_of(knot, knot.frames[spoiled_frame]);
   const std::string unrepaired = ribbon::unrepaired_fbx_bytes(right).value();
   if (ribbon::fbx_top_list_end(unrepaired) == 0)  // an assimp before 5.3
     write(folder / "unrepaired.fbx", unrepaired);

@@ -16,7 +16,7 @@ std::string little_endian(std::uint64_t number, int bytes) {
 // A record with one property (a byte) or none.
 std::string record(std::uint64_t end, const std::string& name, bool property,
                    const std::string& children) {
-  const int count = property ? 1 : 0;
+  const std::uint64_t count = property ? 1 : 0;
   return little_endian(end, 8) + little_endian(count, 8) + little_endian(2 * count, 8) +
          little_endian(name.size(), 1) + name + (property ? "C\1" : "") + children;
 }

@@ -8,7 +8,7 @@ namespace ribbon {
 namespace {
 
 std::filesystem::path empty_folder(const std::string& name) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / name;
+  auto folder = std::filesystem::path(testing::TempDir()) / name;
   std::filesystem::remove_all(folder);
   return folder;
 }
