@@ -83,7 +83,7 @@ Result<void> PointCacheWriter::append(const Eigen::Matrix3Xf& positions) {
   assert(positions.cols() == points_);
   assert(samples_missing_ > 0);
   --samples_missing_;
-  return write(positions.data(), sizeof(float) * static_cast<std::size_t>(positions.size()));
+  return write(positions.data(), 3 * sizeof(float) * static_cast<std::size_t>(points_));
 }
 
 Result<void> PointCacheWriter::finish() {
