@@ -148,34 +148,25 @@ class TilePainter {
   }
 
   void add_sky() {
-    std::array<std::size_t, batch_size> open;
-    std::size_t rays = 0;
     for (std::size_t i = 0; i < seen_count_; ++i) {
       const SurfacePoint& point = seen_[i].point;
       const Eigen::Vector2f disc = on_disc(uniform(Pattern::sky, seen_[i].sample));
       const float height = std::sqrt(std::max(0.0F, 1 - disc.squaredNorm()));
-      const Eigen::Vector3f towards =
-          frame_about(point.normal) * Eigen::Vector3f(disc.x(), disc.y(), height);
-      // Below the triangle, though not below the smooth surface: as good as hidden.
-      if (towards.dot(point.facet) <= 0) {
-        add_sky_light(i, towards, false);
-        continue;
-      }
-      rays_[rays] = {point.light_start, towards};
-      open[rays++] = i;
+      rays_[i] = {point.light_start,
+                  frame_about(point.normal) * Eigen::Vector3f(disc.x(), disc.y(), height)};
     }
     std::array<std::uint8_t, batch_size> free;
-    s_.stage.rays().unblocked({rays_.data(), rays}, Coherence::mixed, free);
-    for (std::size_t r = 0; r < rays; ++r) add_sky_light(open[r], rays_[r].direction, free[r] != 0);
+    s_.stage.rays().unblocked({rays_.data(), seen_count_}, Coherence::mixed, free);
+    for (std::size_t i = 0; i < seen_count_; ++i)
+      add_sky_light(seen_[i], rays_[i].direction, free[i] != 0);
   }
 
   // What the whole sky would give, less what is hidden in this one direction: so a point that sees
   // all of the sky has no noise.
-  void add_sky_light(std::size_t i, const Eigen::Vector3f& towards, bool free) {
-    const SurfacePoint& point = seen_[i].point;
-    Color light = s_.lighting.mean_sky(point.normal);
+  void add_sky_light(const Seen& seen, const Eigen::Vector3f& towards, bool free) {
+    Color light = s_.lighting.mean_sky(seen.point.normal);
     if (!free) light -= s_.lighting.sky(towards) * (1 - s_.lighting.bounce);
-    pixel(seen_[i].sample) += point.albedo * light;
+    pixel(seen.sample) += seen.point.albedo * light;
   }
 
   [[nodiscard]] Eigen::Vector2f uniform(Pattern pattern, const Sample& sample) const {

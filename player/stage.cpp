@@ -74,13 +74,13 @@ SurfacePoint Stage::point(const Ray& ray, const Hit& hit) const {
   const bool front = area.dot(ray.direction) < 0;
   if (!front) normals = -normals;
 
+  const Eigen::Vector3f facet = (front ? area : Eigen::Vector3f(-area)).normalized();
   SurfacePoint point;
-  point.facet = (front ? area : Eigen::Vector3f(-area)).normalized();
   // Where the cloth is folded flat its neighbours' normals cancel or even turn round.
   const Eigen::Vector3f smooth = normals * weights;
-  point.normal = smooth.dot(point.facet) > 0.1F * smooth.norm() ? smooth.normalized() : point.facet;
+  point.normal = smooth.dot(facet) > 0.1F * smooth.norm() ? smooth.normalized() : facet;
   const Eigen::Vector3f place = corners * weights;
-  point.light_start = lifted(place, corners, normals, weights) + clearance_ * point.facet;
+  point.light_start = lifted(place, corners, normals, weights) + clearance_ * facet;
   point.albedo = hit.body == Hit::Body::ribbon ? cloth(corner, weights, front) : obstacle_color;
   return point;
 }

@@ -11,11 +11,11 @@
 
 namespace ribbon {
 
-// A place on a surface as light needs it. Both normals point to the side that is looked at.
+// A place on a surface as light needs it.
 struct SurfacePoint {
   Eigen::Vector3f light_start;  // from where rays towards the light go
-  Eigen::Vector3f facet;        // unit normal of the triangle
-  Eigen::Vector3f normal;       // unit normal of the smooth surface that the triangles stand for
+  Eigen::Vector3f normal;       // of the smooth surface that the triangles stand for, unit length,
+                                // to the side that is looked at
   Color albedo;                 // share of the light that it returns
 };
 
