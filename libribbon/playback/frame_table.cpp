@@ -37,7 +37,11 @@ std::optional<std::string_view> whole_record(std::string_view bytes, RecordType 
 class Scan {
  public:
   Scan(const RandomAccessFile& file, std::uint32_t recording_id, std::uint64_t frames_begin)
-      : file_(file), recording_id_(recording_id), at_(frames_begin), good_end_(frames_begin) {}
+      : file_(file),
+        recording_id_(recording_id),
+        frames_begin_(frames_begin),
+        at_(frames_begin),
+        good_end_(frames_begin) {}
 
   FrameTable run() {
     while (at_ < file_.size()) {
@@ -63,9 +67,16 @@ class Scan {
     const std::uint64_t end = at_ + record_head_bytes + payload.size();
     if (head->type == RecordType::frame && !take_frame(payload, end))
       return refuse("a frame does not belong here");
-    if (head->type == RecordType::index) table_.finished = true;
+    if (is_last_words(head->type, payload)) table_.finished = true;
     at_ = good_end_ = end;
     return true;
+  }
+
+  // Only a writer that was allowed to finish writes an index and a footer.
+  bool is_last_words(RecordType type, std::string_view payload) const {
+    if (type == RecordType::index)
+      return parse_index_payload(payload, recording_id_, frames_begin_, at_).has_value();
+    return type == RecordType::footer && parse_footer_payload(payload, recording_id_).has_value();
   }
 
   bool refuse(const char* reason) {
@@ -119,6 +130,7 @@ class Scan {
 
   const RandomAccessFile& file_;
   std::uint32_t recording_id_;
+  std::uint64_t frames_begin_;
   std::uint64_t at_;
   std::uint64_t good_end_;  // end of the last whole record
   std::string reason_;

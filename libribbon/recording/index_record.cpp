@@ -99,6 +99,7 @@ std::optional<std::uint64_t> parse_footer_payload(std::string_view payload,
   ByteTaker taker(payload);
   const auto offset = taker.take<std::uint64_t>();
   const auto id = taker.take<std::uint32_t>();
+  taker.take<std::uint32_t>();  // zero
   if (!taker.complete() || id != recording_id) return std::nullopt;
   return offset;
 }

@@ -1,8 +1,10 @@
 #include "recording/sample_recording.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <system_error>
 
 #include "recording/recording_writer.h"
 
@@ -21,6 +23,25 @@ TriangleMesh octahedron() {
       4, 4, 4, 4, 5, 5, 5, 5;
   return mesh;
 }
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder()
+      : path_(std::filesystem::path(testing::TempDir()) /
+              ("ribbon test " + std::to_string(getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace
 
@@ -70,6 +91,11 @@ void write_sample_recording(const std::filesystem::path& path, int frames, Endin
   if (ending == Ending::killed) return;
   const auto finished = writer->finish();
   ASSERT_TRUE(finished.has_value()) << finished.error().sentence();
+}
+
+std::filesystem::path temporary_file(const std::string& name) {
+  static const TemporaryFolder folder;
+  return folder.path() / name;
 }
 
 }  // namespace ribbon

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <string>
 
 #include "recording/recording.h"
 
@@ -25,5 +26,8 @@ enum class Ending { finished, killed };
 // test when that does not work.
 void write_sample_recording(const std::filesystem::path& path, int frames,
                             Ending ending = Ending::finished);
+
+// A path that no other test process uses, in a folder that goes with this process.
+std::filesystem::path temporary_file(const std::string& name);
 
 }  // namespace ribbon

@@ -1,0 +1,308 @@
+// Whatever happens to a file: no crash, no wrong frame passed as right, and everything that is
+// still there is read.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "files/files.h"
+#include "playback/recording_reader.h"
+#include "recording/bytes.h"
+#include "recording/checksum.h"
+#include "recording/header_record.h"
+#include "recording/index_record.h"
+#include "recording/record.h"
+#include "recording/recording_writer.h"
+#include "recording/sample_recording.h"
+
+namespace ribbon {
+namespace {
+
+constexpr int frames = 36;  // a group of 32 and the start of the next
+constexpr int second_group = 32;
+
+RecordingHeader small_header() {
+  RecordingHeader header = sample_header();
+  header.grid = {3, 2};
+  header.uv = Eigen::Matrix2Xf::Zero(2, 6);
+  header.obstacle.reset();
+  return header;
+}
+
+// A recording as small as possible, and what its undamaged frames are.
+class DamagedRecording : public testing::Test {
+ protected:
+  DamagedRecording() {
+    auto writer = RecordingWriter::create(path_, small_header());
+    header_end_ = writer->bytes_written();
+    for (int frame = 0; frame < frames; ++frame) {
+      begin_.push_back(writer->bytes_written());
+      EXPECT_TRUE(writer->append(sample_numbers(frame), positions(frame)).has_value());
+    }
+    begin_.push_back(writer->bytes_written());
+    EXPECT_TRUE(writer->finish().has_value());
+    finished_ = read_file(path_).value();
+    killed_ = finished_.substr(0, begin_.back());
+    auto reader = RecordingReader::open(path_);
+    truth_.resize(frames);
+    for (int frame = 0; frame < frames; ++frame)
+      EXPECT_TRUE(reader->read(frame, truth_[static_cast<std::size_t>(frame)]).has_value());
+  }
+
+  static Eigen::Matrix3Xd positions(int frame) {
+    Eigen::Matrix3Xd result(3, 6);
+    for (int p = 0; p < 6; ++p)
+      result.col(p) << 0.1 * p + 0.0003 * frame * frame, std::sin(0.1 * frame * (p + 1)), 0.01 * p;
+    return result;
+  }
+
+  Result<RecordingReader> open(const std::string& bytes) {
+    // A new file each time: rewriting an old one waits for the disk, thousands of times.
+    std::filesystem::remove(path_);
+    std::ofstream(path_, std::ios::binary) << bytes;
+    return RecordingReader::open(path_);
+  }
+
+  // Reads all frames; those that can be read must be what they were. Returns the others.
+  std::vector<int> lost_frames(RecordingReader& reader) const {
+    std::vector<int> lost;
+    for (int frame = 0; frame < reader.frame_count(); ++frame) {
+      Eigen::Matrix3Xf read;
+      const bool done = reader.read(frame, read).has_value();
+      EXPECT_EQ(done, reader.readable(frame)) << "after the attempt both must agree";
+      if (!done) {
+        lost.push_back(frame);
+        continue;
+      }
+      EXPECT_EQ(read, truth_.at(static_cast<std::size_t>(frame))) << "frame " << frame;
+      EXPECT_EQ(reader.numbers(frame), sample_numbers(frame));
+    }
+    return lost;
+  }
+
+  // The frame whose record holds this byte.
+  int frame_at(std::size_t byte) const {
+    return static_cast<int>(std::upper_bound(begin_.begin(), begin_.end(), byte) - begin_.begin()) -
+           1;
+  }
+
+  // What is lost with a frame: it and those behind it up to the next key frame.
+  static std::vector<int> group_from(int frame) {
+    std::vector<int> lost;
+    for (int next = frame; next < (frame < second_group ? second_group : frames); ++next)
+      lost.push_back(next);
+    return lost;
+  }
+
+  std::filesystem::path path_ = temporary_file("damaged.rbn");
+  std::size_t header_end_ = 0;
+  std::vector<std::uint64_t> begin_;  // of each frame's record, and the end of the last
+  std::string finished_;
+  std::string killed_;
+  std::vector<Eigen::Matrix3Xf> truth_;
+};
+
+TEST_F(DamagedRecording, a_cut_tail_is_a_normal_end) {
+  for (std::size_t size = 0; size < finished_.size(); ++size) {
+    auto reader = open(finished_.substr(0, size));
+    ASSERT_EQ(reader.has_value(), size >= header_end_) << "cut at " << size;
+    if (!reader) continue;
+    ASSERT_EQ(reader->frame_count(), std::min(frame_at(size), frames)) << "cut at " << size;
+    ASSERT_TRUE(reader->damage().empty()) << "cut at " << size;
+    ASSERT_TRUE(lost_frames(*reader).empty()) << "cut at " << size;
+  }
+}
+
+TEST_F(DamagedRecording, every_flipped_byte_of_a_finished_file_costs_at_most_its_group) {
+  for (std::size_t byte = 0; byte < finished_.size(); ++byte) {
+    std::string bytes = finished_;
+    bytes[byte] = static_cast<char>(bytes[byte] ^ (byte % 2 == 0 ? 0x01 : 0xC3));
+    auto reader = open(bytes);
+    if (byte >= file_signature.size() && byte < header_end_) {
+      ASSERT_FALSE(reader.has_value()) << "byte " << byte;
+      continue;
+    }
+    ASSERT_TRUE(reader.has_value()) << "byte " << byte;
+    ASSERT_EQ(reader->frame_count(), frames) << "byte " << byte;
+    const std::vector<int> lost = lost_frames(*reader);
+    const bool in_frame = byte >= header_end_ && byte < begin_.back();
+    ASSERT_EQ(lost, in_frame ? group_from(frame_at(byte)) : std::vector<int>()) << "byte " << byte;
+    ASSERT_FALSE(reader->damage().empty()) << "byte " << byte;
+    ASSERT_TRUE(reader->finished()) << "byte " << byte;
+  }
+}
+
+TEST_F(DamagedRecording, every_flipped_byte_of_a_killed_file_costs_at_most_its_group) {
+  for (std::size_t byte = header_end_; byte < killed_.size(); ++byte) {
+    std::string bytes = killed_;
+    bytes[byte] = static_cast<char>(bytes[byte] ^ 0x20);
+    auto reader = open(bytes);
+    ASSERT_TRUE(reader.has_value()) << "byte " << byte;
+    std::vector<int> expected = group_from(frame_at(byte));
+    const bool last_head =
+        byte >= begin_[frames - 1] && byte < begin_[frames - 1] + record_head_bytes;
+    if (last_head) expected.clear();  // nobody knows that it was a frame
+    ASSERT_EQ(reader->frame_count(), last_head ? frames - 1 : frames) << "byte " << byte;
+    ASSERT_EQ(lost_frames(*reader), expected) << "byte " << byte;
+    ASSERT_FALSE(reader->damage().empty()) << "byte " << byte;
+    ASSERT_FALSE(reader->finished());
+  }
+}
+
+TEST_F(DamagedRecording, damage_is_reported_where_it_is) {
+  std::string bytes = killed_;
+  bytes[begin_[5] + record_head_bytes + 3] ^= 1;
+  auto reader = open(bytes);
+  ASSERT_TRUE(reader.has_value());
+  ASSERT_EQ(reader->damage().size(), 1U);
+  EXPECT_EQ(reader->damage()[0].byte, begin_[5]);
+  EXPECT_EQ(reader->damage()[0].length, begin_[6] - begin_[5]);
+  EXPECT_FALSE(reader->numbers(5).has_value());
+  EXPECT_EQ(reader->numbers(6), sample_numbers(6)) << "numbers need no other frame";
+  EXPECT_FALSE(reader->readable(6));
+  EXPECT_TRUE(reader->readable(second_group));
+}
+
+TEST_F(DamagedRecording, a_hole_in_the_file_loses_the_frames_within) {
+  std::string bytes = killed_;
+  const std::size_t hole = begin_[4] + 10;
+  bytes.erase(hole, begin_[8] + 10 - hole);
+  auto reader = open(bytes);
+  ASSERT_TRUE(reader.has_value());
+  // Frame 4's head is pieced together from two; what follows does not begin where it should.
+  EXPECT_FALSE(reader->damage().empty());
+  for (const int lost : lost_frames(*reader)) EXPECT_GE(lost, 4);
+  EXPECT_TRUE(reader->readable(3));
+}
+
+TEST_F(DamagedRecording, zeroed_blocks_keep_the_frames_numbers) {
+  std::string bytes = killed_;
+  std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(begin_[10]),
+            bytes.begin() + static_cast<std::ptrdiff_t>(begin_[20]), '\0');
+  auto reader = open(bytes);
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_EQ(reader->frame_count(), frames);
+  EXPECT_EQ(lost_frames(*reader), group_from(10));
+  ASSERT_EQ(reader->damage().size(), 1U);
+  EXPECT_EQ(reader->damage()[0].length, begin_[20] - begin_[10]);
+}
+
+TEST_F(DamagedRecording, a_tail_of_zeros_is_damage_and_costs_nothing) {
+  auto reader = open(killed_ + std::string(5000, '\0'));
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_EQ(reader->frame_count(), frames);
+  EXPECT_TRUE(lost_frames(*reader).empty());
+  ASSERT_EQ(reader->damage().size(), 1U);
+  EXPECT_EQ(reader->damage()[0].length, 5000U);
+}
+
+TEST_F(DamagedRecording, bytes_behind_the_footer_cost_nothing) {
+  auto reader = open(finished_ + "tail");
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_EQ(reader->frame_count(), frames);
+  EXPECT_TRUE(reader->finished());
+  EXPECT_TRUE(lost_frames(*reader).empty());
+}
+
+TEST_F(DamagedRecording, an_unknown_record_is_skipped) {
+  std::string bytes = killed_;
+  bytes.insert(begin_[7], make_record(static_cast<RecordType>(4711), "what later versions know"));
+  auto reader = open(bytes);
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_EQ(reader->frame_count(), frames);
+  EXPECT_TRUE(reader->damage().empty());
+  EXPECT_TRUE(lost_frames(*reader).empty());
+}
+
+TEST_F(DamagedRecording, an_index_that_points_elsewhere_is_found_out) {
+  std::string bytes = killed_;
+  const std::string moved = make_record(static_cast<RecordType>(4711), "in between");
+  bytes.insert(begin_[7], moved);  // the index below does not know of it
+  auto reader = open(bytes + finished_.substr(begin_.back()));
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_TRUE(lost_frames(*reader).empty());
+  EXPECT_TRUE(reader->damage().empty()) << "nothing is damaged but the index";
+}
+
+TEST_F(DamagedRecording, frames_of_another_recording_do_not_belong) {
+  RecordingHeader other = small_header();
+  other.scene_name = "other";
+  const std::string header =
+      std::string(file_signature) + make_record(RecordType::header, header_payload(other));
+  auto reader = open(header + killed_.substr(header_end_));
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_EQ(reader->frame_count(), 0);
+  EXPECT_FALSE(reader->damage().empty());
+}
+
+TEST_F(DamagedRecording, a_frame_number_that_the_file_cannot_hold_is_refused) {
+  std::string bytes = killed_.substr(0, begin_[1]);
+  std::string payload =
+      killed_.substr(begin_[1] + record_head_bytes, begin_[2] - begin_[1] - record_head_bytes);
+  payload.replace(4, 4, "\xF0\xFF\xFF\xFF");
+  auto reader = open(bytes + make_record(RecordType::frame, payload));
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_EQ(reader->frame_count(), 1);
+  EXPECT_EQ(reader->damage().size(), 1U);
+}
+
+TEST_F(DamagedRecording, a_length_that_the_file_cannot_hold_is_a_cut_tail) {
+  std::string head(record_magic);
+  put<std::uint32_t>(head, 2);
+  put<std::uint64_t>(head, 0xFFFFFFFFFFFFFFFF);
+  put<std::uint32_t>(head, 0);
+  put<std::uint32_t>(head, checksum(head));
+  auto reader = open(killed_ + head);
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_EQ(reader->frame_count(), frames);
+  EXPECT_TRUE(reader->damage().empty());
+  auto hidden = open(killed_.substr(0, begin_[5]) + head + killed_.substr(begin_[5]));
+  ASSERT_TRUE(hidden.has_value());
+  EXPECT_EQ(hidden->frame_count(), frames) << "frames behind it are found";
+  EXPECT_EQ(hidden->damage().size(), 1U);
+}
+
+TEST_F(DamagedRecording, geometry_that_is_not_valid_makes_its_group_unreadable) {
+  std::string payload =
+      killed_.substr(begin_[3] + record_head_bytes, begin_[4] - begin_[3] - record_head_bytes);
+  payload.replace(40, payload.size() - 40, "no zstd frame");
+  std::string bytes = killed_;
+  bytes.replace(begin_[3], begin_[4] - begin_[3], make_record(RecordType::frame, payload));
+  auto reader = open(bytes);
+  ASSERT_TRUE(reader.has_value());
+  Eigen::Matrix3Xf read;
+  for (int frame = 3; frame < second_group; ++frame)
+    EXPECT_FALSE(reader->read(frame, read).has_value());
+  ASSERT_TRUE(reader->read(2, read).has_value());
+  EXPECT_EQ(read, truth_[2]);
+  ASSERT_TRUE(reader->read(second_group, read).has_value());
+  EXPECT_EQ(read, truth_[second_group]);
+}
+
+TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {
+  std::string payload = header_payload(small_header());
+  payload[0] = 7;
+  const auto reader = open(std::string(file_signature) + make_record(RecordType::header, payload));
+  ASSERT_FALSE(reader.has_value());
+  EXPECT_EQ(reader.error().sentence(), path_.string() +
+                                           ": was written in format version 7, this program reads "
+                                           "up to version 1; use a newer program");
+}
+
+TEST_F(DamagedRecording, an_error_names_the_frame_as_users_count) {
+  std::string bytes = killed_;
+  bytes[begin_[5] + record_head_bytes + 3] ^= 1;
+  auto reader = open(bytes);
+  Eigen::Matrix3Xf read;
+  const auto result = reader->read(7, read);
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().place, path_.string() + ": frame 8");
+}
+
+}  // namespace
+}  // namespace ribbon

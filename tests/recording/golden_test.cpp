@@ -1,0 +1,128 @@
+// A recording of this format version, kept so that later programs are known to read it.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "playback/recording_reader.h"
+#include "recording/bytes.h"
+#include "recording/checksum.h"
+#include "recording/recording_writer.h"
+#include "recording/sample_recording.h"
+
+namespace ribbon {
+namespace {
+
+const std::filesystem::path golden = std::filesystem::path(RIBBON_GOLDEN_RECORDINGS) / "v1.rbn";
+constexpr int frames = 40;
+constexpr RibbonGrid golden_grid{48, 6};
+
+// A wave that runs obliquely over a ribbon, which slips in between. Made of sums, products and
+// powers of two alone, so that it is the same everywhere.
+Eigen::Matrix3Xd golden_positions(int frame) {
+  const RibbonGrid grid = golden_grid;
+  Eigen::Matrix3Xd positions(3, grid.particle_count());
+  for (int p = 0; p < grid.particle_count(); ++p) {
+    const int i = grid.row(p);
+    const int j = grid.column(p);
+    const double phase = (i * 5 + j * 7 + frame * 3) % 256 / 256.0;
+    const double slip = (frame > 20 && i > 5) ? (i * 7 + j * 3 + frame * 5) % 11 / 8192.0 : 0;
+    positions.col(p) << i / 16.0 + slip,
+        phase * (1 - phase) / 4 + (i - 4) * (i - 4) * frame / 4096.0,
+        j / 32.0 + frame * frame * i / 65536.0;
+  }
+  // Here single precision uses up nearly all of the bound.
+  if (frame == 32) positions.row(1).array() += 600.0 + 1.0 / 65536;
+  return positions;
+}
+
+FrameNumbers golden_numbers(int frame) {
+  return {frame / 64.0, frame / 1024.0, static_cast<std::uint32_t>(frame * frame),
+          static_cast<std::uint32_t>(frame)};
+}
+
+RecordingHeader golden_header() {
+  RecordingHeader header;
+  header.scene_name = "golden";
+  header.scene_text = "# two lines\nname = \"golden\"\n";
+  header.writer = "ribbon-record 0.1.0";
+  header.grid = golden_grid;
+  header.uv.resize(2, golden_grid.particle_count());
+  for (int p = 0; p < golden_grid.particle_count(); ++p)
+    header.uv.col(p) << static_cast<float>(golden_grid.row(p)) / 64.0F,
+        static_cast<float>(golden_grid.column(p)) / 8.0F;
+  header.ribbon_length_m = 1.5;
+  header.ribbon_width_m = 0.125;
+  header.frames_per_second = 64;
+  header.max_position_error_m = 0x1p-15;
+  TriangleMesh tetrahedron{"tetrahedron", Eigen::Matrix3Xf(3, 4), Eigen::Matrix3Xi(3, 4)};
+  tetrahedron.vertices << 0, 1, 0, 0,  //
+      0, 0, 1, 0,                      //
+      0, 0, 0, 1;
+  tetrahedron.triangles << 0, 0, 0, 1,  //
+      2, 1, 3, 2,                       //
+      1, 3, 2, 3;
+  header.obstacle = tetrahedron;
+  return header;
+}
+
+void write_golden(const std::filesystem::path& path) {
+  std::filesystem::remove(path);
+  auto writer = RecordingWriter::create(path, golden_header());
+  ASSERT_TRUE(writer.has_value()) << writer.error().sentence();
+  for (int frame = 0; frame < frames; ++frame)
+    ASSERT_TRUE(writer->append(golden_numbers(frame), golden_positions(frame)).has_value());
+  ASSERT_TRUE(writer->finish().has_value());
+}
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+TEST(GoldenRecording, it_is_there) {
+  if (std::filesystem::exists(golden)) return;
+  write_golden(golden);
+  FAIL() << golden << " was missing and has been written: look at it and commit it";
+}
+
+TEST(GoldenRecording, it_is_read_as_it_was_written) {
+  auto reader = RecordingReader::open(golden);
+  ASSERT_TRUE(reader.has_value()) << reader.error().sentence();
+  EXPECT_EQ(reader->header().scene_text, golden_header().scene_text);
+  EXPECT_EQ(reader->header().obstacle->triangles, golden_header().obstacle->triangles);
+  EXPECT_EQ(reader->header().uv, golden_header().uv);
+  ASSERT_EQ(reader->frame_count(), frames);
+  EXPECT_TRUE(reader->finished());
+  for (int frame = 0; frame < frames; ++frame) {
+    EXPECT_EQ(reader->numbers(frame), golden_numbers(frame));
+    Eigen::Matrix3Xf positions;
+    ASSERT_TRUE(reader->read(frame, positions).has_value());
+    EXPECT_LE((positions.cast<double>() - golden_positions(frame)).cwiseAbs().maxCoeff(), 0x1p-15);
+  }
+}
+
+TEST(GoldenRecording, every_bit_of_its_positions_is_known) {
+  auto reader = RecordingReader::open(golden);
+  ASSERT_TRUE(reader.has_value()) << reader.error().sentence();
+  std::string bytes;
+  Eigen::Matrix3Xf positions;
+  for (int frame = 0; frame < frames; ++frame) {
+    ASSERT_TRUE(reader->read(frame, positions).has_value());
+    for (const float coordinate : positions.reshaped()) put<float>(bytes, coordinate);
+  }
+  // As a second reader found, written in another language from FORMAT.md alone.
+  EXPECT_EQ(checksum(bytes), 0x86A835E1U);
+}
+
+TEST(GoldenRecording, recording_it_again_gives_the_same_bytes) {
+  const auto path = temporary_file("golden again.rbn");
+  write_golden(path);
+  EXPECT_TRUE(content(path) == content(golden));
+}
+
+}  // namespace
+}  // namespace ribbon

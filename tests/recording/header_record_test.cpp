@@ -1,0 +1,98 @@
+#include "recording/header_record.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "recording/bytes.h"
+#include "recording/sample_recording.h"
+
+namespace ribbon {
+namespace {
+
+TEST(HeaderRecord, everything_comes_back) {
+  const RecordingHeader written = sample_header();
+  const auto read = parse_header_payload(header_payload(written));
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(read->scene_name, written.scene_name);
+  EXPECT_EQ(read->scene_text, written.scene_text);
+  EXPECT_EQ(read->writer, written.writer);
+  EXPECT_EQ(read->grid, written.grid);
+  EXPECT_EQ(read->uv, written.uv);
+  EXPECT_EQ(read->ribbon_length_m, written.ribbon_length_m);
+  EXPECT_EQ(read->ribbon_width_m, written.ribbon_width_m);
+  EXPECT_EQ(read->frames_per_second, written.frames_per_second);
+  EXPECT_EQ(read->max_position_error_m, written.max_position_error_m);
+  ASSERT_TRUE(read->obstacle.has_value());
+  EXPECT_EQ(read->obstacle->name, "stone");
+  EXPECT_EQ(read->obstacle->vertices, written.obstacle->vertices);
+  EXPECT_EQ(read->obstacle->triangles, written.obstacle->triangles);
+}
+
+TEST(HeaderRecord, a_ribbon_needs_no_obstacle) {
+  RecordingHeader header = sample_header();
+  header.obstacle.reset();
+  const auto read = parse_header_payload(header_payload(header));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_FALSE(read->obstacle.has_value());
+}
+
+TEST(HeaderRecord, every_prefix_is_refused) {
+  const std::string payload = header_payload(sample_header());
+  for (std::size_t size = 0; size < payload.size(); ++size)
+    EXPECT_FALSE(parse_header_payload(payload.substr(0, size)).has_value()) << size;
+}
+
+TEST(HeaderRecord, what_a_newer_minor_version_appends_is_ignored) {
+  std::string payload = header_payload(sample_header()) + "news";
+  payload[2] = 9;
+  EXPECT_TRUE(parse_header_payload(payload).has_value());
+}
+
+TEST(HeaderRecord, a_newer_major_version_is_refused_with_a_sentence) {
+  std::string payload = header_payload(sample_header());
+  payload[0] = 2;
+  const auto read = parse_header_payload(payload);
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error().sentence(),
+            "was written in format version 2, this program reads up to version 1; use a newer "
+            "program");
+}
+
+// Bytes 8 to 15 are the grid's counts.
+std::string with_grid(std::uint32_t along, std::uint32_t across) {
+  std::string counts;
+  put<std::uint32_t>(counts, along);
+  put<std::uint32_t>(counts, across);
+  return header_payload(sample_header()).replace(8, 8, counts);
+}
+
+TEST(HeaderRecord, counts_that_lie_are_refused) {
+  EXPECT_TRUE(parse_header_payload(with_grid(40, 6)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(41, 6)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(1, 240)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(4096, 4096)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(0xFFFFFFFF, 0xFFFFFFFF)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(0x80000000, 2)).has_value());
+}
+
+TEST(HeaderRecord, triangles_of_missing_vertices_are_refused) {
+  RecordingHeader header = sample_header();
+  header.obstacle->triangles(1, 3) = 6;
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+}
+
+TEST(HeaderRecord, impossible_numbers_are_refused) {
+  RecordingHeader header = sample_header();
+  header.frames_per_second = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+  header = sample_header();
+  header.max_position_error_m = 0;
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+  header = sample_header();
+  header.obstacle->vertices(0, 0) = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+}
+
+}  // namespace
+}  // namespace ribbon
