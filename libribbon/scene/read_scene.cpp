@@ -312,7 +312,12 @@ std::vector<Key> recording_keys() {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = {
-      {"", required, {{"name", optional, "\"overhand-hourglass\"", set(&Scene::name, text)}}},
+      {"",
+       required,
+       {{"name", optional, "\"overhand-hourglass\"", set(&Scene::name, text)},
+        {"contact", optional, "\"gate\"",
+         set(&Scene::contact, one_of<ContactMethod>({{"gate", ContactMethod::gate},
+                                                     {"paper", ContactMethod::paper}}))}}},
       {"curve", required, curve_keys()},
       {"ribbon", required, ribbon_keys()},
       {"springs", optional, spring_keys()},

@@ -15,8 +15,7 @@ struct ContactLengths {
   double rounding_m = 0;  // how far recording may move a coordinate
 };
 
-// The two moments of a step at which contact decides. `before` holds the positions at the start of
-// the step; cloth.positions what the step wishes so far.
+// The two moments of a step at which contact decides on what cloth.positions wish so far.
 class Contact {
  public:
   virtual ~Contact() = default;
@@ -26,11 +25,12 @@ class Contact {
     int recovery_iterations = 0;
   };
 
-  // After the displacement: detecting collisions and adding repulsions (section 5.4).
+  // After the displacement from `before`: detecting collisions and adding repulsions (section 5.4).
   virtual Report after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) = 0;
 
   // After the smoothing: recovering from errors (section 5.6), or not letting them happen.
-  virtual Report after_smoothing(const Eigen::Matrix3Xd& before, Cloth& cloth) = 0;
+  // Called any number of times after after_displacement.
+  virtual Report after_smoothing(Cloth& cloth) = 0;
 };
 
 // As published: collisions are repelled as far as they are found, smoothing may push the ribbon

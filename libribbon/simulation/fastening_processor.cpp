@@ -17,6 +17,7 @@ using Eigen::Matrix3Xd;
 constexpr double restitution = 0.1;    // small, for stability (section 5.4.2)
 constexpr double strain_limit = 0.1;   // of the natural length (section 5.5)
 constexpr int correction_rounds = 10;  // at most, in one step (section 5.5)
+constexpr int settling_rounds = 50;    // at most, before the first step
 
 double shortest_edge_m(const RibbonMesh& ribbon) {
   return std::min(ribbon.length_m / (ribbon.grid.along - 1),
@@ -60,6 +61,17 @@ FasteningProcessor::FasteningProcessor(const Scene& scene, const RibbonMesh& rib
   if (scene.fastening)
     fastening_.emplace(*scene.fastening, air_resistance_per_s_, ribbon.grid, cloth_.positions,
                        cloth_.particle_mass_kg);
+  settle();
+}
+
+// A band that was bent into a drawn curve is strained here and there. Before the first step it is
+// corrected as after any other, without force and at rest.
+void FasteningProcessor::settle() {
+  const Matrix3Xd start = cloth_.positions;
+  contact_->after_displacement(start, cloth_);
+  for (int round = 0; round < settling_rounds && correct_strain() > 0; ++round)
+    contact_->after_smoothing(cloth_);
+  cloth_.velocities.setZero();
 }
 
 StepReport FasteningProcessor::step() {
@@ -67,7 +79,7 @@ StepReport FasteningProcessor::step() {
   integrate(springs_, fastening_force(), air_resistance_per_s_, step_s_, substeps_, cloth_);
   const Contact::Report collisions = contact_->after_displacement(before, cloth_);
   const int correction_rounds = correct_strain();
-  const Contact::Report recovery = contact_->after_smoothing(before, cloth_);
+  const Contact::Report recovery = contact_->after_smoothing(cloth_);
   ++steps_;
   return {.worst_strain = worst_strain(springs_, cloth_.positions),
           .collision_rounds = collisions.collision_rounds,

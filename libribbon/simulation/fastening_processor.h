@@ -46,6 +46,7 @@ class FasteningProcessor {
 
  private:
   [[nodiscard]] Eigen::Matrix3Xd fastening_force() const;
+  void settle();
   int correct_strain();
 
   double step_s_;

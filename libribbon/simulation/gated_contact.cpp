@@ -23,7 +23,7 @@ class GatedContact : public Contact {
     return pass(before, cloth);
   }
 
-  Report after_smoothing(const Matrix3Xd& /*before*/, Cloth& cloth) override {
+  Report after_smoothing(Cloth& cloth) override {
     const Matrix3Xd certified = certified_;
     return pass(certified, cloth);
   }

@@ -19,7 +19,7 @@ class PaperContact : public Contact {
             .recovery_iterations = 0};
   }
 
-  Report after_smoothing(const Eigen::Matrix3Xd& /*before*/, Cloth& cloth) override {
+  Report after_smoothing(Cloth& cloth) override {
     return {
         .collision_rounds = 0,
         .recovery_iterations = recover(bodies_, recovery_settings_, cloth.positions).iterations};

@@ -37,6 +37,7 @@ TEST(ReadScene, defaults_are_as_documented) {
   EXPECT_TRUE(scene.curve.first_passage_over);
   EXPECT_DOUBLE_EQ(scene.curve.clearance_m, 0.005);
   EXPECT_EQ(scene.ribbon.mass_kg, 1);
+  EXPECT_EQ(scene.contact, ContactMethod::gate);
   EXPECT_EQ(scene.time.step_s, 0.01);
   EXPECT_EQ(scene.recording.frames_per_second, 50);
   EXPECT_EQ(scene.recording.max_position_error, 1e-5);
@@ -45,6 +46,7 @@ TEST(ReadScene, defaults_are_as_documented) {
 TEST(ReadScene, every_key_reaches_its_place) {
   const std::string text =
       "name = 'my knot'\n"
+      "contact = 'paper'\n"
       "[curve]\nsvg = '/drawings/a.svg'\npath = 'p'\nunit = 2\norigin = [3, 4.5]\naxis = 'z'\n"
       "first = 'under'\nclearance = 5\n"
       "[ribbon]\nwidth = 6\nalong = 7\nacross = 8\nmass = 9\n"
@@ -56,6 +58,7 @@ TEST(ReadScene, every_key_reaches_its_place) {
       "[recording]\nframes_per_second = 0.25\nmax_position_error = 1e-4\n";
   const Scene scene = read_text(text).value();
   EXPECT_EQ(scene.name, "my knot");
+  EXPECT_EQ(scene.contact, ContactMethod::paper);
   EXPECT_EQ(std::get<DrawnSvg>(scene.curve.drawing).file, "/drawings/a.svg");
   EXPECT_EQ(std::get<DrawnSvg>(scene.curve.drawing).path_id, "p");
   EXPECT_EQ(scene.curve.unit_m, 2);

@@ -1,0 +1,101 @@
+#include "record.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "curve/space_curve.h"
+#include "obstacle/obstacle.h"
+#include "recording/recording_writer.h"
+#include "ribbon_mesh/ribbon_mesh.h"
+#include "simulation/fastening_processor.h"
+
+namespace ribbon {
+
+namespace {
+
+class Stopwatch {
+ public:
+  // Seconds since the last lap.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> elapsed = now - last_;
+    last_ = now;
+    return elapsed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+RecordingHeader header_of(const Scene& scene, const std::string& writer, const RibbonMesh& ribbon,
+                          const std::optional<TriangleMesh>& obstacle) {
+  RecordingHeader header;
+  header.scene_name = scene.name;
+  header.scene_text = scene.text;
+  header.writer = writer;
+  header.grid = ribbon.grid;
+  header.uv = ribbon.uv;
+  header.ribbon_length_m = ribbon.length_m;
+  header.ribbon_width_m = ribbon.width_m;
+  header.frames_per_second = scene.recording.frames_per_second;
+  header.max_position_error_m = scene.recording.max_position_error * ribbon.length_m;
+  header.obstacle = obstacle;
+  return header;
+}
+
+// The first step at or after the time of frame `index`. A frame time that falls on a step up to
+// rounding is on it.
+long step_of_frame(const Scene& scene, int index) {
+  const double steps = index / scene.recording.frames_per_second / scene.time.step_s;
+  return static_cast<long>(std::ceil(steps - 1e-9 * (1 + steps)));
+}
+
+}  // namespace
+
+int frame_count(const Scene& scene) {
+  return static_cast<int>(
+             std::floor(scene.time.duration_s * scene.recording.frames_per_second * (1 + 1e-12))) +
+         1;
+}
+
+Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& recording,
+                             const std::string& writer, const RunObserver& observer) {
+  const auto curve = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along);
+  if (!curve) return tl::unexpected(curve.error());
+  const RibbonMesh ribbon = generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
+  std::optional<TriangleMesh> obstacle;
+  if (scene.obstacle) {
+    auto read = read_obstacle(*scene.obstacle);
+    if (!read) return tl::unexpected(read.error());
+    obstacle = std::move(*read);
+  }
+  auto file = RecordingWriter::create(recording, header_of(scene, writer, ribbon, obstacle));
+  if (!file) return tl::unexpected(file.error());
+  FasteningProcessor fastening(scene, ribbon, obstacle);
+
+  RunStatistics statistics{
+      .scene_name = scene.name, .along = ribbon.grid.along, .across = ribbon.grid.across};
+  const int frames = frame_count(scene);
+  Stopwatch stopwatch;
+  for (int frame = 0; frame < frames && !statistics.interrupted; ++frame) {
+    FrameNumbers numbers;
+    for (const long last = step_of_frame(scene, frame); statistics.steps < last; ++statistics.steps)
+      numbers.recovery_iterations +=
+          static_cast<std::uint32_t>(fastening.step().recovery_iterations);
+    statistics.simulation_s += stopwatch.lap();
+    numbers.time_s = fastening.time_s();
+    numbers.worst_strain = fastening.strain();
+    numbers.penetrating_edges = static_cast<std::uint32_t>(fastening.penetrating_edges());
+    if (auto written = file->append(numbers, fastening.positions()); !written)
+      return tl::unexpected(written.error());
+    statistics.recording_s += stopwatch.lap();
+    statistics.add(numbers);
+    statistics.interrupted = !observer.frame_recorded(frame + 1, frames, numbers);
+  }
+  if (auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
+  statistics.bytes = file->bytes_written();
+  return statistics;
+}
+
+}  // namespace ribbon

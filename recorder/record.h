@@ -1,0 +1,31 @@
+// From a scene to a recording: the stations in order.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "recording/recording.h"
+#include "result/result.h"
+#include "run_statistics.h"
+#include "scene/scene.h"
+
+namespace ribbon {
+
+// What a run tells while it goes on.
+struct RunObserver {
+  // After each recorded frame: how many of how many, and its numbers. Returns false to end early.
+  std::function<bool(int done, int total, const FrameNumbers& numbers)> frame_recorded;
+};
+
+// How many frames `scene` records: one at its start and then one for each frame time up to its
+// duration.
+int frame_count(const Scene& scene);
+
+// Generates the ribbon of `scene`, fastens it and records every frame into `recording`. A frame is
+// recorded at the first step at or after its time. `writer`: program and version, for the header.
+// Fails when the drawing, the obstacle or the file does not work; frames written before stay
+// readable.
+Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& recording,
+                             const std::string& writer, const RunObserver& observer);
+
+}  // namespace ribbon

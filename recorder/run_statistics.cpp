@@ -1,0 +1,65 @@
+#include "run_statistics.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace ribbon {
+
+void RunStatistics::add(const FrameNumbers& frame) {
+  ++frames;
+  simulated_s = frame.time_s;
+  last_strain = frame.worst_strain;
+  worst_strain = std::max(worst_strain, frame.worst_strain);
+  last_penetrating_edges = frame.penetrating_edges;
+  worst_penetrating_edges = std::max(worst_penetrating_edges, frame.penetrating_edges);
+  recovery_iterations += frame.recovery_iterations;
+}
+
+double RunStatistics::steps_per_second() const {
+  return simulation_s > 0 ? static_cast<double>(steps) / simulation_s : 0;
+}
+
+double RunStatistics::bits_per_vertex_and_frame() const {
+  const double vertices = static_cast<double>(along) * across;
+  return frames > 0 ? 8.0 * static_cast<double>(bytes) / vertices / frames : 0;
+}
+
+std::string summary_line(const RunStatistics& statistics) {
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(1) << statistics.frames << " frames, "
+       << statistics.simulated_s << " s in " << statistics.steps << " steps ("
+       << statistics.steps_per_second() << " steps/s); worst strain "
+       << 100 * statistics.worst_strain << " %; penetrating edges "
+       << statistics.worst_penetrating_edges << " at worst, " << statistics.last_penetrating_edges
+       << " at last; " << static_cast<double>(statistics.bytes) / 1e6 << " MB ("
+       << statistics.bits_per_vertex_and_frame() << " bits per vertex and frame)";
+  if (statistics.interrupted) line << "; ended early by the user";
+  return line.str();
+}
+
+std::string statistics_json(const RunStatistics& statistics) {
+  const nlohmann::ordered_json json = {
+      {"scene", statistics.scene_name},
+      {"along", statistics.along},
+      {"across", statistics.across},
+      {"steps", statistics.steps},
+      {"frames", statistics.frames},
+      {"simulated_s", statistics.simulated_s},
+      {"simulation_s", statistics.simulation_s},
+      {"recording_s", statistics.recording_s},
+      {"steps_per_second", statistics.steps_per_second()},
+      {"bytes", statistics.bytes},
+      {"bits_per_vertex_and_frame", statistics.bits_per_vertex_and_frame()},
+      {"worst_strain", statistics.worst_strain},
+      {"last_strain", statistics.last_strain},
+      {"worst_penetrating_edges", statistics.worst_penetrating_edges},
+      {"last_penetrating_edges", statistics.last_penetrating_edges},
+      {"recovery_iterations", statistics.recovery_iterations},
+      {"interrupted", statistics.interrupted},
+  };
+  return json.dump(2) + "\n";
+}
+
+}  // namespace ribbon

@@ -1,0 +1,38 @@
+// The figures of one run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "recording/recording.h"
+
+namespace ribbon {
+
+struct RunStatistics {
+  std::string scene_name;
+  int along = 0;
+  int across = 0;
+  long steps = 0;
+  int frames = 0;
+  double simulated_s = 0;
+  double simulation_s = 0;  // wall time spent in steps
+  double recording_s = 0;   // wall time spent in recording frames
+  std::uint64_t bytes = 0;  // of the recording
+  bool interrupted = false;
+
+  double worst_strain = 0;  // over all frames
+  double last_strain = 0;
+  std::uint32_t worst_penetrating_edges = 0;  // over all frames
+  std::uint32_t last_penetrating_edges = 0;
+  std::uint64_t recovery_iterations = 0;  // in all steps
+
+  void add(const FrameNumbers& frame);
+  [[nodiscard]] double steps_per_second() const;
+  [[nodiscard]] double bits_per_vertex_and_frame() const;
+};
+
+// For people: one line. For programs: JSON.
+std::string summary_line(const RunStatistics& statistics);
+std::string statistics_json(const RunStatistics& statistics);
+
+}  // namespace ribbon
