@@ -17,7 +17,7 @@ struct SheetColumn {
   std::vector<Picture> views;
 };
 
-inline constexpr PictureSize sheet_cell{420, 320};
+inline constexpr PictureSize sheet_cell{520, 300};
 
 // All columns must have the same number of views, each of size sheet_cell; at least one column.
 Picture contact_sheet(const std::string& title, const std::string& subtitle,

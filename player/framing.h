@@ -14,8 +14,8 @@ struct View {
   float elevation_deg = 0;  // 0 level, 90 straight down
 };
 
-inline constexpr View three_quarter_view{28, 22};
-inline constexpr View top_view{0, 78};
+inline constexpr View three_quarter_view{36, 22};
+inline constexpr View top_view{0, 62};
 
 // Collects points, however many, and then places the camera so near that they just fill the
 // picture. Keeps four numbers only, so a whole recording can be streamed through it.

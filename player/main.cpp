@@ -21,7 +21,7 @@ namespace ribbon {
 
 namespace {
 
-constexpr int sheet_columns = 6;
+constexpr int sheet_columns = 5;
 
 Result<void> write_png(const std::filesystem::path& path, const Picture& picture) {
   return write_file(path, png_bytes(picture));

@@ -108,7 +108,7 @@ TEST_F(RibbonPlay, a_frame_is_the_same_whatever_else_is_rendered_and_by_how_many
 
 TEST_F(RibbonPlay, a_contact_sheet_is_one_file) {
   EXPECT_EQ(play_small("--sheet out/sheet.png").exit_code, 0);
-  EXPECT_GT(png_size(read("out/sheet.png")).width, 6 * 400);
+  EXPECT_GT(png_size(read("out/sheet.png")).width, 5 * 520);
 }
 
 TEST_F(RibbonPlay, quiet_says_nothing) {
