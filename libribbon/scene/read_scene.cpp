@@ -85,6 +85,7 @@ struct Range {
 constexpr Range any_number{"from -1e12 to 1e12", -1e12, 1e12};
 constexpr Range not_negative{"from 0 to 1e12", 0, 1e12};
 constexpr Range positive{"above 0 (from 1e-12 to 1e12)", 1e-12, 1e12};
+constexpr Range yield_strain{"from 0.001 to 1", 1e-3, 1};
 constexpr Range position_error{"from 1e-7 to 0.01", 1e-7, 0.01};
 
 std::optional<double> number_within(const Range& range, const toml::node& node) {
@@ -287,6 +288,8 @@ std::vector<Key> fastening_keys() {
   return {
       {"speed", required, "0.5",
        set(in(&Scene::fastening, &FasteningScene::speed_m_s), number(positive))},
+      {"yield", optional, "0.05",
+       set(in(&Scene::fastening, &FasteningScene::yield_strain), number(yield_strain))},
       {"axis_point", optional, "[0, 0, 0]",
        set(in(&Scene::fastening, &FasteningScene::axis_point_m), coordinates<3>)},
       {"axis", optional, "[0, 1, 0]",

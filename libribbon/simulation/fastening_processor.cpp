@@ -61,6 +61,8 @@ FasteningProcessor::FasteningProcessor(const Scene& scene, const RibbonMesh& rib
   if (scene.fastening)
     fastening_.emplace(*scene.fastening, air_resistance_per_s_, ribbon.grid, cloth_.positions,
                        cloth_.particle_mass_kg);
+  if (scene.fastening && scene.fastening->yield_strain)
+    yielding_.emplace(ribbon.grid, ribbon.length_m, *scene.fastening->yield_strain);
   settle();
 }
 
@@ -99,8 +101,11 @@ Matrix3Xd FasteningProcessor::positions() const {
   return cloth_.positions.leftCols(cloth_.particle_count());
 }
 
-Matrix3Xd FasteningProcessor::fastening_force() const {
-  return fastening_ ? fastening_->at(cloth_.positions) : Matrix3Xd(3, 0);
+Matrix3Xd FasteningProcessor::fastening_force() {
+  if (!fastening_) return Matrix3Xd(3, 0);
+  Matrix3Xd force = fastening_->at(cloth_.positions);
+  if (yielding_) force *= yielding_->feel(cloth_.positions);
+  return force;
 }
 
 // while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes

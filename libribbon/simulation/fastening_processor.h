@@ -14,6 +14,7 @@
 #include "simulation/contact.h"
 #include "simulation/fastening_force.h"
 #include "simulation/strain_correction.h"
+#include "simulation/yielding.h"
 
 namespace ribbon {
 
@@ -45,7 +46,7 @@ class FasteningProcessor {
   [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * step_s_; }
 
  private:
-  [[nodiscard]] Eigen::Matrix3Xd fastening_force() const;
+  Eigen::Matrix3Xd fastening_force();
   void settle();
   int correct_strain();
 
@@ -56,6 +57,7 @@ class FasteningProcessor {
   SpringNetwork springs_;
   int substeps_ = 1;
   std::optional<FasteningForce> fastening_;
+  std::optional<Yielding> yielding_;
   std::unique_ptr<Bodies> bodies_;  // at a fixed place: the contact refers to it
   StrainCorrection strain_correction_;
   std::unique_ptr<Contact> contact_;

@@ -53,7 +53,7 @@ TEST(ReadScene, every_key_reaches_its_place) {
       "[springs]\nstretch = 10\nshear = 11\nbend = 12\n"
       "[air]\nresistance = 13\n"
       "[obstacle]\nmesh = '/meshes/b.obj'\nscale = 14\nposition = [15, 16, 17]\n"
-      "[fastening]\nspeed = 18\naxis_point = [19, 20, 21]\naxis = [0, 3, 4]\n"
+      "[fastening]\nspeed = 18\nyield = 0.25\naxis_point = [19, 20, 21]\naxis = [0, 3, 4]\n"
       "[time]\nstep = 0.5\nduration = 22\n"
       "[recording]\nframes_per_second = 0.25\nmax_position_error = 1e-4\n";
   const Scene scene = read_text(text).value();
@@ -78,6 +78,7 @@ TEST(ReadScene, every_key_reaches_its_place) {
   EXPECT_EQ(scene.obstacle->scale, 14);
   EXPECT_EQ(scene.obstacle->position_m, Eigen::Vector3d(15, 16, 17));
   EXPECT_EQ(scene.fastening->speed_m_s, 18);
+  EXPECT_EQ(scene.fastening->yield_strain, 0.25);
   EXPECT_EQ(scene.fastening->axis_point_m, Eigen::Vector3d(19, 20, 21));
   EXPECT_TRUE(scene.fastening->axis_direction.isApprox(Eigen::Vector3d(0, 0.6, 0.8), 1e-15));
   EXPECT_EQ(scene.time.step_s, 0.5);
