@@ -73,7 +73,7 @@ class Scan {
   }
 
   // Only a writer that was allowed to finish writes an index and a footer.
-  bool is_last_words(RecordType type, std::string_view payload) const {
+  [[nodiscard]] bool is_last_words(RecordType type, std::string_view payload) const {
     if (type == RecordType::index)
       return parse_index_payload(payload, recording_id_, frames_begin_, at_).has_value();
     return type == RecordType::footer && parse_footer_payload(payload, recording_id_).has_value();
@@ -110,14 +110,14 @@ class Scan {
     return true;
   }
 
-  bool is_start_of_head(std::uint64_t offset) const {
+  [[nodiscard]] bool is_start_of_head(std::uint64_t offset) const {
     const std::string rest = file_.read(offset, record_head_bytes);
     return rest.size() < record_head_bytes &&
            record_magic.starts_with(rest.substr(0, record_magic.size()));
   }
 
   // Where the next record with a valid head begins, from `offset` on.
-  std::optional<std::uint64_t> next_record(std::uint64_t offset) const {
+  [[nodiscard]] std::optional<std::uint64_t> next_record(std::uint64_t offset) const {
     constexpr std::uint64_t window = 1 << 16;
     for (; offset + record_head_bytes <= file_.size(); offset += window) {
       const std::string bytes = file_.read(offset, window + record_head_bytes);

@@ -7,7 +7,7 @@
 #include "playback/random_access_file.h"
 #include "recording/checksum.h"
 #include "recording/header_record.h"
-#include "recording/position_codec.h"
+#include "recording/position_decoder.h"
 #include "recording/record.h"
 
 namespace ribbon {
@@ -131,6 +131,10 @@ const std::vector<Damage>& RecordingReader::damage() const {
 
 std::uint64_t RecordingReader::file_bytes() const {
   return state_->file.size();
+}
+
+void RecordingReader::check() {
+  if (!state_->scanned) state_->scan();
 }
 
 Result<void> RecordingReader::read(int index, Eigen::Matrix3Xf& positions) {

@@ -41,8 +41,14 @@ class RecordingReader {
   [[nodiscard]] const std::optional<FrameNumbers>& numbers(int index) const;
   // Was the recording finished, or was its writer stopped on the way?
   [[nodiscard]] bool finished() const;
+  // What is known to be damaged. An index tells nothing about the frames that it points to, so
+  // damage to frames of a finished recording is noticed when one of them is read, or by check().
   [[nodiscard]] const std::vector<Damage>& damage() const;
   [[nodiscard]] std::uint64_t file_bytes() const;
+
+  // Reads every record and compares its checksum, so that readable(), numbers() and damage() tell
+  // all. Takes the time to read the file once; frames are not decoded.
+  void check();
 
   // Decodes frame `index` into `positions` (resized to 3 x particles, metres, single precision).
   // The answer is the same whatever was read before. Cheapest in ascending order. Not thread-safe:

@@ -22,7 +22,7 @@ using Field = std::vector<std::int32_t>;
 struct PaddedGrid {
   int along = 0;
   int across = 0;
-  int stride = 0;  // from a row to the next
+  std::ptrdiff_t stride = 0;  // from a row to the next
 
   explicit PaddedGrid(const RibbonGrid& grid)
       : along(grid.along), across(grid.across), stride(grid.across + 2) {}
@@ -34,6 +34,13 @@ struct PaddedGrid {
   // Gives the border the values of its nearest particles.
   void replicate_border(Field& field) const;
 };
+
+// Visits the places of all particles, row by row.
+template <class Visit>
+void for_each_particle(const PaddedGrid& grid, Visit visit) {
+  for (int i = 0; i < grid.along; ++i)
+    for (std::size_t at = grid.at(i, 0); at < grid.at(i, grid.across); ++at) visit(at);
+}
 
 // What is known of one component when a delta frame comes.
 struct Past {

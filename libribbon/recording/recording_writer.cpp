@@ -13,7 +13,7 @@
 #include "recording/frame_record.h"
 #include "recording/header_record.h"
 #include "recording/index_record.h"
-#include "recording/position_codec.h"
+#include "recording/position_encoder.h"
 #include "recording/record.h"
 
 namespace ribbon {

@@ -86,7 +86,7 @@ class DamagedRecording : public testing::Test {
   }
 
   // The frame whose record holds this byte.
-  int frame_at(std::size_t byte) const {
+  [[nodiscard]] int frame_at(std::size_t byte) const {
     return static_cast<int>(std::upper_bound(begin_.begin(), begin_.end(), byte) - begin_.begin()) -
            1;
   }
@@ -166,6 +166,20 @@ TEST_F(DamagedRecording, damage_is_reported_where_it_is) {
   EXPECT_EQ(reader->numbers(6), sample_numbers(6)) << "numbers need no other frame";
   EXPECT_FALSE(reader->readable(6));
   EXPECT_TRUE(reader->readable(second_group));
+}
+
+TEST_F(DamagedRecording, a_check_finds_what_nobody_has_read_yet) {
+  std::string bytes = finished_;
+  bytes[begin_[5] + record_head_bytes + 3] ^= 1;
+  auto reader = open(bytes);
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_TRUE(reader->readable(6)) << "the index is whole";
+  reader->check();
+  EXPECT_FALSE(reader->readable(6));
+  EXPECT_EQ(reader->damage().size(), 1U);
+  reader->check();
+  EXPECT_EQ(reader->damage().size(), 1U) << "not twice";
+  EXPECT_TRUE(reader->finished());
 }
 
 TEST_F(DamagedRecording, a_hole_in_the_file_loses_the_frames_within) {

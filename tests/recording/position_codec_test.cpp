@@ -1,12 +1,15 @@
-#include "recording/position_codec.h"
+// Encoder and decoder of positions together.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
 
+#include "recording/position_decoder.h"
+#include "recording/position_encoder.h"
 #include "recording/sample_recording.h"
 
 namespace ribbon {
@@ -27,6 +30,7 @@ std::vector<FrameEncoding> round_trip(const RibbonGrid& grid, double max_error_m
   PositionEncoder encoder(grid, max_error_m);
   PositionDecoder decoder(grid);
   std::vector<FrameEncoding> encodings;
+  encodings.reserve(frames.size());
   for (const Eigen::Matrix3Xd& truth : frames) {
     const auto encoded = encoder.encode(truth);
     if (!encoded) {
@@ -42,6 +46,7 @@ std::vector<FrameEncoding> round_trip(const RibbonGrid& grid, double max_error_m
 
 std::vector<Eigen::Matrix3Xd> sample_frames(int count) {
   std::vector<Eigen::Matrix3Xd> frames;
+  frames.reserve(static_cast<std::size_t>(count));
   for (int frame = 0; frame < count; ++frame) frames.push_back(sample_positions(frame));
   return frames;
 }

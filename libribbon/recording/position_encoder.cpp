@@ -1,5 +1,6 @@
-#include "recording/position_codec.h"
+#include "recording/position_encoder.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -9,16 +10,17 @@
 #include <vector>
 
 #include "recording/bytes.h"
+#include "recording/codec_memory.h"
 #include "recording/compression.h"
 #include "recording/fit_prediction.h"
-#include "recording/prediction.h"
 #include "recording/residuals.h"
+#include "recording/varint.h"
 
 namespace ribbon {
 
 namespace {
 
-// Longer groups are smaller and slower to seek in: 16 costs 5 % more bytes, 64 saves 2 %.
+// Longer groups are smaller and slower to seek in: 16 costs 6 % more bytes, 64 saves 3 %.
 constexpr std::uint32_t frames_per_group = 32;
 
 // Lattice values stay below this, so that differences of two never wrap around in the encoder.
@@ -27,63 +29,6 @@ constexpr double largest_lattice_value = 1 << 29;
 constexpr std::size_t sample_limit = 2000;
 constexpr std::array past_tap_choices{1, 6, past_taps};
 constexpr std::array row_tap_choices{1, row_taps};
-
-struct LatticeFrame {
-  std::array<Field, 3> position;
-  std::array<Field, 3> change;
-  Residuals residuals;
-};
-
-// What both sides remember from frame to frame.
-struct Memory {
-  explicit Memory(const RibbonGrid& ribbon_grid)
-      : ribbon(ribbon_grid), grid(ribbon_grid), activity(grid) {}
-
-  RibbonGrid ribbon;
-  PaddedGrid grid;
-  double unit_m = 0;  // metres per lattice unit; 0: nothing that a delta frame could build upon
-  std::array<Past, 3> past;
-  Activity activity;
-
-  void remember_key(LatticeFrame& frame) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      past[c].position.swap(frame.position[c]);
-      grid.replicate_border(past[c].position);
-      past[c].motion.assign(grid.size(), 0);
-      past[c].older_motion.assign(grid.size(), 0);
-    }
-    activity.forget();
-  }
-
-  void remember_delta(LatticeFrame& frame) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      grid.replicate_border(frame.position[c]);
-      past[c].older_motion.swap(past[c].motion);
-      for (std::size_t at = 0; at < grid.size(); ++at)
-        past[c].motion[at] = wrapping_subtract(frame.position[c][at], past[c].position[at]);
-      past[c].position.swap(frame.position[c]);
-    }
-    activity.remember(frame.residuals);
-  }
-};
-
-// The one place where lattice values become metres: one product and one rounding to single
-// precision.
-float metres(std::int32_t lattice_value, double unit_m) {
-  return static_cast<float>(static_cast<double>(lattice_value) * unit_m);
-}
-
-// One component of a frame, from its predictor and its residuals.
-template <class Residual>
-void rebuild(const Memory& memory, std::size_t component, const Predictor& predictor,
-             Residual residual, LatticeFrame& frame) {
-  Field& position = frame.position[component];
-  Field& change = frame.change[component];
-  if (predictor.base == PredictionBase::previous_frame)
-    rebuild_from_past(memory.grid, memory.past[component], predictor, residual, position, change);
-  else
-    rebuild_from_rows(memory.grid, predictor, residual, position, change);
-}
 
 std::string packed_predictors(const std::array<Predictor, 3>& predictors) {
   std::string bytes;
@@ -97,30 +42,12 @@ std::string packed_predictors(const std::array<Predictor, 3>& predictors) {
   return bytes;
 }
 
-bool take_predictor(std::string_view& bytes, Predictor& predictor) {
-  ByteTaker taker(bytes);
-  const auto base = taker.take<std::uint8_t>();
-  predictor.base = static_cast<PredictionBase>(base);
-  predictor.taps = taker.take<std::uint8_t>();
-  predictor.shift = taker.take<std::uint8_t>();
-  bytes = taker.rest();
-  if (!taker.complete() || base > 1 || predictor.taps > (base == 1 ? past_taps : row_taps) ||
-      predictor.shift < 1 || predictor.shift > 30)
-    return false;
-  for (std::size_t tap = 0; tap < static_cast<std::size_t>(predictor.taps); ++tap) {
-    const auto coefficient = take_varint(bytes);
-    if (!coefficient) return false;
-    predictor.coefficients[tap] = unzigzag(*coefficient);
-  }
-  return true;
-}
-
 }  // namespace
 
 struct PositionEncoder::State {
   State(const RibbonGrid& ribbon_grid, double error) : memory(ribbon_grid), max_error_m(error) {}
 
-  Memory memory;
+  CodecMemory memory;
   double max_error_m;
   std::uint32_t frames_since_key = 0;
   Compressor compressor;
@@ -129,12 +56,12 @@ struct PositionEncoder::State {
   LatticeFrame frame;
 
   void set_target(const Eigen::Matrix3Xd& positions, double unit_m);
-  bool within_bound(const Eigen::Matrix3Xd& positions, double unit_m) const;
-  std::vector<std::size_t> sampled_particles() const;
-  Fit fit_from_past(std::size_t component) const;
-  Fit fit_from_rows(std::size_t component) const;
+  [[nodiscard]] bool within_bound(const Eigen::Matrix3Xd& positions, double unit_m) const;
+  [[nodiscard]] std::vector<std::size_t> sampled_particles() const;
+  [[nodiscard]] Fit fit_from_past(std::size_t component) const;
+  [[nodiscard]] Fit fit_from_rows(std::size_t component) const;
   auto residual_of(std::size_t component);
-  std::string compressed(std::string prefix, const Activity& activity);
+  std::string compressed(const std::string& prefix, const Activity& activity);
 
   std::optional<EncodedFrame> try_delta(const Eigen::Matrix3Xd& positions);
   std::optional<EncodedFrame> try_key(const Eigen::Matrix3Xd& positions);
@@ -233,7 +160,8 @@ auto PositionEncoder::State::residual_of(std::size_t component) {
   };
 }
 
-std::string PositionEncoder::State::compressed(std::string prefix, const Activity& activity) {
+std::string PositionEncoder::State::compressed(const std::string& prefix,
+                                               const Activity& activity) {
   std::vector<std::string> parts = pack_residuals(memory.grid, activity, frame.residuals);
   parts[0].insert(0, prefix);
   std::vector<std::string_view> views;
@@ -328,113 +256,6 @@ Result<EncodedFrame> PositionEncoder::encode(const Eigen::Matrix3Xd& positions) 
                  "positions as large as " + std::to_string(positions.cwiseAbs().maxCoeff()) +
                      " m cannot be recorded in single precision within max_position_error",
                  "allow a larger max_position_error or move the scene towards the origin");
-}
-
-struct PositionDecoder::State {
-  explicit State(const RibbonGrid& ribbon_grid) : memory(ribbon_grid) {}
-
-  Memory memory;
-  Decompressor decompressor;
-  LatticeFrame frame;
-  bool plain = false;  // the last frame is in plain_positions
-  Eigen::Matrix3Xf plain_positions;
-
-  bool decode_plain(std::string_view geometry);
-  bool decode_key(std::string_view geometry);
-  bool decode_delta(std::string_view geometry);
-  bool take_parameters(std::string_view content, std::array<Predictor, 3>& predictors);
-  auto residual_of(std::size_t component) const;
-};
-
-auto PositionDecoder::State::residual_of(std::size_t component) const {
-  return [&residuals = frame.residuals[component]](std::size_t at, std::int32_t) {
-    return residuals[at];
-  };
-}
-
-bool PositionDecoder::State::take_parameters(std::string_view content,
-                                             std::array<Predictor, 3>& predictors) {
-  for (Predictor& predictor : predictors)
-    if (!take_predictor(content, predictor)) return false;
-  return unpack_residuals(memory.grid, memory.activity, content, frame.residuals);
-}
-
-bool PositionDecoder::State::decode_plain(std::string_view geometry) {
-  const auto particles = memory.ribbon.particle_count();
-  const auto expected = static_cast<std::size_t>(particles) * 12;
-  const auto content = decompressor.decompress(geometry, expected);
-  if (!content || content->size() != expected) return false;
-  ByteTaker taker(*content);
-  plain_positions.resize(3, particles);
-  for (Eigen::Index c = 0; c < 3; ++c)
-    for (Eigen::Index particle = 0; particle < particles; ++particle)
-      plain_positions(c, particle) = taker.take<float>();
-  plain = true;
-  return true;
-}
-
-// Parameters of three predictors at most, the unit and the residuals.
-std::size_t content_limit(const PaddedGrid& grid) {
-  return 8 + 3 * (3 + 5 * past_taps) + packed_residuals_limit(grid);
-}
-
-bool PositionDecoder::State::decode_key(std::string_view geometry) {
-  const auto content = decompressor.decompress(geometry, content_limit(memory.grid));
-  if (!content) return false;
-  ByteTaker taker(*content);
-  const auto unit_m = taker.take<double>();
-  // Positions must stay within single precision whatever the lattice values are.
-  if (!(unit_m > 0) || unit_m * 0x1p31 > static_cast<double>(std::numeric_limits<float>::max()))
-    return false;
-  memory.activity.forget();
-  std::array<Predictor, 3> predictors;
-  if (!take_parameters(taker.rest(), predictors)) return false;
-  for (const Predictor& predictor : predictors)
-    if (predictor.base != PredictionBase::row_above) return false;
-  for (std::size_t c = 0; c < 3; ++c) rebuild(memory, c, predictors[c], residual_of(c), frame);
-  memory.remember_key(frame);
-  memory.unit_m = unit_m;
-  return true;
-}
-
-bool PositionDecoder::State::decode_delta(std::string_view geometry) {
-  if (memory.unit_m == 0) return false;
-  const auto content = decompressor.decompress(geometry, content_limit(memory.grid));
-  if (!content) return false;
-  std::array<Predictor, 3> predictors;
-  if (!take_parameters(*content, predictors)) return false;
-  for (std::size_t c = 0; c < 3; ++c) rebuild(memory, c, predictors[c], residual_of(c), frame);
-  memory.remember_delta(frame);
-  return true;
-}
-
-PositionDecoder::PositionDecoder(const RibbonGrid& grid) : state_(std::make_unique<State>(grid)) {}
-PositionDecoder::PositionDecoder(PositionDecoder&&) noexcept = default;
-PositionDecoder& PositionDecoder::operator=(PositionDecoder&&) noexcept = default;
-PositionDecoder::~PositionDecoder() = default;
-
-bool PositionDecoder::decode(FrameEncoding encoding, std::string_view geometry) {
-  state_->plain = false;
-  bool valid = false;
-  if (encoding == FrameEncoding::plain) valid = state_->decode_plain(geometry);
-  if (encoding == FrameEncoding::key) valid = state_->decode_key(geometry);
-  if (encoding == FrameEncoding::delta) valid = state_->decode_delta(geometry);
-  if (!valid || state_->plain) state_->memory.unit_m = 0;
-  return valid;
-}
-
-void PositionDecoder::positions(Eigen::Matrix3Xf& positions) const {
-  if (state_->plain) {
-    positions = state_->plain_positions;
-    return;
-  }
-  const Memory& memory = state_->memory;
-  positions.resize(3, memory.ribbon.particle_count());
-  for (std::size_t c = 0; c < 3; ++c)
-    for (int i = 0; i < memory.grid.along; ++i)
-      for (int j = 0; j < memory.grid.across; ++j)
-        positions(static_cast<Eigen::Index>(c), memory.ribbon.particle(i, j)) =
-            metres(memory.past[c].position[memory.grid.at(i, j)], memory.unit_m);
 }
 
 }  // namespace ribbon
