@@ -12,7 +12,7 @@ namespace {
 
 std::filesystem::path recorded(int frames) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path path =
+  std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / (std::string("film_") + test->name() + ".rbn");
   write_sample_recording(path, frames);
   return path;
