@@ -94,18 +94,17 @@ double RecordingInfo::bytes_per_vertex_and_frame() const {
 }
 
 RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader& reader) {
+  reader.check();
   RecordingInfo info;
   info.file = file;
   info.file_bytes = reader.file_bytes();
   info.finished = reader.finished();
   info.header = reader.header();
-  Eigen::Matrix3Xf positions;
+  info.damage = reader.damage();
   for (int index = 0; index < reader.frame_count(); ++index) {
     info.numbers.push_back(reader.numbers(index));
-    if (!reader.readable(index) || !reader.read(index, positions))
-      info.missing.push_back(index + 1);
+    if (!reader.readable(index)) info.missing.push_back(index + 1);
   }
-  info.damage = reader.damage();
   return info;
 }
 

@@ -37,7 +37,7 @@ struct RecordingInfo {
   [[nodiscard]] double bytes_per_vertex_and_frame() const;
 };
 
-// Decodes every frame once, so that a frame that is said to be there is.
+// Reads every record once, so that a frame that is said to be there is.
 RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader& reader);
 
 // Several lines to read.

@@ -142,6 +142,7 @@ TEST_F(RibbonPlay, damage_costs_frames_and_is_told) {
   ASSERT_EQ(info.exit_code, 1);
   const auto missing = nlohmann::json::parse(info.output)["missing_frames"];
   ASSERT_FALSE(missing.empty());
+  EXPECT_FALSE(nlohmann::json::parse(info.output)["damage"].empty());
   const Outcome outcome = play_small("-o 'frames/{frame}.png'");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(files_in("frames").size(), 7 - missing.size());
