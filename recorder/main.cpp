@@ -1,5 +1,7 @@
 // ribbon-record: fastens the ribbon of a scene and records every frame.
 #include <cstdio>
+#include <iomanip>
+#include <sstream>
 #include <string>
 
 #include "commandline/interrupt.h"
@@ -15,10 +17,10 @@ namespace ribbon {
 namespace {
 
 std::string remark_on(const FrameNumbers& numbers) {
-  char remark[80];
-  std::snprintf(remark, sizeof remark, "strain %.1f %%, penetrations %u",
-                100 * numbers.worst_strain, numbers.penetrating_edges);
-  return remark;
+  std::ostringstream remark;
+  remark << std::fixed << std::setprecision(1) << "strain " << 100 * numbers.worst_strain
+         << " %, penetrations " << numbers.penetrating_edges;
+  return remark.str();
 }
 
 Result<ExitCode> record_scene(const RecorderOptions& options) {

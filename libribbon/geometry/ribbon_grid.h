@@ -33,13 +33,14 @@ struct RibbonGrid {
     Eigen::Matrix3Xi result(3, triangle_count());
     for (int q = 0; q < quad_count(); ++q) {
       const auto c = quad(q);
+      const Eigen::Index first = 2 * static_cast<Eigen::Index>(q);
       const bool even = (q / (across - 1) + q % (across - 1)) % 2 == 0;
       if (even) {
-        result.col(2 * q) << c[0], c[1], c[2];
-        result.col(2 * q + 1) << c[0], c[2], c[3];
+        result.col(first) << c[0], c[1], c[2];
+        result.col(first + 1) << c[0], c[2], c[3];
       } else {
-        result.col(2 * q) << c[0], c[1], c[3];
-        result.col(2 * q + 1) << c[1], c[2], c[3];
+        result.col(first) << c[0], c[1], c[3];
+        result.col(first + 1) << c[1], c[2], c[3];
       }
     }
     return result;

@@ -62,7 +62,8 @@ enum class ContactMethod { gate, paper };
 struct FasteningScene {
   double speed_m_s = 0;  // speed at which the force alone would carry a free particle that is at
                          // mean distance from the axis, against the air resistance
-  std::optional<double> yield_strain;  // stretch along at which the hands give way; none: never
+  std::optional<double> yield_strain =
+      std::nullopt;  // stretch along at which the hands give way; none: never
   Eigen::Vector3d axis_point_m = Eigen::Vector3d::Zero();     // a point on the centre axis
   Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitY();  // unit length
 };

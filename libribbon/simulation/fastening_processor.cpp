@@ -102,7 +102,7 @@ Matrix3Xd FasteningProcessor::positions() const {
 }
 
 Matrix3Xd FasteningProcessor::fastening_force() {
-  if (!fastening_) return Matrix3Xd(3, 0);
+  if (!fastening_) return {3, 0};
   Matrix3Xd force = fastening_->at(cloth_.positions);
   if (yielding_) force *= yielding_->feel(cloth_.positions);
   return force;

@@ -107,6 +107,7 @@ std::vector<int> line_inward(const RibbonGrid& grid, int particle, bool from_end
   std::vector<int> line;
   // From an end, a square piece of ribbon stands for "the other border".
   const int count = from_end ? std::min(grid.along, grid.across) : grid.across;
+  line.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
     line.push_back(from_end ? grid.particle(row == 0 ? k : grid.along - 1 - k, column)
                             : grid.particle(row, column == 0 ? k : grid.across - 1 - k));

@@ -8,7 +8,9 @@ namespace ribbon {
 namespace {
 
 TEST(Files, what_was_written_is_read_back) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "new folder" / "bytes.bin";
+  const auto folder = std::filesystem::path(testing::TempDir()) / "ribbon-files-test";
+  std::filesystem::remove_all(folder);
+  const auto file = folder / "new folder" / "bytes.bin";
   const std::string bytes("a\0b\nc", 5);
   ASSERT_TRUE(write_file(file, bytes).has_value());
   EXPECT_EQ(read_file(file).value(), bytes);

@@ -8,7 +8,7 @@ namespace ribbon {
 namespace {
 
 std::filesystem::path written(const std::string& name, const std::string& text) {
-  const auto file = std::filesystem::path(testing::TempDir()) / name;
+  auto file = std::filesystem::path(testing::TempDir()) / name;
   EXPECT_TRUE(write_file(file, text).has_value());
   return file;
 }

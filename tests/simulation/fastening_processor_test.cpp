@@ -34,12 +34,13 @@ TriangleMesh post(double radius_m) {
   mesh.triangles.resize(3, 2 * sides);
   for (int s = 0; s < sides; ++s) {
     const double angle = 2 * std::numbers::pi * s / sides;
+    const int low = 2 * s;
+    const int next = 2 * ((s + 1) % sides);
     for (int end = 0; end < 2; ++end)
-      mesh.vertices.col(2 * s + end) << static_cast<float>(radius_m * std::sin(angle)),
+      mesh.vertices.col(low + end) << static_cast<float>(radius_m * std::sin(angle)),
           end == 0 ? -0.6F : 0.6F, static_cast<float>(radius_m * std::cos(angle));
-    const int next = (s + 1) % sides;
-    mesh.triangles.col(2 * s) << 2 * s, 2 * next, 2 * next + 1;
-    mesh.triangles.col(2 * s + 1) << 2 * s, 2 * next + 1, 2 * s + 1;
+    mesh.triangles.col(low) << low, next, next + 1;
+    mesh.triangles.col(low + 1) << low, next + 1, low + 1;
   }
   return mesh;
 }

@@ -153,8 +153,10 @@ TEST(Hierarchy, a_surface_of_separate_pieces_is_one_tree) {
   Eigen::Matrix3Xi triangles(3, 5);
   Matrix3Xd x(3, 15);
   for (int t = 0; t < 5; ++t) {
-    triangles.col(t) << 3 * t, 3 * t + 1, 3 * t + 2;
-    x.middleCols(3 * t, 3) << 0, 1, 0, 0, 0, 1, 0.1 * t, 0.1 * t, 0.1 * t;
+    const int first = 3 * t;
+    const double height = 0.1 * t;
+    triangles.col(t) << first, first + 1, first + 2;
+    x.middleCols(first, 3) << 0, 1, 0, 0, 0, 1, height, height, height;
   }
   const CollisionSurface surface = collision_surface(triangles);
   Hierarchy hierarchy(surface, x);
