@@ -28,10 +28,11 @@ SpaceCurve loop(int samples) {
 
 TriangleMesh post(double radius_m) {
   constexpr int sides = 24;
+  constexpr int rims = 2 * sides;
   TriangleMesh mesh;
   mesh.name = "post";
-  mesh.vertices.resize(3, 2 * sides);
-  mesh.triangles.resize(3, 2 * sides);
+  mesh.vertices.resize(3, rims);
+  mesh.triangles.resize(3, rims);
   for (int s = 0; s < sides; ++s) {
     const double angle = 2 * std::numbers::pi * s / sides;
     const int low = 2 * s;
