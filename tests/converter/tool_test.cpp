@@ -1,12 +1,11 @@
 // The built ribbon-convert, as a user meets it.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
+#include "commandline/tool_run.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"
 #include "recording/recording_writer.h"
@@ -16,12 +15,6 @@ namespace ribbon {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Answer {
-  int exit_code = 0;
-  std::string out;
-  std::string err;
-};
 
 // The sample's 48 particles in a point cache.
 constexpr std::size_t sample_bytes = std::size_t{48} * 12;
@@ -51,15 +44,8 @@ class Tool : public testing::Test {
   }
 
   // Runs the tool inside the test's folder; `before` is shell, for limits.
-  [[nodiscard]] Answer run(const std::string& arguments, const std::string& before = "") const {
-    const std::string command = "cd '" + folder_.string() + "' && " + before +
-                                " " RIBBON_CONVERT " " + arguments + " > out.txt 2> err.txt";
-    const int status = std::system(command.c_str());
-    Answer answer{WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-                  read_file(folder_ / "out.txt").value(), read_file(folder_ / "err.txt").value()};
-    fs::remove(folder_ / "out.txt");
-    fs::remove(folder_ / "err.txt");
-    return answer;
+  [[nodiscard]] ToolRun run(const std::string& arguments, const std::string& before = "") const {
+    return run_in(folder_, RIBBON_CONVERT, arguments, before);
   }
 
   // Names in a folder below the test's, sorted and joined by blanks.
@@ -82,12 +68,12 @@ class Tool : public testing::Test {
 };
 
 TEST_F(Tool, an_obj_sequence_shares_one_material_library) {
-  const Answer answer = run("knot.rbn -o 'out/knot.{frame:04}.obj'");
-  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  const ToolRun answer = run("knot.rbn -o 'out/knot.{frame:04}.obj'");
+  EXPECT_EQ(answer.exit_code, 0) << answer.errors;
   EXPECT_EQ(names("out"),
             "knot.0001.obj knot.0002.obj knot.0003.obj knot.0004.obj knot.0005.obj knot.mtl");
   EXPECT_NE(bytes("out/knot.0005.obj").find("mtllib knot.mtl\n"), std::string::npos);
-  EXPECT_EQ(answer.out.find("5 frames"), 0U) << answer.out;
+  EXPECT_EQ(answer.output.find("5 frames"), 0U) << answer.output;
 }
 
 TEST_F(Tool, the_number_of_threads_changes_nothing) {
@@ -109,9 +95,9 @@ TEST_F(Tool, the_number_of_threads_changes_nothing) {
 }
 
 TEST_F(Tool, an_fbx_sequence_has_one_file_a_frame) {
-  const Answer answer = run("knot.rbn -o 'out/knot.{frame:04}.fbx' --frames 2:4 --quiet");
-  EXPECT_EQ(answer.exit_code, 0) << answer.err;
-  EXPECT_EQ(answer.out + answer.err, "");
+  const ToolRun answer = run("knot.rbn -o 'out/knot.{frame:04}.fbx' --frames 2:4 --quiet");
+  EXPECT_EQ(answer.exit_code, 0) << answer.errors;
+  EXPECT_EQ(answer.output + answer.errors, "");
   EXPECT_EQ(names("out"), "knot.0002.fbx knot.0003.fbx knot.0004.fbx");
   EXPECT_TRUE(bytes("out/knot.0002.fbx").starts_with("Kaydara FBX Binary"));
 }
@@ -144,22 +130,22 @@ TEST_F(Tool, the_obstacle_can_be_left_out) {
 }
 
 TEST_F(Tool, several_frames_without_a_pattern_are_refused) {
-  const Answer answer = run("knot.rbn -o out/knot.obj");
+  const ToolRun answer = run("knot.rbn -o out/knot.obj");
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.err.find("{frame"), std::string::npos) << answer.err;
+  EXPECT_NE(answer.errors.find("{frame"), std::string::npos) << answer.errors;
   EXPECT_EQ(names("."), "knot.rbn");
 }
 
 TEST_F(Tool, a_point_cache_with_a_pattern_is_refused) {
-  const Answer answer = run("knot.rbn -o 'knot.{frame}.pc2'");
+  const ToolRun answer = run("knot.rbn -o 'knot.{frame}.pc2'");
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.err.find("leave {frame} out"), std::string::npos) << answer.err;
+  EXPECT_NE(answer.errors.find("leave {frame} out"), std::string::npos) << answer.errors;
 }
 
 TEST_F(Tool, an_unknown_extension_is_one_sentence_that_lists_the_known) {
-  const Answer answer = run("knot.rbn -o 'knot.{frame}.glb'");
+  const ToolRun answer = run("knot.rbn -o 'knot.{frame}.glb'");
   EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_EQ(answer.err,
+  EXPECT_EQ(answer.errors,
             "ribbon-convert: knot.{frame}.glb: is not written as .glb (assimp splits the quads and "
             "joins vertices); choose .obj or .fbx (one file a frame) or .pc2 (all frames in one "
             "file)\n");
@@ -171,21 +157,21 @@ TEST_F(Tool, a_frame_that_is_not_there_is_refused) {
 }
 
 TEST_F(Tool, a_missing_recording_and_a_wrong_option_could_not) {
-  const Answer missing = run("other.rbn -o a.pc2");
+  const ToolRun missing = run("other.rbn -o a.pc2");
   EXPECT_EQ(missing.exit_code, 2);
-  EXPECT_NE(missing.err.find("other.rbn"), std::string::npos) << missing.err;
+  EXPECT_NE(missing.errors.find("other.rbn"), std::string::npos) << missing.errors;
   EXPECT_EQ(run("knot.rbn -o a.pc2 --speed 3").exit_code, 2);
   EXPECT_EQ(run("knot.rbn").exit_code, 2);
 }
 
 TEST_F(Tool, help_shows_examples_and_version_a_number) {
-  const Answer help = run("--help");
+  const ToolRun help = run("--help");
   EXPECT_EQ(help.exit_code, 0);
-  EXPECT_NE(help.out.find("ribbon-convert knot.rbn -o 'out/knot.{frame:04}.obj'"),
+  EXPECT_NE(help.output.find("ribbon-convert knot.rbn -o 'out/knot.{frame:04}.obj'"),
             std::string::npos);
-  const Answer version = run("--version");
+  const ToolRun version = run("--version");
   EXPECT_EQ(version.exit_code, 0);
-  EXPECT_EQ(version.out.find("ribbon-convert "), 0U) << version.out;
+  EXPECT_EQ(version.output.find("ribbon-convert "), 0U) << version.output;
 }
 
 // A recording of 60 frames with one byte changed in the middle.
@@ -215,19 +201,19 @@ class DamagedRecording : public Tool {
 };
 
 TEST_F(DamagedRecording, the_good_frames_are_written_and_the_lost_are_listed) {
-  const Answer answer = run("knot.rbn -o 'out/{frame:03}.obj'");
+  const ToolRun answer = run("knot.rbn -o 'out/{frame:03}.obj'");
   EXPECT_EQ(answer.exit_code, 1);
-  EXPECT_NE(answer.err.find("lost " + std::to_string(lost_.size()) +
-                            " of the frames: " + std::to_string(lost_.front() + 1)),
+  EXPECT_NE(answer.errors.find("lost " + std::to_string(lost_.size()) +
+                               " of the frames: " + std::to_string(lost_.front() + 1)),
             std::string::npos)
-      << answer.err;
-  EXPECT_NE(answer.err.find("damaged at byte"), std::string::npos) << answer.err;
+      << answer.errors;
+  EXPECT_NE(answer.errors.find("damaged at byte"), std::string::npos) << answer.errors;
   const auto files = std::distance(fs::directory_iterator(folder_ / "out"), {});
   EXPECT_EQ(files, static_cast<std::ptrdiff_t>(good_.size()) + 1);
 }
 
 TEST_F(DamagedRecording, a_point_cache_holds_the_frame_before_a_lost_one) {
-  const Answer answer = run("knot.rbn -o a.pc2");
+  const ToolRun answer = run("knot.rbn -o a.pc2");
   EXPECT_EQ(answer.exit_code, 1);
   const std::string cache = bytes("a.pc2");
   ASSERT_EQ(cache.size(), 32 + 60 * sample_bytes);
@@ -252,7 +238,7 @@ TEST_F(DamagedRecording, a_point_cache_starts_with_the_first_good_frame) {
 TEST_F(DamagedRecording, lost_frames_alone_could_not) {
   for (const char* output : {"a.pc2", "a.fbx"}) {
     const std::string first = std::to_string(lost_.front() + 1);
-    const Answer answer = run(std::string("knot.rbn -o ") + output + " --frames " + first);
+    const ToolRun answer = run(std::string("knot.rbn -o ") + output + " --frames " + first);
     EXPECT_EQ(answer.exit_code, 2);
     EXPECT_EQ(names("."), "knot.rbn");
   }
@@ -260,18 +246,18 @@ TEST_F(DamagedRecording, lost_frames_alone_could_not) {
 
 TEST_F(Tool, an_unwritable_folder_is_named) {
   for (const char* extension : {"{frame}.obj", "{frame}.fbx", "a.pc2"}) {
-    const Answer answer = run(std::string("knot.rbn -o 'knot.rbn/below/") + extension + "'");
+    const ToolRun answer = run(std::string("knot.rbn -o 'knot.rbn/below/") + extension + "'");
     EXPECT_EQ(answer.exit_code, 2);
-    EXPECT_NE(answer.err.find("knot.rbn/below"), std::string::npos) << answer.err;
+    EXPECT_NE(answer.errors.find("knot.rbn/below"), std::string::npos) << answer.errors;
   }
 }
 
 TEST_F(Tool, a_disk_that_fills_up_leaves_no_half_file) {
   for (const char* output : {"out/a.{frame}.obj", "out/a.{frame}.fbx", "out/a.pc2"}) {
-    const Answer answer =
+    const ToolRun answer =
         run(std::string("knot.rbn -o '") + output + "'", "ulimit -f 2 &&");  // 1 or 2 kB
     EXPECT_EQ(answer.exit_code, 2) << output;
-    EXPECT_NE(answer.err.find("cannot be written"), std::string::npos) << answer.err;
+    EXPECT_NE(answer.errors.find("cannot be written"), std::string::npos) << answer.errors;
     for (const auto& entry : fs::directory_iterator(folder_ / "out"))
       EXPECT_EQ(entry.path().filename(), "a.mtl");
   }

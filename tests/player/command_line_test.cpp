@@ -1,15 +1,14 @@
 // ribbon-play as its users run it.
 #include <gtest/gtest.h>
 #include <png.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
+#include "commandline/tool_run.h"
 #include "files/files.h"
 #include "picture.h"
 #include "recording/sample_recording.h"
@@ -18,12 +17,6 @@ namespace ribbon {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-  int exit_code;
-  std::string output;
-  std::string errors;
-};
 
 class RibbonPlay : public testing::Test {
  protected:
@@ -38,14 +31,10 @@ class RibbonPlay : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   // Runs it in the test's own folder; small pictures unless told otherwise.
-  [[nodiscard]] Outcome play(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() + "' && '" RIBBON_PLAY "' " + arguments +
-                                " > stdout.txt 2> stderr.txt";
-    // NOLINTNEXTLINE(concurrency-mt-unsafe, cert-env33-c)
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout.txt"), read("stderr.txt")};
+  [[nodiscard]] ToolRun play(const std::string& arguments) const {
+    return run_in(folder_, RIBBON_PLAY, arguments);
   }
-  [[nodiscard]] Outcome play_small(const std::string& arguments) const {
+  [[nodiscard]] ToolRun play_small(const std::string& arguments) const {
     return play("knot.rbn --size 64x48 --samples 1 " + arguments);
   }
 
@@ -65,7 +54,7 @@ class RibbonPlay : public testing::Test {
 };
 
 // One sentence: one line after the tool's name, and what to do.
-void expect_refusal(const Outcome& outcome, const std::string& part) {
+void expect_refusal(const ToolRun& outcome, const std::string& part) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.errors.rfind("ribbon-play: ", 0), 0U) << outcome.errors;
   EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
@@ -82,7 +71,7 @@ PictureSize png_size(const std::string& bytes) {
 }
 
 TEST_F(RibbonPlay, every_frame_becomes_a_picture) {
-  const Outcome outcome = play_small("-o 'frames/{frame:04}.png'");
+  const ToolRun outcome = play_small("-o 'frames/{frame:04}.png'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(files_in("frames"),
             (std::set<std::string>{"0001.png", "0002.png", "0003.png", "0004.png", "0005.png",
@@ -112,13 +101,13 @@ TEST_F(RibbonPlay, a_contact_sheet_is_one_file) {
 }
 
 TEST_F(RibbonPlay, quiet_says_nothing) {
-  const Outcome outcome = play_small("-o '{frame}.png' --frames 1 --quiet");
+  const ToolRun outcome = play_small("-o '{frame}.png' --frames 1 --quiet");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.output + outcome.errors, "");
 }
 
 TEST_F(RibbonPlay, info_tells_what_the_recording_holds) {
-  const Outcome outcome = play("knot.rbn --info");
+  const ToolRun outcome = play("knot.rbn --info");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.output.find("frames          7 in 0.12 s, 50 per second\n"), std::string::npos)
       << outcome.output;
@@ -126,7 +115,7 @@ TEST_F(RibbonPlay, info_tells_what_the_recording_holds) {
 }
 
 TEST_F(RibbonPlay, info_as_json_parses) {
-  const Outcome outcome = play("knot.rbn --info --json");
+  const ToolRun outcome = play("knot.rbn --info --json");
   EXPECT_EQ(outcome.exit_code, 0);
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["frame_count"], 7);
@@ -138,12 +127,12 @@ TEST_F(RibbonPlay, damage_costs_frames_and_is_told) {
   std::string bytes = read("knot.rbn");
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
   ASSERT_TRUE(write_file(recording_, bytes));
-  const Outcome info = play("knot.rbn --json");
+  const ToolRun info = play("knot.rbn --json");
   ASSERT_EQ(info.exit_code, 1);
   const auto missing = nlohmann::json::parse(info.output)["missing_frames"];
   ASSERT_FALSE(missing.empty());
   EXPECT_FALSE(nlohmann::json::parse(info.output)["damage"].empty());
-  const Outcome outcome = play_small("-o 'frames/{frame}.png'");
+  const ToolRun outcome = play_small("-o 'frames/{frame}.png'");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(files_in("frames").size(), 7 - missing.size());
   EXPECT_NE(outcome.errors.find("frames " + std::to_string(missing[0].get<int>())),
@@ -195,10 +184,10 @@ TEST_F(RibbonPlay, asking_for_nothing_or_for_something_unknown_is_refused) {
 }
 
 TEST_F(RibbonPlay, help_has_examples_and_version_is_a_line) {
-  const Outcome help = play("--help");
+  const ToolRun help = play("--help");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_NE(help.output.find("ribbon-play knot.rbn -o 'frames/{frame:04}.png'"), std::string::npos);
-  const Outcome version = play("--version");
+  const ToolRun version = play("--version");
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_EQ(version.output, "ribbon-play " RIBBON_VERSION "\n");
 }

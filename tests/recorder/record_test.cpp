@@ -1,0 +1,94 @@
+#include "record.h"
+
+#include <gtest/gtest.h>
+
+#include "parallel/parallel.h"
+#include "playback/recording_reader.h"
+#include "recorder/small_scene.h"
+
+namespace ribbon {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Record : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-record-") + test->name());
+    fs::remove_all(folder_);
+    scene_ = read_scene(write_small_scene(folder_)).value();
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] RunStatistics record_all(const fs::path& file) const {
+    return record(scene_, file, "test", {[](int, int, const FrameNumbers&) { return true; }})
+        .value();
+  }
+
+  fs::path folder_;
+  Scene scene_;
+};
+
+TEST_F(Record, a_frame_is_recorded_at_the_first_step_at_or_after_its_time) {
+  const RunStatistics statistics = record_all(folder_ / "knot.rbn");
+  // By hand: 0.2 s at 30 frames/s are frames at 0, 1/30, ... 6/30; steps of 10 ms.
+  EXPECT_EQ(frame_count(scene_), 7);
+  EXPECT_EQ(statistics.frames, 7);
+  EXPECT_EQ(statistics.steps, 20);
+  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  ASSERT_EQ(reader.frame_count(), 7);
+  const double expected_s[] = {0, 0.04, 0.07, 0.1, 0.14, 0.17, 0.2};
+  for (int frame = 0; frame < 7; ++frame)
+    EXPECT_NEAR(reader.numbers(frame)->time_s, expected_s[frame], 1e-12);
+}
+
+TEST_F(Record, the_header_says_what_was_recorded) {
+  (void)record_all(folder_ / "knot.rbn");
+  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const RecordingHeader& header = reader.header();
+  EXPECT_TRUE(reader.finished());
+  EXPECT_EQ(header.scene_name, "small loop");
+  EXPECT_EQ(header.scene_text, small_scene_text());
+  EXPECT_EQ(header.writer, "test");
+  EXPECT_EQ(header.grid, (RibbonGrid{60, 4}));
+  EXPECT_EQ(header.frames_per_second, 30);
+  EXPECT_EQ(header.ribbon_width_m, 0.03);
+  EXPECT_NEAR(header.max_position_error_m, 1e-5 * header.ribbon_length_m, 1e-15);
+  EXPECT_FALSE(header.obstacle.has_value());
+}
+
+TEST_F(Record, the_same_scene_gives_the_same_bytes_for_any_number_of_threads) {
+  std::string first;
+  for (const int threads : {1, 2, 5}) {
+    set_thread_limit(threads);
+    (void)record_all(folder_ / "knot.rbn");
+    const std::string bytes = read_file(folder_ / "knot.rbn").value();
+    if (first.empty()) first = bytes;
+    EXPECT_TRUE(bytes == first) << threads;
+  }
+  set_thread_limit(0);
+}
+
+TEST_F(Record, ends_early_when_asked_and_says_so) {
+  const auto statistics =
+      record(scene_, folder_ / "knot.rbn", "test",
+             {[](int done, int total, const FrameNumbers&) { return done < 3 || total != 7; }})
+          .value();
+  EXPECT_TRUE(statistics.interrupted);
+  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  EXPECT_EQ(reader.frame_count(), 3);
+  EXPECT_TRUE(reader.finished());
+}
+
+TEST_F(Record, an_obstacle_that_cannot_be_read_is_named_before_anything_is_written) {
+  scene_.obstacle = ObstacleScene{.file = folder_ / "missing.obj"};
+  const auto answer = record(scene_, folder_ / "knot.rbn", "test",
+                             {[](int, int, const FrameNumbers&) { return true; }});
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_NE(answer.error().sentence().find("missing.obj"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "knot.rbn"));
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,54 @@
+#include "run_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace ribbon {
+namespace {
+
+RunStatistics example() {
+  RunStatistics statistics{.scene_name = "knot", .along = 10, .across = 4};
+  statistics.add(
+      {.time_s = 0, .worst_strain = 0.3, .penetrating_edges = 5, .recovery_iterations = 0});
+  statistics.add(
+      {.time_s = 1, .worst_strain = 0.1, .penetrating_edges = 2, .recovery_iterations = 7});
+  statistics.steps = 100;
+  statistics.simulation_s = 4;
+  statistics.bytes = 160;
+  return statistics;
+}
+
+TEST(RunStatistics, keep_the_worst_and_the_last) {
+  const RunStatistics statistics = example();
+  EXPECT_EQ(statistics.worst_strain, 0.3);
+  EXPECT_EQ(statistics.last_strain, 0.1);
+  EXPECT_EQ(statistics.worst_penetrating_edges, 5U);
+  EXPECT_EQ(statistics.last_penetrating_edges, 2U);
+  EXPECT_EQ(statistics.recovery_iterations, 7U);
+  EXPECT_EQ(statistics.steps_per_second(), 25);
+  // By hand: 160 bytes are 1280 bits for 40 vertices in 2 frames.
+  EXPECT_EQ(statistics.bits_per_vertex_and_frame(), 16);
+}
+
+TEST(RunStatistics, of_a_run_that_did_nothing_divide_by_nothing) {
+  EXPECT_EQ(RunStatistics{}.steps_per_second(), 0);
+  EXPECT_EQ(RunStatistics{}.bits_per_vertex_and_frame(), 0);
+}
+
+TEST(RunStatistics, fit_on_one_line) {
+  EXPECT_EQ(summary_line(example()),
+            "2 frames, 1.0 s in 100 steps (25.0 steps/s); worst strain 30.0 %; penetrating edges 5 "
+            "at worst, 2 at last; 0.0 MB (16.0 bits per vertex and frame)");
+}
+
+TEST(RunStatistics, are_told_to_programs_as_json) {
+  const auto json = nlohmann::json::parse(statistics_json(example()));
+  EXPECT_EQ(json["scene"], "knot");
+  EXPECT_EQ(json["steps"], 100);
+  EXPECT_EQ(json["worst_penetrating_edges"], 5);
+  EXPECT_EQ(json["interrupted"], false);
+}
+
+}  // namespace
+}  // namespace ribbon

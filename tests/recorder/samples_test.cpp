@@ -1,0 +1,65 @@
+// Every sample scene can be fastened: read, drawn, generated, free at the start and after some
+// steps.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "curve/space_curve.h"
+#include "obstacle/obstacle.h"
+#include "simulation/fastening_processor.h"
+
+namespace ribbon {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> sample_scenes() {
+  std::vector<fs::path> scenes;
+  for (const auto& entry : fs::directory_iterator(RIBBON_SAMPLES))
+    if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+class Sample : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Sample, starts_free_of_intersections_and_stays_so) {
+  const Scene scene = read_scene(GetParam()).value();
+  ASSERT_TRUE(scene.obstacle.has_value());
+  const auto curve = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along);
+  ASSERT_TRUE(curve.has_value()) << curve.error().sentence();
+  EXPECT_EQ(curve->crossings.size(), 3U);
+  const RibbonMesh ribbon = generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
+  FasteningProcessor fastening(scene, ribbon, read_obstacle(*scene.obstacle).value());
+  EXPECT_EQ(fastening.penetrating_edges(), 0);
+  EXPECT_LT(fastening.strain(), 0.25);
+  for (int step = 0; step < 5; ++step) fastening.step();
+  EXPECT_EQ(fastening.penetrating_edges(), 0);
+  EXPECT_TRUE(fastening.positions().allFinite());
+}
+
+TEST_P(Sample, says_its_particles_in_its_name) {
+  const Scene scene = read_scene(GetParam()).value();
+  EXPECT_EQ(scene.name, GetParam().stem().string());
+  EXPECT_TRUE(scene.name.ends_with("-" + std::to_string(scene.ribbon.across) + "x" +
+                                   std::to_string(scene.ribbon.along)));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Sample, testing::ValuesIn(sample_scenes()), [](const auto& sample) {
+  std::string name = sample.param.stem().string();
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST(Samples, are_the_three_overhand_knots_in_both_granularities) {
+  std::vector<std::string> names;
+  for (const fs::path& scene : sample_scenes()) names.push_back(scene.stem().string());
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "overhand-cylinder-16x400", "overhand-cylinder-8x400",
+                       "overhand-hourglass-16x400", "overhand-hourglass-8x400",
+                       "overhand-small-object-16x400", "overhand-small-object-8x400"}));
+}
+
+}  // namespace
+}  // namespace ribbon

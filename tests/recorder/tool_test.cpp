@@ -1,0 +1,115 @@
+// The built ribbon-record, as a user meets it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commandline/tool_run.h"
+#include "playback/recording_reader.h"
+#include "recorder/small_scene.h"
+
+namespace ribbon {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RibbonRecord : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-record-tool-") + test->name());
+    fs::remove_all(folder_);
+    write_small_scene(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] ToolRun run(const std::string& arguments, const std::string& before = "") const {
+    return run_in(folder_, RIBBON_RECORD, arguments, before);
+  }
+
+  fs::path folder_;
+};
+
+// One sentence: one line after the tool's name.
+void expect_refusal(const ToolRun& run, const std::string& part) {
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.errors.rfind("ribbon-record: ", 0), 0U) << run.errors;
+  EXPECT_NE(run.errors.find(part), std::string::npos) << run.errors;
+  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+  EXPECT_EQ(run.output, "");
+}
+
+TEST_F(RibbonRecord, records_a_scene_and_sums_it_up_in_one_line) {
+  const ToolRun answer = run("small.toml -o knot.rbn");
+  EXPECT_EQ(answer.exit_code, 0) << answer.errors;
+  EXPECT_EQ(answer.output.rfind("knot.rbn: 7 frames, 0.2 s in 20 steps", 0), 0U) << answer.output;
+  EXPECT_EQ(std::count(answer.output.begin(), answer.output.end(), '\n'), 1);
+  EXPECT_EQ(answer.errors, "");
+  EXPECT_EQ(RecordingReader::open(folder_ / "knot.rbn").value().frame_count(), 7);
+}
+
+TEST_F(RibbonRecord, quiet_says_nothing) {
+  const ToolRun answer = run("small.toml -o knot.rbn --quiet");
+  EXPECT_EQ(answer.exit_code, 0);
+  EXPECT_EQ(answer.output + answer.errors, "");
+}
+
+TEST_F(RibbonRecord, writes_the_figures_of_the_run) {
+  ASSERT_EQ(run("small.toml -o knot.rbn --stats figures/run.json").exit_code, 0);
+  const auto json = nlohmann::json::parse(read_file(folder_ / "figures/run.json").value());
+  EXPECT_EQ(json["frames"], 7);
+  EXPECT_EQ(json["bytes"], fs::file_size(folder_ / "knot.rbn"));
+}
+
+TEST_F(RibbonRecord, the_number_of_threads_changes_nothing) {
+  ASSERT_EQ(run("small.toml -o one.rbn --threads 1").exit_code, 0);
+  ASSERT_EQ(run("small.toml -o two.rbn --threads 2").exit_code, 0);
+  EXPECT_TRUE(read_file(folder_ / "one.rbn").value() == read_file(folder_ / "two.rbn").value());
+}
+
+TEST_F(RibbonRecord, ctrl_c_leaves_a_valid_recording) {
+  std::string text = small_scene_text();
+  text.replace(text.find("duration = 0.2"), 14, "duration = 600");
+  ASSERT_TRUE(write_file(folder_ / "long.toml", text).has_value());
+  // A job in the background of a script ignores Ctrl-C; `timeout` in the foreground does not.
+  const ToolRun answer = run_in(folder_, "timeout",
+                                "--foreground --preserve-status --signal=INT 1 '" RIBBON_RECORD
+                                "' long.toml -o knot.rbn");
+  EXPECT_EQ(answer.exit_code, 0) << answer.errors;
+  EXPECT_NE(answer.output.find("ended early by the user"), std::string::npos) << answer.output;
+  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  EXPECT_TRUE(reader.finished());
+  EXPECT_GT(reader.frame_count(), 0);
+}
+
+TEST_F(RibbonRecord, a_mistake_in_the_scene_is_told_with_its_place) {
+  ASSERT_TRUE(write_file(folder_ / "wrong.toml", small_scene_text() + "widht = 1\n").has_value());
+  expect_refusal(run("wrong.toml -o knot.rbn"), "wrong.toml:");
+  EXPECT_FALSE(fs::exists(folder_ / "knot.rbn"));
+}
+
+TEST_F(RibbonRecord, what_cannot_be_read_or_written_is_named) {
+  expect_refusal(run("missing.toml -o knot.rbn"), "missing.toml");
+  expect_refusal(run("small.toml -o /proc/knot.rbn"), "/proc/knot.rbn");
+  expect_refusal(run("small.toml"), "--output");
+}
+
+TEST_F(RibbonRecord, a_full_disk_keeps_the_frames_before_it) {
+  // The limit stands for the full disk; a signal would hide the error.
+  const ToolRun answer = run("small.toml -o knot.rbn", "ulimit -f 8; trap '' XFSZ;");
+  expect_refusal(answer, "knot.rbn");
+  const auto reader = RecordingReader::open(folder_ / "knot.rbn");
+  ASSERT_TRUE(reader.has_value()) << reader.error().sentence();
+  EXPECT_GT(reader->frame_count(), 0);
+  EXPECT_LT(reader->frame_count(), 7);
+}
+
+TEST_F(RibbonRecord, help_shows_examples_and_version_the_version) {
+  const ToolRun help = run("--help");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.output.find("Examples:"), std::string::npos);
+  EXPECT_EQ(run("--version").output, "ribbon-record " RIBBON_VERSION "\n");
+}
+
+}  // namespace
+}  // namespace ribbon
