@@ -10,7 +10,7 @@ build_packages=(
   libfreetype-dev libpng-dev libpugixml-dev libsvgpp-dev libtbb-dev libtomlplusplus-dev libzstd-dev
   nlohmann-json3-dev fonts-dejavu-core
 )
-test_packages=(blender clang-format clang-tidy libcgal-dev libgtest-dev python3 shellcheck)
+test_packages=(blender clang-format clang-tidy libgtest-dev python3 shellcheck)
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "parallel/parallel.h"
 #include "playback/recording_reader.h"
 #include "recorder/small_scene.h"
@@ -38,9 +40,9 @@ TEST_F(Record, a_frame_is_recorded_at_the_first_step_at_or_after_its_time) {
   EXPECT_EQ(statistics.steps, 20);
   const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
   ASSERT_EQ(reader.frame_count(), 7);
-  const double expected_s[] = {0, 0.04, 0.07, 0.1, 0.14, 0.17, 0.2};
+  constexpr std::array expected_s = {0.0, 0.04, 0.07, 0.1, 0.14, 0.17, 0.2};
   for (int frame = 0; frame < 7; ++frame)
-    EXPECT_NEAR(reader.numbers(frame)->time_s, expected_s[frame], 1e-12);
+    EXPECT_NEAR(reader.numbers(frame)->time_s, expected_s[static_cast<std::size_t>(frame)], 1e-12);
 }
 
 TEST_F(Record, the_header_says_what_was_recorded) {
