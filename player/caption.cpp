@@ -1,4 +1,4 @@
-#include "caption.h"
+#include "player/caption.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "caption_font.h"
+#include "player/caption_font.h"
 
 namespace ribbon {
 

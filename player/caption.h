@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "picture.h"
+#include "player/picture.h"
 
 namespace ribbon {
 

@@ -1,4 +1,4 @@
-#include "caption_font.h"
+#include "player/caption_font.h"
 
 // The assembler copies the file into the program; the build says which one.
 asm(".section .rodata\n"

@@ -1,7 +1,7 @@
 // The ribbon's cloth: a patterned front, a plain back, stripes along both selvages.
 #pragma once
 
-#include "color.h"
+#include "player/color.h"
 
 namespace ribbon {
 

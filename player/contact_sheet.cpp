@@ -1,9 +1,9 @@
-#include "contact_sheet.h"
+#include "player/contact_sheet.h"
 
 #include <cassert>
 
-#include "caption.h"
-#include "number_text.h"
+#include "commandline/number_text.h"
+#include "player/caption.h"
 
 namespace ribbon {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "picture.h"
+#include "player/picture.h"
 #include "recording/recording.h"
 
 namespace ribbon {

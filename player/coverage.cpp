@@ -1,4 +1,4 @@
-#include "coverage.h"
+#include "player/coverage.h"
 
 #include <algorithm>
 #include <utility>

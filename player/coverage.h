@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "camera.h"
-#include "picture.h"
-#include "surface.h"
+#include "player/camera.h"
+#include "player/picture.h"
+#include "player/surface.h"
 
 namespace ribbon {
 

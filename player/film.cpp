@@ -1,6 +1,6 @@
-#include "film.h"
+#include "player/film.h"
 
-#include "render.h"
+#include "player/render.h"
 
 namespace ribbon {
 

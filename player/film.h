@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "framing.h"
-#include "picture.h"
 #include "playback/recording_reader.h"
-#include "sampling.h"
-#include "stage.h"
+#include "player/framing.h"
+#include "player/picture.h"
+#include "player/sampling.h"
+#include "player/stage.h"
 
 namespace ribbon {
 

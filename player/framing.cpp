@@ -1,4 +1,4 @@
-#include "framing.h"
+#include "player/framing.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "camera.h"
-#include "picture.h"
+#include "player/camera.h"
+#include "player/picture.h"
 
 namespace ribbon {
 

@@ -1,8 +1,8 @@
-#include "info.h"
+#include "player/info.h"
 
 #include <algorithm>
 
-#include "number_text.h"
+#include "commandline/number_text.h"
 
 namespace ribbon {
 

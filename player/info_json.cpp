@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "info.h"
+#include "player/info.h"
 
 namespace ribbon {
 

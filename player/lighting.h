@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "color.h"
+#include "player/color.h"
 
 namespace ribbon {
 

@@ -6,16 +6,16 @@
 #include "commandline/frame_pattern.h"
 #include "commandline/frame_range.h"
 #include "commandline/interrupt.h"
+#include "commandline/number_text.h"
 #include "commandline/progress.h"
 #include "commandline/tool.h"
-#include "contact_sheet.h"
 #include "files/files.h"
-#include "film.h"
-#include "info.h"
-#include "number_text.h"
-#include "options.h"
 #include "parallel/parallel.h"
-#include "png_encoder.h"
+#include "player/contact_sheet.h"
+#include "player/film.h"
+#include "player/info.h"
+#include "player/options.h"
+#include "player/png_encoder.h"
 
 namespace ribbon {
 

@@ -1,7 +1,9 @@
-#include "options.h"
+#include "player/options.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+
+#include "commandline/arguments.h"
 
 namespace ribbon {
 
@@ -77,14 +79,9 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   app.set_version_flag("--version", "ribbon-play " RIBBON_VERSION);
   app.footer(examples);
   add_options(app, options, size);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wish) {
-    app.exit(wish);  // prints the help or the version
-    return std::nullopt;
-  } catch (const CLI::ParseError& problem) {
-    return failure("", problem.what(), "see ribbon-play --help");
-  }
+  const auto read = parse_arguments(app, argc, argv);
+  if (!read) return tl::unexpected(read.error());
+  if (!*read) return std::nullopt;
   const auto parsed = parse_size(size);
   if (!parsed) return tl::unexpected(parsed.error());
   options.size = *parsed;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "picture.h"
+#include "player/picture.h"
 #include "result/result.h"
 
 namespace ribbon {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "color.h"
+#include "player/color.h"
 
 namespace ribbon {
 

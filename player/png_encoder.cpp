@@ -1,4 +1,4 @@
-#include "png_encoder.h"
+#include "player/png_encoder.h"
 
 #include <png.h>
 

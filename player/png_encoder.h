@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "picture.h"
+#include "player/picture.h"
 
 namespace ribbon {
 

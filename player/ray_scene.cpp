@@ -1,4 +1,4 @@
-#include "ray_scene.h"
+#include "player/ray_scene.h"
 
 #include <embree3/rtcore.h>
 #include <pmmintrin.h>

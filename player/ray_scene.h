@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-#include "surface.h"
+#include "player/surface.h"
 
 namespace ribbon {
 

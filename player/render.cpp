@@ -1,4 +1,4 @@
-#include "render.h"
+#include "player/render.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "coverage.h"
 #include "parallel/parallel.h"
+#include "player/coverage.h"
 
 namespace ribbon {
 

@@ -1,11 +1,11 @@
 // Gathers the light of a picture.
 #pragma once
 
-#include "camera.h"
-#include "lighting.h"
-#include "picture.h"
-#include "sampling.h"
-#include "stage.h"
+#include "player/camera.h"
+#include "player/lighting.h"
+#include "player/picture.h"
+#include "player/sampling.h"
+#include "player/stage.h"
 
 namespace ribbon {
 

@@ -1,4 +1,4 @@
-#include "sampling.h"
+#include "player/sampling.h"
 
 #include <cassert>
 #include <numeric>

@@ -1,10 +1,10 @@
-#include "stage.h"
+#include "player/stage.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 
-#include "cloth_pattern.h"
+#include "player/cloth_pattern.h"
 
 namespace ribbon {
 

@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "color.h"
-#include "ray_scene.h"
+#include "player/color.h"
+#include "player/ray_scene.h"
+#include "player/surface.h"
 #include "recording/recording.h"
-#include "surface.h"
 
 namespace ribbon {
 

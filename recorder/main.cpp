@@ -1,26 +1,23 @@
 // ribbon-record: fastens the ribbon of a scene and records every frame.
 #include <cstdio>
-#include <iomanip>
-#include <sstream>
 #include <string>
 
 #include "commandline/interrupt.h"
+#include "commandline/number_text.h"
 #include "commandline/progress.h"
 #include "commandline/tool.h"
 #include "files/files.h"
-#include "options.h"
 #include "parallel/parallel.h"
-#include "record.h"
+#include "recorder/options.h"
+#include "recorder/record.h"
 
 namespace ribbon {
 
 namespace {
 
 std::string remark_on(const FrameNumbers& numbers) {
-  std::ostringstream remark;
-  remark << std::fixed << std::setprecision(1) << "strain " << 100 * numbers.worst_strain
-         << " %, penetrations " << numbers.penetrating_edges;
-  return remark.str();
+  return "strain " + decimals(100 * numbers.worst_strain, 1) + " %, penetrations " +
+         std::to_string(numbers.penetrating_edges);
 }
 
 Result<ExitCode> record_scene(const RecorderOptions& options) {

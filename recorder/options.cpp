@@ -1,6 +1,8 @@
-#include "options.h"
+#include "recorder/options.h"
 
 #include <CLI/CLI.hpp>
+
+#include "commandline/arguments.h"
 
 namespace ribbon {
 
@@ -33,14 +35,9 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   app.add_flag("--quiet", options.quiet, "no progress and no summary");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wish) {
-    app.exit(wish);  // prints the help or the version
-    return std::nullopt;
-  } catch (const CLI::ParseError& problem) {
-    return failure("", problem.what(), "see ribbon-record --help");
-  }
+  const auto read = parse_arguments(app, argc, argv);
+  if (!read) return tl::unexpected(read.error());
+  if (!*read) return std::nullopt;
   return options;
 }
 

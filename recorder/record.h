@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <functional>
 
+#include "recorder/run_statistics.h"
 #include "recording/recording.h"
 #include "result/result.h"
-#include "run_statistics.h"
 #include "scene/scene.h"
 
 namespace ribbon {

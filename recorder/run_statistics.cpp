@@ -1,9 +1,9 @@
-#include "run_statistics.h"
+#include "recorder/run_statistics.h"
 
 #include <algorithm>
-#include <iomanip>
 #include <nlohmann/json.hpp>
-#include <sstream>
+
+#include "commandline/number_text.h"
 
 namespace ribbon {
 
@@ -27,16 +27,17 @@ double RunStatistics::bits_per_vertex_and_frame() const {
 }
 
 std::string summary_line(const RunStatistics& statistics) {
-  std::ostringstream line;
-  line << std::fixed << std::setprecision(1) << statistics.frames << " frames, "
-       << statistics.simulated_s << " s in " << statistics.steps << " steps ("
-       << statistics.steps_per_second() << " steps/s); worst strain "
-       << 100 * statistics.worst_strain << " %; penetrating edges "
-       << statistics.worst_penetrating_edges << " at worst, " << statistics.last_penetrating_edges
-       << " at last; " << static_cast<double>(statistics.bytes) / 1e6 << " MB ("
-       << statistics.bits_per_vertex_and_frame() << " bits per vertex and frame)";
-  if (statistics.interrupted) line << "; ended early by the user";
-  return line.str();
+  std::string line =
+      std::to_string(statistics.frames) + " frames, " + decimals(statistics.simulated_s, 1) +
+      " s in " + std::to_string(statistics.steps) + " steps (" +
+      decimals(statistics.steps_per_second(), 1) + " steps/s); worst strain " +
+      decimals(100 * statistics.worst_strain, 1) + " %; penetrating edges " +
+      std::to_string(statistics.worst_penetrating_edges) + " at worst, " +
+      std::to_string(statistics.last_penetrating_edges) + " at last; " +
+      decimals(static_cast<double>(statistics.bytes) / 1e6, 1) + " MB (" +
+      decimals(statistics.bits_per_vertex_and_frame(), 1) + " bits per vertex and frame)";
+  if (statistics.interrupted) line += "; ended early by the user";
+  return line;
 }
 
 std::string statistics_json(const RunStatistics& statistics) {

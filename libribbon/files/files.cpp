@@ -3,31 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
+#include "files/descriptor.h"
+
 namespace ribbon {
-
-namespace {
-
-std::string last_error_text() {
-  return std::error_code(errno, std::generic_category()).message();
-}
-
-// Writes all of `bytes` and forces them to the disk; false with errno set when that fails.
-bool write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
-}  // namespace
 
 Result<std::string> read_file(const std::filesystem::path& path) {
   std::error_code code;
@@ -56,6 +38,7 @@ Result<void> write_file(const std::filesystem::path& path, std::string_view byte
   if (descriptor < 0)
     return failure(path.string(), "cannot be written (" + last_error_text() + ")",
                    "choose a folder that you may write to");
+  // Forced to the disk before the rename: a power cut must not leave an empty file under the name.
   const bool written = write_all(descriptor, bytes) && ::fsync(descriptor) == 0;
   std::string problem = written ? "" : last_error_text();
   if (::close(descriptor) != 0 && problem.empty()) problem = last_error_text();

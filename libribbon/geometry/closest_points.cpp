@@ -30,7 +30,8 @@ Vector3d closest_on_triangle(const Vector3d& p, const Vector3d& a, const Vector3
   const double pb = ab.dot(ap);
   const double pc = ac.dot(ap);
   const double determinant = bb * cc - bc * bc;
-  if (determinant > 0) {
+  // Where the corner at a is sharper than 1e-6 rounding decides about the foot: the border serves.
+  if (determinant > 1e-12 * bb * cc) {
     const double v = (cc * pb - bc * pc) / determinant;
     const double w = (bb * pc - bc * pb) / determinant;
     if (v >= 0 && w >= 0 && v + w <= 1) return {1 - v - w, v, w};
@@ -62,7 +63,7 @@ Vector2d closest_on_segments(const Vector3d& a, const Vector3d& b, const Vector3
   double s =
       determinant > 1e-14 * uu * vv ? std::clamp((uv * vr - vv * ur) / determinant, 0.0, 1.0) : 0.0;
   double t = vv > 0 ? (uv * s + vr) / vv : 0.0;
-  if (t < 0 || t > 1) {
+  if (vv == 0 || t < 0 || t > 1) {
     t = std::clamp(t, 0.0, 1.0);
     s = uu > 0 ? std::clamp((uv * t - ur) / uu, 0.0, 1.0) : 0.0;
   }

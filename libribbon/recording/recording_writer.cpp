@@ -4,11 +4,10 @@
 #include <unistd.h>
 
 #include <cassert>
-#include <cerrno>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "files/descriptor.h"
 #include "recording/checksum.h"
 #include "recording/frame_record.h"
 #include "recording/header_record.h"
@@ -17,25 +16,6 @@
 #include "recording/record.h"
 
 namespace ribbon {
-
-namespace {
-
-std::string last_error_text() {
-  return std::error_code(errno, std::generic_category()).message();
-}
-
-// One write() where the system lets us, so that a kill leaves whole records.
-bool write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
-}  // namespace
 
 struct RecordingWriter::State {
   State(std::filesystem::path target, const RecordingHeader& header)

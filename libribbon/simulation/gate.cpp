@@ -36,13 +36,15 @@ Vector4d shares_of_way(FeaturePair::Kind kind, const Corners& start, const Corne
   const Vector4d rise = way.transpose() * normal;
   const double lowest_first = height.head(first_count).minCoeff();
   const double highest_second = height.tail(4 - first_count).maxCoeff();
-  const double room_m = usable * (lowest_first - highest_second - min_gap_m);
+  // Almost touching features lie aslant to the rounded direction: it does not separate them.
+  if (lowest_first <= highest_second) return Vector4d::Zero();
+  const double room_m = std::max(0.0, usable * (lowest_first - highest_second - min_gap_m));
   const double sink_first = std::max(0.0, -rise.head(first_count).minCoeff());
   const double climb_second = std::max(0.0, rise.tail(4 - first_count).maxCoeff());
   Vector4d shares = Vector4d::Ones();
   if (sink_first + climb_second <= room_m) return shares;
 
-  const double room_per_way = std::max(0.0, room_m) / (sink_first + climb_second);
+  const double room_per_way = room_m / (sink_first + climb_second);
   const double floor_of_first = lowest_first - sink_first * room_per_way;
   const double ceiling_of_second = highest_second + climb_second * room_per_way;
   for (int k = 0; k < first_count; ++k)

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "converter/number_list.h"
 #include "converter/output_format.h"
 #include "converter/output_names.h"
 
@@ -39,13 +38,6 @@ TEST(OutputNames, one_frame_needs_no_pattern_and_two_do) {
   EXPECT_EQ(frame_files("knot.obj", 1).value()(7), "knot.obj");
   EXPECT_EQ(frame_files("knot.{frame:04}.obj", 1).value()(7), "knot.0007.obj");
   EXPECT_FALSE(frame_files("knot.obj", 2).has_value());
-}
-
-TEST(NumberList, consecutive_numbers_become_spans) {
-  EXPECT_EQ(number_list({}), "");
-  EXPECT_EQ(number_list({4}), "4");
-  EXPECT_EQ(number_list({4, 5, 6, 9, 11, 12}), "4-6, 9, 11-12");
-  EXPECT_EQ(number_list({3, 2, 1}), "3, 2, 1");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "caption.h"
+#include "player/caption.h"
 
 #include <gtest/gtest.h>
 

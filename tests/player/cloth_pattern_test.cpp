@@ -1,4 +1,4 @@
-#include "cloth_pattern.h"
+#include "player/cloth_pattern.h"
 
 #include <gtest/gtest.h>
 

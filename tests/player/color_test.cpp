@@ -1,4 +1,4 @@
-#include "color.h"
+#include "player/color.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include "commandline/tool_run.h"
 #include "files/files.h"
-#include "picture.h"
+#include "player/picture.h"
 #include "recording/sample_recording.h"
 
 namespace ribbon {

@@ -1,8 +1,8 @@
-#include "coverage.h"
+#include "player/coverage.h"
 
 #include <gtest/gtest.h>
 
-#include "framing.h"
+#include "player/framing.h"
 #include "quads.h"
 
 namespace ribbon {

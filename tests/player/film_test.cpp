@@ -1,4 +1,4 @@
-#include "film.h"
+#include "player/film.h"
 
 #include <gtest/gtest.h>
 

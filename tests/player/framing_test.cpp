@@ -1,4 +1,4 @@
-#include "framing.h"
+#include "player/framing.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "info.h"
+#include "player/info.h"
 
 namespace ribbon {
 namespace {

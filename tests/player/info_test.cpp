@@ -1,4 +1,4 @@
-#include "info.h"
+#include "player/info.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "picture.h"
+#include "player/picture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ray_scene.h"
+#include "player/ray_scene.h"
 
 #include <gtest/gtest.h>
 #include <pmmintrin.h>

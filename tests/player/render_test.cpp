@@ -1,12 +1,12 @@
-#include "render.h"
+#include "player/render.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "cloth_pattern.h"
 #include "parallel/parallel.h"
+#include "player/cloth_pattern.h"
 #include "quads.h"
 
 namespace ribbon {

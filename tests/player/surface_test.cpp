@@ -1,4 +1,4 @@
-#include "surface.h"
+#include "player/surface.h"
 
 #include <gtest/gtest.h>
 

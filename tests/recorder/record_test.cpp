@@ -1,4 +1,4 @@
-#include "record.h"
+#include "recorder/record.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "run_statistics.h"
+#include "recorder/run_statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
-#include "converter/command_line.h"
+#include "converter/options.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+
+#include "commandline/arguments.h"
 
 namespace ribbon {
 
@@ -50,14 +51,9 @@ Result<std::optional<CommandLine>> parse_command_line(int argc, const char* cons
   CommandLine line;
   std::string objects = "both";
   add_options(app, line, objects);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help_or_version) {
-    app.exit(help_or_version);
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    return failure("", error.what(), "see ribbon-convert --help");
-  }
+  const auto read = parse_arguments(app, argc, argv);
+  if (!read) return tl::unexpected(read.error());
+  if (!*read) return std::nullopt;
   line.request.with_obstacle = objects == "both";
   return line;
 }

@@ -1,4 +1,4 @@
-#include "number_text.h"
+#include "commandline/number_text.h"
 
 #include <array>
 #include <cstdio>

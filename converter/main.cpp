@@ -4,10 +4,10 @@
 #include <cstdio>
 
 #include "commandline/interrupt.h"
+#include "commandline/number_text.h"
 #include "commandline/tool.h"
-#include "converter/command_line.h"
 #include "converter/conversion.h"
-#include "converter/number_list.h"
+#include "converter/options.h"
 #include "parallel/parallel.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "number_text.h"
+#include "commandline/number_text.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@ TEST(NumberText, runs_of_numbers_are_drawn_together) {
   EXPECT_EQ(number_list({}), "");
   EXPECT_EQ(number_list({4}), "4");
   EXPECT_EQ(number_list({3, 7, 8, 9, 12}), "3, 7-9, 12");
+  EXPECT_EQ(number_list({3, 2, 1}), "3, 2, 1");
   EXPECT_EQ(number_list({1, 2}), "1-2");
 }
 

@@ -1,0 +1,16 @@
+// Writing to a file descriptor without losing anything on the way.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ribbon {
+
+// Writes all of `bytes`, in one write() where the system lets us, so that a kill leaves whole
+// records. False when it could not; last_error_text() then tells why.
+bool write_all(int descriptor, std::string_view bytes);
+
+// The system's words for what went wrong last in this thread ("No space left on device").
+std::string last_error_text();
+
+}  // namespace ribbon
