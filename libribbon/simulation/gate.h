@@ -24,7 +24,7 @@ struct GateReport {
 // approaches; a vertex that would use more than its share is shortened on its way. A vertex takes
 // the shortest of its ways, and since shortening keeps it on its side of every plane, all planes
 // hold at every instant of the straight motion. Motion along a contact and away from it is free.
-// Where no separating plane can be certified only separating motion passes.
+// A pair that no plane separates, because it touches or nearly does, stays where it is.
 //
 // Cf. planar "divide and truncate" bounds (Chen et al. 2026) and per-vertex conservative bounds
 // (Offset Geometric Contact, Chen et al. 2025).

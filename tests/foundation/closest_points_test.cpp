@@ -30,6 +30,31 @@ TEST(ClosestOnTriangle, a_degenerate_triangle_is_its_longest_edge) {
   EXPECT_TRUE(point.isApprox(Vector3d(1.5, 0, 0)));
 }
 
+// Three points of one line up to rounding, which must not decide where the foot lies.
+TEST(ClosestOnTriangle, of_a_needle_no_point_of_its_border_is_closer) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto point = [&] {
+    return Vector3d(coordinate(random), coordinate(random), coordinate(random));
+  };
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Vector3d from = point();
+    const Vector3d to = point();
+    const Vector3d between = from + 0.3 * (to - from);
+    const Vector3d p = point();
+    const Vector3d weights = closest_on_triangle(p, from, between, to);
+    const double found = (weights[0] * from + weights[1] * between + weights[2] * to - p).norm();
+    for (int i = 0; i <= 20; ++i)
+      EXPECT_GE((from + i / 20.0 * (to - from) - p).norm(), found - 1e-9) << trial;
+  }
+}
+
+TEST(ClosestOnSegments, a_segment_without_length_is_its_point) {
+  const Vector3d beside(0.5, 3, 0);
+  EXPECT_EQ(closest_on_segments(a, b, beside, beside)[0], 0.25);
+  EXPECT_EQ(closest_on_segments(beside, beside, a, b)[1], 0.25);
+}
+
 TEST(ClosestOnSegments, of_crossing_lines_it_is_the_common_perpendicular) {
   EXPECT_TRUE(closest_on_segments({-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 3, 1})
                   .isApprox(Vector2d(0.5, 0.25)));

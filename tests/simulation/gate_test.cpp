@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <random>
 
 #include "parallel/parallel.h"
@@ -87,6 +88,28 @@ TEST(SharesOfWay, keep_the_gap_at_every_instant_for_random_motion) {
       const Corners then = x + way * (instant / 20.0 * shares).asDiagonal();
       EXPECT_GE((then * closest_weights(kind, then)).norm(), 0.04);
     }
+  }
+}
+
+// So close that rounding turns the line between the closest points: no plane can be relied on.
+TEST(SharesOfWay, almost_touching_edges_do_not_slip_through_each_other) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    Corners x;
+    Corners way;
+    for (double& value : x.reshaped()) value = coordinate(random);
+    for (double& value : way.reshaped()) value = 1e-6 * coordinate(random);
+    // Moves the second edge until the middles of both are 1e-11 apart.
+    const Vector3d normal = (x.col(1) - x.col(0)).cross(x.col(3) - x.col(2)).normalized();
+    const Vector3d shift = (x.col(0) + x.col(1) - x.col(2) - x.col(3)) / 2 - 1e-11 * normal;
+    x.rightCols(2).colwise() += shift;
+    const Vector4d shares = shares_of_way(Kind::edge_edge, x, way, 0.04);
+    const Corners end = x + way * shares.asDiagonal();
+    const auto side = [](const Corners& c) {
+      return (c.col(1) - c.col(0)).cross(c.col(3) - c.col(2)).dot(c.col(0) - c.col(2));
+    };
+    EXPECT_GT(side(x) * side(end), 0) << trial;
   }
 }
 
