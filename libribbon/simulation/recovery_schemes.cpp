@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <vector>
 
 namespace ribbon {
 
@@ -47,43 +48,58 @@ void visit_neighbourhood(const RibbonGrid& grid, int particle, int reach, const 
 
 }  // namespace
 
+namespace {
+
+// For each particle: how many of its edges along and across are sound. Diagonals, of which some
+// particles have four and others none, do not vote.
+std::vector<int> count_sound_edges(const RibbonGrid& grid, const CollisionSurface& ribbon,
+                                   const std::vector<Penetration>& penetrations) {
+  std::set<int> erroneous;
+  for (const Penetration& penetration : penetrations) erroneous.insert(penetration.edge);
+  std::vector<int> sound(static_cast<std::size_t>(grid.particle_count()), 0);
+  for (std::size_t e = 0; e < ribbon.edges.size(); ++e) {
+    const auto [a, b] = ribbon.edges[e];
+    const bool diagonal = grid.row(a) != grid.row(b) && grid.column(a) != grid.column(b);
+    if (diagonal || erroneous.contains(static_cast<int>(e))) continue;
+    ++sound[static_cast<std::size_t>(a)];
+    ++sound[static_cast<std::size_t>(b)];
+  }
+  return sound;
+}
+
+}  // namespace
+
 void apply_scheme_a(const RibbonGrid& grid, const CollisionSurface& ribbon,
                     const CollisionSurface& obstacle,
                     const std::vector<Penetration>& ribbon_into_obstacle, double gap_m,
                     Matrix3Xd& positions) {
-  // How many edges of each particle pierce: those of a particle that went astray nearly all do.
-  std::map<int, int> piercing_edges_of;
-  std::set<int> counted;
-  for (const Penetration& penetration : ribbon_into_obstacle)
-    if (counted.insert(penetration.edge).second)
-      for (const int particle : ribbon.edges[static_cast<std::size_t>(penetration.edge)])
-        ++piercing_edges_of[particle];
-
-  // Particles at the border have fewer edges, so sound ones are counted rather than erroneous ones.
-  const auto sound_edges_of = [&](int particle) {
-    const bool at_end = grid.row(particle) == 0 || grid.row(particle) == grid.along - 1;
-    const bool at_selvage = grid.column(particle) == 0 || grid.column(particle) == grid.across - 1;
-    const int edges = at_end && at_selvage ? 2 : at_end || at_selvage ? 3 : 4;
-    return edges - piercing_edges_of[particle];
+  const std::vector<int> sound = count_sound_edges(grid, ribbon, ribbon_into_obstacle);
+  const auto height_m = [&](const Penetration& penetration, int particle) {
+    return unit_normal(obstacle, penetration.triangle, positions)
+        .dot(positions.col(particle) - penetration.point);
   };
+  // An edge may pierce several triangles: a thin part of the obstacle's front and back.
+  std::map<int, std::vector<Penetration>> of_edge;
+  for (const Penetration& penetration : ribbon_into_obstacle)
+    of_edge[penetration.edge].push_back(penetration);
 
   Moves moves;
-  for (const Penetration& penetration : ribbon_into_obstacle) {
-    const auto& edge = ribbon.edges[static_cast<std::size_t>(penetration.edge)];
-    const Vector3d outward = unit_normal(obstacle, penetration.triangle, positions);
-    const auto height_m = [&](int particle) {
-      return outward.dot(positions.col(particle) - penetration.point);
-    };
-    int erroneous = edge[0];
-    int other = edge[1];
-    const int sound_erroneous = sound_edges_of(erroneous);
-    const int sound_other = sound_edges_of(other);
-    if (sound_other < sound_erroneous ||
-        (sound_other == sound_erroneous && height_m(other) < height_m(erroneous)))
+  for (const auto& [edge, penetrations] : of_edge) {
+    int erroneous = ribbon.edges[static_cast<std::size_t>(edge)][0];
+    int other = ribbon.edges[static_cast<std::size_t>(edge)][1];
+    const int lead =
+        sound[static_cast<std::size_t>(other)] - sound[static_cast<std::size_t>(erroneous)];
+    if (lead < 0 || (lead == 0 && height_m(penetrations.front(), other) <
+                                      height_m(penetrations.front(), erroneous)))
       std::swap(erroneous, other);
-    // The vote may fall on the particle in front of the triangle, which is not the one to move out.
-    if (height_m(erroneous) > 0) std::swap(erroneous, other);
-    moves.ask(erroneous, (gap_m - height_m(erroneous)) * outward);
+    // A particle in front of all of them need not move out, whatever the vote says.
+    const auto is_behind = [&](const Penetration& p) { return height_m(p, erroneous) <= 0; };
+    if (std::none_of(penetrations.begin(), penetrations.end(), is_behind))
+      std::swap(erroneous, other);
+    for (const Penetration& penetration : penetrations)
+      if (is_behind(penetration))
+        moves.ask(erroneous, (gap_m - height_m(penetration, erroneous)) *
+                                 unit_normal(obstacle, penetration.triangle, positions));
   }
   moves.apply(positions);
 }

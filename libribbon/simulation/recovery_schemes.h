@@ -10,8 +10,9 @@
 namespace ribbon {
 
 // Scheme A, for ribbon edges that pierce the obstacle. Of each edge the particle that fewer sound
-// neighbouring edges speak for is moved along the obstacle's outward normal by its distance from
-// the pierced triangle, and gap_m beyond.
+// neighbouring edges speak for (of two equal ones the deeper) is moved along the obstacle's outward
+// normal by its distance from the pierced triangle, and gap_m beyond. Triangles that it lies in
+// front of do not move it; where it lies in front of all, the edge's other particle moves.
 void apply_scheme_a(const RibbonGrid& grid, const CollisionSurface& ribbon,
                     const CollisionSurface& obstacle,
                     const std::vector<Penetration>& ribbon_into_obstacle, double gap_m,

@@ -50,6 +50,33 @@ TEST(SchemeA, frees_a_border_particle_with_fewer_edges_too) {
   EXPECT_TRUE(detect().empty());
 }
 
+TEST(SchemeA, brings_a_particle_back_through_a_thin_plate_and_leaves_its_neighbours) {
+  const RibbonGrid grid{7, 5};
+  const int astray = grid.particle(3, 2);
+  // A plate 0.1 thick: the upper side faces up, the lower side down; its rim is far away.
+  const int first = grid.particle_count();
+  Matrix3Xd positions(3, first + 8);
+  positions.leftCols(first) = flat_ribbon(grid);
+  positions.middleCols(first, 4) << -50, 50, 50, -50, -0.5, -0.5, -0.5, -0.5, 50, 50, -50, -50;
+  positions.rightCols(4) = positions.middleCols(first, 4);
+  positions.rightCols(4).row(1).setConstant(-0.6);
+  positions(1, astray) = -0.8;
+  Eigen::Matrix3Xi plate(3, 4);
+  plate << 0, 0, 5, 6, 1, 2, 4, 4, 2, 3, 6, 7;
+  plate.array() += first;
+  Bodies bodies{grid, Body(collision_surface(grid.triangles()), positions),
+                Body(collision_surface(plate), positions)};
+  const auto found =
+      mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy, bodies.obstacle->surface,
+                          bodies.obstacle->hierarchy, positions);
+  Matrix3Xd moved = positions;
+  apply_scheme_a(grid, bodies.ribbon.surface, bodies.obstacle->surface, found.edges_of_first, 0.01,
+                 moved);
+  EXPECT_NEAR(moved(1, astray), -0.49, 1e-12);
+  moved.col(astray) = positions.col(astray);
+  EXPECT_EQ(moved, positions);
+}
+
 // The folded ribbon with its returning half tilted so that one selvage dips through the lower half.
 Matrix3Xd selvage_dips_in(const RibbonGrid& grid) {
   Matrix3Xd positions = folded_ribbon(grid, 2);
