@@ -14,7 +14,6 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-constexpr double restitution = 0.1;    // small, for stability (section 5.4.2)
 constexpr double strain_limit = 0.1;   // of the natural length (section 5.5)
 constexpr int correction_rounds = 10;  // at most, in one step (section 5.5)
 constexpr int settling_rounds = 50;    // at most, before the first step
