@@ -15,7 +15,9 @@ class GatedContact : public Contact {
   GatedContact(Bodies& bodies, const ContactLengths& lengths, double step_s)
       : bodies_(bodies),
         // Rounding moves each of two points by at most sqrt 3 roundings; twice that leaves room.
-        min_gap_m_(std::max(0.05 * lengths.edge_m, 4 * 1.7321 * lengths.rounding_m)),
+        // Neighbours in the flat ribbon must not count as too close, however coarse the rounding.
+        min_gap_m_(std::clamp(4 * 1.7321 * lengths.rounding_m, 0.05 * lengths.edge_m,
+                              0.2 * lengths.edge_m)),
         collision_settings_{.gap_m = std::max(0.2 * lengths.edge_m, 2 * min_gap_m_), .rounds = 3},
         step_s_(step_s) {}
 

@@ -21,7 +21,9 @@ int stable_substeps(const SpringNetwork& network, int particle_count, double par
                     double air_resistance_per_s, double step_s) {
   const double fastest =
       fastest_frequency(network, particle_count, particle_mass_kg) + air_resistance_per_s;
-  return std::max(1, static_cast<int>(std::ceil(fastest * step_s / stability_limit)));
+  // Beyond the largest number that fits no step would come to its end anyway.
+  constexpr double most = 1e9;
+  return static_cast<int>(std::clamp(std::ceil(fastest * step_s / stability_limit), 1.0, most));
 }
 
 void integrate(const SpringNetwork& network, const Matrix3Xd& fastening_force,

@@ -84,6 +84,17 @@ TEST(FasteningProcessor, lets_no_edge_through_at_any_step) {
   }
 }
 
+TEST(FasteningProcessor, draws_a_coarsely_recorded_loop_tight_too) {
+  Scene scene = scene_of_loop();
+  scene.recording.max_position_error = 0.01;  // of the length: larger than an edge
+  FasteningProcessor fastening = processor(scene, post(0.3));
+  const Matrix3Xd start = fastening.positions();
+  for (int i = 0; i < 60; ++i) fastening.step();
+  EXPECT_GT((fastening.positions().col(0) - start.col(0)).norm(), 0.1);
+  EXPECT_EQ(fastening.penetrating_edges(), 0);
+  EXPECT_LT(fastening.strain(), 0.3);
+}
+
 TEST(FasteningProcessor, gives_the_same_bits_for_any_number_of_threads) {
   std::vector<Matrix3Xd> answers;
   for (const int threads : {1, 2, 5}) {

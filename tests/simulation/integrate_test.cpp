@@ -93,5 +93,11 @@ TEST(StableSubsteps, keep_the_stiffest_sample_of_the_paper_bounded) {
   EXPECT_LT(largest_m_s, 20);  // about elongation 1e-2 m times frequency 3e3 / s at most
 }
 
+TEST(StableSubsteps, of_the_stiffest_scene_on_the_lightest_ribbon_are_a_number) {
+  const RibbonGrid grid{4, 4};
+  const SpringNetwork network = spring_network(grid, 1, 1, {.stretch = 1e12, .shear = 1e12});
+  EXPECT_GT(stable_substeps(network, grid.particle_count(), 1e-13, 1e12, 1e3), 1'000'000);
+}
+
 }  // namespace
 }  // namespace ribbon
