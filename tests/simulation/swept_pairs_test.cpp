@@ -1,0 +1,124 @@
+#include "simulation/swept_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "geometry/box.h"
+#include "simulation/planted_penetrations.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Kind = FeaturePair::Kind;
+using Features = std::array<std::vector<int>, 2>;  // vertices of two features, sorted
+
+constexpr double margin_m = 0.05;
+
+Features sorted(std::vector<int> a, std::vector<int> b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  return a.size() == b.size() && b < a ? Features{b, a} : Features{a, b};
+}
+
+Features features(const FeaturePair& pair) {
+  const auto& v = pair.vertices;
+  return pair.kind == Kind::vertex_triangle ? sorted({v[0]}, {v[1], v[2], v[3]})
+                                            : sorted({v[0], v[1]}, {v[2], v[3]});
+}
+
+// Everything over which brute force looks for pairs: each feature once.
+struct Shape {
+  std::set<std::vector<int>> vertices;
+  std::set<std::vector<int>> edges;
+  std::set<std::vector<int>> triangles;
+};
+
+Shape shape_of(const Eigen::Matrix3Xi& triangles) {
+  Shape shape;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    shape.triangles.insert({triangles(0, t), triangles(1, t), triangles(2, t)});
+    for (int corner = 0; corner < 3; ++corner) {
+      const int a = triangles(corner, t);
+      const int b = triangles((corner + 1) % 3, t);
+      shape.vertices.insert({a});
+      shape.edges.insert({std::min(a, b), std::max(a, b)});
+    }
+  }
+  return shape;
+}
+
+class BruteForce {
+ public:
+  BruteForce(const Matrix3Xd& t0, const Matrix3Xd& t1) : t0_(t0), t1_(t1) {}
+
+  void look(const std::set<std::vector<int>>& first, const std::set<std::vector<int>>& second) {
+    for (const auto& a : first)
+      for (const auto& b : second)
+        if (std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) == a.end() && meet(a, b))
+          found.insert(sorted(a, b));
+  }
+
+  std::set<Features> found;
+
+ private:
+  [[nodiscard]] Box box(const std::vector<int>& feature) const {
+    Box result = Box::around(t0_.col(feature[0]));
+    for (const int vertex : feature) {
+      result.include(t0_.col(vertex));
+      result.include(t1_.col(vertex));
+    }
+    return result;
+  }
+  [[nodiscard]] bool meet(const std::vector<int>& a, const std::vector<int>& b) const {
+    Box grown = box(a);
+    grown.grow(margin_m);
+    return grown.meets(box(b));
+  }
+
+  const Matrix3Xd& t0_;
+  const Matrix3Xd& t1_;
+};
+
+// A ribbon of any size, down to 2 x 2, beside a soup of triangles, some without area.
+TEST(SweptPairs, are_all_that_brute_force_finds_and_each_once) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::size_t pairs_in_all = 0;
+  for (int trial = 0; trial < 24; ++trial) {
+    const RibbonGrid grid{2 + trial % 8, 2 + trial % 3};
+    const int first = grid.particle_count();
+    Eigen::Matrix3Xi soup(3, 4);
+    soup << 0, 3, 6, 7, 1, 4, 6, 8, 2, 5, 0, 4;  // the third triangle is an edge
+    soup.array() += first;
+    Matrix3Xd t0(3, first + 9);
+    for (double& value : t0.reshaped()) value = 3 * coordinate(random);
+    t0.leftCols(first) = 0.3 * flat_ribbon(grid) + 0.1 * t0.leftCols(first);
+    Matrix3Xd t1 = t0;
+    for (double& value : t1.leftCols(first).reshaped()) value += 0.1 * trial * coordinate(random);
+
+    Bodies bodies{grid, Body(collision_surface(grid.triangles()), t0),
+                  Body(collision_surface(soup), t0)};
+    std::set<Features> listed;
+    for (const auto& pair : swept_pairs(bodies, Hierarchy::Spare::boxes, t0, t1, margin_m))
+      EXPECT_TRUE(listed.insert(features(pair)).second) << "listed twice";
+
+    const Shape ribbon = shape_of(grid.triangles());
+    const Shape obstacle = shape_of(soup);
+    BruteForce expected(t0, t1);
+    expected.look(ribbon.vertices, ribbon.triangles);
+    expected.look(ribbon.vertices, obstacle.triangles);
+    expected.look(obstacle.vertices, ribbon.triangles);
+    expected.look(ribbon.edges, ribbon.edges);
+    expected.look(ribbon.edges, obstacle.edges);
+    EXPECT_EQ(listed, expected.found) << trial;
+    pairs_in_all += listed.size();
+  }
+  EXPECT_GT(pairs_in_all, 1000U);
+}
+
+}  // namespace
+}  // namespace ribbon
