@@ -1,6 +1,9 @@
 #include "geometry/segment_triangle.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace ribbon {
 
@@ -14,6 +17,13 @@ double volume(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vec
   return (b - a).cross(c - a).dot(d - a);
 }
 
+// The volumes over triangle abc that the rounding of coordinates alone can bring about.
+double rounding(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const double largest =
+      std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+  return 32 * std::numeric_limits<double>::epsilon() * largest * (b - a).norm() * (c - a).norm();
+}
+
 }  // namespace
 
 std::optional<Piercing> pierce(const Vector3d& p, const Vector3d& q, const Vector3d& a,
@@ -21,6 +31,7 @@ std::optional<Piercing> pierce(const Vector3d& p, const Vector3d& q, const Vecto
   const double p_side = volume(a, b, c, p);
   const double q_side = volume(a, b, c, q);
   if ((p_side > 0) == (q_side > 0) || p_side == q_side) return std::nullopt;
+  if (std::max(std::abs(p_side), std::abs(q_side)) <= rounding(a, b, c)) return std::nullopt;
   // The line pq passes the triangle's three edges on the same side exactly when it goes through.
   Vector3d weights(volume(p, q, b, c), volume(p, q, c, a), volume(p, q, a, b));
   if ((weights.array() < 0).any() && (weights.array() > 0).any()) return std::nullopt;

@@ -29,5 +29,20 @@ TEST(Pierce, an_edge_beside_short_of_or_along_the_triangle_does_not) {
   EXPECT_FALSE(pierce({-1, 1, 0}, {5, 1, 0}, a, b, c).has_value());
 }
 
+TEST(Pierce, neighbours_in_one_slanted_plane_do_not_pierce_by_rounding) {
+  // A flat grid in a plane along no axis: every edge lies in the plane of every triangle.
+  const Vector3d along(0.137, 0.051, 0.023);
+  const Vector3d across(-0.011, 0.083, 0.031);
+  const auto point = [&](int i, int j) { return Vector3d(0.1 * i * along + 0.1 * j * across); };
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j)
+      EXPECT_FALSE(pierce(point(i, j), point(i + 1, j + 1), point(5, 5), point(9, 6), point(6, 9))
+                       .has_value());
+}
+
+TEST(Pierce, a_shallow_piercing_is_still_found) {
+  EXPECT_TRUE(pierce({1, 1, 1e-12}, {1.1, 1, -1e-12}, a, b, c).has_value());
+}
+
 }  // namespace
 }  // namespace ribbon
