@@ -15,7 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto shortest_pause = std::chrono::milliseconds(100);
-constexpr int bar_cells = 24;
+constexpr int bar_cells = 16;
 constexpr const char* erase_line = "\r\x1b[K";
 
 double seconds_since(Clock::time_point start) {

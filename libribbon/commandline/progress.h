@@ -6,7 +6,7 @@
 
 namespace ribbon {
 
-// The line as drawn: "[######..................] 123/600 frames, ETA 0:42, strain 4.1 %", cut off
+// The line as drawn: "[####............] 123/600 frames, ETA 0:42, strain 4.1 %", cut off
 // so that it fits `columns` of a terminal. The time left assumes that what is still to do goes as
 // fast as what is done.
 std::string progress_text(const std::string& unit, int done, int total, double elapsed_s,

@@ -16,13 +16,13 @@ namespace {
 TEST(ProgressText, tells_how_far_and_how_long_still) {
   // A quarter took 10 s, so three quarters take 30 s.
   EXPECT_EQ(progress_text("frame", 25, 100, 10, "strain 4.1 %", 80),
-            "[######..................] 25/100 frames, ETA 0:30, strain 4.1 %");
+            "[####............] 25/100 frames, ETA 0:30, strain 4.1 %");
 }
 
 TEST(ProgressText, has_no_forecast_before_the_first_and_after_the_last) {
-  EXPECT_EQ(progress_text("frame", 0, 100, 10, "", 80), "[........................] 0/100 frames");
+  EXPECT_EQ(progress_text("frame", 0, 100, 10, "", 80), "[................] 0/100 frames");
   EXPECT_EQ(progress_text("frame", 100, 100, 10, "", 80),
-            "[########################] 100/100 frames");
+            "[################] 100/100 frames");
 }
 
 TEST(ProgressText, long_jobs_are_told_in_hours) {
@@ -31,17 +31,17 @@ TEST(ProgressText, long_jobs_are_told_in_hours) {
 }
 
 TEST(ProgressText, one_unit_is_singular) {
-  EXPECT_EQ(progress_text("file", 1, 1, 1, "", 80), "[########################] 1/1 file");
+  EXPECT_EQ(progress_text("file", 1, 1, 1, "", 80), "[################] 1/1 file");
 }
 
 TEST(ProgressText, fits_the_terminal) {
-  EXPECT_EQ(progress_text("frame", 25, 100, 10, "strain", 30), "[######..................] 25");
+  EXPECT_EQ(progress_text("frame", 25, 100, 10, "strain", 22), "[####............] 25");
   EXPECT_EQ(progress_text("frame", 25, 100, 10, "strain", 0), "");
 }
 
 TEST(ProgressText, survives_empty_and_overfull_jobs) {
-  EXPECT_EQ(progress_text("frame", 0, 0, 0, "", 80), "[########################] 0/0 frames");
-  EXPECT_EQ(progress_text("frame", 5, 4, 1, "", 80), "[########################] 5/4 frames");
+  EXPECT_EQ(progress_text("frame", 0, 0, 0, "", 80), "[################] 0/0 frames");
+  EXPECT_EQ(progress_text("frame", 5, 4, 1, "", 80), "[################] 5/4 frames");
 }
 
 // Standard error as `descriptor` while it lives.
@@ -94,7 +94,7 @@ TEST(ProgressLine, draws_on_a_terminal_and_removes_itself) {
     line.update(2, "a remark that is much too long for this narrow terminal");
   });
   ASSERT_GT(seen.size(), 2 * erased.size());
-  EXPECT_EQ(seen.substr(0, 44), erased + "[############............] 2/4 frames, E");
+  EXPECT_EQ(seen.substr(0, 36), erased + "[########........] 2/4 frames, E");
   EXPECT_EQ(seen.size(), 59 + 2 * erased.size());
   EXPECT_EQ(seen.substr(seen.size() - erased.size()), erased);
 }
