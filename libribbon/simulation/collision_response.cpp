@@ -28,11 +28,10 @@ bool repel_once(Bodies& bodies, const ContactSettings& settings, Hierarchy::Spar
 
 }  // namespace
 
-int repel_collisions(Bodies& bodies, const ContactSettings& settings, Hierarchy::Spare spare,
-                     const Eigen::Matrix3Xd& before, Cloth& cloth) {
-  int rounds = 0;
-  while (rounds < settings.rounds && repel_once(bodies, settings, spare, before, cloth)) ++rounds;
-  return rounds;
+void repel_collisions(Bodies& bodies, const ContactSettings& settings, Hierarchy::Spare spare,
+                      const Eigen::Matrix3Xd& before, Cloth& cloth) {
+  for (int round = 0; round < settings.rounds; ++round)
+    if (!repel_once(bodies, settings, spare, before, cloth)) return;
 }
 
 }  // namespace ribbon

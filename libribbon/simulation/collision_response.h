@@ -15,9 +15,8 @@ struct ContactSettings {
 };
 
 // Repels all features that collide on their straight way from `before` (3 x vertices) to the
-// cloth's present positions, again and again until none does or the rounds are used up. Returns the
-// rounds in which a collision was found.
-int repel_collisions(Bodies& bodies, const ContactSettings& settings, Hierarchy::Spare spare,
-                     const Eigen::Matrix3Xd& before, Cloth& cloth);
+// cloth's present positions, again and again until none does or the rounds are used up.
+void repel_collisions(Bodies& bodies, const ContactSettings& settings, Hierarchy::Spare spare,
+                      const Eigen::Matrix3Xd& before, Cloth& cloth);
 
 }  // namespace ribbon

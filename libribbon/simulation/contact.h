@@ -20,17 +20,12 @@ class Contact {
  public:
   virtual ~Contact() = default;
 
-  struct Report {
-    int collision_rounds = 0;
-    int recovery_iterations = 0;
-  };
-
   // After the displacement from `before`: detecting collisions and adding repulsions (section 5.4).
-  virtual Report after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) = 0;
+  virtual void after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) = 0;
 
-  // After the smoothing: recovering from errors (section 5.6), or not letting them happen.
-  // Called any number of times after after_displacement.
-  virtual Report after_smoothing(Cloth& cloth) = 0;
+  // After the smoothing: recovering from errors (section 5.6), or not letting them happen. Returns
+  // how often a recovery scheme was applied. Called any number of times after after_displacement.
+  virtual int after_smoothing(Cloth& cloth) = 0;
 };
 
 // As published: collisions are repelled as far as they are found, smoothing may push the ribbon

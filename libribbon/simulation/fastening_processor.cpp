@@ -70,7 +70,7 @@ FasteningProcessor::FasteningProcessor(const Scene& scene, const RibbonMesh& rib
 void FasteningProcessor::settle() {
   const Matrix3Xd start = cloth_.positions;
   contact_->after_displacement(start, cloth_);
-  for (int round = 0; round < settling_rounds && correct_strain() > 0; ++round)
+  for (int round = 0; round < settling_rounds && correct_strain(); ++round)
     contact_->after_smoothing(cloth_);
   cloth_.velocities.setZero();
 }
@@ -78,14 +78,11 @@ void FasteningProcessor::settle() {
 StepReport FasteningProcessor::step() {
   const Matrix3Xd before = cloth_.positions;
   integrate(springs_, fastening_force(), air_resistance_per_s_, step_s_, substeps_, cloth_);
-  const Contact::Report collisions = contact_->after_displacement(before, cloth_);
-  const int correction_rounds = correct_strain();
-  const Contact::Report recovery = contact_->after_smoothing(cloth_);
+  contact_->after_displacement(before, cloth_);
+  correct_strain();
+  const int recovery_iterations = contact_->after_smoothing(cloth_);
   ++steps_;
-  return {.worst_strain = worst_strain(springs_, cloth_.positions),
-          .collision_rounds = collisions.collision_rounds,
-          .correction_rounds = correction_rounds,
-          .recovery_iterations = recovery.recovery_iterations};
+  return {recovery_iterations};
 }
 
 int FasteningProcessor::penetrating_edges() {
@@ -108,8 +105,8 @@ Matrix3Xd FasteningProcessor::fastening_force() {
 }
 
 // while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes
-// their velocities, so that the springs are not stretched again in the next step.
-int FasteningProcessor::correct_strain() {
+// their velocities, so that the springs are not stretched again in the next step. Was there any?
+bool FasteningProcessor::correct_strain() {
   const Matrix3Xd before = cloth_.positions;
   int rounds = 0;
   while (rounds < correction_rounds && strain_correction_.any_over_limit(cloth_.positions)) {
@@ -118,7 +115,7 @@ int FasteningProcessor::correct_strain() {
   }
   if (rounds > 0)
     cloth_.velocities += (cloth_.positions - before).leftCols(cloth_.particle_count()) / step_s_;
-  return rounds;
+  return rounds > 0;
 }
 
 }  // namespace ribbon

@@ -20,9 +20,6 @@ namespace ribbon {
 
 // What one step brought about.
 struct StepReport {
-  double worst_strain = 0;      // largest |length / rest length - 1| of stretch and shear springs
-  int collision_rounds = 0;     // repulsion rounds until no collision was left, or the limit
-  int correction_rounds = 0;    // of the post-step correction
   int recovery_iterations = 0;  // of Figure 15
 };
 
@@ -48,7 +45,7 @@ class FasteningProcessor {
  private:
   Eigen::Matrix3Xd fastening_force();
   void settle();
-  int correct_strain();
+  bool correct_strain();
 
   double step_s_;
   double air_resistance_per_s_;

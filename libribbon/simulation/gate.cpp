@@ -56,8 +56,7 @@ Vector4d shares_of_way(FeaturePair::Kind kind, const Corners& start, const Corne
   return shares.cwiseMin(1).cwiseMax(0);
 }
 
-GateReport pass_gate(Bodies& bodies, double min_gap_m, const Matrix3Xd& wished,
-                     Matrix3Xd& positions) {
+int pass_gate(Bodies& bodies, double min_gap_m, const Matrix3Xd& wished, Matrix3Xd& positions) {
   const std::vector<FeaturePair> pairs =
       swept_pairs(bodies, Hierarchy::Spare::boxes, positions, wished, min_gap_m);
   std::vector<Vector4d> shares(pairs.size());
@@ -80,17 +79,16 @@ GateReport pass_gate(Bodies& bodies, double min_gap_m, const Matrix3Xd& wished,
       double& of_vertex = share[pairs[i].vertices[static_cast<std::size_t>(k)]];
       of_vertex = std::min(of_vertex, shares[i][k]);
     }
-  GateReport report;
-  report.pairs = static_cast<int>(pairs.size());
+  int held_back = 0;
   for (Eigen::Index vertex = 0; vertex < positions.cols(); ++vertex) {
     if (share[vertex] == 1) {
       positions.col(vertex) = wished.col(vertex);
     } else {
       positions.col(vertex) += share[vertex] * (wished.col(vertex) - positions.col(vertex));
-      ++report.held_back;
+      ++held_back;
     }
   }
-  return report;
+  return held_back;
 }
 
 }  // namespace ribbon

@@ -9,11 +9,6 @@
 
 namespace ribbon {
 
-struct GateReport {
-  int pairs = 0;      // that the step could have brought together
-  int held_back = 0;  // vertices that did not get all of their way
-};
-
 // Moves `positions` (3 x vertices) toward `wished`, as far as it is certain that no two features
 // that share no vertex come closer than min_gap_m, or, where they are closer already, any closer at
 // all.
@@ -26,10 +21,12 @@ struct GateReport {
 // hold at every instant of the straight motion. Motion along a contact and away from it is free.
 // A pair that no plane separates, because it touches or nearly does, stays where it is.
 //
+// Returns how many vertices did not get all of their way.
+//
 // Cf. planar "divide and truncate" bounds (Chen et al. 2026) and per-vertex conservative bounds
 // (Offset Geometric Contact, Chen et al. 2025).
-GateReport pass_gate(Bodies& bodies, double min_gap_m, const Eigen::Matrix3Xd& wished,
-                     Eigen::Matrix3Xd& positions);
+int pass_gate(Bodies& bodies, double min_gap_m, const Eigen::Matrix3Xd& wished,
+              Eigen::Matrix3Xd& positions);
 
 // The part of its way from `start` to `wished` (3 x 4 corners of `kind`) that each of the pair's
 // vertices may go, 0 ... 1, so that the gap stays above min_gap_m.

@@ -21,27 +21,23 @@ class GatedContact : public Contact {
         collision_settings_{.gap_m = std::max(0.2 * lengths.edge_m, 2 * min_gap_m_), .rounds = 3},
         step_s_(step_s) {}
 
-  Report after_displacement(const Matrix3Xd& before, Cloth& cloth) override {
-    return pass(before, cloth);
-  }
+  void after_displacement(const Matrix3Xd& before, Cloth& cloth) override { pass(before, cloth); }
 
-  Report after_smoothing(Cloth& cloth) override {
+  int after_smoothing(Cloth& cloth) override {
     const Matrix3Xd certified = certified_;
-    return pass(certified, cloth);
+    pass(certified, cloth);
+    return 0;
   }
 
  private:
   // From `certified` toward the cloth's wish, repelled first and then as far as the gate lets.
-  Report pass(const Matrix3Xd& certified, Cloth& cloth) {
-    Report report;
-    report.collision_rounds =
-        repel_collisions(bodies_, collision_settings_, Hierarchy::Spare::boxes, certified, cloth);
+  void pass(const Matrix3Xd& certified, Cloth& cloth) {
+    repel_collisions(bodies_, collision_settings_, Hierarchy::Spare::boxes, certified, cloth);
     const Matrix3Xd wished = cloth.positions;
     cloth.positions = certified;
     pass_gate(bodies_, min_gap_m_, wished, cloth.positions);
     cloth.velocities += (cloth.positions - wished).leftCols(cloth.particle_count()) / step_s_;
     certified_ = cloth.positions;
-    return report;
   }
 
   Bodies& bodies_;

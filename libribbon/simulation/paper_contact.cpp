@@ -13,16 +13,13 @@ class PaperContact : public Contact {
         collision_settings_{.gap_m = 0.1 * lengths.edge_m},
         recovery_settings_{.gap_m = 0.1 * lengths.edge_m, .step_m = 0.5 * lengths.edge_m} {}
 
-  Report after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) override {
-    return {.collision_rounds = repel_collisions(
-                bodies_, collision_settings_, Hierarchy::Spare::curvature_and_boxes, before, cloth),
-            .recovery_iterations = 0};
+  void after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) override {
+    repel_collisions(bodies_, collision_settings_, Hierarchy::Spare::curvature_and_boxes, before,
+                     cloth);
   }
 
-  Report after_smoothing(Cloth& cloth) override {
-    return {
-        .collision_rounds = 0,
-        .recovery_iterations = recover(bodies_, recovery_settings_, cloth.positions).iterations};
+  int after_smoothing(Cloth& cloth) override {
+    return recover(bodies_, recovery_settings_, cloth.positions).iterations;
   }
 
  private:

@@ -131,9 +131,9 @@ TEST(FasteningProcessor, a_scene_that_asks_for_nothing_leaves_the_ribbon_at_rest
   straight.length_m = 0.02 * (ribbon.along - 1);
   const RibbonMesh mesh = generate_ribbon_mesh(straight, ribbon, Axis::y);
   FasteningProcessor nothing(scene, mesh, std::nullopt);
-  const StepReport report = nothing.step();
+  nothing.step();
   EXPECT_EQ(nothing.positions(), mesh.positions);
-  EXPECT_EQ(report.worst_strain, 0);
+  EXPECT_EQ(nothing.strain(), 0);
 }
 
 }  // namespace
