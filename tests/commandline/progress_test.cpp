@@ -21,8 +21,7 @@ TEST(ProgressText, tells_how_far_and_how_long_still) {
 
 TEST(ProgressText, has_no_forecast_before_the_first_and_after_the_last) {
   EXPECT_EQ(progress_text("frame", 0, 100, 10, "", 80), "[................] 0/100 frames");
-  EXPECT_EQ(progress_text("frame", 100, 100, 10, "", 80),
-            "[################] 100/100 frames");
+  EXPECT_EQ(progress_text("frame", 100, 100, 10, "", 80), "[################] 100/100 frames");
 }
 
 TEST(ProgressText, long_jobs_are_told_in_hours) {
