@@ -39,7 +39,7 @@ RecordingHeader header_of(const Scene& scene, const std::string& writer, const R
   header.ribbon_length_m = ribbon.length_m;
   header.ribbon_width_m = ribbon.width_m;
   header.frames_per_second = scene.recording.frames_per_second;
-  header.max_position_error_m = scene.recording.max_position_error * ribbon.length_m;
+  header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
   header.obstacle = obstacle;
   return header;
 }

@@ -76,6 +76,10 @@ struct TimeScene {
 struct RecordingScene {
   double frames_per_second = 50;
   double max_position_error = 1e-5;  // of the ribbon's length, per coordinate
+
+  [[nodiscard]] double max_position_error_m(double ribbon_length_m) const {
+    return max_position_error * ribbon_length_m;
+  }
 };
 
 struct Scene {

@@ -14,13 +14,6 @@ using Eigen::Vector4d;
 
 using Corners = Eigen::Matrix<double, 3, 4>;  // the four vertices of a pair
 
-Corners corners(const FeaturePair& pair, const Matrix3Xd& positions) {
-  Corners result;
-  for (int k = 0; k < 4; ++k)
-    result.col(k) = positions.col(pair.vertices[static_cast<std::size_t>(k)]);
-  return result;
-}
-
 // The direction that both kinds of pair are separated along when their contact lies inside both
 // features: the triangle's normal, or the common perpendicular of the edges. Not normalised.
 Vector3d separating_direction(FeaturePair::Kind kind, const Corners& x) {

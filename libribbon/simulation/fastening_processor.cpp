@@ -1,7 +1,6 @@
 #include "simulation/fastening_processor.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "simulation/integrate.h"
@@ -54,7 +53,7 @@ FasteningProcessor::FasteningProcessor(const Scene& scene, const RibbonMesh& rib
                  obstacle_body(obstacle, ribbon.grid.particle_count(), cloth_.positions)})),
       strain_correction_(ribbon.grid, ribbon.length_m, ribbon.width_m, strain_limit) {
   const ContactLengths lengths{shortest_edge_m(ribbon),
-                               scene.recording.max_position_error * ribbon.length_m};
+                               scene.recording.max_position_error_m(ribbon.length_m)};
   contact_ = scene.contact == ContactMethod::paper ? paper_contact(*bodies_, lengths)
                                                    : gated_contact(*bodies_, lengths, step_s_);
   if (scene.fastening)

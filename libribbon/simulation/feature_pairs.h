@@ -20,6 +20,15 @@ struct FeaturePair {
   std::array<int, 4> vertices{};
 };
 
+// Where the pair's four vertices are, in its order. positions: 3 x at least all vertices.
+inline Eigen::Matrix<double, 3, 4> corners(const FeaturePair& pair,
+                                           const Eigen::Matrix3Xd& positions) {
+  Eigen::Matrix<double, 3, 4> result;
+  for (int k = 0; k < 4; ++k)
+    result.col(k) = positions.col(pair.vertices[static_cast<std::size_t>(k)]);
+  return result;
+}
+
 // The feature pairs of `pairs` (triangles of surface a and of surface b, which may be the same
 // object) whose boxes over the way from t0 to t1, grown by margin_m, meet. Each pair of features is
 // listed once.

@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "parallel/parallel.h"
 #include "simulation/closest_weights.h"
@@ -62,13 +60,8 @@ int pass_gate(Bodies& bodies, double min_gap_m, const Matrix3Xd& wished, Matrix3
   std::vector<Vector4d> shares(pairs.size());
   parallel_ranges(pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      Corners start;
-      Corners way;
-      for (int k = 0; k < 4; ++k) {
-        const int vertex = pairs[i].vertices[static_cast<std::size_t>(k)];
-        start.col(k) = positions.col(vertex);
-        way.col(k) = wished.col(vertex) - positions.col(vertex);
-      }
+      const Corners start = corners(pairs[i], positions);
+      const Corners way = corners(pairs[i], wished) - start;
       shares[i] = shares_of_way(pairs[i].kind, start, way, min_gap_m);
     }
   });

@@ -23,9 +23,8 @@ using Kind = FeaturePair::Kind;
 double smallest_gap_m(Bodies& bodies, const Matrix3Xd& x, double query_m) {
   double smallest = query_m;
   for (const FeaturePair& pair : swept_pairs(bodies, Hierarchy::Spare::boxes, x, x, query_m)) {
-    Corners corners;
-    for (int k = 0; k < 4; ++k) corners.col(k) = x.col(pair.vertices[static_cast<std::size_t>(k)]);
-    smallest = std::min(smallest, (corners * closest_weights(pair.kind, corners)).norm());
+    const Corners x_pair = corners(pair, x);
+    smallest = std::min(smallest, (x_pair * closest_weights(pair.kind, x_pair)).norm());
   }
   return smallest;
 }
