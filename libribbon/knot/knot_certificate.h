@@ -1,0 +1,40 @@
+// What no motion without passing through itself can change about a ribbon tied round an object.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "knot/laurent_polynomial.h"
+
+namespace ribbon {
+
+// Certificates of two frames differ if and only if something passed through something, or an end
+// was lost (docs/knot-certificate.md).
+struct KnotCertificate {
+  // An end is buried when no straight ray leads from it to the far without meeting the ribbon, or
+  // none that continues the closure of the frames before. It stays so: what the ribbon was closed
+  // to before cannot be known again.
+  bool first_end_buried = false;
+  bool last_end_buried = false;
+  // Some coordinate of a frame was infinite or not a number.
+  bool broken_positions = false;
+
+  // Jones polynomial of the centre line: the type of the knot, mirror images apart. Empty when an
+  // end is buried or the diagram is too tangled to be computed.
+  std::optional<LaurentPolynomial> jones;
+  // Linking number of the two selvages. Empty when an end is buried.
+  std::optional<int> selvage_linking;
+  // How often the centre line goes round the axis, counter-clockwise looking against its direction.
+  // Empty without an axis.
+  std::optional<int> turns_about_axis;
+  // The centre line, or the trail of one of its ends, has met the axis exactly.
+  bool axis_met = false;
+
+  // For people, on one line, such as "trefoil, right-handed (3 crossings); 1 turn about the axis;
+  // selvages linked 2 times".
+  [[nodiscard]] std::string text() const;
+
+  bool operator==(const KnotCertificate&) const = default;
+};
+
+}  // namespace ribbon
