@@ -44,10 +44,11 @@ std::optional<Collision> find_collision(const FeaturePair& pair, const Matrix3Xd
     const Corners x = (1 - t) * x0 + t * x1;
     const Vector4d weights = closest_weights(pair.kind, x);
     // Coplanar at this instant, they either meet or lie beside each other.
-    if ((x * weights).norm() > gap_m) return std::nullopt;
-    direction1 *= side0 > 0 ? 1 : -1;
-    const Vector3d normal = direction1.normalized();
-    return Collision{weights, normal, normal.dot(x1 * weights)};
+    if ((x * weights).norm() <= gap_m) {
+      direction1 *= side0 > 0 ? 1 : -1;
+      const Vector3d normal = direction1.normalized();
+      return Collision{weights, normal, normal.dot(x1 * weights)};
+    }
   }
 
   const Vector4d weights = closest_weights(pair.kind, x1);

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
-#include "simulation/bodies.h"
 #include "simulation/cloth.h"
+#include "simulation/feature_pairs.h"
 
 namespace ribbon {
 
@@ -14,9 +15,9 @@ struct ContactSettings {
   int rounds = 10;           // of detection and repulsion, at most
 };
 
-// Repels all features that collide on their straight way from `before` (3 x vertices) to the
-// cloth's present positions, again and again until none does or the rounds are used up.
-void repel_collisions(Bodies& bodies, const ContactSettings& settings, Hierarchy::Spare spare,
-                      const Eigen::Matrix3Xd& before, Cloth& cloth);
+// Repels once each of `pairs` that collides on its straight way from `before` (3 x vertices) to the
+// cloth's present positions. Was there one?
+bool repel_once(std::span<const FeaturePair> pairs, const ContactSettings& settings,
+                const Eigen::Matrix3Xd& before, Cloth& cloth);
 
 }  // namespace ribbon

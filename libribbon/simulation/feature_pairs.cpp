@@ -2,22 +2,19 @@
 
 #include <algorithm>
 
-#include "geometry/box.h"
 #include "parallel/parallel.h"
 
 namespace ribbon {
 
 namespace {
 
-using Eigen::Matrix3Xd;
-
 // Lists the pairs of features of two triangles that neighbouring triangle pairs do not list as
 // well.
 class PairLister {
  public:
-  PairLister(const CollisionSurface& a, const CollisionSurface& b, const Matrix3Xd& t0,
-             const Matrix3Xd& t1, double margin_m)
-      : a_(a), b_(b), t0_(t0), t1_(t1), margin_m_(margin_m) {}
+  PairLister(const CollisionSurface& a, const CollisionSurface& b, std::span<const Box> ranges,
+             double margin_m)
+      : a_(a), b_(b), ranges_(ranges), margin_m_(margin_m) {}
 
   void list(const TrianglePair& pair, std::vector<FeaturePair>& found) const {
     const Box box_a = box(a_, pair.a);
@@ -48,10 +45,8 @@ class PairLister {
     box.grow(margin_m_);
     return box;
   }
-  [[nodiscard]] Box box(int vertex) const {
-    Box result = Box::around(t0_.col(vertex));
-    result.include(t1_.col(vertex));
-    return result;
+  [[nodiscard]] const Box& box(int vertex) const {
+    return ranges_[static_cast<std::size_t>(vertex)];
   }
   [[nodiscard]] Box box(const Edge& edge) const {
     Box result = box(edge[0]);
@@ -82,18 +77,17 @@ class PairLister {
 
   const CollisionSurface& a_;
   const CollisionSurface& b_;
-  const Matrix3Xd& t0_;
-  const Matrix3Xd& t1_;
+  std::span<const Box> ranges_;
   double margin_m_;
 };
 
 }  // namespace
 
 std::vector<FeaturePair> feature_pairs(const CollisionSurface& a, const CollisionSurface& b,
-                                       std::span<const TrianglePair> pairs, const Matrix3Xd& t0,
-                                       const Matrix3Xd& t1, double margin_m) {
+                                       std::span<const TrianglePair> pairs,
+                                       std::span<const Box> ranges, double margin_m) {
   constexpr std::size_t grain = 256;
-  const PairLister lister(a, b, t0, t1, margin_m);
+  const PairLister lister(a, b, ranges, margin_m);
   std::vector<std::vector<FeaturePair>> found((pairs.size() + grain - 1) / grain);
   parallel_ranges(pairs.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) lister.list(pairs[i], found[begin / grain]);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/box.h"
 #include "simulation/collision_surface.h"
 #include "simulation/hierarchy.h"
 
@@ -30,11 +31,10 @@ inline Eigen::Matrix<double, 3, 4> corners(const FeaturePair& pair,
 }
 
 // The feature pairs of `pairs` (triangles of surface a and of surface b, which may be the same
-// object) whose boxes over the way from t0 to t1, grown by margin_m, meet. Each pair of features is
-// listed once.
+// object) whose boxes over the ranges of their vertices come within margin_m of each other. Each
+// pair of features is listed once.
 std::vector<FeaturePair> feature_pairs(const CollisionSurface& a, const CollisionSurface& b,
                                        std::span<const TrianglePair> pairs,
-                                       const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1,
-                                       double margin_m);
+                                       std::span<const Box> ranges, double margin_m);
 
 }  // namespace ribbon

@@ -1,87 +1,102 @@
 #include "simulation/gate.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <vector>
 
 #include "parallel/parallel.h"
-#include "simulation/closest_weights.h"
-#include "simulation/swept_pairs.h"
+#include "simulation/separating_plane.h"
 
 namespace ribbon {
 
 namespace {
 
 using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
 using Eigen::Vector4d;
-using Corners = Eigen::Matrix<double, 3, 4>;
 
-// The part of the gap that one passage may use up; the rest keeps rounding harmless.
-constexpr double usable = 0.9;
+// Where each vertex wishes to be inside its range.
+Matrix3Xd confined(const std::vector<Box>& ranges, const Matrix3Xd& wished) {
+  Matrix3Xd inside(3, wished.cols());
+  for (Eigen::Index vertex = 0; vertex < wished.cols(); ++vertex) {
+    const Box& range = ranges[static_cast<std::size_t>(vertex)];
+    inside.col(vertex) = wished.col(vertex).cwiseMax(range.low).cwiseMin(range.high);
+  }
+  return inside;
+}
+
+// The share of its way that each vertex may go: the least that any of its pairs leaves it.
+class LeastShares {
+ public:
+  LeastShares(const Surroundings& surroundings, double min_gap_m, const Matrix3Xd& positions,
+              const Matrix3Xd& way)
+      : surroundings_(surroundings),
+        min_gap_m_(min_gap_m),
+        positions_(positions),
+        way_(way),
+        shares_(Eigen::VectorXd::Ones(way.cols())) {}
+
+  // Pairs whose vertices move together stay apart by themselves, as long as each goes all its way.
+  // So first the others are bounded, and then, until no more vertices are held back, those that
+  // move together no longer.
+  Eigen::VectorXd find() {
+    std::vector<char> is_bounded(surroundings_.pairs.size());
+    std::vector<std::size_t> next =
+        approaching_pairs(surroundings_, positions_, way_, min_gap_m_ * (1 + 1e-9));
+    while (!next.empty()) {
+      for (const std::size_t i : next) is_bounded[i] = 1;
+      bound(next);
+      next.clear();
+      for (std::size_t i = 0; i < is_bounded.size(); ++i)
+        if (is_bounded[i] == 0 && any_is_held_back(i)) next.push_back(i);
+    }
+    return shares_;
+  }
+
+ private:
+  [[nodiscard]] bool any_is_held_back(std::size_t i) const {
+    const auto& v = surroundings_.pairs[i].vertices;
+    return shares_[v[0]] < 1 || shares_[v[1]] < 1 || shares_[v[2]] < 1 || shares_[v[3]] < 1;
+  }
+
+  void bound(const std::vector<std::size_t>& indices) {
+    std::vector<Vector4d> of_pair(indices.size());
+    parallel_ranges(indices.size(), 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        const FeaturePair& pair = surroundings_.pairs[indices[n]];
+        of_pair[n] =
+            shares_of_way(pair.kind, corners(pair, positions_), corners(pair, way_), min_gap_m_);
+      }
+    });
+    for (std::size_t n = 0; n < indices.size(); ++n)
+      for (int k = 0; k < 4; ++k) {
+        const auto vertex = surroundings_.pairs[indices[n]].vertices[static_cast<std::size_t>(k)];
+        shares_[vertex] = std::min(shares_[vertex], of_pair[n][k]);
+      }
+  }
+
+  const Surroundings& surroundings_;
+  double min_gap_m_;
+  const Matrix3Xd& positions_;
+  const Matrix3Xd& way_;
+  Eigen::VectorXd shares_;
+};
 
 }  // namespace
 
-Vector4d shares_of_way(FeaturePair::Kind kind, const Corners& start, const Corners& way,
-                       double min_gap_m) {
-  const int first_count = kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
-  const Vector3d apart = start * closest_weights(kind, start);
-  const double distance_m = apart.norm();
-  if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches
-  const Vector3d normal = apart / distance_m;
-
-  // Heights over the plane's direction: the first feature lies above the second.
-  const Vector4d height = start.transpose() * normal;
-  const Vector4d rise = way.transpose() * normal;
-  const double lowest_first = height.head(first_count).minCoeff();
-  const double highest_second = height.tail(4 - first_count).maxCoeff();
-  // Almost touching features lie aslant to the rounded direction: it does not separate them.
-  if (lowest_first <= highest_second) return Vector4d::Zero();
-  const double room_m = std::max(0.0, usable * (lowest_first - highest_second - min_gap_m));
-  const double sink_first = std::max(0.0, -rise.head(first_count).minCoeff());
-  const double climb_second = std::max(0.0, rise.tail(4 - first_count).maxCoeff());
-  Vector4d shares = Vector4d::Ones();
-  if (sink_first + climb_second <= room_m) return shares;
-
-  const double room_per_way = room_m / (sink_first + climb_second);
-  const double floor_of_first = lowest_first - sink_first * room_per_way;
-  const double ceiling_of_second = highest_second + climb_second * room_per_way;
-  for (int k = 0; k < first_count; ++k)
-    if (rise[k] < 0 && height[k] + rise[k] < floor_of_first)
-      shares[k] = room_m > 0 ? (height[k] - floor_of_first) / -rise[k] : 0;
-  for (int k = first_count; k < 4; ++k)
-    if (rise[k] > 0 && height[k] + rise[k] > ceiling_of_second)
-      shares[k] = room_m > 0 ? (ceiling_of_second - height[k]) / rise[k] : 0;
-  return shares.cwiseMin(1).cwiseMax(0);
-}
-
-int pass_gate(Bodies& bodies, double min_gap_m, const Matrix3Xd& wished, Matrix3Xd& positions) {
-  const std::vector<FeaturePair> pairs =
-      swept_pairs(bodies, Hierarchy::Spare::boxes, positions, wished, min_gap_m);
-  std::vector<Vector4d> shares(pairs.size());
-  parallel_ranges(pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Corners start = corners(pairs[i], positions);
-      const Corners way = corners(pairs[i], wished) - start;
-      shares[i] = shares_of_way(pairs[i].kind, start, way, min_gap_m);
-    }
-  });
-
-  Eigen::VectorXd share = Eigen::VectorXd::Ones(positions.cols());
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    for (int k = 0; k < 4; ++k) {
-      double& of_vertex = share[pairs[i].vertices[static_cast<std::size_t>(k)]];
-      of_vertex = std::min(of_vertex, shares[i][k]);
-    }
-  int held_back = 0;
+Passage pass_gate(const Surroundings& surroundings, double min_gap_m, const Matrix3Xd& wished,
+                  Matrix3Xd& positions) {
+  const Matrix3Xd goal = confined(surroundings.ranges, wished);
+  const Matrix3Xd way = goal - positions;
+  const Eigen::VectorXd share = LeastShares(surroundings, min_gap_m, positions, way).find();
+  Passage passage;
   for (Eigen::Index vertex = 0; vertex < positions.cols(); ++vertex) {
-    if (share[vertex] == 1) {
-      positions.col(vertex) = wished.col(vertex);
-    } else {
-      positions.col(vertex) += share[vertex] * (wished.col(vertex) - positions.col(vertex));
-      ++held_back;
-    }
+    if (share[vertex] == 1)
+      positions.col(vertex) = goal.col(vertex);
+    else
+      positions.col(vertex) += share[vertex] * way.col(vertex);
+    passage.farthest_m = std::max(passage.farthest_m, share[vertex] * way.col(vertex).norm());
+    if (positions.col(vertex) != wished.col(vertex)) ++passage.held_back;
   }
-  return held_back;
+  return passage;
 }
 
 }  // namespace ribbon

@@ -3,12 +3,16 @@
 #include "simulation/collision_response.h"
 #include "simulation/contact.h"
 #include "simulation/gate.h"
+#include "simulation/surroundings.h"
 
 namespace ribbon {
 
 namespace {
 
 using Eigen::Matrix3Xd;
+
+// Layers that move together let each other pass one by one.
+constexpr int passages = 4;
 
 class GatedContact : public Contact {
  public:
@@ -19,32 +23,57 @@ class GatedContact : public Contact {
         min_gap_m_(std::clamp(4 * 1.7321 * lengths.rounding_m, 0.05 * lengths.edge_m,
                               0.2 * lengths.edge_m)),
         collision_settings_{.gap_m = std::max(0.2 * lengths.edge_m, 2 * min_gap_m_), .rounds = 3},
+        survey_lengths_{.reach_m = collision_settings_.gap_m,
+                        .slack_m = 0.15 * lengths.edge_m,
+                        .longest_way_m = 4 * lengths.edge_m},
+        negligible_m_(0.01 * lengths.edge_m),
         step_s_(step_s) {}
 
-  void after_displacement(const Matrix3Xd& before, Cloth& cloth) override { pass(before, cloth); }
+  void after_displacement(const Matrix3Xd& before, Cloth& cloth) override {
+    certified_ = before;
+    surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
+    pass(cloth);
+  }
 
   int after_smoothing(Cloth& cloth) override {
-    const Matrix3Xd certified = certified_;
-    pass(certified, cloth);
+    // A few vertices that wish to leave their ranges are held back; many are worth a new survey.
+    if (100 * count_outside(surroundings_, cloth.positions) > cloth.particle_count())
+      surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
+    pass(cloth);
     return 0;
   }
 
  private:
-  // From `certified` toward the cloth's wish, repelled first and then as far as the gate lets.
-  void pass(const Matrix3Xd& certified, Cloth& cloth) {
-    repel_collisions(bodies_, collision_settings_, Hierarchy::Spare::boxes, certified, cloth);
-    const Matrix3Xd wished = cloth.positions;
-    cloth.positions = certified;
-    pass_gate(bodies_, min_gap_m_, wished, cloth.positions);
-    cloth.velocities += (cloth.positions - wished).leftCols(cloth.particle_count()) / step_s_;
-    certified_ = cloth.positions;
+  // From the certified positions toward the cloth's wish, repelled first and then as far as the
+  // gate lets.
+  void pass(Cloth& cloth) {
+    repel(cloth);
+    for (int i = 0; i < passages; ++i) {
+      const Passage passage = pass_gate(surroundings_, min_gap_m_, cloth.positions, certified_);
+      if (passage.held_back == 0 || passage.farthest_m < negligible_m_) break;
+    }
+    cloth.velocities += (certified_ - cloth.positions).leftCols(cloth.particle_count()) / step_s_;
+    cloth.positions = certified_;
+  }
+
+  void repel(Cloth& cloth) {
+    std::vector<FeaturePair> pairs;
+    for (const std::size_t i :
+         approaching_pairs(surroundings_, certified_, cloth.positions - certified_,
+                           survey_lengths_.reach_m + survey_lengths_.slack_m))
+      pairs.push_back(surroundings_.pairs[i]);
+    for (int round = 0; round < collision_settings_.rounds; ++round)
+      if (!repel_once(pairs, collision_settings_, certified_, cloth)) return;
   }
 
   Bodies& bodies_;
   double min_gap_m_;
   ContactSettings collision_settings_;
+  SurveyLengths survey_lengths_;
+  double negligible_m_;
   double step_s_;
-  Matrix3Xd certified_;
+  Matrix3Xd certified_;  // positions that the gate has let pass
+  Surroundings surroundings_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "parallel/parallel.h"
+#include "simulation/vertex_ranges.h"
 
 namespace ribbon {
 
@@ -188,7 +189,6 @@ Hierarchy::Hierarchy(const CollisionSurface& surface, const Matrix3Xd& positions
   }
   const std::size_t nodes = first_child_.size() - 1;
   boxes_.resize(nodes);
-  curvatures_.resize(nodes);
 
   // A vertex lies on a region's border while a triangle outside the region uses it.
   std::vector<int> uses(static_cast<std::size_t>(positions.cols()), 0);
@@ -213,40 +213,45 @@ Hierarchy::Hierarchy(const CollisionSurface& surface, const Matrix3Xd& positions
     for (const auto& [vertex, count] : within) border_.push_back(vertex);
     first_border_.push_back(static_cast<int>(border_.size()));
   }
-  refit(positions, positions, 0);
+  refit(vertex_ranges(positions, positions), 0);
 }
 
-void Hierarchy::refit(const Matrix3Xd& t0, const Matrix3Xd& t1, double margin_m) {
-  const bool moves = &t0 != &t1;
-  parallel_ranges(
-      static_cast<std::size_t>(triangles_.cols()), 2048, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t leaf = begin; leaf < end; ++leaf) {
-          const Eigen::Vector3i triangle = triangles_.col(static_cast<Eigen::Index>(leaf));
-          Box box = Box::around(t0.col(triangle[0]));
-          box.include(t0.col(triangle[1]));
-          box.include(t0.col(triangle[2]));
-          std::uint32_t curvature = directions_of(normal(t0, triangle));
-          if (moves) {
-            for (const int vertex : triangle) box.include(t1.col(vertex));
-            curvature &= directions_of(normal(t1, triangle));
-          }
-          box.grow(margin_m);
-          boxes_[leaf] = box;
-          curvatures_[leaf] = curvature;
-        }
-      });
-  for (auto node = static_cast<std::size_t>(triangles_.cols()); node < boxes_.size(); ++node) {
+// Bottom-up: each inner node joins its children.
+template <class Node, class Join>
+void Hierarchy::refit_inner(std::vector<Node>& nodes, const Join& join) const {
+  for (auto node = static_cast<std::size_t>(triangles_.cols()); node < nodes.size(); ++node) {
     const auto first = static_cast<std::size_t>(first_child_[node]);
-    Box box = boxes_[static_cast<std::size_t>(children_[first])];
-    std::uint32_t curvature = static_cast<int>(node) < first_joining_node_ ? ~0U : 0;
-    for (std::size_t c = first; c < static_cast<std::size_t>(first_child_[node + 1]); ++c) {
-      const auto child = static_cast<std::size_t>(children_[c]);
-      box.include(boxes_[child]);
-      curvature &= curvatures_[child];
-    }
-    boxes_[node] = box;
-    curvatures_[node] = curvature;
+    const auto last = static_cast<std::size_t>(first_child_[node + 1]);
+    Node joined = nodes[static_cast<std::size_t>(children_[first])];
+    for (std::size_t c = first + 1; c < last; ++c)
+      join(joined, nodes[static_cast<std::size_t>(children_[c])]);
+    nodes[node] = joined;
   }
+}
+
+void Hierarchy::refit(std::span<const Box> ranges, double margin_m) {
+  for (std::size_t leaf = 0; leaf < static_cast<std::size_t>(triangles_.cols()); ++leaf) {
+    const Eigen::Vector3i triangle = triangles_.col(static_cast<Eigen::Index>(leaf));
+    Box box = ranges[static_cast<std::size_t>(triangle[0])];
+    box.include(ranges[static_cast<std::size_t>(triangle[1])]);
+    box.include(ranges[static_cast<std::size_t>(triangle[2])]);
+    box.grow(margin_m);
+    boxes_[leaf] = box;
+  }
+  refit_inner(boxes_, [](Box& box, const Box& child) { box.include(child); });
+  curvatures_.clear();
+}
+
+void Hierarchy::refit_curvatures(const Matrix3Xd& t0, const Matrix3Xd& t1) {
+  curvatures_.resize(boxes_.size());
+  for (std::size_t leaf = 0; leaf < static_cast<std::size_t>(triangles_.cols()); ++leaf) {
+    const Eigen::Vector3i triangle = triangles_.col(static_cast<Eigen::Index>(leaf));
+    curvatures_[leaf] = directions_of(normal(t0, triangle)) & directions_of(normal(t1, triangle));
+  }
+  refit_inner(curvatures_, [](std::uint32_t& bits, std::uint32_t child) { bits &= child; });
+  // Pieces that nothing connects: flat each, and yet they can meet.
+  for (auto node = static_cast<std::size_t>(first_joining_node_); node < curvatures_.size(); ++node)
+    curvatures_[node] = 0;
 }
 
 bool Hierarchy::adjacent(int a, int b) const {
@@ -264,6 +269,7 @@ bool Hierarchy::adjacent(int a, int b) const {
 }
 
 bool Hierarchy::can_meet(const NodePair& pair, Spare spare) const {
+  assert(spare == Spare::boxes || curvatures_.size() == boxes_.size());
   const bool by_curvature =
       spare == Spare::curvature_and_boxes && (curvatures_[static_cast<std::size_t>(pair.a)] &
                                               curvatures_[static_cast<std::size_t>(pair.b)]) != 0;

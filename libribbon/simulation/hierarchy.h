@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/box.h"
@@ -17,21 +18,27 @@ struct TrianglePair {
 
 // A tree over the triangles of one surface. Each leaf is a triangle; a region one rank higher
 // groups the three adjacent regions whose common contour is shortest. The tree is built once; for
-// each step its swept boxes and curvatures are refitted bottom-up, boxes by union and curvatures by
-// bitwise and. A curvature has one bit for each of 14 directions: set while every normal of the
-// region points that way. While one bit is left the region is too flat to meet itself.
+// each detection its boxes and, where they are asked for, its curvatures are refitted bottom-up,
+// boxes by union and curvatures by bitwise and. A curvature has one bit for each of 14 directions:
+// set while every normal of the region points that way. While one bit is left the region is too
+// flat to meet itself.
 class Hierarchy {
  public:
   // What spares a pair of regions of one surface: `curvature_and_boxes` as published, or `boxes`
   // alone. Curvature spares much, but is blind to a band that lies flat over itself: its normals
   // all point one way although it has two layers. Where nothing may be missed, boxes decide.
+  // Curvature must have been refitted since the boxes were.
   enum class Spare { curvature_and_boxes, boxes };
 
   // positions: 3 x at least all vertices that the surface uses; measures the contours.
   Hierarchy(const CollisionSurface& surface, const Eigen::Matrix3Xd& positions);
 
-  // Boxes over the way from `t0` to `t1` (3 x vertices each), grown by margin_m on every side.
-  void refit(const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1, double margin_m);
+  // Boxes over the ranges of the vertices (one box for each vertex that the surface uses), grown by
+  // margin_m on every side. Forgets the curvatures.
+  void refit(std::span<const Box> ranges, double margin_m);
+
+  // Curvatures at both ends of a step (3 x vertices each).
+  void refit_curvatures(const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1);
 
   // Pairs of different triangles of this surface that may meet, in an order that depends on nothing
   // but the boxes and curvatures.
@@ -53,6 +60,8 @@ class Hierarchy {
   [[nodiscard]] bool adjacent(int a, int b) const;
   [[nodiscard]] bool can_meet(const NodePair& pair, Spare spare) const;
   void descend(const NodePair& pair, std::vector<NodePair>& next) const;
+  template <class Node, class Join>
+  void refit_inner(std::vector<Node>& nodes, const Join& join) const;
   static void descend(const Hierarchy& first, const Hierarchy& second, const NodePair& pair,
                       std::vector<NodePair>& next);
 

@@ -1,6 +1,7 @@
 #include "simulation/collision_response.h"
 #include "simulation/contact.h"
 #include "simulation/recovery.h"
+#include "simulation/swept_pairs.h"
 
 namespace ribbon {
 
@@ -14,8 +15,11 @@ class PaperContact : public Contact {
         recovery_settings_{.gap_m = 0.1 * lengths.edge_m, .step_m = 0.5 * lengths.edge_m} {}
 
   void after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) override {
-    repel_collisions(bodies_, collision_settings_, Hierarchy::Spare::curvature_and_boxes, before,
-                     cloth);
+    for (int round = 0; round < collision_settings_.rounds; ++round)
+      if (!repel_once(
+              swept_pairs_by_curvature(bodies_, before, cloth.positions, collision_settings_.gap_m),
+              collision_settings_, before, cloth))
+        return;
   }
 
   int after_smoothing(Cloth& cloth) override {

@@ -5,6 +5,7 @@
 
 #include "geometry/segment_triangle.h"
 #include "parallel/parallel.h"
+#include "simulation/vertex_ranges.h"
 
 namespace ribbon {
 
@@ -52,7 +53,9 @@ std::vector<Penetration> collect(const std::vector<TrianglePair>& pairs, const L
 
 std::vector<Penetration> self_penetrations(const CollisionSurface& surface, Hierarchy& hierarchy,
                                            Hierarchy::Spare spare, const Matrix3Xd& positions) {
-  hierarchy.refit(positions, positions, 0);
+  hierarchy.refit(vertex_ranges(positions, positions), 0);
+  if (spare == Hierarchy::Spare::curvature_and_boxes)
+    hierarchy.refit_curvatures(positions, positions);
   return collect(hierarchy.pairs_within(spare),
                  [&](const TrianglePair& pair, std::vector<Penetration>& found) {
                    list_piercing_edges(surface, pair.a, surface, pair.b, positions, found);
@@ -64,7 +67,7 @@ MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy&
                                        const CollisionSurface& second,
                                        const Hierarchy& second_hierarchy,
                                        const Matrix3Xd& positions) {
-  first_hierarchy.refit(positions, positions, 0);
+  first_hierarchy.refit(vertex_ranges(positions, positions), 0);
   const std::vector<TrianglePair> pairs = first_hierarchy.pairs_with(second_hierarchy);
   return {collect(pairs,
                   [&](const TrianglePair& pair, std::vector<Penetration>& found) {

@@ -1,23 +1,41 @@
 #include "simulation/swept_pairs.h"
 
+#include "simulation/vertex_ranges.h"
+
 namespace ribbon {
 
-std::vector<FeaturePair> swept_pairs(Bodies& bodies, Hierarchy::Spare spare,
-                                     const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1,
-                                     double margin_m) {
-  Body& ribbon = bodies.ribbon;
-  // The boxes of both partners are grown, the still obstacle's is not: the whole margin serves
-  // both.
-  ribbon.hierarchy.refit(t0, t1, margin_m);
+namespace {
+
+// The ribbon's hierarchy has been refitted to `ranges`, grown by margin_m: the boxes of both
+// partners are grown, the still obstacle's is not, so the whole margin serves both.
+std::vector<FeaturePair> list_pairs(const Bodies& bodies, Hierarchy::Spare spare,
+                                    std::span<const Box> ranges, double margin_m) {
+  const Body& ribbon = bodies.ribbon;
   std::vector<FeaturePair> pairs = feature_pairs(
-      ribbon.surface, ribbon.surface, ribbon.hierarchy.pairs_within(spare), t0, t1, margin_m);
+      ribbon.surface, ribbon.surface, ribbon.hierarchy.pairs_within(spare), ranges, margin_m);
   if (bodies.obstacle) {
     const std::vector<FeaturePair> with_obstacle =
         feature_pairs(ribbon.surface, bodies.obstacle->surface,
-                      ribbon.hierarchy.pairs_with(bodies.obstacle->hierarchy), t0, t1, margin_m);
+                      ribbon.hierarchy.pairs_with(bodies.obstacle->hierarchy), ranges, margin_m);
     pairs.insert(pairs.end(), with_obstacle.begin(), with_obstacle.end());
   }
   return pairs;
+}
+
+}  // namespace
+
+std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const Box> ranges,
+                                             double margin_m) {
+  bodies.ribbon.hierarchy.refit(ranges, margin_m);
+  return list_pairs(bodies, Hierarchy::Spare::boxes, ranges, margin_m);
+}
+
+std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,
+                                                  const Eigen::Matrix3Xd& t1, double margin_m) {
+  const std::vector<Box> ranges = vertex_ranges(t0, t1);
+  bodies.ribbon.hierarchy.refit(ranges, margin_m);
+  bodies.ribbon.hierarchy.refit_curvatures(t0, t1);
+  return list_pairs(bodies, Hierarchy::Spare::curvature_and_boxes, ranges, margin_m);
 }
 
 }  // namespace ribbon

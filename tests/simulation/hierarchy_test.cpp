@@ -10,6 +10,7 @@
 #include "geometry/ribbon_grid.h"
 #include "parallel/parallel.h"
 #include "simulation/feature_pairs.h"
+#include "simulation/vertex_ranges.h"
 
 namespace ribbon {
 namespace {
@@ -17,6 +18,12 @@ namespace {
 using Eigen::Matrix3Xd;
 
 constexpr auto both = Hierarchy::Spare::curvature_and_boxes;
+
+// Boxes and curvatures over a step.
+void refit(Hierarchy& hierarchy, const Matrix3Xd& t0, const Matrix3Xd& t1, double margin_m) {
+  hierarchy.refit(vertex_ranges(t0, t1), margin_m);
+  hierarchy.refit_curvatures(t0, t1);
+}
 
 // A ribbon wound up like a spiral spring with `turns` turns; neighbouring turns are `pitch` apart.
 Matrix3Xd spiral(const RibbonGrid& grid, double turns, double pitch) {
@@ -69,7 +76,7 @@ TEST(Hierarchy, a_flat_ribbon_has_no_pairs_to_test) {
     flat.col(p) << 0.1 * grid.row(p), 0.1 * grid.column(p), 0;
   const CollisionSurface surface = collision_surface(grid.triangles());
   Hierarchy hierarchy(surface, flat);
-  hierarchy.refit(flat, flat, 0.05);
+  refit(hierarchy, flat, flat, 0.05);
   EXPECT_TRUE(hierarchy.pairs_within(both).empty());
 }
 
@@ -79,7 +86,7 @@ TEST(Hierarchy, finds_all_pairs_of_distant_triangles_whose_boxes_meet) {
   const Matrix3Xd x = spiral(grid, 3, 0.03);
   Hierarchy hierarchy(surface, x);
   const double margin_m = 0.02;
-  hierarchy.refit(x, x, margin_m);
+  refit(hierarchy, x, x, margin_m);
   const auto found = as_set(hierarchy.pairs_within(both));
   int expected = 0;
   for (int a = 0; a < grid.triangle_count(); ++a)
@@ -109,7 +116,7 @@ TEST(Hierarchy, boxes_alone_also_see_a_band_that_lies_flat_over_itself) {
   }
   const CollisionSurface surface = collision_surface(grid.triangles());
   Hierarchy hierarchy(surface, ramp);
-  hierarchy.refit(ramp, ramp, 0.01);
+  refit(hierarchy, ramp, ramp, 0.01);
   EXPECT_TRUE(hierarchy.pairs_within(both).empty());
   int found_across_turns = 0;
   for (const TrianglePair& pair : hierarchy.pairs_within(Hierarchy::Spare::boxes))
@@ -125,9 +132,9 @@ TEST(Hierarchy, boxes_cover_the_whole_way_of_a_step) {
   // The last rows fly across to the first ones and back out on the other side.
   for (int p = grid.particle(35, 0); p < grid.particle_count(); ++p) t1.col(p)[0] += 4;
   Hierarchy hierarchy(surface, t0);
-  hierarchy.refit(t0, t0, 0);
+  refit(hierarchy, t0, t0, 0);
   const std::size_t still = hierarchy.pairs_within(both).size();
-  hierarchy.refit(t0, t1, 0);
+  refit(hierarchy, t0, t1, 0);
   EXPECT_GT(hierarchy.pairs_within(both).size(), still + 10);
 }
 
@@ -160,7 +167,7 @@ TEST(Hierarchy, a_surface_of_separate_pieces_is_one_tree) {
   }
   const CollisionSurface surface = collision_surface(triangles);
   Hierarchy hierarchy(surface, x);
-  hierarchy.refit(x, x, 0.06);
+  refit(hierarchy, x, x, 0.06);
   EXPECT_EQ(hierarchy.pairs_within(both).size(), 4U);
 }
 
@@ -172,7 +179,7 @@ TEST(Hierarchy, lists_the_same_pairs_in_the_same_order_for_any_number_of_threads
   for (const int threads : {1, 2, 5}) {
     set_thread_limit(threads);
     Hierarchy hierarchy(surface, x);
-    hierarchy.refit(x, x, 0.01);
+    refit(hierarchy, x, x, 0.01);
     std::vector<int> flat;
     for (const TrianglePair& pair : hierarchy.pairs_within(both))
       flat.insert(flat.end(), {pair.a, pair.b});
@@ -212,13 +219,13 @@ TEST(FeaturePairs, of_two_far_triangles_are_six_vertices_and_nine_edge_pairs) {
       0, 0, 0, 0.1, 0.1, 0.1;
   const CollisionSurface surface = collision_surface(triangles);
   const std::vector<TrianglePair> pair = {{0, 1}};
-  const auto found = feature_pairs(surface, surface, pair, x, x, 0.2);
+  const auto found = feature_pairs(surface, surface, pair, vertex_ranges(x, x), 0.2);
   int vertex_triangle = 0;
   for (const FeaturePair& f : found)
     vertex_triangle += f.kind == FeaturePair::Kind::vertex_triangle ? 1 : 0;
   EXPECT_EQ(vertex_triangle, 6);
   EXPECT_EQ(found.size() - static_cast<std::size_t>(vertex_triangle), 9U);
-  EXPECT_TRUE(feature_pairs(surface, surface, pair, x, x, 0.05).empty());
+  EXPECT_TRUE(feature_pairs(surface, surface, pair, vertex_ranges(x, x), 0.05).empty());
 }
 
 TEST(FeaturePairs, features_that_share_a_vertex_are_left_out) {
@@ -228,7 +235,7 @@ TEST(FeaturePairs, features_that_share_a_vertex_are_left_out) {
   std::vector<TrianglePair> pairs;
   for (int a = 0; a < 4; ++a)
     for (int b = a + 1; b < 4; ++b) pairs.push_back({a, b});
-  for (const FeaturePair& f : feature_pairs(surface, surface, pairs, x, x, 0.1))
+  for (const FeaturePair& f : feature_pairs(surface, surface, pairs, vertex_ranges(x, x), 0.1))
     EXPECT_EQ(std::set<int>(f.vertices.begin(), f.vertices.end()).size(), 4U);
   EXPECT_TRUE(share_a_vertex(surface, 0, 1));
 }

@@ -8,6 +8,7 @@
 
 #include "geometry/box.h"
 #include "simulation/planted_penetrations.h"
+#include "simulation/vertex_ranges.h"
 
 namespace ribbon {
 namespace {
@@ -103,7 +104,7 @@ TEST(SweptPairs, are_all_that_brute_force_finds_and_each_once) {
     Bodies bodies{grid, Body(collision_surface(grid.triangles()), t0),
                   Body(collision_surface(soup), t0)};
     std::set<Features> listed;
-    for (const auto& pair : swept_pairs(bodies, Hierarchy::Spare::boxes, t0, t1, margin_m))
+    for (const auto& pair : pairs_within_ranges(bodies, vertex_ranges(t0, t1), margin_m))
       EXPECT_TRUE(listed.insert(features(pair)).second) << "listed twice";
 
     const Shape ribbon = shape_of(grid.triangles());

@@ -1,0 +1,107 @@
+#include "simulation/surroundings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "simulation/closest_weights.h"
+#include "simulation/planted_penetrations.h"
+#include "simulation/swept_pairs.h"
+#include "simulation/vertex_ranges.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr double reach_m = 0.2;
+
+Matrix3Xd kicked(const Matrix3Xd& x, double size, std::mt19937& random) {
+  std::normal_distribution<double> kick(0, size);
+  Matrix3Xd result = x;
+  for (double& value : result.reshaped()) value += kick(random);
+  return result;
+}
+
+// Wherever its vertices are inside their ranges, a pair within reach is on the list.
+TEST(Surroundings, list_every_pair_that_comes_within_reach_inside_the_ranges) {
+  const RibbonGrid grid{21, 5};
+  const Matrix3Xd from = folded_ribbon(grid, 0.5);
+  Bodies bodies = ribbon_alone(grid, from);
+  std::mt19937 random(8);
+  const Matrix3Xd wished = kicked(from, 0.2, random);
+  const SurveyLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_way_m = 1};
+  const Surroundings surroundings = survey(bodies, lengths, from, wished);
+  std::set<std::array<int, 4>> listed;
+  for (const FeaturePair& pair : surroundings.pairs) listed.insert(pair.vertices);
+
+  int within_reach = 0;
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int trial = 0; trial < 40; ++trial) {
+    Matrix3Xd x = from;
+    for (int p = 0; p < grid.particle_count(); ++p) {
+      const Box& range = surroundings.ranges[static_cast<std::size_t>(p)];
+      for (int c = 0; c < 3; ++c)
+        x(c, p) = range.low[c] + part(random) * (range.high[c] - range.low[c]);
+    }
+    ASSERT_EQ(count_outside(surroundings, x), 0);
+    for (const FeaturePair& pair : pairs_within_ranges(bodies, vertex_ranges(x, x), reach_m)) {
+      const auto c = corners(pair, x);
+      if ((c * closest_weights(pair.kind, c)).norm() > reach_m) continue;
+      ++within_reach;
+      EXPECT_TRUE(listed.contains(pair.vertices));
+    }
+  }
+  EXPECT_GT(within_reach, 1000);
+}
+
+TEST(Surroundings, know_the_distances_and_leave_far_pairs_out) {
+  const RibbonGrid grid{21, 5};
+  const Matrix3Xd from = folded_ribbon(grid, 0.5);
+  Bodies bodies = ribbon_alone(grid, from);
+  const SurveyLengths lengths{.reach_m = reach_m, .slack_m = 0, .longest_way_m = 1};
+  const Surroundings still = survey(bodies, lengths, from, from);
+  ASSERT_EQ(still.pairs.size(), still.distances_m.size());
+  for (std::size_t i = 0; i < still.pairs.size(); ++i) {
+    const auto c = corners(still.pairs[i], from);
+    EXPECT_EQ((c * closest_weights(still.pairs[i].kind, c)).norm(), still.distances_m[i]);
+    EXPECT_LE(still.distances_m[i], reach_m);
+  }
+}
+
+TEST(Surroundings, a_wish_for_the_moon_does_not_list_the_whole_ribbon) {
+  const RibbonGrid grid{40, 4};
+  const Matrix3Xd from = flat_ribbon(grid);
+  Bodies bodies = ribbon_alone(grid, from);
+  Matrix3Xd wished = from;
+  for (int p = 0; p < grid.particle_count(); ++p) wished(0, p) += p % 2 == 0 ? 4e8 : -4e8;
+  const SurveyLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_way_m = 2};
+  const Surroundings surroundings = survey(bodies, lengths, from, wished);
+  EXPECT_LT(surroundings.pairs.size(), 100U * static_cast<unsigned>(grid.particle_count()));
+  EXPECT_EQ(count_outside(surroundings, wished), grid.particle_count());
+}
+
+TEST(Surroundings, pairs_that_fly_together_do_not_approach) {
+  const RibbonGrid grid{21, 5};
+  const Matrix3Xd from = folded_ribbon(grid, 0.5);
+  Bodies bodies = ribbon_alone(grid, from);
+  Matrix3Xd way = Matrix3Xd::Zero(3, grid.particle_count());
+  way.row(1).setConstant(3);
+  const SurveyLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_way_m = 10};
+  const Surroundings surroundings = survey(bodies, lengths, from, from + way);
+  EXPECT_GT(surroundings.pairs.size(), 100U);
+  EXPECT_TRUE(approaching_pairs(surroundings, from, way, reach_m).empty());
+  // By hand: one particle that lags by its whole way approaches all that it is listed with.
+  const int lagging = grid.particle(10, 2);
+  way.col(lagging).setZero();
+  std::size_t of_particle = 0;
+  for (const FeaturePair& pair : surroundings.pairs)
+    of_particle += std::count(pair.vertices.begin(), pair.vertices.end(), lagging) > 0 ? 1U : 0U;
+  EXPECT_EQ(approaching_pairs(surroundings, from, way, reach_m).size(), of_particle);
+}
+
+}  // namespace
+}  // namespace ribbon
