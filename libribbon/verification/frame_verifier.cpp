@@ -1,0 +1,60 @@
+#include "verification/frame_verifier.h"
+
+#include <cassert>
+
+namespace ribbon {
+
+namespace {
+
+TriangleSoup joined(const RibbonGrid& grid, const std::optional<TriangleMesh>& obstacle) {
+  const int particles = grid.particle_count();
+  const Eigen::Matrix3Xi ribbon = grid.triangles();
+  const Eigen::Index points = obstacle ? obstacle->vertices.cols() : 0;
+  const Eigen::Index triangles = obstacle ? obstacle->triangles.cols() : 0;
+  TriangleSoup soup;
+  soup.judged = grid.triangle_count();
+  soup.points.setZero(3, particles + points);
+  soup.triangles.resize(3, ribbon.cols() + triangles);
+  soup.triangles.leftCols(ribbon.cols()) = ribbon;
+  if (obstacle) {
+    soup.points.rightCols(points) = obstacle->vertices;
+    soup.triangles.rightCols(triangles) = obstacle->triangles.array() + particles;
+  }
+  return soup;
+}
+
+}  // namespace
+
+FrameVerifier::FrameVerifier(const RibbonGrid& grid, double length_m, double width_m,
+                             const std::optional<TriangleMesh>& obstacle)
+    : grid_(grid),
+      length_m_(length_m),
+      width_m_(width_m),
+      soup_(joined(grid, obstacle)),
+      owners_(soup_.triangles),
+      obstacle_(soup_, soup_.judged, static_cast<int>(soup_.triangles.cols())) {}
+
+TriangleSoup FrameVerifier::soup(const Eigen::Matrix3Xf& positions) const {
+  TriangleSoup soup = soup_;
+  soup.points.leftCols(grid_.particle_count()) = positions;
+  return soup;
+}
+
+FrameVerdict FrameVerifier::verify(const Eigen::Matrix3Xf& positions) const {
+  assert(positions.cols() == grid_.particle_count());
+  FrameVerdict verdict;
+  verdict.finite = positions.allFinite();
+  if (!verdict.finite) return verdict;
+  const TriangleSoup frame = soup(positions);
+  const BoxTree ribbon(frame, 0, frame.judged);
+  verdict.strain = largest_strain(grid_, length_m_, width_m_, positions);
+  verdict.intersections = intersecting_pairs(frame, ribbon, obstacle_, most_pairs);
+  const auto& pairs = verdict.intersections.pairs;
+  if (!pairs.empty())
+    verdict.gap.pair = pairs.front();
+  else if (const auto gap = smallest_gap(frame, owners_, ribbon, obstacle_))
+    verdict.gap = *gap;
+  return verdict;
+}
+
+}  // namespace ribbon
