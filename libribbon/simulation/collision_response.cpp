@@ -3,11 +3,10 @@
 #include <optional>
 
 #include "simulation/collision.h"
-#include "simulation/repulsion.h"
 
 namespace ribbon {
 
-bool repel_once(std::span<const FeaturePair> pairs, const ContactSettings& settings,
+bool repel_once(std::span<const FeaturePair> pairs, const RepulsionSettings& settings,
                 const Eigen::Matrix3Xd& before, Cloth& cloth) {
   bool any = false;
   for (const FeaturePair& pair : pairs) {
@@ -15,7 +14,7 @@ bool repel_once(std::span<const FeaturePair> pairs, const ContactSettings& setti
     const std::optional<Collision> collision =
         find_collision(pair, before, cloth.positions, settings.gap_m);
     if (!collision) continue;
-    repel(pair, *collision, settings.gap_m, settings.restitution, cloth);
+    repel(pair, *collision, settings, before, cloth);
     any = true;
   }
   return any;

@@ -11,6 +11,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
+constexpr int repulsion_rounds = 3;
 // Layers that move together let each other pass one by one.
 constexpr int passages = 4;
 
@@ -22,8 +23,8 @@ class GatedContact : public Contact {
         // Neighbours in the flat ribbon must not count as too close, however coarse the rounding.
         min_gap_m_(std::clamp(4 * 1.7321 * lengths.rounding_m, 0.05 * lengths.edge_m,
                               0.2 * lengths.edge_m)),
-        collision_settings_{.gap_m = std::max(0.2 * lengths.edge_m, 2 * min_gap_m_), .rounds = 3},
-        survey_lengths_{.reach_m = collision_settings_.gap_m,
+        repulsion_settings_{.gap_m = std::max(0.2 * lengths.edge_m, 2 * min_gap_m_)},
+        survey_lengths_{.reach_m = repulsion_settings_.gap_m,
                         .slack_m = 0.15 * lengths.edge_m,
                         .longest_way_m = 4 * lengths.edge_m},
         negligible_m_(0.01 * lengths.edge_m),
@@ -62,13 +63,13 @@ class GatedContact : public Contact {
          approaching_pairs(surroundings_, certified_, cloth.positions - certified_,
                            survey_lengths_.reach_m + survey_lengths_.slack_m))
       pairs.push_back(surroundings_.pairs[i]);
-    for (int round = 0; round < collision_settings_.rounds; ++round)
-      if (!repel_once(pairs, collision_settings_, certified_, cloth)) return;
+    for (int round = 0; round < repulsion_rounds; ++round)
+      if (!repel_once(pairs, repulsion_settings_, certified_, cloth)) return;
   }
 
   Bodies& bodies_;
   double min_gap_m_;
-  ContactSettings collision_settings_;
+  RepulsionSettings repulsion_settings_;
   SurveyLengths survey_lengths_;
   double negligible_m_;
   double step_s_;

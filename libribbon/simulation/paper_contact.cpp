@@ -7,18 +7,20 @@ namespace ribbon {
 
 namespace {
 
+constexpr int repulsion_rounds = 10;  // of detection and repulsion, at most
+
 class PaperContact : public Contact {
  public:
   PaperContact(Bodies& bodies, const ContactLengths& lengths)
       : bodies_(bodies),
-        collision_settings_{.gap_m = 0.1 * lengths.edge_m},
+        repulsion_settings_{.gap_m = 0.1 * lengths.edge_m},
         recovery_settings_{.gap_m = 0.1 * lengths.edge_m, .step_m = 0.5 * lengths.edge_m} {}
 
   void after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) override {
-    for (int round = 0; round < collision_settings_.rounds; ++round)
+    for (int round = 0; round < repulsion_rounds; ++round)
       if (!repel_once(
-              swept_pairs_by_curvature(bodies_, before, cloth.positions, collision_settings_.gap_m),
-              collision_settings_, before, cloth))
+              swept_pairs_by_curvature(bodies_, before, cloth.positions, repulsion_settings_.gap_m),
+              repulsion_settings_, before, cloth))
         return;
   }
 
@@ -28,7 +30,7 @@ class PaperContact : public Contact {
 
  private:
   Bodies& bodies_;
-  ContactSettings collision_settings_;
+  RepulsionSettings repulsion_settings_;
   RecoverySettings recovery_settings_;
 };
 
