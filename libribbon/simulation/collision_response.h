@@ -6,13 +6,14 @@
 
 #include "simulation/cloth.h"
 #include "simulation/feature_pairs.h"
+#include "simulation/pair_gaps.h"
 #include "simulation/repulsion.h"
 
 namespace ribbon {
 
 // Repels once each of `pairs` that collides on its straight way from `before` (3 x vertices) to the
-// cloth's present positions, or ends closer than the settings' gap. Was there one?
-bool repel_once(std::span<const FeaturePair> pairs, const RepulsionSettings& settings,
-                const Eigen::Matrix3Xd& before, Cloth& cloth);
+// cloth's present positions, or ends closer than contact begins. Was there one?
+bool repel_once(std::span<const FeaturePair> pairs, const PairGaps& gaps,
+                const RepulsionSettings& settings, const Eigen::Matrix3Xd& before, Cloth& cloth);
 
 }  // namespace ribbon

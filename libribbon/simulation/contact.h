@@ -9,10 +9,11 @@
 
 namespace ribbon {
 
-// Lengths of contact handling, from the shortest edge of the ribbon.
+// What the lengths of contact handling follow from.
 struct ContactLengths {
-  double edge_m = 0;      // the shortest natural edge, along or across
-  double rounding_m = 0;  // how far recording may move a coordinate
+  double edge_m = 0;       // the shortest natural edge, along or across
+  double rounding_m = 0;   // how far recording may move a coordinate
+  double thickness_m = 0;  // of the cloth
 };
 
 // The two moments of a step at which contact decides on what cloth.positions wish so far.

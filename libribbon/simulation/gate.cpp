@@ -26,10 +26,10 @@ Matrix3Xd confined(const std::vector<Box>& ranges, const Matrix3Xd& wished) {
 // The share of its way that each vertex may go: the least that any of its pairs leaves it.
 class LeastShares {
  public:
-  LeastShares(const Surroundings& surroundings, double min_gap_m, const Matrix3Xd& positions,
+  LeastShares(const Surroundings& surroundings, const PairGaps& gaps, const Matrix3Xd& positions,
               const Matrix3Xd& way)
       : surroundings_(surroundings),
-        min_gap_m_(min_gap_m),
+        gaps_(gaps),
         positions_(positions),
         way_(way),
         shares_(Eigen::VectorXd::Ones(way.cols())) {}
@@ -40,7 +40,7 @@ class LeastShares {
   Eigen::VectorXd find() {
     std::vector<char> is_bounded(surroundings_.pairs.size());
     std::vector<std::size_t> next =
-        approaching_pairs(surroundings_, positions_, way_, min_gap_m_ * (1 + 1e-9));
+        approaching_pairs(surroundings_, positions_, way_, gaps_.largest_hard_m() * (1 + 1e-9));
     while (!next.empty()) {
       for (const std::size_t i : next) is_bounded[i] = 1;
       bound(next);
@@ -62,8 +62,8 @@ class LeastShares {
     parallel_ranges(indices.size(), 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         const FeaturePair& pair = surroundings_.pairs[indices[n]];
-        of_pair[n] =
-            shares_of_way(pair.kind, corners(pair, positions_), corners(pair, way_), min_gap_m_);
+        of_pair[n] = shares_of_way(pair.kind, corners(pair, positions_), corners(pair, way_),
+                                   gaps_.hard_m(pair));
       }
     });
     for (std::size_t n = 0; n < indices.size(); ++n)
@@ -74,7 +74,7 @@ class LeastShares {
   }
 
   const Surroundings& surroundings_;
-  double min_gap_m_;
+  const PairGaps& gaps_;
   const Matrix3Xd& positions_;
   const Matrix3Xd& way_;
   Eigen::VectorXd shares_;
@@ -82,11 +82,11 @@ class LeastShares {
 
 }  // namespace
 
-Passage pass_gate(const Surroundings& surroundings, double min_gap_m, const Matrix3Xd& wished,
+Passage pass_gate(const Surroundings& surroundings, const PairGaps& gaps, const Matrix3Xd& wished,
                   Matrix3Xd& positions) {
   const Matrix3Xd goal = confined(surroundings.ranges, wished);
   const Matrix3Xd way = goal - positions;
-  const Eigen::VectorXd share = LeastShares(surroundings, min_gap_m, positions, way).find();
+  const Eigen::VectorXd share = LeastShares(surroundings, gaps, positions, way).find();
   Passage passage;
   for (Eigen::Index vertex = 0; vertex < positions.cols(); ++vertex) {
     if (share[vertex] == 1)

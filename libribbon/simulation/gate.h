@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "simulation/pair_gaps.h"
 #include "simulation/surroundings.h"
 
 namespace ribbon {
@@ -23,7 +24,7 @@ struct Passage {
 // way may go on in a further passage.
 //
 // Cf. per-vertex conservative bounds (Offset Geometric Contact, Chen et al. 2025).
-Passage pass_gate(const Surroundings& surroundings, double min_gap_m,
+Passage pass_gate(const Surroundings& surroundings, const PairGaps& gaps,
                   const Eigen::Matrix3Xd& wished, Eigen::Matrix3Xd& positions);
 
 }  // namespace ribbon

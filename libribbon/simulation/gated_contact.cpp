@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "simulation/collision_response.h"
 #include "simulation/contact.h"
 #include "simulation/gate.h"
@@ -19,12 +17,9 @@ class GatedContact : public Contact {
  public:
   GatedContact(Bodies& bodies, const ContactLengths& lengths, double step_s)
       : bodies_(bodies),
-        // Rounding moves each of two points by at most sqrt 3 roundings; twice that leaves room.
-        // Neighbours in the flat ribbon must not count as too close, however coarse the rounding.
-        min_gap_m_(std::clamp(4 * 1.7321 * lengths.rounding_m, 0.05 * lengths.edge_m,
-                              0.2 * lengths.edge_m)),
-        repulsion_settings_{.gap_m = std::max(0.2 * lengths.edge_m, 2 * min_gap_m_)},
-        survey_lengths_{.reach_m = repulsion_settings_.gap_m,
+        gaps_(bodies.grid, lengths.edge_m, lengths.edge_m,
+              gap_lengths(lengths.edge_m, lengths.rounding_m, lengths.thickness_m)),
+        survey_lengths_{.reach_m = gaps_.largest_contact_m(),
                         .slack_m = 0.15 * lengths.edge_m,
                         .longest_way_m = 4 * lengths.edge_m},
         negligible_m_(0.01 * lengths.edge_m),
@@ -50,7 +45,7 @@ class GatedContact : public Contact {
   void pass(Cloth& cloth) {
     repel(cloth);
     for (int i = 0; i < passages; ++i) {
-      const Passage passage = pass_gate(surroundings_, min_gap_m_, cloth.positions, certified_);
+      const Passage passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
       if (passage.held_back == 0 || passage.farthest_m < negligible_m_) break;
     }
     cloth.velocities += (certified_ - cloth.positions).leftCols(cloth.particle_count()) / step_s_;
@@ -64,11 +59,11 @@ class GatedContact : public Contact {
                            survey_lengths_.reach_m + survey_lengths_.slack_m))
       pairs.push_back(surroundings_.pairs[i]);
     for (int round = 0; round < repulsion_rounds; ++round)
-      if (!repel_once(pairs, repulsion_settings_, certified_, cloth)) return;
+      if (!repel_once(pairs, gaps_, repulsion_settings_, certified_, cloth)) return;
   }
 
   Bodies& bodies_;
-  double min_gap_m_;
+  PairGaps gaps_;
   RepulsionSettings repulsion_settings_;
   SurveyLengths survey_lengths_;
   double negligible_m_;

@@ -13,14 +13,14 @@ class PaperContact : public Contact {
  public:
   PaperContact(Bodies& bodies, const ContactLengths& lengths)
       : bodies_(bodies),
-        repulsion_settings_{.gap_m = 0.1 * lengths.edge_m},
+        gaps_(bodies.grid, lengths.edge_m, lengths.edge_m, {.contact_m = 0.1 * lengths.edge_m}),
         recovery_settings_{.gap_m = 0.1 * lengths.edge_m, .step_m = 0.5 * lengths.edge_m} {}
 
   void after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) override {
     for (int round = 0; round < repulsion_rounds; ++round)
       if (!repel_once(
-              swept_pairs_by_curvature(bodies_, before, cloth.positions, repulsion_settings_.gap_m),
-              repulsion_settings_, before, cloth))
+              swept_pairs_by_curvature(bodies_, before, cloth.positions, gaps_.largest_contact_m()),
+              gaps_, repulsion_settings_, before, cloth))
         return;
   }
 
@@ -30,6 +30,7 @@ class PaperContact : public Contact {
 
  private:
   Bodies& bodies_;
+  PairGaps gaps_;
   RepulsionSettings repulsion_settings_;
   RecoverySettings recovery_settings_;
 };

@@ -9,8 +9,8 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-// The vector from the contact point of the second feature to that of the first, of any quantity that
-// the particles have; the vertices beyond its columns have none.
+// The vector from the contact point of the second feature to that of the first, of any quantity
+// that the particles have; the vertices beyond its columns have none.
 Vector3d between_contact_points(const FeaturePair& pair, const Collision& collision,
                                 const Eigen::Ref<const Matrix3Xd>& of_vertex) {
   Vector3d result = Vector3d::Zero();
@@ -41,15 +41,15 @@ Vector3d rubbed_off(const Vector3d& sliding, const Vector3d& normal, double fric
 
 }  // namespace
 
-void repel(const FeaturePair& pair, const Collision& collision, const RepulsionSettings& settings,
-           const Matrix3Xd& before, Cloth& cloth) {
+void repel(const FeaturePair& pair, const Collision& collision, double gap_m,
+           const RepulsionSettings& settings, const Matrix3Xd& before, Cloth& cloth) {
   const double mobility = mobility_of(pair, collision, cloth);
   if (mobility == 0) return;
   const Vector3d apart = between_contact_points(pair, collision, cloth.positions);
   const Vector3d velocity = between_contact_points(pair, collision, cloth.velocities);
   const double distance_m = collision.normal.dot(apart);
   const double speed_m_s = collision.normal.dot(velocity);  // positive: parting
-  const double opened_m = std::max(0.0, settings.gap_m - distance_m);
+  const double opened_m = std::max(0.0, gap_m - distance_m);
   const double gained_m_s = speed_m_s < 0 ? -(1 + settings.restitution) * speed_m_s : 0;
   Vector3d moved = opened_m * collision.normal;
   Vector3d accelerated = gained_m_s * collision.normal;

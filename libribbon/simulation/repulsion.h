@@ -7,7 +7,6 @@
 namespace ribbon {
 
 struct RepulsionSettings {
-  double gap_m = 0;          // colliding features are moved this far apart
   double restitution = 0.1;  // 0 ... 1; small, for stability
   double friction = 0;       // Coulomb's coefficient, >= 0; the paper has none
 };
@@ -18,7 +17,7 @@ struct RepulsionSettings {
 // over each other since `before` (3 x vertices) and the speed at which they slide are reduced by at
 // most `friction` times the change along the normal. All changes conserve momentum; the obstacle's
 // vertices, of boundless mass, stay.
-void repel(const FeaturePair& pair, const Collision& collision, const RepulsionSettings& settings,
-           const Eigen::Matrix3Xd& before, Cloth& cloth);
+void repel(const FeaturePair& pair, const Collision& collision, double gap_m,
+           const RepulsionSettings& settings, const Eigen::Matrix3Xd& before, Cloth& cloth);
 
 }  // namespace ribbon

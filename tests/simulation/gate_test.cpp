@@ -28,10 +28,15 @@ double smallest_gap_m(Bodies& bodies, const Matrix3Xd& x, double query_m) {
   return smallest;
 }
 
+// Cloth without thickness.
+PairGaps thin(const Bodies& bodies, double hard_m) {
+  return {bodies.grid, 1, 1, {.hard_m = hard_m, .contact_m = hard_m}};
+}
+
 // One detection and one passage.
 Passage pass(Bodies& bodies, double min_gap_m, const Matrix3Xd& wished, Matrix3Xd& x) {
   const SurveyLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_way_m = 100};
-  return pass_gate(survey(bodies, lengths, x, wished), min_gap_m, wished, x);
+  return pass_gate(survey(bodies, lengths, x, wished), thin(bodies, min_gap_m), wished, x);
 }
 
 // Where the particles of a folded ribbon would land: any way, and the halves toward each other.
@@ -96,7 +101,7 @@ TEST(Gate, keeps_the_gap_over_many_passages_within_one_survey) {
   const Surroundings surroundings = survey(bodies, lengths, x, x);
   std::mt19937 random(6);
   for (int throw_number = 0; throw_number < 60; ++throw_number) {
-    pass_gate(surroundings, 0.02, thrown(grid, x, random), x);
+    pass_gate(surroundings, thin(bodies, 0.02), thrown(grid, x, random), x);
     ASSERT_EQ(count_outside(surroundings, x), 0);
     ASSERT_EQ(count_penetrating_edges(bodies, x), 0) << throw_number;
     ASSERT_GE(smallest_gap_m(bodies, x, 0.05), 0.02 - 1e-12) << throw_number;
@@ -123,7 +128,7 @@ TEST(Gate, layers_that_fly_together_are_free_until_one_is_stopped) {
   Box& range = surroundings.ranges[static_cast<std::size_t>(front)];
   range = Box::around(start.col(front));
   x = start;
-  EXPECT_GT(pass_gate(surroundings, 0.02, wished, x).held_back, 1);
+  EXPECT_GT(pass_gate(surroundings, thin(bodies, 0.02), wished, x).held_back, 1);
   EXPECT_EQ(count_penetrating_edges(bodies, x), 0);
   EXPECT_GE(smallest_gap_m(bodies, x, 0.05), 0.02 - 1e-12);
 }

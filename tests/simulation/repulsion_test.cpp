@@ -28,7 +28,7 @@ Cloth falling(int particles) {
 // they part with 2 e: -1 + e and -1 - e.
 TEST(Repulsion, of_two_equal_masses_is_the_textbook_collision) {
   Cloth cloth = falling(4);
-  repel(pair, on_corner, {.gap_m = 0, .restitution = 0.1}, cloth.positions, cloth);
+  repel(pair, on_corner, 0, {.restitution = 0.1}, cloth.positions, cloth);
   EXPECT_NEAR(cloth.velocities(1, 0), -0.9, 1e-12);
   EXPECT_NEAR(cloth.velocities(1, 1), -1.1, 1e-12);
 }
@@ -37,14 +37,14 @@ TEST(Repulsion, conserves_momentum_and_centre_of_mass) {
   Cloth cloth = falling(4);
   const Vector3d momentum = cloth.velocities.rowwise().sum();
   const Vector3d centre = cloth.positions.rowwise().mean();
-  repel(pair, inside, {.gap_m = 0.3, .restitution = 0.1}, cloth.positions, cloth);
+  repel(pair, inside, 0.3, {.restitution = 0.1}, cloth.positions, cloth);
   EXPECT_TRUE(cloth.velocities.rowwise().sum().isApprox(momentum, 1e-12));
   EXPECT_TRUE(cloth.positions.rowwise().mean().isApprox(centre, 1e-12));
 }
 
 TEST(Repulsion, opens_the_gap_and_reverses_the_approach) {
   Cloth cloth = falling(4);
-  repel(pair, inside, {.gap_m = 0.3, .restitution = 0.1}, cloth.positions, cloth);
+  repel(pair, inside, 0.3, {.restitution = 0.1}, cloth.positions, cloth);
   EXPECT_NEAR((cloth.positions * inside.weights)[1], 0.3, 1e-12);
   EXPECT_NEAR((cloth.velocities * inside.weights)[1], 0.2, 1e-12);
 }
@@ -52,24 +52,24 @@ TEST(Repulsion, opens_the_gap_and_reverses_the_approach) {
 TEST(Repulsion, leaves_parting_features_their_velocity) {
   Cloth cloth = falling(4);
   cloth.velocities(1, 0) = 3;
-  repel(pair, inside, {.gap_m = 0, .restitution = 0.1}, cloth.positions, cloth);
+  repel(pair, inside, 0, {.restitution = 0.1}, cloth.positions, cloth);
   EXPECT_EQ(cloth.velocities(1, 0), 3);
 }
 
 TEST(Repulsion, an_obstacle_of_boundless_mass_stays) {
   Cloth cloth = falling(1);
-  repel(pair, inside, {.gap_m = 0.3, .restitution = 0.1}, cloth.positions, cloth);
+  repel(pair, inside, 0.3, {.restitution = 0.1}, cloth.positions, cloth);
   EXPECT_EQ(cloth.positions.col(1), Vector3d::Zero().eval());
   EXPECT_NEAR(cloth.positions(1, 0), 0.3, 1e-12);
   EXPECT_NEAR(cloth.velocities(1, 0), 0.2, 1e-12);
 }
 
-// By hand: 2 m/s of approach become 2.2 m/s of change along the normal; a coefficient of 0.5 takes at
-// most 1.1 m/s off the sliding. Between two equal masses each gets half of it.
+// By hand: 2 m/s of approach become 2.2 m/s of change along the normal; a coefficient of 0.5 takes
+// at most 1.1 m/s off the sliding. Between two equal masses each gets half of it.
 TEST(Repulsion, friction_slows_sliding_in_proportion_to_the_normal_change) {
   Cloth cloth = falling(4);
   cloth.velocities(0, 0) = 3;
-  repel(pair, on_corner, {.restitution = 0.1, .friction = 0.5}, cloth.positions, cloth);
+  repel(pair, on_corner, 0, {.restitution = 0.1, .friction = 0.5}, cloth.positions, cloth);
   EXPECT_NEAR(cloth.velocities(0, 0), 3 - 0.55, 1e-12);
   EXPECT_NEAR(cloth.velocities(0, 1), 0.55, 1e-12);
   EXPECT_NEAR(cloth.velocities(1, 0), -0.9, 1e-12);
@@ -78,7 +78,7 @@ TEST(Repulsion, friction_slows_sliding_in_proportion_to_the_normal_change) {
 TEST(Repulsion, friction_stops_but_never_reverses_sliding) {
   Cloth cloth = falling(1);
   cloth.velocities(2, 0) = -0.3;
-  repel(pair, on_corner, {.restitution = 0.1, .friction = 0.5}, cloth.positions, cloth);
+  repel(pair, on_corner, 0, {.restitution = 0.1, .friction = 0.5}, cloth.positions, cloth);
   EXPECT_NEAR(cloth.velocities(2, 0), 0, 1e-12);
 }
 
@@ -88,7 +88,7 @@ TEST(Repulsion, friction_takes_back_what_was_slid_under_pressure) {
   cloth.velocities.setZero();
   const Matrix3Xd before = cloth.positions;
   cloth.positions(0, 0) += 0.4;
-  repel(pair, on_corner, {.gap_m = 0.2, .friction = 0.5}, before, cloth);
+  repel(pair, on_corner, 0.2, {.friction = 0.5}, before, cloth);
   EXPECT_NEAR(cloth.positions(0, 0), 0.3, 1e-12);
   EXPECT_NEAR(cloth.positions(1, 0), 0.2, 1e-12);
 }
@@ -97,7 +97,7 @@ TEST(Repulsion, friction_conserves_momentum) {
   Cloth cloth = falling(4);
   cloth.velocities(0, 0) = 3;
   const Vector3d momentum = cloth.velocities.rowwise().sum();
-  repel(pair, inside, {.gap_m = 0.3, .friction = 0.7}, cloth.positions, cloth);
+  repel(pair, inside, 0.3, {.friction = 0.7}, cloth.positions, cloth);
   EXPECT_TRUE(cloth.velocities.rowwise().sum().isApprox(momentum, 1e-12));
 }
 

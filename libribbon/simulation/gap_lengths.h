@@ -1,0 +1,20 @@
+// The lengths at which contact works.
+#pragma once
+
+namespace ribbon {
+
+struct GapLengths {
+  double hard_m = 0;       // no two features come closer than this
+  double contact_m = 0;    // closer features are moved apart
+  double thickness_m = 0;  // of the cloth; 0: none
+};
+
+// The lengths for a ribbon whose shortest natural edge is edge_m (> 0) and whose recording may move
+// each coordinate by rounding_m (>= 0). Neighbours in the flat ribbon must not count as too close,
+// so the hard gap is at most a fifth of an edge, however coarse the rounding.
+GapLengths gap_lengths(double edge_m, double rounding_m, double thickness_m);
+
+// The smallest gap that is left in a recording whatever the rounding did; 0 where it may take all.
+double recorded_gap_m(const GapLengths& lengths, double rounding_m);
+
+}  // namespace ribbon
