@@ -1,0 +1,33 @@
+#include "knot/knot_certificate.h"
+
+#include <cstdlib>
+
+#include "knot/knot_names.h"
+
+namespace ribbon {
+namespace {
+
+std::string counted(int count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (std::abs(count) == 1 ? "" : "s");
+}
+
+std::string knot_text(const KnotCertificate& certificate) {
+  if (certificate.broken_positions) return "broken positions";
+  if (certificate.first_end_buried) return "first end buried, knot unknown";
+  if (certificate.last_end_buried) return "last end buried, knot unknown";
+  if (!certificate.jones) return "knot too tangled to be known";
+  if (const auto name = knot_name(*certificate.jones)) return *name;
+  return "knot with Jones polynomial " + certificate.jones->text();
+}
+
+}  // namespace
+
+std::string KnotCertificate::text() const {
+  std::string result = knot_text(*this);
+  if (turns_about_axis) result += "; " + counted(*turns_about_axis, "turn") + " about the axis";
+  if (axis_met) result += ", which was met";
+  if (selvage_linking) result += "; selvages linked " + counted(*selvage_linking, "time");
+  return result;
+}
+
+}  // namespace ribbon

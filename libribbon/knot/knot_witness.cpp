@@ -1,0 +1,64 @@
+#include "knot/knot_witness.h"
+
+#include <cassert>
+#include <utility>
+
+#include "knot/jones_polynomial.h"
+#include "knot/knot_diagram.h"
+#include "knot/simplify_curve.h"
+
+namespace ribbon {
+namespace {
+
+LongCurve closed_far_away(const Eigen::Matrix3Xd& curve,
+                          const std::array<Eigen::Vector3d, 2>& rays) {
+  LongCurve result{Place::direction(rays[0])};
+  for (const auto& point : curve.colwise()) result.push_back(Place::point(point));
+  result.push_back(Place::direction(rays[1]));
+  return result;
+}
+
+}  // namespace
+
+KnotWitness::KnotWitness(const RibbonGrid& grid, const std::optional<CentreAxis>& axis)
+    : grid_(grid) {
+  assert(grid.along >= 2 && grid.across >= 2);
+  if (axis) turns_.emplace(*axis);
+}
+
+void KnotWitness::follow(const Eigen::Matrix3Xf& positions) {
+  assert(positions.cols() == grid_.particle_count());
+  broken_positions_ = broken_positions_ || !positions.allFinite();
+  if (broken_positions_) return;
+  RibbonCurves now = ribbon_curves(grid_, positions);
+  if (curves_) {
+    rays_.follow(*curves_, now);
+    selvages_.follow(*curves_, now, rays_.directions());
+  } else {
+    rays_.start(now);
+    selvages_.start(now, rays_.directions());
+  }
+  if (turns_) turns_->follow(centre_line(grid_, positions));
+  curves_ = std::move(now);
+}
+
+KnotCertificate KnotWitness::certificate() const {
+  assert(curves_ || broken_positions_);
+  KnotCertificate result;
+  result.broken_positions = broken_positions_;
+  if (broken_positions_) return result;
+  result.first_end_buried = rays_.buried()[0];
+  result.last_end_buried = rays_.buried()[1];
+  if (turns_) {
+    result.turns_about_axis = turns_->turns();
+    result.axis_met = turns_->met();
+  }
+  if (result.first_end_buried || result.last_end_buried) return result;
+  result.selvage_linking = selvages_.number();
+  const auto diagram =
+      simple_diagram(simplified(closed_far_away(curves_->centre_line, rays_.directions())));
+  if (diagram) result.jones = jones_polynomial(*diagram);
+  return result;
+}
+
+}  // namespace ribbon

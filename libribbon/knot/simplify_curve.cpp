@@ -1,0 +1,88 @@
+#include "knot/simplify_curve.h"
+
+#include <cassert>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "geometry/box.h"
+
+namespace ribbon {
+namespace {
+
+struct Corner {
+  Place a, b, c;
+};
+
+Box box_of(const Place& place) {
+  if (!place.is_direction) return Box::around(place.at);
+  const auto all = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  return {-all, all};
+}
+
+Box box_of(const Place& p, const Place& q) {
+  Box result = box_of(p);
+  result.include(box_of(q));
+  return result;
+}
+
+// Does edge pq meet the triangle? In doubt, yes.
+bool meets(const Corner& triangle, const Place& p, const Place& q) {
+  const auto& [a, b, c] = triangle;
+  const int p_side = orientation(a, b, c, p);
+  const int q_side = orientation(a, b, c, q);
+  if (p_side * q_side > 0) return false;
+  if (p_side == 0 || q_side == 0) return true;
+  const int ab = orientation(p, q, a, b);
+  const int bc = orientation(p, q, b, c);
+  const int ca = orientation(p, q, c, a);
+  const bool all_left = ab >= 0 && bc >= 0 && ca >= 0;
+  const bool all_right = ab <= 0 && bc <= 0 && ca <= 0;
+  return all_left || all_right;
+}
+
+using Vertex = LongCurve::const_iterator;
+
+// Is the triangle met by the polygon from `first` up to and without `last`?
+bool met_by(const Corner& triangle, const Box& box, Vertex first, Vertex last) {
+  if (first == last) return false;
+  for (Vertex next = std::next(first); next != last; first = next++)
+    if (box.meets(box_of(*first, *next)) && meets(triangle, *first, *next)) return true;
+  return false;
+}
+
+// Can the last of `kept` be joined to the second of the rest, leaving out the first of the rest?
+bool can_leave_out(const LongCurve& kept, Vertex rest, Vertex end) {
+  const Vertex next = std::next(rest);
+  const Corner triangle{kept.back(), *rest, *next};
+  const auto& [a, b, c] = triangle;
+  if (a.is_direction && c.is_direction) return false;  // something must stay
+  // The edges before a and after c touch it there, and nowhere else unless they lie in its plane.
+  if (kept.size() >= 2 && orientation(a, b, c, *std::prev(kept.end(), 2)) == 0) return false;
+  if (std::next(next) != end && orientation(a, b, c, *std::next(next)) == 0) return false;
+  Box box = box_of(a, b);
+  box.include(box_of(c));
+  return !met_by(triangle, box, kept.begin(), std::prev(kept.end())) &&
+         !met_by(triangle, box, std::next(next), end);
+}
+
+LongCurve one_sweep(const LongCurve& curve) {
+  LongCurve kept{curve.front()};
+  for (Vertex rest = std::next(curve.begin()); rest != std::prev(curve.end()); ++rest)
+    if (!can_leave_out(kept, rest, curve.end())) kept.push_back(*rest);
+  kept.push_back(curve.back());
+  return kept;
+}
+
+}  // namespace
+
+LongCurve simplified(LongCurve curve) {
+  assert(curve.size() >= 3 && curve.front().is_direction && curve.back().is_direction);
+  for (;;) {
+    LongCurve shorter = one_sweep(curve);
+    if (shorter.size() == curve.size()) return curve;
+    curve = std::move(shorter);
+  }
+}
+
+}  // namespace ribbon
