@@ -1,0 +1,92 @@
+#include "verification/frame_verifier.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ribbon {
+namespace {
+
+constexpr RibbonGrid grid{5, 3};
+constexpr double length_m = 4;
+constexpr double width_m = 2;
+
+// Flat at height 0, quads 1 x 1 from x = 0 and z = 0 on.
+Eigen::Matrix3Xf flat_ribbon() {
+  Eigen::Matrix3Xf positions(3, grid.particle_count());
+  for (int p = 0; p < grid.particle_count(); ++p)
+    positions.col(p) << static_cast<float>(grid.row(p)), 0, static_cast<float>(grid.column(p));
+  return positions;
+}
+
+// One triangle in the plane x = 1.7, from `bottom` upwards, and the same once more beside it.
+TriangleMesh two_blades(float bottom) {
+  TriangleMesh mesh{"blades", Eigen::Matrix3Xf(3, 6), Eigen::Matrix3Xi(3, 2)};
+  mesh.vertices << 1.7F, 1.7F, 1.7F, 1.7F, 1.7F, 1.7F,                 //
+      bottom, bottom + 1, bottom + 1, bottom, bottom + 1, bottom + 1,  //
+      0.6F, 0.5F, 0.7F, 0.6F, 0.5F, 0.7F;
+  mesh.triangles << 0, 3, 1, 4, 2, 5;
+  return mesh;
+}
+
+FrameVerdict verdict_on(const Eigen::Matrix3Xf& positions,
+                        const std::optional<TriangleMesh>& obstacle = std::nullopt) {
+  return FrameVerifier(grid, length_m, width_m, obstacle).verify(positions);
+}
+
+TEST(FrameVerifier, a_flat_ribbon_is_in_order) {
+  const FrameVerdict verdict = verdict_on(flat_ribbon());
+  EXPECT_TRUE(verdict.finite);
+  EXPECT_TRUE(verdict.intersections.pairs.empty());
+  EXPECT_NEAR(verdict.gap.certain_m, std::sqrt(0.5), 1e-13);
+  EXPECT_NEAR(verdict.strain.strain, 0, 1e-15);
+}
+
+TEST(FrameVerifier, a_ribbon_folded_onto_itself_is_found) {
+  Eigen::Matrix3Xf positions = flat_ribbon();
+  for (int j = 0; j < grid.across; ++j) positions(0, grid.particle(4, j)) = 2.5F;
+  const FrameVerdict verdict = verdict_on(positions);
+  EXPECT_FALSE(verdict.intersections.pairs.empty());
+  EXPECT_EQ(verdict.gap.certain_m, 0);
+}
+
+TEST(FrameVerifier, what_an_obstacle_touches_is_named_and_the_obstacle_itself_is_not_judged) {
+  // The tip at (1.7, 0, 0.6) is in row 1, column 0 of the quads, an odd one: beyond its diagonal
+  // from corner 1 to corner 3.
+  const FrameVerdict verdict = verdict_on(flat_ribbon(), two_blades(0));
+  const int quad = 2;
+  const int blade = grid.triangle_count();
+  EXPECT_EQ(verdict.intersections.pairs,
+            (std::vector<TrianglePair>{{2 * quad + 1, blade}, {2 * quad + 1, blade + 1}}));
+}
+
+TEST(FrameVerifier, the_gap_to_an_obstacle_counts) {
+  const FrameVerdict verdict = verdict_on(flat_ribbon(), two_blades(0.0625F));
+  EXPECT_TRUE(verdict.intersections.pairs.empty());
+  EXPECT_NEAR(verdict.gap.certain_m, 0.0625, 1e-13);
+  EXPECT_EQ(verdict.gap.pair.first, 5);
+}
+
+TEST(FrameVerifier, coordinates_that_are_no_numbers_never_pass) {
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+        -std::numeric_limits<float>::infinity()}) {
+    Eigen::Matrix3Xf positions = flat_ribbon();
+    positions(1, 7) = bad;
+    EXPECT_FALSE(verdict_on(positions).finite);
+  }
+}
+
+TEST(FrameVerifier, an_obstacle_without_area_is_tested_exactly) {
+  TriangleMesh needle = two_blades(0);
+  needle.vertices.row(2).setConstant(0.6F);  // segments from the cloth upwards
+  EXPECT_EQ(verdict_on(flat_ribbon(), needle).intersections.pairs.size(), 2U);
+  needle.vertices.row(1).array() += std::numeric_limits<float>::denorm_min();
+  EXPECT_EQ(verdict_on(flat_ribbon(), needle).intersections.pairs.size(), 0U);
+  needle.triangles.setZero();  // a point, and three times the same corner
+  needle.vertices(1, 0) = 0;
+  EXPECT_EQ(verdict_on(flat_ribbon(), needle).intersections.pairs.size(), 2U);
+}
+
+}  // namespace
+}  // namespace ribbon
