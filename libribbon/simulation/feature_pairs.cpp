@@ -1,7 +1,5 @@
 #include "simulation/feature_pairs.h"
 
-#include <algorithm>
-
 #include "parallel/parallel.h"
 
 namespace ribbon {
@@ -12,32 +10,29 @@ namespace {
 // well.
 class PairLister {
  public:
-  PairLister(const CollisionSurface& a, const CollisionSurface& b, std::span<const Box> ranges,
-             double margin_m)
-      : a_(a), b_(b), ranges_(ranges), margin_m_(margin_m) {}
+  PairLister(const RangedSurface& a, const RangedSurface& b, double margin_m)
+      : a_(a), b_(b), margin_m_(margin_m) {}
 
   void list(const TrianglePair& pair, std::vector<FeaturePair>& found) const {
-    const Box box_a = box(a_, pair.a);
-    const Box box_b = box(b_, pair.b);
     for (int corner = 0; corner < 3; ++corner) {
-      if (a_.answers_for_vertex(pair.a, corner))
-        list_vertex(a_.triangles(corner, pair.a), b_, pair.b, box_b, found);
-      if (b_.answers_for_vertex(pair.b, corner))
-        list_vertex(b_.triangles(corner, pair.b), a_, pair.a, box_a, found);
+      if (a_.surface.answers_for_vertex(pair.a, corner))
+        list_vertex(a_.surface.triangles(corner, pair.a), b_, pair.b, found);
+      if (b_.surface.answers_for_vertex(pair.b, corner))
+        list_vertex(b_.surface.triangles(corner, pair.b), a_, pair.a, found);
     }
     for (int i = 0; i < 3; ++i) {
-      if (!a_.answers_for_edge(pair.a, i)) continue;
+      if (!a_.surface.answers_for_edge(pair.a, i)) continue;
       for (int j = 0; j < 3; ++j)
-        if (b_.answers_for_edge(pair.b, j))
-          list_edges(edge(a_, pair.a, i), edge(b_, pair.b, j), found);
+        if (b_.surface.answers_for_edge(pair.b, j))
+          list_edges(edge_of(a_, pair.a, i), edge_of(b_, pair.b, j), found);
     }
   }
 
  private:
-  using Edge = std::array<int, 2>;
-
-  static Edge edge(const CollisionSurface& surface, int triangle, int corner) {
-    return {surface.triangles(corner, triangle), surface.triangles((corner + 1) % 3, triangle)};
+  static std::size_t edge_of(const RangedSurface& surface, int triangle, int corner) {
+    return static_cast<std::size_t>(
+        surface.surface
+            .triangle_edges[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(corner)]);
   }
 
   // Only one of the two partners carries the margin, so it is grown by the whole of it.
@@ -45,49 +40,36 @@ class PairLister {
     box.grow(margin_m_);
     return box;
   }
-  [[nodiscard]] const Box& box(int vertex) const {
-    return ranges_[static_cast<std::size_t>(vertex)];
-  }
-  [[nodiscard]] Box box(const Edge& edge) const {
-    Box result = box(edge[0]);
-    result.include(box(edge[1]));
-    return result;
-  }
-  [[nodiscard]] Box box(const CollisionSurface& surface, int triangle) const {
-    Box result = box(surface.triangles(0, triangle));
-    result.include(box(surface.triangles(1, triangle)));
-    result.include(box(surface.triangles(2, triangle)));
-    return result;
-  }
 
-  void list_vertex(int vertex, const CollisionSurface& surface, int triangle,
-                   const Box& triangle_box, std::vector<FeaturePair>& found) const {
-    const Eigen::Vector3i corners = surface.triangles.col(triangle);
+  void list_vertex(int vertex, const RangedSurface& other, int triangle,
+                   std::vector<FeaturePair>& found) const {
+    const Eigen::Vector3i corners = other.surface.triangles.col(triangle);
     if (vertex == corners[0] || vertex == corners[1] || vertex == corners[2]) return;
-    if (!grown(box(vertex)).meets(triangle_box)) return;
+    const Box& box = other.boxes.triangles[static_cast<std::size_t>(triangle)];
+    if (!grown(other.ranges[static_cast<std::size_t>(vertex)]).meets(box)) return;
     found.push_back(
         {FeaturePair::Kind::vertex_triangle, {vertex, corners[0], corners[1], corners[2]}});
   }
 
-  void list_edges(const Edge& e, const Edge& f, std::vector<FeaturePair>& found) const {
+  void list_edges(std::size_t edge_a, std::size_t edge_b, std::vector<FeaturePair>& found) const {
+    const auto& e = a_.surface.edges[edge_a];
+    const auto& f = b_.surface.edges[edge_b];
     if (e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1]) return;
-    if (!grown(box(e)).meets(box(f))) return;
+    if (!grown(a_.boxes.edges[edge_a]).meets(b_.boxes.edges[edge_b])) return;
     found.push_back({FeaturePair::Kind::edge_edge, {e[0], e[1], f[0], f[1]}});
   }
 
-  const CollisionSurface& a_;
-  const CollisionSurface& b_;
-  std::span<const Box> ranges_;
+  RangedSurface a_;
+  RangedSurface b_;
   double margin_m_;
 };
 
 }  // namespace
 
-std::vector<FeaturePair> feature_pairs(const CollisionSurface& a, const CollisionSurface& b,
-                                       std::span<const TrianglePair> pairs,
-                                       std::span<const Box> ranges, double margin_m) {
+std::vector<FeaturePair> feature_pairs(const RangedSurface& a, const RangedSurface& b,
+                                       std::span<const TrianglePair> pairs, double margin_m) {
   constexpr std::size_t grain = 256;
-  const PairLister lister(a, b, ranges, margin_m);
+  const PairLister lister(a, b, margin_m);
   std::vector<std::vector<FeaturePair>> found((pairs.size() + grain - 1) / grain);
   parallel_ranges(pairs.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) lister.list(pairs[i], found[begin / grain]);

@@ -9,6 +9,7 @@
 
 #include "geometry/box.h"
 #include "simulation/collision_surface.h"
+#include "simulation/feature_boxes.h"
 #include "simulation/hierarchy.h"
 
 namespace ribbon {
@@ -30,11 +31,16 @@ inline Eigen::Matrix<double, 3, 4> corners(const FeaturePair& pair,
   return result;
 }
 
-// The feature pairs of `pairs` (triangles of surface a and of surface b, which may be the same
-// object) whose boxes over the ranges of their vertices come within margin_m of each other. Each
-// pair of features is listed once.
-std::vector<FeaturePair> feature_pairs(const CollisionSurface& a, const CollisionSurface& b,
-                                       std::span<const TrianglePair> pairs,
-                                       std::span<const Box> ranges, double margin_m);
+// A surface, the ranges of the vertices (one for each vertex that any surface uses) and its boxes.
+struct RangedSurface {
+  const CollisionSurface& surface;
+  std::span<const Box> ranges;
+  const FeatureBoxes& boxes;
+};
+
+// The feature pairs of `pairs` (triangles of a and of b, which may be the same surface) whose boxes
+// come within margin_m of each other. Each pair of features is listed once.
+std::vector<FeaturePair> feature_pairs(const RangedSurface& a, const RangedSurface& b,
+                                       std::span<const TrianglePair> pairs, double margin_m);
 
 }  // namespace ribbon

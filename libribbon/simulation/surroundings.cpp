@@ -102,13 +102,18 @@ std::vector<std::size_t> approaching_pairs(const Surroundings& surroundings,
                                            double distance_m) {
   constexpr std::size_t grain = 1024;
   const Matrix3Xd gone = positions - surroundings.from;
+  const Eigen::VectorXd reach_m = (gone.colwise().norm() + way.colwise().norm()).transpose();
   const std::vector<FeaturePair>& pairs = surroundings.pairs;
   std::vector<std::vector<std::size_t>> parts((pairs.size() + grain - 1) / grain);
   parallel_ranges(pairs.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const double least_m = surroundings.distances_m[i] - largest_difference_m(pairs[i], gone) -
-                             largest_difference_m(pairs[i], way);
-      if (least_m <= distance_m) parts[begin / grain].push_back(i);
+      // What has hardly moved is told by that alone; the rest by how differently it moved.
+      const double room_m = surroundings.distances_m[i] - distance_m;
+      const auto& v = pairs[i].vertices;
+      if (2 * std::max({reach_m[v[0]], reach_m[v[1]], reach_m[v[2]], reach_m[v[3]]}) < room_m)
+        continue;
+      if (largest_difference_m(pairs[i], gone) + largest_difference_m(pairs[i], way) >= room_m)
+        parts[begin / grain].push_back(i);
     }
   });
   std::vector<std::size_t> all;

@@ -210,6 +210,16 @@ TEST(CollisionSurface, each_vertex_and_edge_has_one_triangle_that_answers_for_it
   EXPECT_EQ(edges.size(), 63U);
 }
 
+std::vector<FeaturePair> pairs_of(const CollisionSurface& surface,
+                                  const std::vector<TrianglePair>& pairs, const Matrix3Xd& x,
+                                  double margin_m) {
+  const std::vector<Box> ranges = vertex_ranges(x, x);
+  FeatureBoxes boxes;
+  boxes.refit(surface, ranges);
+  const RangedSurface ranged{surface, ranges, boxes};
+  return feature_pairs(ranged, ranged, pairs, margin_m);
+}
+
 TEST(FeaturePairs, of_two_far_triangles_are_six_vertices_and_nine_edge_pairs) {
   Eigen::Matrix3Xi triangles(3, 2);
   triangles << 0, 3, 1, 4, 2, 5;
@@ -219,13 +229,13 @@ TEST(FeaturePairs, of_two_far_triangles_are_six_vertices_and_nine_edge_pairs) {
       0, 0, 0, 0.1, 0.1, 0.1;
   const CollisionSurface surface = collision_surface(triangles);
   const std::vector<TrianglePair> pair = {{0, 1}};
-  const auto found = feature_pairs(surface, surface, pair, vertex_ranges(x, x), 0.2);
+  const auto found = pairs_of(surface, pair, x, 0.2);
   int vertex_triangle = 0;
   for (const FeaturePair& f : found)
     vertex_triangle += f.kind == FeaturePair::Kind::vertex_triangle ? 1 : 0;
   EXPECT_EQ(vertex_triangle, 6);
   EXPECT_EQ(found.size() - static_cast<std::size_t>(vertex_triangle), 9U);
-  EXPECT_TRUE(feature_pairs(surface, surface, pair, vertex_ranges(x, x), 0.05).empty());
+  EXPECT_TRUE(pairs_of(surface, pair, x, 0.05).empty());
 }
 
 TEST(FeaturePairs, features_that_share_a_vertex_are_left_out) {
@@ -235,7 +245,7 @@ TEST(FeaturePairs, features_that_share_a_vertex_are_left_out) {
   std::vector<TrianglePair> pairs;
   for (int a = 0; a < 4; ++a)
     for (int b = a + 1; b < 4; ++b) pairs.push_back({a, b});
-  for (const FeaturePair& f : feature_pairs(surface, surface, pairs, vertex_ranges(x, x), 0.1))
+  for (const FeaturePair& f : pairs_of(surface, pairs, x, 0.1))
     EXPECT_EQ(std::set<int>(f.vertices.begin(), f.vertices.end()).size(), 4U);
   EXPECT_TRUE(share_a_vertex(surface, 0, 1));
 }
