@@ -12,7 +12,7 @@ namespace ribbon {
 namespace {
 
 constexpr std::uint16_t major_version = 1;
-constexpr std::uint16_t minor_version = 0;
+constexpr std::uint16_t minor_version = 1;
 constexpr std::uint32_t position_codec = 1;
 constexpr std::uint64_t largest_grid = std::uint64_t{1} << 24;
 constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;
@@ -72,6 +72,40 @@ bool take_obstacle(ByteTaker& taker, TriangleMesh& mesh) {
          (corners.array() < static_cast<int>(vertices)).all();
 }
 
+void put_vector(std::string& bytes, const Eigen::Vector3d& vector) {
+  for (const double component : vector) put<double>(bytes, component);
+}
+
+Eigen::Vector3d take_vector(ByteTaker& taker) {
+  Eigen::Vector3d vector;
+  for (double& component : vector) component = taker.take<double>();
+  return vector;
+}
+
+bool is_axis(const CentreAxis& axis) {
+  return axis.point_m.allFinite() && std::abs(axis.direction.norm() - 1) < 1e-6;
+}
+
+// What version 1.1 appended.
+void put_version_1_1(std::string& bytes, const RecordingHeader& header) {
+  put<double>(bytes, header.stated_gap_m);
+  put<std::uint8_t>(bytes, header.centre_axis ? 1 : 0);
+  if (!header.centre_axis) return;
+  put_vector(bytes, header.centre_axis->point_m);
+  put_vector(bytes, header.centre_axis->direction);
+}
+
+bool take_version_1_1(ByteTaker& taker, RecordingHeader& header) {
+  header.stated_gap_m = taker.take<double>();
+  if (taker.take<std::uint8_t>() != 0) {
+    CentreAxis& axis = header.centre_axis.emplace();
+    axis.point_m = take_vector(taker);
+    axis.direction = take_vector(taker);
+    if (!is_axis(axis)) return false;
+  }
+  return std::isfinite(header.stated_gap_m) && header.stated_gap_m >= 0;
+}
+
 tl::unexpected<Error> damaged() {
   return failure("", "the header is not valid", "use a copy of the recording that is not damaged");
 }
@@ -108,13 +142,14 @@ std::string header_payload(const RecordingHeader& header) {
   put_matrix<float>(bytes, header.uv);
   put<std::uint8_t>(bytes, header.obstacle ? 1 : 0);
   if (header.obstacle) put_obstacle(bytes, *header.obstacle);
+  put_version_1_1(bytes, header);
   return bytes;
 }
 
 Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   ByteTaker taker(payload);
   const auto major = taker.take<std::uint16_t>();
-  taker.take<std::uint16_t>();  // a newer minor version only appends
+  const auto minor = taker.take<std::uint16_t>();  // a newer one only appends
   if (taker.complete() && major > major_version)
     return failure("",
                    "was written in format version " + std::to_string(major) +
@@ -135,6 +170,7 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (!taker.complete() || !take_matrix<float>(taker, particles, header.uv)) return damaged();
   if (taker.take<std::uint8_t>() != 0 && !take_obstacle(taker, header.obstacle.emplace()))
     return damaged();
+  if (minor >= 1 && !take_version_1_1(taker, header)) return damaged();
   const bool valid = taker.complete() && !header.scene_name.empty() &&
                      is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&
                      is_positive(header.frames_per_second) &&

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "geometry/centre_axis.h"
 #include "geometry/ribbon_grid.h"
 #include "geometry/triangle_mesh.h"
 
@@ -23,6 +24,11 @@ struct RecordingHeader {
   double frames_per_second = 0;
   double max_position_error_m = 0;  // bound on every recorded coordinate; > 0
   std::optional<TriangleMesh> obstacle;
+  // The writer guarantees that features that share no vertex (ribbon and ribbon, ribbon and
+  // obstacle) are nowhere nearer to each other, in frames as they are decoded. 0: nothing is
+  // stated.
+  double stated_gap_m = 0;
+  std::optional<CentreAxis> centre_axis;  // what the ribbon was fastened towards
 };
 
 // The numbers of one frame, readable without its geometry.

@@ -1,5 +1,6 @@
 #include "verification/feature_distance.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// A recording of this format version, kept so that later programs are known to read it.
+// Recordings of each format version, kept so that later programs are known to read them.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,11 @@
 namespace ribbon {
 namespace {
 
-const std::filesystem::path golden = std::filesystem::path(RIBBON_GOLDEN_RECORDINGS) / "v1.rbn";
+std::filesystem::path golden(const std::string& version) {
+  return std::filesystem::path(RIBBON_GOLDEN_RECORDINGS) / ("v" + version + ".rbn");
+}
+
+const std::string this_version = "1.1";
 constexpr int frames = 40;
 constexpr RibbonGrid golden_grid{48, 6};
 
@@ -66,6 +70,8 @@ RecordingHeader golden_header() {
       2, 1, 3, 2,                       //
       1, 3, 2, 3;
   header.obstacle = tetrahedron;
+  header.stated_gap_m = 0x1p-12;
+  header.centre_axis = CentreAxis{{0.5, -0.25, 2}, {0, 0, -1}};
   return header;
 }
 
@@ -84,13 +90,33 @@ std::string content(const std::filesystem::path& path) {
 }
 
 TEST(GoldenRecording, it_is_there) {
-  if (std::filesystem::exists(golden)) return;
-  write_golden(golden);
-  FAIL() << golden << " was missing and has been written: look at it and commit it";
+  if (std::filesystem::exists(golden(this_version))) return;
+  write_golden(golden(this_version));
+  FAIL() << golden(this_version) << " was missing and has been written: look at it and commit it";
 }
 
-TEST(GoldenRecording, it_is_read_as_it_was_written) {
-  auto reader = RecordingReader::open(golden);
+TEST(GoldenRecording, recording_it_again_gives_the_same_bytes) {
+  const auto path = temporary_file("golden again.rbn");
+  write_golden(path);
+  EXPECT_TRUE(content(path) == content(golden(this_version)));
+}
+
+TEST(GoldenRecording, version_1_1_names_gap_and_axis_and_version_1_0_does_not) {
+  const auto newer = RecordingReader::open(golden("1.1"));
+  ASSERT_TRUE(newer.has_value()) << newer.error().sentence();
+  EXPECT_EQ(newer->header().stated_gap_m, 0x1p-12);
+  EXPECT_EQ(newer->header().centre_axis->point_m, Eigen::Vector3d(0.5, -0.25, 2));
+  EXPECT_EQ(newer->header().centre_axis->direction, Eigen::Vector3d(0, 0, -1));
+  const auto older = RecordingReader::open(golden("1.0"));
+  ASSERT_TRUE(older.has_value()) << older.error().sentence();
+  EXPECT_EQ(older->header().stated_gap_m, 0);
+  EXPECT_FALSE(older->header().centre_axis.has_value());
+}
+
+class GoldenVersions : public testing::TestWithParam<std::string> {};
+
+TEST_P(GoldenVersions, it_is_read_as_it_was_written) {
+  auto reader = RecordingReader::open(golden(GetParam()));
   ASSERT_TRUE(reader.has_value()) << reader.error().sentence();
   EXPECT_EQ(reader->header().scene_text, golden_header().scene_text);
   EXPECT_EQ(reader->header().obstacle->triangles, golden_header().obstacle->triangles);
@@ -105,8 +131,8 @@ TEST(GoldenRecording, it_is_read_as_it_was_written) {
   }
 }
 
-TEST(GoldenRecording, every_bit_of_its_positions_is_known) {
-  auto reader = RecordingReader::open(golden);
+TEST_P(GoldenVersions, every_bit_of_its_positions_is_known) {
+  auto reader = RecordingReader::open(golden(GetParam()));
   ASSERT_TRUE(reader.has_value()) << reader.error().sentence();
   std::string bytes;
   Eigen::Matrix3Xf positions;
@@ -118,11 +144,10 @@ TEST(GoldenRecording, every_bit_of_its_positions_is_known) {
   EXPECT_EQ(checksum(bytes), 0x86A835E1U);
 }
 
-TEST(GoldenRecording, recording_it_again_gives_the_same_bytes) {
-  const auto path = temporary_file("golden again.rbn");
-  write_golden(path);
-  EXPECT_TRUE(content(path) == content(golden));
-}
+INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("1.0", "1.1"),
+                         [](const auto& version) {
+                           return version.param == "1.0" ? "v1_0" : "v1_1";
+                         });
 
 }  // namespace
 }  // namespace ribbon

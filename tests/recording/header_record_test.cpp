@@ -27,6 +27,30 @@ TEST(HeaderRecord, everything_comes_back) {
   EXPECT_EQ(read->obstacle->name, "stone");
   EXPECT_EQ(read->obstacle->vertices, written.obstacle->vertices);
   EXPECT_EQ(read->obstacle->triangles, written.obstacle->triangles);
+  EXPECT_EQ(read->stated_gap_m, 1e-4);
+  ASSERT_TRUE(read->centre_axis.has_value());
+  EXPECT_EQ(read->centre_axis->point_m, Eigen::Vector3d(0, 0.5, 0));
+  EXPECT_EQ(read->centre_axis->direction, Eigen::Vector3d(0, 0.6, 0.8));
+}
+
+TEST(HeaderRecord, a_ribbon_needs_no_axis) {
+  RecordingHeader header = sample_header();
+  header.centre_axis.reset();
+  const auto read = parse_header_payload(header_payload(header));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_FALSE(read->centre_axis.has_value());
+}
+
+TEST(HeaderRecord, version_1_0_states_no_gap_and_no_axis) {
+  std::string payload = header_payload(sample_header());
+  payload.resize(payload.size() - 57);  // f64, u8, 6 f64
+  payload[2] = 0;
+  const auto read = parse_header_payload(payload);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(read->stated_gap_m, 0);
+  EXPECT_FALSE(read->centre_axis.has_value());
+  ASSERT_TRUE(read->obstacle.has_value());
+  EXPECT_EQ(read->obstacle->name, "stone");
 }
 
 TEST(HeaderRecord, a_ribbon_needs_no_obstacle) {
@@ -91,6 +115,21 @@ TEST(HeaderRecord, impossible_numbers_are_refused) {
   EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
   header = sample_header();
   header.obstacle->vertices(0, 0) = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+}
+
+TEST(HeaderRecord, an_impossible_gap_or_axis_is_refused) {
+  for (const double gap :
+       {-1e-9, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    RecordingHeader header = sample_header();
+    header.stated_gap_m = gap;
+    EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value()) << gap;
+  }
+  RecordingHeader header = sample_header();
+  header.centre_axis->direction *= 1.01;
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+  header = sample_header();
+  header.centre_axis->point_m[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
 }
 

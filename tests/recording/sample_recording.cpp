@@ -60,6 +60,8 @@ RecordingHeader sample_header() {
   header.frames_per_second = 50;
   header.max_position_error_m = 1e-5;
   header.obstacle = octahedron();
+  header.stated_gap_m = 1e-4;
+  header.centre_axis = CentreAxis{{0, 0.5, 0}, {0, 0.6, 0.8}};
   return header;
 }
 

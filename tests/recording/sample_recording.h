@@ -10,7 +10,8 @@
 namespace ribbon {
 
 // A ribbon of 40 x 6 particles, 1 m long and 0.1 m wide, that begins to twist about its own axis,
-// with an octahedron named "stone" as obstacle.
+// with an octahedron named "stone" as obstacle. A gap of 0.1 mm is stated; the centre axis goes
+// through (0, 0.5, 0) along (0, 0.6, 0.8).
 RecordingHeader sample_header();
 
 // Where its particles truly are in a frame (from 0): 3 x 240, metres. The middle of the ribbon
