@@ -10,7 +10,10 @@ build_packages=(
   libfreetype-dev libpng-dev libpugixml-dev libsvgpp-dev libtbb-dev libtomlplusplus-dev libzstd-dev
   nlohmann-json3-dev fonts-dejavu-core
 )
-test_packages=(blender clang-format clang-tidy libgtest-dev python3 shellcheck)
+test_packages=(
+  blender clang clang-format clang-tidy libclang-14-dev libclang-rt-dev libgtest-dev llvm-14-dev
+  python3 shellcheck
+)
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ribbon {
+
+inline int misnamedFunction(int x) {
+  return x;
+}
+
+}  // namespace ribbon
