@@ -1,86 +1,99 @@
 #include "verification/exact_orientation.h"
 
-#include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
+#include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 
 namespace ribbon {
 
 namespace {
 
-namespace mp = boost::multiprecision;
+// Single-precision numbers have 24 binary digits, so that doubles hold the product of two exactly,
+// and two doubles the product of three. A determinant of coordinates is a sum of at most 48 such
+// doubles, and their exact sum has the sign in question. Sizes are 0 or from 2^-447 to 2^384, far
+// from where doubles end.
 
-// A finite single-precision number is a whole multiple of 2^-172 (24 binary digits below the
-// leading one of the smallest denormal, 2^-149) and smaller than 2^128. So coordinates have at most
-// 300 binary digits, differences 301, sums of six products of three of them 906.
-using Integer =
-    mp::number<mp::cpp_int_backend<1024, 1024, mp::signed_magnitude, mp::unchecked, void>>;
+// A sum of doubles as parts whose digits do not overlap, the smallest first, none of them 0: the
+// last one has the sum's sign (Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast
+// Robust Geometric Predicates, 1997, theorem 10).
+class ExactSum {
+ public:
+  void add(double number) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const double sum = number + parts_[k];
+      const double error = rounding_error(number, parts_[k], sum);
+      if (error != 0) parts_[kept++] = error;
+      number = sum;
+    }
+    if (number != 0) parts_[kept++] = number;
+    count_ = kept;
+    assert(count_ < parts_.size());
+  }
 
-constexpr int mantissa_digits = std::numeric_limits<float>::digits;
+  [[nodiscard]] int sign() const {
+    if (count_ == 0) return 0;
+    return parts_[count_ - 1] > 0 ? 1 : -1;
+  }
 
-// The binary exponent of the last digit that `number` may have; a large one for 0.
-int last_digit(float number) {
-  if (number == 0) return std::numeric_limits<int>::max();
-  int exponent = 0;
-  (void)std::frexp(number, &exponent);
-  return exponent - mantissa_digits;
+ private:
+  // What a + b is more than its rounded sum, exactly (theorem 7).
+  static double rounding_error(double a, double b, double sum) {
+    const double b_part = sum - a;
+    return (a - (sum - b_part)) + (b - b_part);
+  }
+
+  // Each number adds at most one part.
+  std::array<double, 49> parts_{};
+  std::size_t count_ = 0;
+};
+
+void add_product(ExactSum& sum, double x, double y, double z) {
+  const double xy = x * y;
+  const double product = xy * z;
+  sum.add(std::fma(xy, z, -product));
+  sum.add(product);
 }
 
-// number / 2^unit; unit <= last_digit(number).
-Integer in_units(float number, int unit) {
-  if (number == 0) return 0;
-  int exponent = 0;
-  const float mantissa = std::frexp(number, &exponent);
-  const auto digits = static_cast<int>(std::ldexp(mantissa, mantissa_digits));
-  return Integer(digits) << (exponent - mantissa_digits - unit);
+// Adds sign * det(p, q, r).
+void add_determinant(ExactSum& sum, double sign, const Eigen::Vector3f& p, const Eigen::Vector3f& q,
+                     const Eigen::Vector3f& r) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    add_product(sum, sign * p[i], q[j], r[k]);
+    add_product(sum, -sign * p[i], q[k], r[j]);
+  }
 }
 
-// Points (columns) in whole multiples of the largest power of two that allows it. A common factor
-// does not change a determinant's sign.
-template <class Points>
-Eigen::Matrix<Integer, Points::RowsAtCompileTime, Points::ColsAtCompileTime> in_common_units(
-    const Points& points) {
-  assert(points.allFinite());
-  int unit = std::numeric_limits<int>::max();
-  for (const float coordinate : points.reshaped()) unit = std::min(unit, last_digit(coordinate));
-  Eigen::Matrix<Integer, Points::RowsAtCompileTime, Points::ColsAtCompileTime> result;
-  for (int column = 0; column < points.cols(); ++column)
-    for (int row = 0; row < points.rows(); ++row)
-      result(row, column) = in_units(points(row, column), unit);
-  return result;
-}
-
-int sign(const Integer& number) {
-  return number.sign();
-}
-
-Integer minor_of(const Integer& a, const Integer& b, const Integer& c, const Integer& d) {
-  return Integer(a * d) - Integer(b * c);
+void add_determinant(ExactSum& sum, double sign, const Eigen::Vector2f& p,
+                     const Eigen::Vector2f& q) {
+  sum.add(sign * p.x() * q.y());
+  sum.add(-sign * p.y() * q.x());
 }
 
 }  // namespace
 
+// det(b - a, c - a, d - a) multiplied out.
 int exact_side_of_plane(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                         const Eigen::Vector3f& c, const Eigen::Vector3f& d) {
-  Eigen::Matrix<float, 3, 4> points;
-  points << a, b, c, d;
-  auto x = in_common_units(points);
-  for (int k = 1; k < 4; ++k)
-    for (int row = 0; row < 3; ++row) x(row, k) -= x(row, 0);
-  return sign(x(0, 1) * minor_of(x(1, 2), x(1, 3), x(2, 2), x(2, 3)) +
-              x(1, 1) * minor_of(x(2, 2), x(2, 3), x(0, 2), x(0, 3)) +
-              x(2, 1) * minor_of(x(0, 2), x(0, 3), x(1, 2), x(1, 3)));
+  assert(a.allFinite() && b.allFinite() && c.allFinite() && d.allFinite());
+  ExactSum sum;
+  add_determinant(sum, 1, b, c, d);
+  add_determinant(sum, -1, a, c, d);
+  add_determinant(sum, 1, a, b, d);
+  add_determinant(sum, -1, a, b, c);
+  return sum.sign();
 }
 
 int exact_turn(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
-  Eigen::Matrix<float, 2, 3> points;
-  points << a, b, c;
-  auto x = in_common_units(points);
-  for (int k = 1; k < 3; ++k)
-    for (int row = 0; row < 2; ++row) x(row, k) -= x(row, 0);
-  return sign(minor_of(x(0, 1), x(0, 2), x(1, 1), x(1, 2)));
+  assert(a.allFinite() && b.allFinite() && c.allFinite());
+  ExactSum sum;
+  add_determinant(sum, 1, b, c);
+  add_determinant(sum, -1, a, c);
+  add_determinant(sum, 1, a, b);
+  return sum.sign();
 }
 
 }  // namespace ribbon

@@ -1,4 +1,4 @@
-// The signs of orientation.h in integers of any length: always certain, a hundred times slower.
+// The signs of orientation.h without any rounding: always certain, twenty times slower.
 #pragma once
 
 #include <Eigen/Core>

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "verification/exact_orientation.h"
 
@@ -81,6 +83,74 @@ TEST(Orientation, the_exact_signs_agree_where_doubles_suffice) {
   EXPECT_EQ(exact_turn({0.25F, 0}, {1, 0}, {0, 1}), 1);
   EXPECT_EQ(exact_turn({0, 0}, {0, 0}, {0, 0}), 0);
   EXPECT_EQ(exact_turn({-1, 1}, {0, 0}, {1, 1}), 1);
+}
+
+using Rational = boost::multiprecision::cpp_rational;
+
+int sign_in_rationals(const Vector3f& a, const Vector3f& b, const Vector3f& c, const Vector3f& d) {
+  Eigen::Matrix<Rational, 3, 4> x;
+  for (int k = 0; k < 3; ++k) {
+    x(k, 0) = Rational(a[k]);
+    x(k, 1) = Rational(b[k]) - x(k, 0);
+    x(k, 2) = Rational(c[k]) - x(k, 0);
+    x(k, 3) = Rational(d[k]) - x(k, 0);
+  }
+  Rational determinant = 0;
+  for (int k = 0; k < 3; ++k)
+    determinant +=
+        x(k, 1) * (x((k + 1) % 3, 2) * x((k + 2) % 3, 3) - x((k + 2) % 3, 2) * x((k + 1) % 3, 3));
+  return determinant.sign();
+}
+
+// Numbers of all sizes a float can have, with few digits, so that sums cancel now and then.
+class RandomFloats {
+ public:
+  float operator()() {
+    const int digits = static_cast<int>(random_() % 33) - 16;
+    const int exponent = static_cast<int>(random_() % 270) - 149;
+    return std::ldexp(static_cast<float>(digits), exponent);
+  }
+  Vector3f point() { return {(*this)(), (*this)(), (*this)()}; }
+
+ private:
+  std::mt19937 random_{11};
+};
+
+TEST(Orientation, agrees_with_rational_numbers_on_points_of_all_sizes) {
+  RandomFloats random;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Vector3f a = random.point();
+    const Vector3f b = random.point();
+    const Vector3f c = random.point();
+    const Vector3f d = random.point();
+    ASSERT_EQ(side_of_plane(a, b, c, d), sign_in_rationals(a, b, c, d));
+    ASSERT_EQ(exact_side_of_plane(a, b, c, d), sign_in_rationals(a, b, c, d));
+  }
+}
+
+// The fourth point is on the plane of the others but for its rounding.
+TEST(Orientation, agrees_with_rational_numbers_on_nearly_flat_points) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> coordinate(-1, 1);
+  const auto point = [&] {
+    return Vector3f(coordinate(random), coordinate(random), coordinate(random));
+  };
+  int flat = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Vector3f a = point();
+    const Vector3f b = point();
+    const Vector3f c = point();
+    const Vector3f d = trial % 2 == 0 ? Vector3f(a + 0.5F * (b - a) + 0.25F * (c - a))
+                                      : Vector3f(b * 0.5F + c * 0.5F);
+    const int expected = sign_in_rationals(a, b, c, d);
+    ASSERT_EQ(side_of_plane(a, b, c, d), expected);
+    ASSERT_EQ(exact_side_of_plane(a, b, c, d), expected);
+    ASSERT_EQ(exact_turn(a.head<2>(), b.head<2>(), c.head<2>()),
+              turn(a.head<2>(), b.head<2>(), c.head<2>()));
+    if (expected == 0) ++flat;
+  }
+  EXPECT_GT(flat, 0);
+  EXPECT_LT(flat, 2500);
 }
 
 }  // namespace
