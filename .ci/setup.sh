@@ -11,8 +11,8 @@ build_packages=(
   nlohmann-json3-dev fonts-dejavu-core
 )
 test_packages=(
-  blender clang clang-format clang-tidy libclang-14-dev libclang-rt-dev libgtest-dev llvm-14-dev
-  python3 shellcheck
+  blender clang clang-format clang-tidy libcgal-dev libclang-14-dev libclang-rt-dev libgmp-dev
+  libgtest-dev libmpfr-dev llvm-14-dev python3 regina-normal-dev shellcheck
 )
 
 is_installed() {
