@@ -41,7 +41,16 @@ RecordingHeader header_of(const Scene& scene, const std::string& writer, const R
   header.frames_per_second = scene.recording.frames_per_second;
   header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
   header.obstacle = obstacle;
+  if (const auto& hands = scene.fastening)
+    header.centre_axis = CentreAxis{hands->axis_point_m, hands->axis_direction};
   return header;
+}
+
+// The gate can grow a ribbon into less room than it needs at its crossings.
+Result<SpaceCurve> centre_line(const Scene& scene) {
+  return generate_space_curve(
+      scene.curve, scene.ribbon.width_m, scene.ribbon.along,
+      scene.contact == ContactMethod::gate ? TightPassage::squeeze : TightPassage::refuse);
 }
 
 // The first step at or after the time of frame `index`. A frame time that falls on a step up to
@@ -61,7 +70,7 @@ int frame_count(const Scene& scene) {
 
 Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& recording,
                              const std::string& writer, const RunObserver& observer) {
-  const auto curve = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along);
+  const auto curve = centre_line(scene);
   if (!curve) return tl::unexpected(curve.error());
   const RibbonMesh ribbon = generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
   std::optional<TriangleMesh> obstacle;
@@ -70,24 +79,32 @@ Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& re
     if (!read) return tl::unexpected(read.error());
     obstacle = std::move(*read);
   }
+  Stopwatch stopwatch;
+  auto fastening = FasteningProcessor::create(scene, ribbon, obstacle);
+  if (!fastening) return tl::unexpected(fastening.error());
+  // Not before the start has been found: a scene without one leaves an older recording alone.
   auto file = RecordingWriter::create(recording, header_of(scene, writer, ribbon, obstacle));
   if (!file) return tl::unexpected(file.error());
-  FasteningProcessor fastening(scene, ribbon, obstacle);
 
-  RunStatistics statistics{
-      .scene_name = scene.name, .along = ribbon.grid.along, .across = ribbon.grid.across};
+  RunStatistics statistics{.scene_name = scene.name,
+                           .along = ribbon.grid.along,
+                           .across = ribbon.grid.across,
+                           .start = std::string(word_for(fastening->start().kind)),
+                           .start_s = stopwatch.lap()};
   const int frames = frame_count(scene);
-  Stopwatch stopwatch;
   for (int frame = 0; frame < frames && !statistics.interrupted; ++frame) {
     FrameNumbers numbers;
+    if (frame == 0)
+      numbers.recovery_iterations +=
+          static_cast<std::uint32_t>(fastening->start().recovery_iterations);
     for (const long last = step_of_frame(scene, frame); statistics.steps < last; ++statistics.steps)
       numbers.recovery_iterations +=
-          static_cast<std::uint32_t>(fastening.step().recovery_iterations);
+          static_cast<std::uint32_t>(fastening->step().recovery_iterations);
     statistics.simulation_s += stopwatch.lap();
-    numbers.time_s = fastening.time_s();
-    numbers.worst_strain = fastening.strain();
-    numbers.penetrating_edges = static_cast<std::uint32_t>(fastening.penetrating_edges());
-    if (auto written = file->append(numbers, fastening.positions()); !written)
+    numbers.time_s = fastening->time_s();
+    numbers.worst_strain = fastening->strain();
+    numbers.penetrating_edges = static_cast<std::uint32_t>(fastening->penetrating_edges());
+    if (auto written = file->append(numbers, fastening->positions()); !written)
       return tl::unexpected(written.error());
     statistics.recording_s += stopwatch.lap();
     statistics.add(numbers);

@@ -28,9 +28,9 @@ double RunStatistics::bits_per_vertex_and_frame() const {
 
 std::string summary_line(const RunStatistics& statistics) {
   std::string line =
-      std::to_string(statistics.frames) + " frames, " + decimals(statistics.simulated_s, 1) +
-      " s in " + std::to_string(statistics.steps) + " steps (" +
-      decimals(statistics.steps_per_second(), 1) + " steps/s); worst strain " +
+      statistics.start + " start; " + std::to_string(statistics.frames) + " frames, " +
+      decimals(statistics.simulated_s, 1) + " s in " + std::to_string(statistics.steps) +
+      " steps (" + decimals(statistics.steps_per_second(), 1) + " steps/s); worst strain " +
       decimals(100 * statistics.worst_strain, 1) + " %; penetrating edges " +
       std::to_string(statistics.worst_penetrating_edges) + " at worst, " +
       std::to_string(statistics.last_penetrating_edges) + " at last; " +
@@ -45,6 +45,8 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"scene", statistics.scene_name},
       {"along", statistics.along},
       {"across", statistics.across},
+      {"start", statistics.start},
+      {"start_s", statistics.start_s},
       {"steps", statistics.steps},
       {"frames", statistics.frames},
       {"simulated_s", statistics.simulated_s},

@@ -12,6 +12,8 @@ struct RunStatistics {
   std::string scene_name;
   int along = 0;
   int across = 0;
+  std::string start;   // how it was made: "free", "grown" or "recovered"
+  double start_s = 0;  // wall time that took
   long steps = 0;
   int frames = 0;
   double simulated_s = 0;
@@ -24,7 +26,7 @@ struct RunStatistics {
   double last_strain = 0;
   std::uint32_t worst_penetrating_edges = 0;  // over all frames
   std::uint32_t last_penetrating_edges = 0;
-  std::uint64_t recovery_iterations = 0;  // in all steps
+  std::uint64_t recovery_iterations = 0;  // at the start and in all steps
 
   void add(const FrameNumbers& frame);
   [[nodiscard]] double steps_per_second() const;

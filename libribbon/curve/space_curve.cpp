@@ -246,23 +246,34 @@ std::vector<Way> ways_of(const std::vector<Passage>& passages, const Plan& plan,
   return ways;
 }
 
-// Fails at the tightest place if bands of the width would rise too steeply between passages.
-Result<void> leave_room(const CurveScene& scene, double width_m, const std::vector<Way>& ways) {
-  const Way& tightest = *std::max_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
+const Way& tightest_of(const std::vector<Way>& ways) {
+  return *std::max_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
     return a.rise * b.length < b.rise * a.length;
   });
-  const double length_per_gap = blend_slope * tightest.rise / steepest_slope;
-  const double widest_m = tightest.length * scene.unit_m / length_per_gap - scene.clearance_m;
-  if (width_m <= widest_m) return {};
-  const double needed = length_per_gap * (width_m + scene.clearance_m) / scene.unit_m;
-  const Vector2d metres = (tightest.place - scene.origin) * scene.unit_m;
+}
+
+double length_per_gap(const Way& way) {
+  return blend_slope * way.rise / steepest_slope;
+}
+
+tl::unexpected<Error> too_tight(const CurveScene& scene, double width_m, const Way& way) {
+  const double widest_m = way.length * scene.unit_m / length_per_gap(way) - scene.clearance_m;
+  const double needed = length_per_gap(way) * (width_m + scene.clearance_m) / scene.unit_m;
+  const Vector2d metres = (way.place - scene.origin) * scene.unit_m;
   constexpr double spare = 1.01;  // so that the numbers hold although they are rounded
   return failure(
-      drawing_place(tightest.place) + ", in metres " + coordinates(metres),
-      "the way " + tightest.name + " is " + three_digits(tightest.length * scene.unit_m) +
+      drawing_place(way.place) + ", in metres " + coordinates(metres),
+      "the way " + way.name + " is " + three_digits(way.length * scene.unit_m) +
           " m, too short for a ribbon " + three_digits(width_m) + " m wide",
       "draw it " + three_digits(spare * needed) + " drawing units long" +
           (widest_m > 0 ? ", or set ribbon.width to " + three_digits(widest_m / spare) : ""));
+}
+
+// The curve whose passages are pulled apart by `widest_m` and not quite that, for rounding.
+Result<SpaceCurve> squeezed(CurveScene scene, double widest_m, int samples) {
+  assert(widest_m > 0);  // the crossings of a drawing do not lie on each other
+  scene.clearance_m = 0;
+  return generate_space_curve(scene, 0.999 * widest_m, samples);
 }
 
 // The heights along the plan: up and down at the passages, 0 towards both ends.
@@ -318,8 +329,8 @@ Vector3d catmull_rom(const Vector3d& p0, const Vector3d& p1, const Vector3d& p2,
   return catmull_rom_cubic(p0, p1, p2, p3).at(t);
 }
 
-Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m,
-                                        int samples) {
+Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m, int samples,
+                                        TightPassage tight_passage) {
   assert(samples >= 2 && scene.unit_m > 0 && ribbon_width_m > 0 && scene.clearance_m >= 0);
   const auto drawing =
       std::visit([](const auto& drawn) { return read_drawing(drawn); }, scene.drawing);
@@ -336,8 +347,12 @@ Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_w
   const Plan plan = fine_plan(controls, gap);
   const auto plan_lengths = lengths_along(plan.points);
   if (!passages.empty()) {
-    const auto room = leave_room(scene, ribbon_width_m, ways_of(passages, plan, plan_lengths));
-    if (!room) return tl::unexpected(room.error());
+    const std::vector<Way> ways = ways_of(passages, plan, plan_lengths);
+    const Way& tightest = tightest_of(ways);
+    const double widest_gap = tightest.length / length_per_gap(tightest);
+    if (gap > widest_gap && tight_passage == TightPassage::refuse)
+      return too_tight(scene, ribbon_width_m, tightest);
+    if (gap > widest_gap) return squeezed(scene, widest_gap * scene.unit_m, samples);
   }
   auto points = raised(plan, plan_lengths, levels_of(passages, plan, plan_lengths, gap / 2));
   for (Vector3d& point : points) {

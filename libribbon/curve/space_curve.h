@@ -24,13 +24,20 @@ struct SpaceCurve {
 Eigen::Vector3d catmull_rom(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
                             const Eigen::Vector3d& p2, const Eigen::Vector3d& p3, double t);
 
+// What to do where passages follow one another so closely that, pulled apart by the ribbon's width
+// and the clearance, the curve would rise more steeply than 45 degrees.
+enum class TightPassage {
+  refuse,
+  squeeze,  // pull all passages apart only as far as the tightest one allows: narrower bands fit
+};
+
 // Reads the drawing of `scene`, finds its crossings, pulls the two passages of each apart along the
 // chosen axis so that bands of `ribbon_width_m` standing along that axis have room, smooths with
 // Catmull-Rom and samples `samples` (>= 2) points. The curve is level at each passage, half of
 // width + clearance above or below the plane, and lies in the plane at its ends. Fails, with the
 // place, where the drawing cannot be told, where smoothing would make it cross elsewhere, and where
-// passages follow one another so closely that the curve would rise more steeply than 45 degrees.
-Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m,
-                                        int samples);
+// a passage is too tight and not to be squeezed.
+Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m, int samples,
+                                        TightPassage tight_passage = TightPassage::refuse);
 
 }  // namespace ribbon

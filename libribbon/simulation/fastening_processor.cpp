@@ -1,11 +1,11 @@
 #include "simulation/fastening_processor.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "simulation/integrate.h"
 #include "simulation/recovery.h"
+#include "simulation/scene_limits.h"
 #include "simulation/spring_force.h"
+#include "simulation/width_growth.h"
 
 namespace ribbon {
 
@@ -13,14 +13,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-constexpr double strain_limit = 0.1;   // of the natural length (section 5.5)
-constexpr int correction_rounds = 10;  // at most, in one step (section 5.5)
-constexpr int settling_rounds = 50;    // at most, before the first step
-
-double shortest_edge_m(const RibbonMesh& ribbon) {
-  return std::min(ribbon.length_m / (ribbon.grid.along - 1),
-                  ribbon.width_m / (ribbon.grid.across - 1));
-}
+constexpr int settling_rounds = 50;  // at most, before the first step
 
 // Particles first, the obstacle's vertices behind them.
 Matrix3Xd all_vertices(const RibbonMesh& ribbon, const std::optional<TriangleMesh>& obstacle) {
@@ -37,51 +30,57 @@ std::optional<Body> obstacle_body(const std::optional<TriangleMesh>& obstacle, i
   return Body(collision_surface(obstacle->triangles.array() + first_vertex), positions);
 }
 
+std::unique_ptr<Bodies> bodies_of(const RibbonGrid& grid,
+                                  const std::optional<TriangleMesh>& obstacle,
+                                  const Matrix3Xd& positions) {
+  return std::make_unique<Bodies>(
+      Bodies{grid, Body(collision_surface(grid.triangles()), positions),
+             obstacle_body(obstacle, grid.particle_count(), positions)});
+}
+
 }  // namespace
 
 FasteningProcessor::FasteningProcessor(const Scene& scene, const RibbonMesh& ribbon,
                                        const std::optional<TriangleMesh>& obstacle)
     : step_s_(scene.time.step_s),
-      air_resistance_per_s_(scene.air_resistance_per_s),
       cloth_{all_vertices(ribbon, obstacle), Matrix3Xd::Zero(3, ribbon.positions.cols()),
              scene.ribbon.mass_kg / ribbon.grid.particle_count()},
-      springs_(spring_network(ribbon.grid, ribbon.length_m, ribbon.width_m, scene.springs)),
-      substeps_(stable_substeps(springs_, ribbon.grid.particle_count(), cloth_.particle_mass_kg,
-                                air_resistance_per_s_, step_s_)),
-      bodies_(std::make_unique<Bodies>(
-          Bodies{ribbon.grid, Body(collision_surface(ribbon.grid.triangles()), cloth_.positions),
-                 obstacle_body(obstacle, ribbon.grid.particle_count(), cloth_.positions)})),
-      strain_correction_(ribbon.grid, ribbon.length_m, ribbon.width_m, strain_limit) {
-  const ContactLengths lengths{shortest_edge_m(ribbon),
-                               scene.recording.max_position_error_m(ribbon.length_m)};
-  contact_ = scene.contact == ContactMethod::paper ? paper_contact(*bodies_, lengths)
-                                                   : gated_contact(*bodies_, lengths, step_s_);
+      bodies_(bodies_of(ribbon.grid, obstacle, cloth_.positions)),
+      deformation_(scene, natural_size(ribbon, 1), cloth_.particle_mass_kg, *bodies_) {}
+
+Result<FasteningProcessor> FasteningProcessor::create(const Scene& scene, const RibbonMesh& ribbon,
+                                                      const std::optional<TriangleMesh>& obstacle) {
+  FasteningProcessor processor(scene, ribbon, obstacle);
+  if (auto begun = processor.begin(scene, ribbon); !begun) return tl::unexpected(begun.error());
+  return processor;
+}
+
+Result<void> FasteningProcessor::begin(const Scene& scene, const RibbonMesh& ribbon) {
+  const auto kept =
+      check_limits(scene, natural_size(ribbon, 1), deformation_.substeps(), cloth_.positions);
+  if (!kept) return kept;
+  if (scene.contact == ContactMethod::gate) {
+    const auto start = find_free_start(scene, ribbon, *bodies_, cloth_);
+    if (!start) return tl::unexpected(start.error());
+    start_ = *start;
+  }
+  // A band that was bent into a drawn curve is strained here and there. Before the first step it is
+  // corrected as after any other, without force and at rest.
+  deformation_.move(cloth_.positions, cloth_);
+  start_.recovery_iterations += deformation_.settle(settling_rounds, cloth_);
+  if (start_.recovery_iterations > 0) start_.kind = StartKind::recovered;
+
   if (scene.fastening)
-    fastening_.emplace(*scene.fastening, air_resistance_per_s_, ribbon.grid, cloth_.positions,
+    fastening_.emplace(*scene.fastening, scene.air_resistance_per_s, ribbon.grid, cloth_.positions,
                        cloth_.particle_mass_kg);
   if (scene.fastening && scene.fastening->yield_strain)
     yielding_.emplace(ribbon.grid, ribbon.length_m, *scene.fastening->yield_strain);
-  settle();
-}
-
-// A band that was bent into a drawn curve is strained here and there. Before the first step it is
-// corrected as after any other, without force and at rest.
-void FasteningProcessor::settle() {
-  const Matrix3Xd start = cloth_.positions;
-  contact_->after_displacement(start, cloth_);
-  for (int round = 0; round < settling_rounds && correct_strain(); ++round)
-    contact_->after_smoothing(cloth_);
-  cloth_.velocities.setZero();
+  return {};
 }
 
 StepReport FasteningProcessor::step() {
-  const Matrix3Xd before = cloth_.positions;
-  integrate(springs_, fastening_force(), air_resistance_per_s_, step_s_, substeps_, cloth_);
-  contact_->after_displacement(before, cloth_);
-  correct_strain();
-  const int recovery_iterations = contact_->after_smoothing(cloth_);
   ++steps_;
-  return {recovery_iterations};
+  return {deformation_.step(fastening_force(), cloth_)};
 }
 
 int FasteningProcessor::penetrating_edges() {
@@ -89,7 +88,7 @@ int FasteningProcessor::penetrating_edges() {
 }
 
 double FasteningProcessor::strain() const {
-  return worst_strain(springs_, cloth_.positions);
+  return worst_strain(deformation_.springs(), cloth_.positions);
 }
 
 Matrix3Xd FasteningProcessor::positions() const {
@@ -101,20 +100,6 @@ Matrix3Xd FasteningProcessor::fastening_force() {
   Matrix3Xd force = fastening_->at(cloth_.positions);
   if (yielding_) force *= yielding_->feel(cloth_.positions);
   return force;
-}
-
-// while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes
-// their velocities, so that the springs are not stretched again in the next step. Was there any?
-bool FasteningProcessor::correct_strain() {
-  const Matrix3Xd before = cloth_.positions;
-  int rounds = 0;
-  while (rounds < correction_rounds && strain_correction_.any_over_limit(cloth_.positions)) {
-    strain_correction_.apply(cloth_.positions);
-    ++rounds;
-  }
-  if (rounds > 0)
-    cloth_.velocities += (cloth_.positions - before).leftCols(cloth_.particle_count()) / step_s_;
-  return rounds > 0;
 }
 
 }  // namespace ribbon

@@ -33,22 +33,28 @@ std::vector<Penetration> border_into_ribbon(Bodies& bodies, const Matrix3Xd& pos
   return found;
 }
 
-// while (∃ error) apply the scheme, as long as each application leaves fewer errors than before;
-// one that does not is taken back. `iterations` counts the applications.
+// while (∃ error) apply the scheme, until `patience` applications in a row have left no fewer
+// errors than there were at best; those are taken back. `iterations` counts all applications.
 template <class Detect, class Scheme>
-void repeat(const Detect& detect, const Scheme& scheme, Matrix3Xd& positions, int& iterations) {
+void repeat(const Detect& detect, const Scheme& scheme, int patience, Matrix3Xd& positions,
+            int& iterations) {
   std::vector<Penetration> errors = detect();
-  while (!errors.empty()) {
-    const Matrix3Xd before = positions;
+  std::size_t fewest = errors.size();
+  Matrix3Xd best = positions;
+  int in_vain = 0;
+  while (!errors.empty() && in_vain < patience) {
     scheme(errors);
     ++iterations;
-    std::vector<Penetration> left = detect();
-    if (left.size() >= errors.size()) {
-      positions = before;
-      return;
+    errors = detect();
+    if (errors.size() < fewest) {
+      fewest = errors.size();
+      best = positions;
+      in_vain = 0;
+    } else {
+      ++in_vain;
     }
-    errors = std::move(left);
   }
+  if (in_vain > 0) positions = best;
 }
 
 }  // namespace
@@ -73,25 +79,29 @@ RecoveryReport recover(Bodies& bodies, const RecoverySettings& settings, Matrix3
   report.penetrating_edges = count_penetrating_edges(bodies, positions);
   bool improves = true;
   while (report.penetrating_edges > 0 && improves) {
+    const Matrix3Xd before = positions;
     repeat([&] { return ribbon_into_obstacle(bodies, positions); },
            [&](const std::vector<Penetration>& errors) {
              apply_scheme_a(bodies.grid, bodies.ribbon.surface, bodies.obstacle->surface, errors,
                             settings.gap_m, positions);
            },
-           positions, report.iterations);
+           settings.patience, positions, report.iterations);
     repeat([&] { return border_into_ribbon(bodies, positions); },
            [&](const std::vector<Penetration>& errors) {
              apply_scheme_b(bodies.grid, bodies.ribbon.surface, errors, settings.step_m, positions);
            },
-           positions, report.iterations);
+           settings.patience, positions, report.iterations);
     repeat([&] { return ribbon_into_itself(bodies, positions); },
            [&](const std::vector<Penetration>& errors) {
              apply_scheme_c(bodies.grid, bodies.ribbon.surface, errors, settings.gap_m, positions);
            },
-           positions, report.iterations);
+           settings.patience, positions, report.iterations);
     const int left = count_penetrating_edges(bodies, positions);
     improves = left < report.penetrating_edges;
-    report.penetrating_edges = left;
+    if (improves)
+      report.penetrating_edges = left;
+    else
+      positions = before;  // moving out of the obstacle may cost more than it brings
   }
   return report;
 }

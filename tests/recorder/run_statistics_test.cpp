@@ -8,7 +8,7 @@ namespace ribbon {
 namespace {
 
 RunStatistics example() {
-  RunStatistics statistics{.scene_name = "knot", .along = 10, .across = 4};
+  RunStatistics statistics{.scene_name = "knot", .along = 10, .across = 4, .start = "grown"};
   statistics.add(
       {.time_s = 0, .worst_strain = 0.3, .penetrating_edges = 5, .recovery_iterations = 0});
   statistics.add(
@@ -38,13 +38,15 @@ TEST(RunStatistics, of_a_run_that_did_nothing_divide_by_nothing) {
 
 TEST(RunStatistics, fit_on_one_line) {
   EXPECT_EQ(summary_line(example()),
-            "2 frames, 1.0 s in 100 steps (25.0 steps/s); worst strain 30.0 %; penetrating edges 5 "
+            "grown start; 2 frames, 1.0 s in 100 steps (25.0 steps/s); worst strain 30.0 %; "
+            "penetrating edges 5 "
             "at worst, 2 at last; 0.0 MB (16.0 bits per vertex and frame)");
 }
 
 TEST(RunStatistics, are_told_to_programs_as_json) {
   const auto json = nlohmann::json::parse(statistics_json(example()));
   EXPECT_EQ(json["scene"], "knot");
+  EXPECT_EQ(json["start"], "grown");
   EXPECT_EQ(json["steps"], 100);
   EXPECT_EQ(json["worst_penetrating_edges"], 5);
   EXPECT_EQ(json["interrupted"], false);

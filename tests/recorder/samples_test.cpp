@@ -31,7 +31,9 @@ TEST_P(Sample, starts_free_of_intersections_and_stays_so) {
   ASSERT_TRUE(curve.has_value()) << curve.error().sentence();
   EXPECT_EQ(curve->crossings.size(), 3U);
   const RibbonMesh ribbon = generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
-  FasteningProcessor fastening(scene, ribbon, read_obstacle(*scene.obstacle).value());
+  auto fastening =
+      FasteningProcessor::create(scene, ribbon, read_obstacle(*scene.obstacle).value()).value();
+  EXPECT_EQ(fastening.start().kind, StartKind::free);
   EXPECT_EQ(fastening.penetrating_edges(), 0);
   EXPECT_LT(fastening.strain(), 0.25);
   for (int step = 0; step < 5; ++step) fastening.step();

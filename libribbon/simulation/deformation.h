@@ -1,0 +1,62 @@
+// How a band of one natural size deforms in one step (paper, section 5, Figure 5).
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <memory>
+
+#include "geometry/ribbon_grid.h"
+#include "ribbon_mesh/springs.h"
+#include "scene/scene.h"
+#include "simulation/bodies.h"
+#include "simulation/cloth.h"
+#include "simulation/contact.h"
+#include "simulation/strain_correction.h"
+
+namespace ribbon {
+
+// How large the flat band is.
+struct NaturalSize {
+  RibbonGrid grid;
+  double length_m = 0;
+  double width_m = 0;
+
+  // Of one edge.
+  [[nodiscard]] double along_m() const { return length_m / (grid.along - 1); }
+  [[nodiscard]] double across_m() const { return width_m / (grid.across - 1); }
+  [[nodiscard]] double shortest_edge_m() const { return std::min(along_m(), across_m()); }
+};
+
+class Deformation {
+ public:
+  // Springs, air and contact as the scene wants them. `bodies` must outlive the deformation.
+  Deformation(const Scene& scene, const NaturalSize& size, double particle_mass_kg, Bodies& bodies);
+
+  // Figure 5 from the displacement on. fastening_force: 3 x particles, N, or no columns for none.
+  // Returns how often a recovery scheme was applied.
+  int step(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
+
+  // Brings the cloth from its positions, where the contact certified it, toward `wished`
+  // (3 x vertices) as far as contact lets, and leaves it at rest.
+  void move(const Eigen::Matrix3Xd& wished, Cloth& cloth);
+
+  // Corrects the strain up to `rounds` times, each time followed by contact, and leaves the cloth
+  // at rest. Returns how often a recovery scheme was applied.
+  int settle(int rounds, Cloth& cloth);
+
+  // Into how many parts the springs divide a step.
+  [[nodiscard]] int substeps() const { return substeps_; }
+  [[nodiscard]] const SpringNetwork& springs() const { return springs_; }
+
+ private:
+  void correct_strain(Cloth& cloth) const;
+
+  double step_s_;
+  double air_resistance_per_s_;
+  SpringNetwork springs_;
+  int substeps_;
+  StrainCorrection strain_correction_;
+  std::unique_ptr<Contact> contact_;
+};
+
+}  // namespace ribbon

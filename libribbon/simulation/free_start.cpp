@@ -1,0 +1,163 @@
+#include "simulation/free_start.h"
+
+#include <optional>
+#include <string>
+
+#include "simulation/encounter.h"
+#include "simulation/length_text.h"
+#include "simulation/recovery.h"
+#include "simulation/width_growth.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+
+constexpr double thinnest = 1.0 / 64;   // share of the width
+constexpr double gap_per_edge = 0.025;  // half of what the gate keeps at least
+constexpr int patience = 30;            // scheme A leads out of an obstacle layer by layer
+
+// The search for a free start of one ribbon.
+class Search {
+ public:
+  Search(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies, Cloth& cloth)
+      : scene_(scene),
+        ribbon_(ribbon),
+        bodies_(bodies),
+        cloth_(cloth),
+        generated_(cloth.positions) {}
+
+  Result<StartReport> find() {
+    if (is_free()) return report_;
+    if (!take_thin_band() && !take_recovered_band()) return pierced();
+    const GrowthReport growth = grow_width(scene_, ribbon_, share_, bodies_, cloth_);
+    if (!growth.complete) return no_room(growth);
+    share_ = 1;
+    if (!is_free()) return pierced();
+    return report_;
+  }
+
+ private:
+  // The band as generated, at a share of its width.
+  void take_band(double share) {
+    share_ = share;
+    cloth_.positions = rows_scaled(ribbon_.grid, share, generated_);
+  }
+
+  [[nodiscard]] double shortest_edge_m() const {
+    return natural_size(ribbon_, share_).shortest_edge_m();
+  }
+
+  std::optional<Encounter> encounter() {
+    if (const auto piercing = first_piercing(bodies_, cloth_.positions)) return piercing;
+    return first_closer_than(gap_per_edge * shortest_edge_m(), bodies_, cloth_.positions);
+  }
+
+  bool is_free() { return cloth_.positions.allFinite() && !encounter(); }
+
+  bool take_thin_band() {
+    report_.kind = StartKind::grown;
+    for (double share = 0.5; share >= thinnest; share /= 2) {
+      take_band(share);
+      if (is_free()) return true;
+    }
+    return false;
+  }
+
+  bool take_recovered_band() {
+    report_.kind = StartKind::recovered;
+    for (double share = 1; share >= thinnest; share /= 2) {
+      take_band(share);
+      const RecoverySettings settings{.gap_m = 0.1 * shortest_edge_m(),
+                                      .step_m = 0.5 * shortest_edge_m(),
+                                      .patience = patience};
+      report_.recovery_iterations += recover(bodies_, settings, cloth_.positions).iterations;
+      if (is_free()) return true;
+    }
+    return false;
+  }
+
+  // ---- What to say where there is no free start
+
+  [[nodiscard]] std::string place_of(int particle) const {
+    const int row = ribbon_.grid.row(particle);
+    return "row " + std::to_string(row + 1) + " of " + std::to_string(ribbon_.grid.along) + ", " +
+           metres(row * natural_size(ribbon_, 1).along_m()) + " from its first end";
+  }
+
+  [[nodiscard]] bool of_obstacle(const Encounter& encounter) const {
+    return encounter.other >= ribbon_.grid.particle_count();
+  }
+
+  tl::unexpected<Error> pierced() {
+    take_band(thinnest);
+    const std::optional<Encounter> at = encounter();
+    if (!cloth_.positions.allFinite() || !at)
+      return failure(scene_.name, "the ribbon does not keep clear of what it was moved away from",
+                     remedy(with_obstacle()));
+    return failure(scene_.name,
+                   "even a thin band along the drawing meets " +
+                       (of_obstacle(*at) ? "the obstacle at " + place_of(at->particle)
+                                         : "itself at " + place_of(at->particle) + ", and " +
+                                               place_of(at->other)),
+                   remedy(of_obstacle(*at)));
+  }
+
+  tl::unexpected<Error> no_room(const GrowthReport& growth) {
+    const double roomy_m = growth.settled_share * ribbon_.width_m;
+    const std::string how = report_.kind == StartKind::recovered ? "moved out of what it pierced"
+                                                                 : "grown from a thin band";
+    const std::string how_far =
+        roomy_m > 0 ? "settles up to a width of " + metres(roomy_m) + " only" : "does not settle";
+    return failure(scene_.name,
+                   "the ribbon finds no room for its width of " + metres(ribbon_.width_m) + ": " +
+                       how + " it " + how_far + ", strained most at " +
+                       place_of(growth.strained_particle),
+                   (roomy_m > 0 ? "set ribbon.width to " + to_three_digits(0.99 * roomy_m) + ", or "
+                                : std::string()) +
+                       remedy(with_obstacle()));
+  }
+
+  // Does it, as generated, meet the obstacle first?
+  bool with_obstacle() {
+    take_band(1);
+    const std::optional<Encounter> at = encounter();
+    return at && of_obstacle(*at);
+  }
+
+  static std::string remedy(bool of_obstacle) {
+    return of_obstacle ? "draw the ribbon around the obstacle, move the obstacle with "
+                         "obstacle.position or make it smaller with obstacle.scale"
+                       : "draw the strands further apart there";
+  }
+
+  const Scene& scene_;
+  const RibbonMesh& ribbon_;
+  Bodies& bodies_;
+  Cloth& cloth_;
+  Matrix3Xd generated_;
+  double share_ = 1;  // of its width that the band has now
+  StartReport report_;
+};
+
+}  // namespace
+
+std::string_view word_for(StartKind kind) {
+  switch (kind) {
+    case StartKind::free:
+      return "free";
+    case StartKind::grown:
+      return "grown";
+    case StartKind::recovered:
+      return "recovered";
+  }
+  return "";
+}
+
+Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies,
+                                    Cloth& cloth) {
+  return Search(scene, ribbon, bodies, cloth).find();
+}
+
+}  // namespace ribbon

@@ -1,0 +1,81 @@
+#include "simulation/scene_limits.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "simulation/gap_lengths.h"
+#include "simulation/length_text.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+
+// The largest coordinate; not a number where one is not.
+double farthest_m(const Eigen::Ref<const Matrix3Xd>& positions) {
+  return positions.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+}
+
+Result<void> steps_come_to_an_end(const Scene& scene, int substeps) {
+  if (substeps <= most_substeps) return {};
+  return failure(scene.name,
+                 "springs and air divide each step into " + std::to_string(substeps) +
+                     " parts, more than " + std::to_string(most_substeps),
+                 "set smaller resistances, a larger ribbon.mass or a shorter time.step");
+}
+
+Result<void> arithmetic_keeps_the_gap(const Scene& scene, double gap_m, double farthest_m) {
+  // Heights over a plane take some ten roundings.
+  const double most_m = 1e-3 * gap_m / (16 * std::numeric_limits<double>::epsilon());
+  if (farthest_m <= most_m) return {};  // false for NaN
+  return failure(scene.name,
+                 "a position lies " + metres(farthest_m) +
+                     " from the origin, too far to tell gaps of " + metres(gap_m) + " apart",
+                 "keep ribbon and obstacle within " + metres(0.99 * most_m) +
+                     " of the origin, or make the edges of the ribbon longer");
+}
+
+Result<void> recording_tells_positions(const Scene& scene, double rounding_m, double farthest_m) {
+  const double single_m = std::ldexp(farthest_m, -24);
+  if (single_m <= rounding_m) return {};
+  return failure(
+      scene.name,
+      "the ribbon lies " + metres(farthest_m) +
+          " from the origin, where recorded coordinates are only right to " + metres(single_m),
+      "move it to within " + metres(0.99 * std::ldexp(rounding_m, 24)) +
+          " of the origin with curve.origin, or set recording.max_position_error to " +
+          to_three_digits(1.01 * scene.recording.max_position_error * single_m / rounding_m) +
+          " or more");
+}
+
+Result<void> recording_keeps_the_gap(const Scene& scene, const NaturalSize& size,
+                                     const GapLengths& lengths, double rounding_m) {
+  if (recorded_gap_m(lengths, rounding_m) > 0) return {};
+  const double most_m = lengths.hard_m / (2 * std::numbers::sqrt3);
+  return failure(scene.name,
+                 "recording may move coordinates by " + metres(rounding_m) +
+                     ", so that surfaces kept " + metres(lengths.hard_m) + " apart could meet",
+                 "set recording.max_position_error to " +
+                     to_three_digits(0.99 * most_m / size.length_m) +
+                     " or less, or fewer particles");
+}
+
+}  // namespace
+
+Result<void> check_limits(const Scene& scene, const NaturalSize& size, int substeps,
+                          const Matrix3Xd& positions) {
+  const double rounding_m = scene.recording.max_position_error_m(size.length_m);
+  const GapLengths lengths = gap_lengths(size.shortest_edge_m(), rounding_m, 0);
+  const auto ribbon = positions.leftCols(size.grid.particle_count());
+  Result<void> kept = steps_come_to_an_end(scene, substeps);
+  if (kept) kept = arithmetic_keeps_the_gap(scene, lengths.hard_m, farthest_m(positions));
+  if (kept) kept = recording_tells_positions(scene, rounding_m, farthest_m(ribbon));
+  if (kept && scene.contact == ContactMethod::gate)
+    kept = recording_keeps_the_gap(scene, size, lengths, rounding_m);
+  return kept;
+}
+
+}  // namespace ribbon
