@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "commandline/number_text.h"
+#include "player/report_line.h"
 
 namespace ribbon {
 
@@ -20,11 +21,6 @@ std::optional<WorstFrame> worst(const RecordingInfo& info, const Function& value
   return result;
 }
 
-std::string line(const std::string& name, const std::string& value) {
-  constexpr std::size_t column = 16;
-  return name + std::string(column - name.size(), ' ') + value + "\n";
-}
-
 std::string frames_text(const RecordingInfo& info) {
   std::string text = std::to_string(info.frame_count()) + " in " + decimals(info.duration_s(), 2) +
                      " s, " + short_number(info.header.frames_per_second) + " per second";
@@ -39,23 +35,39 @@ std::string obstacle_text(const RecordingInfo& info) {
          " vertices, " + std::to_string(mesh.triangles.cols()) + " triangles";
 }
 
+std::string gap_text(const RecordingHeader& header) {
+  if (header.stated_gap_m == 0) return "none stated";
+  return "at least " + short_number(1000 * header.stated_gap_m) + " mm, as stated";
+}
+
+std::string vector_text(const Eigen::Vector3d& vector) {
+  return "(" + short_number(vector.x()) + ", " + short_number(vector.y()) + ", " +
+         short_number(vector.z()) + ")";
+}
+
+std::string axis_text(const std::optional<CentreAxis>& axis) {
+  if (!axis) return "none";
+  return "through " + vector_text(axis->point_m) + " m along " + vector_text(axis->direction);
+}
+
 std::string numbers_text(const RecordingInfo& info) {
   const auto strain = info.worst_strain();
   const auto penetrations = info.most_penetrations();
-  if (!strain || !penetrations) return line("numbers", "none");
-  return line("worst strain",
-              decimals(100 * strain->value, 1) + " % in frame " + std::to_string(strain->frame)) +
-         line("penetrations", "at most " + decimals(penetrations->value, 0) + ", in frame " +
-                                  std::to_string(penetrations->frame) + "; in the last frame " +
-                                  std::to_string(*info.last_penetrations()));
+  if (!strain || !penetrations) return report_line("numbers", "none");
+  return report_line("worst strain", decimals(100 * strain->value, 1) + " % in frame " +
+                                         std::to_string(strain->frame)) +
+         report_line("penetrations", "at most " + decimals(penetrations->value, 0) + ", in frame " +
+                                         std::to_string(penetrations->frame) +
+                                         "; in the last frame " +
+                                         std::to_string(*info.last_penetrations()));
 }
 
 std::string damage_text(const RecordingInfo& info) {
   std::string text;
   for (const Damage& damage : info.damage)
-    text += line("damage", std::to_string(damage.length) + " bytes at byte " +
-                               std::to_string(damage.byte) + ": " + damage.reason);
-  if (!info.missing.empty()) text += line("lost frames", number_list(info.missing));
+    text += report_line("damage", std::to_string(damage.length) + " bytes at byte " +
+                                      std::to_string(damage.byte) + ": " + damage.reason);
+  if (!info.missing.empty()) text += report_line("lost frames", number_list(info.missing));
   return text;
 }
 
@@ -110,18 +122,20 @@ RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader&
 
 std::string info_text(const RecordingInfo& info) {
   const RecordingHeader& header = info.header;
-  return line("recording", info.file.string()) + line("scene", header.scene_name) +
-         line("written by", header.writer) + line("frames", frames_text(info)) +
-         line("ribbon", std::to_string(header.grid.across) + " x " +
-                            std::to_string(header.grid.along) + " particles, " +
-                            short_number(header.ribbon_width_m) + " m wide, " +
-                            short_number(header.ribbon_length_m) + " m long") +
-         line("obstacle", obstacle_text(info)) + numbers_text(info) +
-         line("position error",
-              "at most " + short_number(1000 * header.max_position_error_m) + " mm") +
-         line("size", std::to_string(info.file_bytes) + " bytes, " +
-                          decimals(info.bytes_per_vertex_and_frame(), 2) +
-                          " per vertex and frame") +
+  return report_line("recording", info.file.string()) + report_line("scene", header.scene_name) +
+         report_line("written by", header.writer) + report_line("frames", frames_text(info)) +
+         report_line("ribbon", std::to_string(header.grid.across) + " x " +
+                                   std::to_string(header.grid.along) + " particles, " +
+                                   short_number(header.ribbon_width_m) + " m wide, " +
+                                   short_number(header.ribbon_length_m) + " m long") +
+         report_line("obstacle", obstacle_text(info)) +
+         report_line("centre axis", axis_text(header.centre_axis)) +
+         report_line("gap", gap_text(header)) + numbers_text(info) +
+         report_line("position error",
+                     "at most " + short_number(1000 * header.max_position_error_m) + " mm") +
+         report_line("size", std::to_string(info.file_bytes) + " bytes, " +
+                                 decimals(info.bytes_per_vertex_and_frame(), 2) +
+                                 " per vertex and frame") +
          damage_text(info);
 }
 

@@ -20,6 +20,15 @@ Json obstacle_json(const std::optional<TriangleMesh>& obstacle) {
           {"triangles", obstacle->triangles.cols()}};
 }
 
+Json vector_json(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+Json axis_json(const std::optional<CentreAxis>& axis) {
+  if (!axis) return nullptr;
+  return {{"point_m", vector_json(axis->point_m)}, {"direction", vector_json(axis->direction)}};
+}
+
 Json penetrations_json(const RecordingInfo& info) {
   const auto last = info.last_penetrations();
   return {{"worst", worst_json(info.most_penetrations())},
@@ -51,27 +60,30 @@ Json frames_json(const RecordingInfo& info) {
 
 std::string info_json(const RecordingInfo& info) {
   const RecordingHeader& header = info.header;
-  const Json json{{"file", info.file.string()},
-                  {"file_bytes", info.file_bytes},
-                  {"bytes_per_vertex_and_frame", info.bytes_per_vertex_and_frame()},
-                  {"writer", header.writer},
-                  {"finished", info.finished},
-                  {"scene", {{"name", header.scene_name}, {"text", header.scene_text}}},
-                  {"ribbon",
-                   {{"along", header.grid.along},
-                    {"across", header.grid.across},
-                    {"length_m", header.ribbon_length_m},
-                    {"width_m", header.ribbon_width_m}}},
-                  {"obstacle", obstacle_json(header.obstacle)},
-                  {"frame_count", info.frame_count()},
-                  {"frames_per_second", header.frames_per_second},
-                  {"duration_s", info.duration_s()},
-                  {"max_position_error_m", header.max_position_error_m},
-                  {"worst_strain", worst_json(info.worst_strain())},
-                  {"penetrating_edges", penetrations_json(info)},
-                  {"missing_frames", info.missing},
-                  {"damage", damage_json(info.damage)},
-                  {"frames", frames_json(info)}};
+  const Json json{
+      {"file", info.file.string()},
+      {"file_bytes", info.file_bytes},
+      {"bytes_per_vertex_and_frame", info.bytes_per_vertex_and_frame()},
+      {"writer", header.writer},
+      {"finished", info.finished},
+      {"scene", {{"name", header.scene_name}, {"text", header.scene_text}}},
+      {"ribbon",
+       {{"along", header.grid.along},
+        {"across", header.grid.across},
+        {"length_m", header.ribbon_length_m},
+        {"width_m", header.ribbon_width_m}}},
+      {"obstacle", obstacle_json(header.obstacle)},
+      {"centre_axis", axis_json(header.centre_axis)},
+      {"stated_gap_m", header.stated_gap_m > 0 ? Json(header.stated_gap_m) : Json(nullptr)},
+      {"frame_count", info.frame_count()},
+      {"frames_per_second", header.frames_per_second},
+      {"duration_s", info.duration_s()},
+      {"max_position_error_m", header.max_position_error_m},
+      {"worst_strain", worst_json(info.worst_strain())},
+      {"penetrating_edges", penetrations_json(info)},
+      {"missing_frames", info.missing},
+      {"damage", damage_json(info.damage)},
+      {"frames", frames_json(info)}};
   // Names come from files and need not be UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,4 +1,4 @@
-// ribbon-play: renders a recording into pictures, or tells what it holds.
+// ribbon-play: renders a recording into pictures, tells what it holds, or verifies it.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -16,6 +16,7 @@
 #include "player/info.h"
 #include "player/options.h"
 #include "player/png_encoder.h"
+#include "player/verify.h"
 
 namespace ribbon {
 
@@ -115,10 +116,40 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
   return answer;
 }
 
+// In ascending order, whatever the order asked for.
+Result<std::vector<int>> frames_to_verify(const RecordingReader& reader, const Options& options) {
+  auto frames = parse_frame_range(options.frames, reader.frame_count());
+  if (!frames) return frames;
+  if (frames->empty())
+    return failure(options.recording.string(), "holds no frames", "record some first");
+  std::sort(frames->begin(), frames->end());
+  return frames;
+}
+
+Result<ExitCode> verify_recording(RecordingReader& reader, const Options& options) {
+  const auto frames = frames_to_verify(reader, options);
+  if (!frames) return tl::unexpected(frames.error());
+  ProgressLine progress("frame", frames->back() - frames->front() + 1, options.quiet);
+  const Interrupt interrupt;
+  const auto verification = verify(reader, *frames, options.certify_every, [&](int done) {
+    progress.update(done);
+    return !interrupt.requested();
+  });
+  progress.clear();
+  if (!verification) return tl::unexpected(verification.error());
+  const std::string file = options.recording.string();
+  std::fputs((options.json ? verification_json(file, *verification)
+                           : verification_text(file, *verification))
+                 .c_str(),
+             stdout);
+  return verification->complaints().empty() ? ExitCode::done : ExitCode::answer_is_no;
+}
+
 Result<ExitCode> play(const Options& options) {
   set_thread_limit(options.threads);
   auto reader = RecordingReader::open(options.recording);
   if (!reader) return tl::unexpected(reader.error());
+  if (options.verify) return verify_recording(*reader, options);
   const RecordingInfo info = recording_info(options.recording, *reader);
   if (options.info || options.json)
     std::fputs((options.json ? info_json(info) : info_text(info)).c_str(), stdout);

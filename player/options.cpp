@@ -21,9 +21,11 @@ constexpr const char* examples = R"(Examples:
       puts frames on one sheet, seen from two sides, with their numbers
   ribbon-play knot.rbn --info
       tells what the recording holds; --json tells it to programs
+  ribbon-play knot.rbn --verify
+      proves of every frame that nothing intersects, measures gaps and strain, certifies the knot
 
 Exit codes: 0 done, 1 the recording is damaged (what is readable has been rendered, lost frames are
-listed), 2 could not.)";
+listed) or --verify found something wrong, 2 could not.)";
 
 bool read_side(std::string_view text, int& side) {
   const char* end = text.data() + text.size();
@@ -46,9 +48,10 @@ void add_options(CLI::App& app, Options& options, std::string& size) {
   app.add_option("RECORDING", options.recording, "the recording (.rbn)")
       ->required()
       ->type_name("FILE");
-  app.add_option("-o,--output", options.pictures,
-                 "PNG files to write, with {frame} or {frame:04} for the frame's number")
-      ->type_name("PATTERN");
+  auto* pictures =
+      app.add_option("-o,--output", options.pictures,
+                     "PNG files to write, with {frame} or {frame:04} for the frame's number")
+          ->type_name("PATTERN");
   app.add_option("--frames", options.frames,
                  "frames A to B, every STEP-th; -1 is the last (default: all)")
       ->type_name("A:B:STEP");
@@ -59,10 +62,21 @@ void add_options(CLI::App& app, Options& options, std::string& size) {
       ->check(CLI::Range(1, 4096).description(""))
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--sheet", options.sheet,
-                 "contact sheet to write: several frames, two cameras, captions")
-      ->type_name("FILE");
-  app.add_flag("--info", options.info, "tell what the recording holds");
+  auto* sheet = app.add_option("--sheet", options.sheet,
+                               "contact sheet to write: several frames, two cameras, captions")
+                    ->type_name("FILE");
+  auto* info = app.add_flag("--info", options.info, "tell what the recording holds");
+  auto* verify = app.add_flag("--verify", options.verify,
+                              "prove that nothing intersects and that the knot stays the knot")
+                     ->excludes(pictures)
+                     ->excludes(sheet)
+                     ->excludes(info);
+  app.add_option("--certify-every", options.certify_every,
+                 "certify the knot in every N-th frame, the first and the last")
+      ->check(CLI::Range(1, 1'000'000'000).description(""))
+      ->needs(verify)
+      ->type_name("N")
+      ->capture_default_str();
   app.add_flag("--json", options.json, "tell it as JSON");
   app.add_option("--threads", options.threads, "use at most this many threads (default: all cores)")
       ->check(CLI::Range(1, 1024).description(""))
@@ -85,8 +99,9 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   const auto parsed = parse_size(size);
   if (!parsed) return tl::unexpected(parsed.error());
   options.size = *parsed;
-  if (options.pictures.empty() && options.sheet.empty() && !options.info && !options.json)
-    return failure("", "nothing to do", "ask for pictures (-o), a --sheet or --info");
+  if (options.pictures.empty() && options.sheet.empty() && !options.info && !options.json &&
+      !options.verify)
+    return failure("", "nothing to do", "ask for pictures (-o), a --sheet, --info or --verify");
   return options;
 }
 

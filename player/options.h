@@ -19,6 +19,8 @@ struct Options {
   int samples = 16;  // per pixel
   int threads = 0;   // 0: all cores
   bool info = false;
+  bool verify = false;
+  int certify_every = 10;  // frames between certificates of the knot
   bool json = false;
   bool quiet = false;
 };

@@ -140,6 +140,59 @@ TEST_F(RibbonPlay, damage_costs_frames_and_is_told) {
       << outcome.errors;
 }
 
+TEST_F(RibbonPlay, a_recording_in_order_is_verified) {
+  const ToolRun outcome = play("knot.rbn --verify");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output << outcome.errors;
+  EXPECT_NE(outcome.output.find("frames          7 of 7 checked\n"), std::string::npos);
+  EXPECT_NE(outcome.output.find("intersections   none\n"), std::string::npos);
+  EXPECT_NE(outcome.output.find("; at least the stated 0.0001 m\n"), std::string::npos);
+  EXPECT_NE(outcome.output.find("knot            unknot"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("verdict         nothing is wrong\n"), std::string::npos);
+}
+
+TEST_F(RibbonPlay, verification_as_json_does_not_depend_on_threads) {
+  const ToolRun one = play("knot.rbn --verify --json --threads 1 --certify-every 3");
+  const ToolRun three = play("knot.rbn --verify --json --threads 3 --certify-every 3");
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_EQ(one.output, three.output);
+  const auto json = nlohmann::json::parse(one.output);
+  EXPECT_EQ(json["passed"], true);
+  EXPECT_EQ(json["frames"]["checked"], 7);
+  EXPECT_EQ(json["knot"]["certified_frames"], 3);
+}
+
+TEST_F(RibbonPlay, what_is_wrong_is_answered_with_1) {
+  RecordingHeader header = sample_header();
+  header.obstacle->vertices.row(1).array() += 0.2F;  // its tip is in the cloth
+  write_recording(recording_, header, {sample_positions(0), sample_positions(1)});
+  const ToolRun outcome = play("knot.rbn --verify");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.output.find("frame 1 (0.00 s): ribbon row"), std::string::npos);
+  EXPECT_NE(outcome.output.find("and obstacle triangle"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("WRONG: triangles intersect"), std::string::npos);
+}
+
+TEST_F(RibbonPlay, lost_frames_are_not_verified_and_that_is_wrong) {
+  std::string bytes = read("knot.rbn");
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
+  ASSERT_TRUE(write_file(recording_, bytes));
+  const ToolRun outcome = play("knot.rbn --verify --json");
+  EXPECT_EQ(outcome.exit_code, 1);
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_FALSE(json["frames"]["lost"].empty());
+  EXPECT_EQ(json["wrong"], nlohmann::json::array({"frames are lost"}));
+}
+
+TEST_F(RibbonPlay, verification_is_refused_where_there_is_nothing_to_verify) {
+  expect_refusal(play("knot.rbn --verify --frames 8"), "7 frames");
+  expect_refusal(play("knot.rbn --verify --certify-every 0"), "--certify-every");
+  expect_refusal(play("knot.rbn --info --certify-every 5"), "--verify");
+  expect_refusal(play("knot.rbn --verify --sheet sheet.png"), "--sheet");
+  expect_refusal(play("nowhere.rbn --verify"), "nowhere.rbn");
+  write_sample_recording(recording_, 0);
+  expect_refusal(play("knot.rbn --verify"), "no frames");
+}
+
 TEST_F(RibbonPlay, what_cannot_be_read_is_refused) {
   expect_refusal(play("nowhere.rbn --info"), "nowhere.rbn");
   ASSERT_TRUE(write_file(folder_ / "letter.rbn", "Dear reader, this is no recording at all."));

@@ -40,8 +40,20 @@ TEST(InfoJson, what_is_not_known_is_null) {
   info.header.obstacle.reset();
   const auto json = nlohmann::json::parse(info_json(info));
   EXPECT_TRUE(json["obstacle"].is_null());
+  EXPECT_TRUE(json["centre_axis"].is_null());
+  EXPECT_TRUE(json["stated_gap_m"].is_null());
   EXPECT_TRUE(json["worst_strain"].is_null());
   EXPECT_TRUE(json["penetrating_edges"]["last"].is_null());
+}
+
+TEST(InfoJson, what_the_writer_states_is_told) {
+  RecordingInfo info = two_frames();
+  info.header.stated_gap_m = 0.25;
+  info.header.centre_axis = CentreAxis{{0.5, 0, -1}, {0, 1, 0}};
+  const auto json = nlohmann::json::parse(info_json(info));
+  EXPECT_EQ(json["stated_gap_m"], 0.25);
+  EXPECT_EQ(json["centre_axis"]["point_m"], nlohmann::json::array({0.5, 0.0, -1.0}));
+  EXPECT_EQ(json["centre_axis"]["direction"], nlohmann::json::array({0.0, 1.0, 0.0}));
 }
 
 TEST(InfoJson, names_that_are_not_utf8_still_give_json) {

@@ -54,12 +54,24 @@ TEST(RecordingInfo, the_text_is_readable) {
             "frames          3 in 0.08 s, 25 per second\n"
             "ribbon          4 x 10 particles, 0.08 m wide, 2 m long\n"
             "obstacle        none\n"
+            "centre axis     none\n"
+            "gap             none stated\n"
             "worst strain    4.2 % in frame 3\n"
             "penetrations    at most 7, in frame 1; in the last frame 2\n"
             "position error  at most 0.02 mm\n"
             "size            6000 bytes, 50.00 per vertex and frame\n"
             "damage          150 bytes at byte 2000: checksum differs\n"
             "lost frames     2\n");
+}
+
+TEST(RecordingInfo, what_the_writer_states_is_told) {
+  RecordingInfo info = three_frames();
+  info.header.stated_gap_m = 0.00025;
+  info.header.centre_axis = CentreAxis{{0.5, 0, -1}, {0, 1, 0}};
+  const std::string text = info_text(info);
+  EXPECT_NE(text.find("gap             at least 0.25 mm, as stated\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("centre axis     through (0.5, 0, -1) m along (0, 1, 0)\n"),
+            std::string::npos);
 }
 
 TEST(RecordingInfo, a_stopped_recorder_is_mentioned) {

@@ -83,16 +83,24 @@ FrameNumbers sample_numbers(int frame) {
           static_cast<std::uint32_t>(2 * frame)};
 }
 
-void write_sample_recording(const std::filesystem::path& path, int frames, Ending ending) {
-  auto writer = RecordingWriter::create(path, sample_header());
+void write_recording(const std::filesystem::path& path, const RecordingHeader& header,
+                     const std::vector<Eigen::Matrix3Xd>& frames, Ending ending) {
+  auto writer = RecordingWriter::create(path, header);
   ASSERT_TRUE(writer.has_value()) << writer.error().sentence();
-  for (int frame = 0; frame < frames; ++frame) {
-    const auto appended = writer->append(sample_numbers(frame), sample_positions(frame));
+  for (int frame = 0; frame < static_cast<int>(frames.size()); ++frame) {
+    const auto appended = writer->append(sample_numbers(frame), frames[frame]);
     ASSERT_TRUE(appended.has_value()) << appended.error().sentence();
   }
   if (ending == Ending::killed) return;
   const auto finished = writer->finish();
   ASSERT_TRUE(finished.has_value()) << finished.error().sentence();
+}
+
+void write_sample_recording(const std::filesystem::path& path, int frames, Ending ending) {
+  std::vector<Eigen::Matrix3Xd> positions;
+  positions.reserve(frames);
+  for (int frame = 0; frame < frames; ++frame) positions.push_back(sample_positions(frame));
+  write_recording(path, sample_header(), positions, ending);
 }
 
 std::filesystem::path temporary_file(const std::string& name) {

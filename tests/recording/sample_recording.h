@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "recording/recording.h"
 
@@ -27,6 +28,11 @@ enum class Ending { finished, killed };
 // test when that does not work.
 void write_sample_recording(const std::filesystem::path& path, int frames,
                             Ending ending = Ending::finished);
+
+// Records positions (3 x particles each) at 50 frames a second, with the numbers of the sample's
+// frames. Fails the running test when that does not work.
+void write_recording(const std::filesystem::path& path, const RecordingHeader& header,
+                     const std::vector<Eigen::Matrix3Xd>& frames, Ending ending = Ending::finished);
 
 // A path that no other test process uses, in a folder that goes with this process.
 std::filesystem::path temporary_file(const std::string& name);
