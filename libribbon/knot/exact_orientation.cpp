@@ -68,29 +68,61 @@ Rational exact_determinant(const Places& places) {
   return exact.sign * determinant(exact.rows);
 }
 
+struct Estimate {
+  double value = 0;
+  double error = 0;  // at most
+};
+
+// The determinant in double precision. Errors grow to at most (7 + 56 u) u times the permanent,
+// u = DBL_EPSILON / 2 (Shewchuk, "Adaptive precision floating-point arithmetic", 1997,
+// section 4.3), unless products underflow.
+Estimate estimate(const Places& places) {
+  const Reduced<double> rounded = reduce<double>(places);
+  if (rounded.sign == 0) return {};
+  const double scale = permanent(rounded.rows);
+  const double error = scale > DBL_MIN / DBL_EPSILON ? 4 * DBL_EPSILON * scale : DBL_MAX;
+  return {rounded.sign * determinant(rounded.rows), error};
+}
+
+Estimate product_of_sizes(const Estimate& a, const Estimate& b) {
+  const double size_a = std::abs(a.value);
+  const double size_b = std::abs(b.value);
+  const double error = (size_a + a.error) * b.error + a.error * size_b + DBL_MIN;
+  return {size_a * size_b, error + DBL_EPSILON * (error + size_a * size_b)};
+}
+
+int sign_of(double value) {
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+Rational size(const Rational& number) {
+  return number.sign() < 0 ? Rational(-number) : number;
+}
+
 }  // namespace
 
 int orientation(const Place& a, const Place& b, const Place& c, const Place& d) {
   const Places places{&a, &b, &c, &d};
-  const Reduced<double> rounded = reduce<double>(places);
-  if (rounded.sign == 0) return 0;
-  const double value = determinant(rounded.rows);
-  const double scale = permanent(rounded.rows);
-  // Rounding: at most (7 + 56 u) u times the permanent, u = DBL_EPSILON / 2 (Shewchuk, "Adaptive
-  // precision floating-point arithmetic", 1997, section 4.3), unless products underflow.
-  if (scale > DBL_MIN / DBL_EPSILON && std::abs(value) > 4 * DBL_EPSILON * scale)
-    return value > 0 ? rounded.sign : -rounded.sign;
+  const Estimate rounded = estimate(places);
+  if (std::abs(rounded.value) > rounded.error) return sign_of(rounded.value);
   return exact_determinant(places).sign();
 }
 
 int order_along(const Place& p, const Place& q, const Place& r, const Place& s, const Place& u,
                 const Place& w, const Place& view) {
-  // Line rs is met at the share |a| / (|a| + |b|) of the way, a and b being the areas rsp and rsq.
-  const auto area = [&view](const Place& from, const Place& to, const Place& corner) {
-    const Rational twice = exact_determinant({&from, &to, &corner, &view});
-    return twice.sign() < 0 ? Rational(-twice) : twice;
-  };
-  return Rational(area(r, s, p) * area(u, w, q) - area(u, w, p) * area(r, s, q)).sign();
+  // Line rs is met at the share |rsp| / (|rsp| + |rsq|) of the way, rsp and rsq being areas as
+  // seen.
+  const Places rsp{&r, &s, &p, &view};
+  const Places rsq{&r, &s, &q, &view};
+  const Places uwp{&u, &w, &p, &view};
+  const Places uwq{&u, &w, &q, &view};
+  const Estimate rs_later = product_of_sizes(estimate(rsp), estimate(uwq));
+  const Estimate uw_later = product_of_sizes(estimate(uwp), estimate(rsq));
+  const double difference = rs_later.value - uw_later.value;
+  if (std::abs(difference) > rs_later.error + uw_later.error) return sign_of(difference);
+  return Rational(size(exact_determinant(rsp)) * size(exact_determinant(uwq)) -
+                  size(exact_determinant(uwp)) * size(exact_determinant(rsq)))
+      .sign();
 }
 
 }  // namespace ribbon

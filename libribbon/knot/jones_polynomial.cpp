@@ -110,7 +110,7 @@ Legs take_next(std::vector<Legs>& remaining, const std::vector<bool>& met) {
 
 // Kauffman's bracket in A, which is 1 for a strand without crossings.
 std::optional<LaurentPolynomial> bracket(const KnotDiagram& diagram) {
-  constexpr Index too_many_states = 20000;
+  constexpr Index too_many_states = 5000;
   const Index edges = diagram.passes.size() + 1;
   std::vector<Legs> remaining = planar_diagram(diagram);
   std::vector<bool> met(edges);

@@ -14,16 +14,21 @@ struct Corner {
   Place a, b, c;
 };
 
-Box box_of(const Place& place) {
-  if (!place.is_direction) return Box::around(place.at);
+Box box_around(const Corner& triangle) {
   const auto all = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  return {-all, all};
+  const auto& [a, b, c] = triangle;
+  if (a.is_direction || c.is_direction) return {-all, all};
+  Box result = Box::around(a.at);
+  result.include(b.at);
+  result.include(c.at);
+  return result;
 }
 
-Box box_of(const Place& p, const Place& q) {
-  Box result = box_of(p);
-  result.include(box_of(q));
-  return result;
+// Quick to tell of most edges that they miss the triangle in the box.
+bool misses(const Box& box, const Place& p, const Place& q) {
+  if (p.is_direction || q.is_direction) return false;
+  return (p.at.array() < box.low.array() && q.at.array() < box.low.array()).any() ||
+         (p.at.array() > box.high.array() && q.at.array() > box.high.array()).any();
 }
 
 // Does edge pq meet the triangle? In doubt, yes.
@@ -47,7 +52,7 @@ using Vertex = LongCurve::const_iterator;
 bool met_by(const Corner& triangle, const Box& box, Vertex first, Vertex last) {
   if (first == last) return false;
   for (Vertex next = std::next(first); next != last; first = next++)
-    if (box.meets(box_of(*first, *next)) && meets(triangle, *first, *next)) return true;
+    if (!misses(box, *first, *next) && meets(triangle, *first, *next)) return true;
   return false;
 }
 
@@ -60,8 +65,7 @@ bool can_leave_out(const LongCurve& kept, Vertex rest, Vertex end) {
   // The edges before a and after c touch it there, and nowhere else unless they lie in its plane.
   if (kept.size() >= 2 && orientation(a, b, c, *std::prev(kept.end(), 2)) == 0) return false;
   if (std::next(next) != end && orientation(a, b, c, *std::next(next)) == 0) return false;
-  Box box = box_of(a, b);
-  box.include(box_of(c));
+  const Box box = box_around(triangle);
   return !met_by(triangle, box, kept.begin(), std::prev(kept.end())) &&
          !met_by(triangle, box, std::next(next), end);
 }

@@ -1,0 +1,42 @@
+#include "knot/simplify_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "knot/knotted_curves.h"
+
+namespace ribbon {
+namespace {
+
+TEST(SimplifyCurve, a_wavy_line_becomes_one_corner) {
+  const Curve wave = sampled(200, [](double way) {
+    return Eigen::Vector3d(10 * way, std::sin(30 * way), std::cos(17 * way));
+  });
+  EXPECT_EQ(simplified(long_curve(wave, {-1, 0, 0.1}, {1, 0.1, 0})).size(), 3U);
+}
+
+TEST(SimplifyCurve, a_knot_keeps_what_holds_it) {
+  // A trefoil needs six edges; so does a long one, two of them rays.
+  const LongCurve knot = simplified(long_curve(torus_knot(2, 3, 300)));
+  EXPECT_GE(knot.size(), 6U);
+  EXPECT_LE(knot.size(), 12U);
+}
+
+TEST(SimplifyCurve, a_touched_triangle_keeps_the_corner) {
+  // The strand passes exactly through the edge between the neighbours of the corner (2, 2, 0).
+  LongCurve curve{Place::direction({-1, 0, -0.125})};
+  for (const Eigen::Vector3d& point :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 2, 0), Eigen::Vector3d(4, 0, 0),
+        Eigen::Vector3d(9, 0, 4), Eigen::Vector3d(2, 0, 4), Eigen::Vector3d(2, 0, -4)})
+    curve.push_back(Place::point(point));
+  curve.push_back(Place::direction({0.25, 0.5, -1}));
+  const LongCurve result = simplified(curve);
+  const auto is_corner = [](const Place& place) {
+    return !place.is_direction && place.at == Eigen::Vector3d(2, 2, 0);
+  };
+  EXPECT_TRUE(std::any_of(result.begin(), result.end(), is_corner));
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,62 @@
+#include "knot/view_cones.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+namespace ribbon {
+namespace {
+
+double clearance_of(const SweptEdge& swept, const Eigen::Vector3d& direction) {
+  std::vector<ViewCone> cones;
+  append_view_cones(swept, cones);
+  return clearance_rad(cones, direction.normalized());
+}
+
+TEST(ViewCones, nothing_in_the_way_is_clear_all_round) {
+  EXPECT_EQ(clearance_rad({}, Eigen::Vector3d::UnitX()), std::numbers::pi);
+}
+
+TEST(ViewCones, clearance_is_the_angle_to_the_nearest_point) {
+  const Eigen::Vector3d p(1, 0, 0);
+  const Eigen::Vector3d q(1, 1, 0);
+  const SweptEdge still{p, q, p, q};
+  EXPECT_NEAR(clearance_of(still, {0, 0, 1}), std::numbers::pi / 2, 0.11);
+  EXPECT_NEAR(clearance_of(still, {1, 0, 1}), std::numbers::pi / 4, 0.11);
+  EXPECT_NEAR(clearance_of(still, {-1, -1, 0}), 3 * std::numbers::pi / 4, 0.21);
+  EXPECT_LE(clearance_of(still, {1, 0.5, 0}), 0);
+}
+
+TEST(ViewCones, an_edge_that_passes_in_between_is_in_the_way) {
+  // Seen to the left before, to the right after.
+  const SweptEdge swept{Eigen::Vector3d(1, 1, -1), Eigen::Vector3d(1, 1, 1),
+                        Eigen::Vector3d(1, -1, -1), Eigen::Vector3d(1, -1, 1)};
+  EXPECT_LE(clearance_of(swept, {1, 0, 0}), 0);
+  EXPECT_GT(clearance_of(swept, {-1, 0, 0}), 1);
+}
+
+TEST(ViewCones, an_edge_through_the_eye_blocks_every_view) {
+  const SweptEdge swept{Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(-1, 1, 0),
+                        Eigen::Vector3d(1, -1, 0), Eigen::Vector3d(-1, -1, 0)};
+  EXPECT_LE(clearance_of(swept, {0, 0, 1}), 0);
+}
+
+TEST(ViewCones, no_ray_that_meets_the_swept_edge_is_clear) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int round = 0; round < 300; ++round) {
+    SweptEdge swept;
+    for (Eigen::Vector3d& corner : swept)
+      corner = Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
+    const double way = share(random);
+    const double time = share(random);
+    const Eigen::Vector3d met = (1 - time) * ((1 - way) * swept[0] + way * swept[1]) +
+                                time * ((1 - way) * swept[2] + way * swept[3]);
+    EXPECT_LE(clearance_of(swept, met), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace ribbon
