@@ -77,7 +77,7 @@ void add_options(CLI::App& app, Options& options, std::string& size) {
       ->needs(verify)
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("--json", options.json, "tell it as JSON");
+  app.add_flag("--json", options.json, "tell it, or report what --verify found, as JSON");
   app.add_option("--threads", options.threads, "use at most this many threads (default: all cores)")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N");
@@ -89,7 +89,8 @@ void add_options(CLI::App& app, Options& options, std::string& size) {
 Result<std::optional<Options>> parse_options(int argc, const char* const* argv) {
   Options options;
   std::string size = "1280x720";
-  CLI::App app("Renders a recorded ribbon into pictures.", "ribbon-play");
+  CLI::App app("Renders a recorded ribbon into pictures, tells what it holds, verifies it.",
+               "ribbon-play");
   app.set_version_flag("--version", "ribbon-play " RIBBON_VERSION);
   app.footer(examples);
   add_options(app, options, size);
