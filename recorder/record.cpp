@@ -29,7 +29,7 @@ class Stopwatch {
 };
 
 RecordingHeader header_of(const Scene& scene, const std::string& writer, const RibbonMesh& ribbon,
-                          const std::optional<TriangleMesh>& obstacle) {
+                          const std::optional<TriangleMesh>& obstacle, double stated_gap_m) {
   RecordingHeader header;
   header.scene_name = scene.name;
   header.scene_text = scene.text;
@@ -41,6 +41,7 @@ RecordingHeader header_of(const Scene& scene, const std::string& writer, const R
   header.frames_per_second = scene.recording.frames_per_second;
   header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
   header.obstacle = obstacle;
+  header.stated_gap_m = stated_gap_m;
   if (const auto& hands = scene.fastening)
     header.centre_axis = CentreAxis{hands->axis_point_m, hands->axis_direction};
   return header;
@@ -83,7 +84,8 @@ Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& re
   auto fastening = FasteningProcessor::create(scene, ribbon, obstacle);
   if (!fastening) return tl::unexpected(fastening.error());
   // Not before the start has been found: a scene without one leaves an older recording alone.
-  auto file = RecordingWriter::create(recording, header_of(scene, writer, ribbon, obstacle));
+  auto file = RecordingWriter::create(
+      recording, header_of(scene, writer, ribbon, obstacle, fastening->guaranteed_gap_m()));
   if (!file) return tl::unexpected(file.error());
 
   RunStatistics statistics{.scene_name = scene.name,

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "simulation/gap_lengths.h"
 #include "simulation/recovery.h"
 #include "simulation/scene_limits.h"
 #include "simulation/spring_force.h"
@@ -41,41 +42,51 @@ std::unique_ptr<Bodies> bodies_of(const RibbonGrid& grid,
 }  // namespace
 
 FasteningProcessor::FasteningProcessor(const Scene& scene, const RibbonMesh& ribbon,
-                                       const std::optional<TriangleMesh>& obstacle)
+                                       const std::optional<TriangleMesh>& obstacle,
+                                       Matrix3Xd vertices)
     : step_s_(scene.time.step_s),
-      cloth_{all_vertices(ribbon, obstacle), Matrix3Xd::Zero(3, ribbon.positions.cols()),
+      cloth_{std::move(vertices), Matrix3Xd::Zero(3, ribbon.positions.cols()),
              scene.ribbon.mass_kg / ribbon.grid.particle_count()},
       bodies_(bodies_of(ribbon.grid, obstacle, cloth_.positions)),
       deformation_(scene, natural_size(ribbon, 1), cloth_.particle_mass_kg, *bodies_) {}
 
 Result<FasteningProcessor> FasteningProcessor::create(const Scene& scene, const RibbonMesh& ribbon,
                                                       const std::optional<TriangleMesh>& obstacle) {
-  FasteningProcessor processor(scene, ribbon, obstacle);
-  if (auto begun = processor.begin(scene, ribbon); !begun) return tl::unexpected(begun.error());
+  Matrix3Xd vertices = all_vertices(ribbon, obstacle);
+  const auto precise = check_precision(scene, natural_size(ribbon, 1), vertices);
+  if (!precise) return tl::unexpected(precise.error());
+  FasteningProcessor processor(scene, ribbon, obstacle, std::move(vertices));
+  const auto begun = processor.begin(scene, ribbon);
+  if (!begun) return tl::unexpected(begun.error());
   return processor;
 }
 
 Result<void> FasteningProcessor::begin(const Scene& scene, const RibbonMesh& ribbon) {
-  const auto kept =
-      check_limits(scene, natural_size(ribbon, 1), deformation_.substeps(), cloth_.positions);
-  if (!kept) return kept;
+  if (auto few = check_substeps(scene, deformation_.substeps()); !few) return few;
   if (scene.contact == ContactMethod::gate) {
-    const auto start = find_free_start(scene, ribbon, *bodies_, cloth_);
+    const auto start = find_free_start(scene, ribbon, *bodies_, deformation_, cloth_);
     if (!start) return tl::unexpected(start.error());
     start_ = *start;
+    const double rounding_m = scene.recording.max_position_error_m(ribbon.length_m);
+    const double edge_m = natural_size(ribbon, 1).shortest_edge_m();
+    guaranteed_gap_m_ = recorded_gap_m(gap_lengths(edge_m, rounding_m, 0), rounding_m);
+  } else {
+    start_ = recover_as_published();
   }
-  // A band that was bent into a drawn curve is strained here and there. Before the first step it is
-  // corrected as after any other, without force and at rest.
-  deformation_.move(cloth_.positions, cloth_);
-  start_.recovery_iterations += deformation_.settle(settling_rounds, cloth_);
-  if (start_.recovery_iterations > 0) start_.kind = StartKind::recovered;
-
   if (scene.fastening)
     fastening_.emplace(*scene.fastening, scene.air_resistance_per_s, ribbon.grid, cloth_.positions,
                        cloth_.particle_mass_kg);
   if (scene.fastening && scene.fastening->yield_strain)
     yielding_.emplace(ribbon.grid, ribbon.length_m, *scene.fastening->yield_strain);
   return {};
+}
+
+// A band that was bent into a drawn curve is strained here and there, and may be pierced. Before
+// the first step it is corrected and recovered as after any other, without force and at rest.
+StartReport FasteningProcessor::recover_as_published() {
+  deformation_.move(cloth_.positions, cloth_);
+  const int iterations = deformation_.settle(settling_rounds, cloth_);
+  return {iterations > 0 ? StartKind::recovered : StartKind::free, iterations};
 }
 
 StepReport FasteningProcessor::step() {

@@ -45,15 +45,21 @@ class FasteningProcessor {
   // Largest |length / rest length - 1| of the stretch and shear springs now.
   [[nodiscard]] double strain() const;
 
+  // No two features that share no vertex, of the ribbon or of ribbon and obstacle, come nearer than
+  // this, even if each coordinate of a particle is moved by the scene's max_position_error. 0 with
+  // contact = "paper", which guarantees nothing.
+  [[nodiscard]] double guaranteed_gap_m() const { return guaranteed_gap_m_; }
+
   // 3 x particles, metres.
   [[nodiscard]] Eigen::Matrix3Xd positions() const;
   [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * step_s_; }
 
  private:
   FasteningProcessor(const Scene& scene, const RibbonMesh& ribbon,
-                     const std::optional<TriangleMesh>& obstacle);
+                     const std::optional<TriangleMesh>& obstacle, Eigen::Matrix3Xd vertices);
 
   Result<void> begin(const Scene& scene, const RibbonMesh& ribbon);
+  StartReport recover_as_published();
   Eigen::Matrix3Xd fastening_force();
 
   double step_s_;
@@ -64,6 +70,7 @@ class FasteningProcessor {
   std::optional<FasteningForce> fastening_;
   std::optional<Yielding> yielding_;
   StartReport start_;
+  double guaranteed_gap_m_ = 0;
 };
 
 }  // namespace ribbon

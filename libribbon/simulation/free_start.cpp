@@ -1,9 +1,11 @@
 #include "simulation/free_start.h"
 
+#include <cassert>
 #include <optional>
 #include <string>
 
 #include "simulation/encounter.h"
+#include "simulation/gap_lengths.h"
 #include "simulation/length_text.h"
 #include "simulation/recovery.h"
 #include "simulation/width_growth.h"
@@ -16,25 +18,28 @@ using Eigen::Matrix3Xd;
 
 constexpr double thinnest = 1.0 / 64;   // share of the width
 constexpr double gap_per_edge = 0.025;  // half of what the gate keeps at least
+constexpr int settling_rounds = 50;     // at most, of strain correction
+constexpr int parting_steps = 60;       // at most, until nothing is too close
 constexpr int patience = 30;            // scheme A leads out of an obstacle layer by layer
 
 // The search for a free start of one ribbon.
 class Search {
  public:
-  Search(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies, Cloth& cloth)
+  Search(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies, Deformation& deformation,
+         Cloth& cloth)
       : scene_(scene),
         ribbon_(ribbon),
         bodies_(bodies),
+        deformation_(deformation),
         cloth_(cloth),
         generated_(cloth.positions) {}
 
   Result<StartReport> find() {
-    if (is_free()) return report_;
+    if (is_free() && settles()) return report_;
     if (!take_thin_band() && !take_recovered_band()) return pierced();
     const GrowthReport growth = grow_width(scene_, ribbon_, share_, bodies_, cloth_);
     if (!growth.complete) return no_room(growth);
-    share_ = 1;
-    if (!is_free()) return pierced();
+    if (!settles()) return too_close();
     return report_;
   }
 
@@ -55,6 +60,27 @@ class Search {
   }
 
   bool is_free() { return cloth_.positions.allFinite() && !encounter(); }
+
+  // Settles the band at its whole width; is it then as far from everything as the gate wants it?
+  bool settles() {
+    share_ = 1;
+    deformation_.move(cloth_.positions, cloth_);
+    deformation_.settle(settling_rounds, cloth_);
+    for (int step = 0; step < parting_steps && is_too_close(); ++step) {
+      deformation_.step({3, 0}, cloth_);
+      cloth_.velocities.setZero();
+    }
+    return !is_too_close() && is_free();
+  }
+
+  [[nodiscard]] double hard_gap_m() const {
+    const double rounding_m = scene_.recording.max_position_error_m(ribbon_.length_m);
+    return gap_lengths(shortest_edge_m(), rounding_m, 0).hard_m;
+  }
+
+  bool is_too_close() {
+    return first_closer_than((1 - 1e-9) * hard_gap_m(), bodies_, cloth_.positions).has_value();
+  }
 
   bool take_thin_band() {
     report_.kind = StartKind::grown;
@@ -93,37 +119,42 @@ class Search {
   tl::unexpected<Error> pierced() {
     take_band(thinnest);
     const std::optional<Encounter> at = encounter();
-    if (!cloth_.positions.allFinite() || !at)
-      return failure(scene_.name, "the ribbon does not keep clear of what it was moved away from",
-                     remedy(with_obstacle()));
+    assert(at);  // it was found before
+    return failure(
+        scene_.name,
+        "even a thin band along the drawing meets " +
+            (of_obstacle(*at)
+                 ? "the obstacle at " + place_of(at->particle)
+                 : "itself at " + place_of(at->particle) + ", and " + place_of(at->other)),
+        (of_obstacle(*at) ? "" : "set a smaller ribbon.width, or ") + remedy(of_obstacle(*at)));
+  }
+
+  tl::unexpected<Error> too_close() {
+    const auto at = first_closer_than((1 - 1e-9) * hard_gap_m(), bodies_, cloth_.positions);
     return failure(scene_.name,
-                   "even a thin band along the drawing meets " +
-                       (of_obstacle(*at) ? "the obstacle at " + place_of(at->particle)
-                                         : "itself at " + place_of(at->particle) + ", and " +
-                                               place_of(at->other)),
-                   remedy(of_obstacle(*at)));
+                   "the ribbon does not come clear of " +
+                       std::string(at && of_obstacle(*at) ? "the obstacle" : "itself") +
+                       (at ? " at " + place_of(at->particle) : ""),
+                   remedy(at && of_obstacle(*at)));
   }
 
   tl::unexpected<Error> no_room(const GrowthReport& growth) {
+    const std::string at = ", strained most at " + place_of(growth.strained_particle);
+    if (growth.settled_share == 0)
+      return failure(scene_.name,
+                     report_.kind == StartKind::recovered
+                         ? "moved out of what it pierced, the ribbon does not settle" + at
+                         : "even a thin band along the drawing does not settle" + at,
+                     remedy(report_.kind == StartKind::recovered));
     const double roomy_m = growth.settled_share * ribbon_.width_m;
-    const std::string how = report_.kind == StartKind::recovered ? "moved out of what it pierced"
-                                                                 : "grown from a thin band";
-    const std::string how_far =
-        roomy_m > 0 ? "settles up to a width of " + metres(roomy_m) + " only" : "does not settle";
     return failure(scene_.name,
-                   "the ribbon finds no room for its width of " + metres(ribbon_.width_m) + ": " +
-                       how + " it " + how_far + ", strained most at " +
-                       place_of(growth.strained_particle),
-                   (roomy_m > 0 ? "set ribbon.width to " + to_three_digits(0.99 * roomy_m) + ", or "
-                                : std::string()) +
-                       remedy(with_obstacle()));
-  }
-
-  // Does it, as generated, meet the obstacle first?
-  bool with_obstacle() {
-    take_band(1);
-    const std::optional<Encounter> at = encounter();
-    return at && of_obstacle(*at);
+                   "the ribbon finds no room for its width of " + metres(ribbon_.width_m) +
+                       ": grown from a thin band it settles up to " + metres(roomy_m) + " only" +
+                       at,
+                   // With a margin: grown in other steps, it folds otherwise.
+                   "set ribbon.width to " + to_three_digits(0.9 * roomy_m) +
+                       ", or leave more room there, between the strands" +
+                       (bodies_.obstacle ? " and around the obstacle" : " of the drawing"));
   }
 
   static std::string remedy(bool of_obstacle) {
@@ -135,6 +166,7 @@ class Search {
   const Scene& scene_;
   const RibbonMesh& ribbon_;
   Bodies& bodies_;
+  Deformation& deformation_;
   Cloth& cloth_;
   Matrix3Xd generated_;
   double share_ = 1;  // of its width that the band has now
@@ -156,8 +188,8 @@ std::string_view word_for(StartKind kind) {
 }
 
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies,
-                                    Cloth& cloth) {
-  return Search(scene, ribbon, bodies, cloth).find();
+                                    Deformation& deformation, Cloth& cloth) {
+  return Search(scene, ribbon, bodies, deformation, cloth).find();
 }
 
 }  // namespace ribbon

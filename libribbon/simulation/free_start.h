@@ -9,6 +9,7 @@
 #include "scene/scene.h"
 #include "simulation/bodies.h"
 #include "simulation/cloth.h"
+#include "simulation/deformation.h"
 
 namespace ribbon {
 
@@ -27,16 +28,18 @@ struct StartReport {
   int recovery_iterations = 0;  // how often a scheme was applied
 };
 
-// Moves the cloth from where it was generated to a start that is free, at rest. Where
-// it intersects nothing it is taken as generated. Otherwise its rows are narrowed about their
-// centres until the thin band is free, and its natural width is raised step by step (grow_width):
-// all motion passes the gate, so the band stays free, and it folds and waves where it has no room.
-// Where no thin band is free, schemes A, B and C move one out of what it pierces first.
+// Moves the cloth from where it was generated to a start that is free, settled and at rest,
+// nothing closer than the gate's hard gap. Where it intersects nothing it is taken as generated.
+// Otherwise its rows are narrowed about their centres until the thin band is free, and its natural
+// width is raised step by step (grow_width): all motion passes the gate, so the band stays free,
+// and it folds and waves where it has no room. Where no thin band is free, schemes A, B and C move
+// one out of what it pierces first.
 //
-// scene.contact must be the gate. cloth.positions: the ribbon as generated, then the obstacle.
-// Fails, saying where on the ribbon and what to change, where even a thin band stays pierced and
-// where the ribbon finds no room for its width. The cloth then lies anywhere.
+// scene.contact must be the gate; `deformation` is of the whole width. cloth.positions: the ribbon
+// as generated, then the obstacle. Fails, saying where on the ribbon and what to change, where even
+// a thin band stays pierced and where the ribbon finds no room for its width. The cloth then lies
+// anywhere.
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies,
-                                    Cloth& cloth);
+                                    Deformation& deformation, Cloth& cloth);
 
 }  // namespace ribbon

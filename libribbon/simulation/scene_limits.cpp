@@ -19,14 +19,6 @@ double farthest_m(const Eigen::Ref<const Matrix3Xd>& positions) {
   return positions.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
-Result<void> steps_come_to_an_end(const Scene& scene, int substeps) {
-  if (substeps <= most_substeps) return {};
-  return failure(scene.name,
-                 "springs and air divide each step into " + std::to_string(substeps) +
-                     " parts, more than " + std::to_string(most_substeps),
-                 "set smaller resistances, a larger ribbon.mass or a shorter time.step");
-}
-
 Result<void> arithmetic_keeps_the_gap(const Scene& scene, double gap_m, double farthest_m) {
   // Heights over a plane take some ten roundings.
   const double most_m = 1e-3 * gap_m / (16 * std::numeric_limits<double>::epsilon());
@@ -46,7 +38,8 @@ Result<void> recording_tells_positions(const Scene& scene, double rounding_m, do
       "the ribbon lies " + metres(farthest_m) +
           " from the origin, where recorded coordinates are only right to " + metres(single_m),
       "move it to within " + metres(0.99 * std::ldexp(rounding_m, 24)) +
-          " of the origin with curve.origin, or set recording.max_position_error to " +
+          " of the origin with curve.origin, make it smaller, or set recording.max_position_error "
+          "to " +
           to_three_digits(1.01 * scene.recording.max_position_error * single_m / rounding_m) +
           " or more");
 }
@@ -65,17 +58,24 @@ Result<void> recording_keeps_the_gap(const Scene& scene, const NaturalSize& size
 
 }  // namespace
 
-Result<void> check_limits(const Scene& scene, const NaturalSize& size, int substeps,
-                          const Matrix3Xd& positions) {
+Result<void> check_precision(const Scene& scene, const NaturalSize& size,
+                             const Matrix3Xd& positions) {
   const double rounding_m = scene.recording.max_position_error_m(size.length_m);
   const GapLengths lengths = gap_lengths(size.shortest_edge_m(), rounding_m, 0);
   const auto ribbon = positions.leftCols(size.grid.particle_count());
-  Result<void> kept = steps_come_to_an_end(scene, substeps);
-  if (kept) kept = arithmetic_keeps_the_gap(scene, lengths.hard_m, farthest_m(positions));
+  Result<void> kept = arithmetic_keeps_the_gap(scene, lengths.hard_m, farthest_m(positions));
   if (kept) kept = recording_tells_positions(scene, rounding_m, farthest_m(ribbon));
   if (kept && scene.contact == ContactMethod::gate)
     kept = recording_keeps_the_gap(scene, size, lengths, rounding_m);
   return kept;
+}
+
+Result<void> check_substeps(const Scene& scene, int substeps) {
+  if (substeps <= most_substeps) return {};
+  return failure(scene.name,
+                 "springs and air divide each step into " + std::to_string(substeps) +
+                     " parts, more than " + std::to_string(most_substeps),
+                 "set smaller resistances, a larger ribbon.mass or a shorter time.step");
 }
 
 }  // namespace ribbon

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "parallel/parallel.h"
+#include "simulation/loop_scene.h"
 
 namespace ribbon {
 namespace {
@@ -13,53 +13,8 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-// A band once round the axis, its ends passing each other in front, to be drawn tight on a post.
-SpaceCurve loop(int samples) {
-  SpaceCurve curve;
-  curve.points.resize(3, samples);
-  for (int i = 0; i < samples; ++i) {
-    const double t = static_cast<double>(i) / (samples - 1);
-    const double angle = 2.6 * std::numbers::pi * (t - 0.5);
-    curve.points.col(i) << 0.5 * std::sin(angle), 0.16 * (t - 0.5), -0.5 * std::cos(angle);
-  }
-  curve.length_m = std::hypot(0.5 * 2.6 * std::numbers::pi, 0.16);
-  return curve;
-}
-
-TriangleMesh post(double radius_m) {
-  constexpr int sides = 24;
-  constexpr int rims = 2 * sides;
-  TriangleMesh mesh;
-  mesh.name = "post";
-  mesh.vertices.resize(3, rims);
-  mesh.triangles.resize(3, rims);
-  for (int s = 0; s < sides; ++s) {
-    const double angle = 2 * std::numbers::pi * s / sides;
-    const int low = 2 * s;
-    const int next = 2 * ((s + 1) % sides);
-    for (int end = 0; end < 2; ++end)
-      mesh.vertices.col(low + end) << static_cast<float>(radius_m * std::sin(angle)),
-          end == 0 ? -0.6F : 0.6F, static_cast<float>(radius_m * std::cos(angle));
-    mesh.triangles.col(low) << low, next, next + 1;
-    mesh.triangles.col(low + 1) << low, next + 1, low + 1;
-  }
-  return mesh;
-}
-
-Scene scene_of_loop() {
-  Scene scene;
-  scene.ribbon = {.width_m = 0.06, .along = 120, .across = 4, .mass_kg = 0.3};
-  scene.springs = {.stretch = 10, .shear = 10, .bend = 10};
-  scene.air_resistance_per_s = 4;
-  scene.fastening = FasteningScene{.speed_m_s = 0.4};
-  scene.time = {.step_s = 0.01, .duration_s = 1};
-  return scene;
-}
-
 FasteningProcessor processor(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
-  return FasteningProcessor::create(
-             scene, generate_ribbon_mesh(loop(scene.ribbon.along), scene.ribbon, Axis::y), obstacle)
-      .value();
+  return FasteningProcessor::create(scene, mesh_of_loop(scene), obstacle).value();
 }
 
 TEST(FasteningProcessor, draws_the_loop_tight_and_the_ends_out) {

@@ -1,0 +1,134 @@
+// Ribbons of every size and place: each is fastened without an intersection, or refused.
+#include <gtest/gtest.h>
+
+#include "simulation/fastening_processor.h"
+#include "simulation/frame_judge.h"
+#include "simulation/loop_scene.h"
+
+namespace ribbon {
+namespace {
+
+// The loop and its post, `size` times as large, with equal accelerations in proportion.
+struct Scaled {
+  Scene scene = scene_of_loop();
+  RibbonMesh mesh;
+  TriangleMesh obstacle = post(0.4);
+
+  explicit Scaled(double size) {
+    scene.ribbon.width_m *= size;
+    scene.fastening->speed_m_s *= size;
+    mesh = mesh_of_loop(scene, size);
+    obstacle.vertices *= static_cast<float>(size);
+  }
+};
+
+void expect_free_for_30_steps(const Scene& scene, const RibbonMesh& mesh,
+                              const std::optional<TriangleMesh>& obstacle) {
+  auto fastening = FasteningProcessor::create(scene, mesh, obstacle);
+  ASSERT_TRUE(fastening.has_value()) << fastening.error().sentence();
+  const FrameJudge judge(mesh, obstacle);
+  for (int step = 0; step < 30; ++step) {
+    ASSERT_TRUE(judge.is_free(fastening->positions())) << step;
+    ASSERT_GE(judge.gap_m(fastening->positions()), fastening->guaranteed_gap_m()) << step;
+    fastening->step();
+  }
+}
+
+TEST(Extremes, edges_from_a_tenth_of_a_millimetre_to_a_kilometre) {
+  // The shortest edge of the loop is 20 mm.
+  for (const double size : {1e-4 / 0.02, 1e-2, 1.0, 1e2, 1e3 / 0.02}) {
+    SCOPED_TRACE(size);
+    const Scaled scaled(size);
+    expect_free_for_30_steps(scaled.scene, scaled.mesh, scaled.obstacle);
+  }
+}
+
+TEST(Extremes, a_scene_of_a_tenth_of_a_millimetre_moves_like_a_large_one) {
+  const auto end_after = [](double size) {
+    const Scaled scaled(size);
+    auto fastening = FasteningProcessor::create(scaled.scene, scaled.mesh, scaled.obstacle).value();
+    for (int step = 0; step < 30; ++step) fastening.step();
+    return Eigen::Vector3d(fastening.positions().col(0) / size);
+  };
+  EXPECT_LT((end_after(1) - end_after(1e-4 / 0.02)).norm(), 1e-3);
+}
+
+TEST(Extremes, far_from_the_origin_within_the_limit) {
+  Scaled scaled(1);
+  scaled.mesh.positions.colwise() += Eigen::Vector3d(300, -200, 500);
+  scaled.obstacle.vertices.colwise() += Eigen::Vector3f(300, -200, 500);
+  scaled.scene.fastening->axis_point_m = {300, -200, 500};
+  expect_free_for_30_steps(scaled.scene, scaled.mesh, scaled.obstacle);
+}
+
+TEST(Extremes, a_ribbon_of_four_particles) {
+  Scene scene = scene_of_loop();
+  scene.ribbon.along = 2;
+  scene.ribbon.across = 2;
+  SpaceCurve straight;
+  straight.points.resize(3, 2);
+  straight.points << 0, 0.1, 0.5, 0.5, 0, 0;
+  straight.length_m = 0.1;
+  const RibbonMesh mesh = generate_ribbon_mesh(straight, scene.ribbon, Axis::y);
+  expect_free_for_30_steps(scene, mesh, std::nullopt);
+  expect_free_for_30_steps(scene, mesh, post(0.3));
+}
+
+TEST(Extremes, a_ribbon_shorter_than_the_way_round) {
+  // Pulled by its ends, it leaves the post or lies against it; nothing is pulled through.
+  Scene scene = scene_of_loop();
+  scene.ribbon.along = 40;
+  SpaceCurve arc = loop(120);
+  arc.points = arc.points.middleCols(40, 40).eval();
+  arc.length_m *= 39.0 / 119;
+  const RibbonMesh mesh = generate_ribbon_mesh(arc, scene.ribbon, Axis::y);
+  expect_free_for_30_steps(scene, mesh, post(0.4));
+}
+
+TEST(Extremes, particles_in_one_place_are_refused_with_their_row) {
+  const Scene scene = scene_of_loop();
+  RibbonMesh mesh = mesh_of_loop(scene);
+  const int first = mesh.grid.particle(60, 0);
+  for (int k = 0; k < 12; ++k) mesh.positions.col(first + k) = mesh.positions.col(first);
+  const auto answer = FasteningProcessor::create(scene, mesh, std::nullopt);
+  if (!answer) {
+    EXPECT_NE(answer.error().problem.find("row 6"), std::string::npos) << answer.error().sentence();
+    return;
+  }
+  EXPECT_TRUE(FrameJudge(mesh, std::nullopt).is_free(answer->positions()));
+}
+
+TEST(Extremes, a_jammed_knot_pulled_a_thousand_times_too_hard_stays_free) {
+  Scene scene = scene_of_loop();
+  scene.fastening->speed_m_s = 400;
+  expect_free_for_30_steps(scene, mesh_of_loop(scene), post(0.49));
+}
+
+TEST(Extremes, any_number_that_a_scene_may_hold_ends_in_numbers_or_a_refusal) {
+  const auto try_scene = [](const auto& change) {
+    Scene scene = scene_of_loop();
+    change(scene);
+    const RibbonMesh mesh = mesh_of_loop(scene);
+    auto fastening = FasteningProcessor::create(scene, mesh, post(0.4));
+    if (!fastening) {
+      EXPECT_FALSE(fastening.error().remedy.empty());
+      return;
+    }
+    const FrameJudge judge(mesh, post(0.4));
+    for (int step = 0; step < 5; ++step) fastening->step();
+    EXPECT_TRUE(judge.is_free(fastening->positions()));
+  };
+  for (const double number : {1e-12, 1e12}) {
+    SCOPED_TRACE(number);
+    try_scene([&](Scene& scene) { scene.ribbon.mass_kg = number; });
+    try_scene([&](Scene& scene) { scene.springs.stretch = number; });
+    try_scene([&](Scene& scene) { scene.springs.bend = number; });
+    try_scene([&](Scene& scene) { scene.air_resistance_per_s = number; });
+    try_scene([&](Scene& scene) { scene.fastening->speed_m_s = number; });
+    try_scene([&](Scene& scene) { scene.time.step_s = number; });
+    try_scene([&](Scene& scene) { scene.ribbon.width_m = number; });
+  }
+}
+
+}  // namespace
+}  // namespace ribbon
