@@ -28,8 +28,8 @@ class AxisTurns {
  private:
   using Ends = std::array<Eigen::Vector3d, 2>;
 
-  int passage(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
-  bool meets(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  [[nodiscard]] int passage(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  [[nodiscard]] bool meets(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
   int watched_passage(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
   Place centre_, along_;

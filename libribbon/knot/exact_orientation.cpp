@@ -64,7 +64,7 @@ double permanent(const std::array<Row<double>, 3>& m) {
 
 Rational exact_determinant(const Places& places) {
   const Reduced<Rational> exact = reduce<Rational>(places);
-  if (exact.sign == 0) return Rational(0);
+  if (exact.sign == 0) return 0;
   return exact.sign * determinant(exact.rows);
 }
 

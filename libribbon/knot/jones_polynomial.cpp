@@ -78,9 +78,10 @@ bool add_smoothed(StateSum& after, const Matching& before, const LaurentPolynomi
     if (join(matching, a, b) && term) term = product(*term, loop);
   if (!term) return false;
   LaurentPolynomial& total = after[std::move(matching)];
-  term = sum(total, *term);
-  if (term) total = *std::move(term);
-  return term.has_value();
+  const std::optional<LaurentPolynomial> new_total = sum(total, *term);
+  if (!new_total) return false;
+  total = *new_total;
+  return true;
 }
 
 std::optional<StateSum> smoothed(const StateSum& before, const Legs& legs) {

@@ -155,8 +155,8 @@ std::optional<KnotDiagram> simple_diagram(const LongCurve& curve) {
   for (const Eigen::Vector3d& view : views) {
     std::optional<KnotDiagram> seen = diagram(curve, Place::direction(view));
     if (!seen) continue;
-    *seen = reduced(*std::move(seen));
-    if (!best || seen->crossing_count() < best->crossing_count()) best = std::move(seen);
+    KnotDiagram simple = reduced(*std::move(seen));
+    if (!best || simple.crossing_count() < best->crossing_count()) best = std::move(simple);
   }
   return best;
 }

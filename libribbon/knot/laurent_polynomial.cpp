@@ -33,8 +33,8 @@ bool add_product(std::int64_t& total, std::int64_t a, std::int64_t b) {
 
 // "3 t^-2", without its sign.
 std::string term_text(std::int64_t coefficient, int power) {
-  const std::string digits = std::to_string(coefficient);
-  const std::string size = coefficient < 0 ? digits.substr(1) : digits;
+  std::string size = std::to_string(coefficient);
+  if (coefficient < 0) size.erase(0, 1);
   if (power == 0) return size;
   const std::string variable = power == 1 ? "t" : "t^" + std::to_string(power);
   return size == "1" ? variable : size + " " + variable;

@@ -19,10 +19,10 @@ Eigen::Matrix3Xd column(const RibbonGrid& grid, const Eigen::Matrix3Xf& position
 Eigen::Matrix3Xd between_columns(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, int j) {
   const Eigen::Matrix3Xd left = column(grid, positions, j);
   const Eigen::Matrix3Xd right = column(grid, positions, j + 1);
-  Eigen::Matrix3Xd result(3, 2 * grid.along - 1);
-  for (int i = 0; i < grid.along; ++i) {
+  Eigen::Matrix3Xd result(3, 2 * left.cols() - 1);
+  for (Eigen::Index i = 0; i < left.cols(); ++i) {
     result.col(2 * i) = (left.col(i) + right.col(i)) / 2;
-    if (i + 1 == grid.along) continue;
+    if (i + 1 == left.cols()) continue;
     const bool rising = (i + j) % 2 == 0;  // as RibbonGrid::triangles() draws its diagonals
     result.col(2 * i + 1) = rising ? Eigen::Vector3d((left.col(i) + right.col(i + 1)) / 2)
                                    : Eigen::Vector3d((right.col(i) + left.col(i + 1)) / 2);

@@ -36,8 +36,9 @@ class SelvageLinking {
     int crossing_sum = 0;
   };
 
-  std::optional<int> crossing_sum_before(const RibbonCurves& before, const Directions& rays,
-                                         std::size_t view) const;
+  [[nodiscard]] std::optional<int> crossing_sum_before(const RibbonCurves& before,
+                                                       const Directions& rays,
+                                                       std::size_t view) const;
 
   std::optional<int> number_;
   std::optional<Seen> seen_;

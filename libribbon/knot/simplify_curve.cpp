@@ -51,14 +51,14 @@ using Vertex = LongCurve::const_iterator;
 // Is the triangle met by the polygon from `first` up to and without `last`?
 bool met_by(const Corner& triangle, const Box& box, Vertex first, Vertex last) {
   if (first == last) return false;
-  for (Vertex next = std::next(first); next != last; first = next++)
+  for (auto next = std::next(first); next != last; first = next++)
     if (!misses(box, *first, *next) && meets(triangle, *first, *next)) return true;
   return false;
 }
 
 // Can the last of `kept` be joined to the second of the rest, leaving out the first of the rest?
 bool can_leave_out(const LongCurve& kept, Vertex rest, Vertex end) {
-  const Vertex next = std::next(rest);
+  const auto next = std::next(rest);
   const Corner triangle{kept.back(), *rest, *next};
   const auto& [a, b, c] = triangle;
   if (a.is_direction && c.is_direction) return false;  // something must stay
@@ -72,7 +72,7 @@ bool can_leave_out(const LongCurve& kept, Vertex rest, Vertex end) {
 
 LongCurve one_sweep(const LongCurve& curve) {
   LongCurve kept{curve.front()};
-  for (Vertex rest = std::next(curve.begin()); rest != std::prev(curve.end()); ++rest)
+  for (auto rest = std::next(curve.begin()); rest != std::prev(curve.end()); ++rest)
     if (!can_leave_out(kept, rest, curve.end())) kept.push_back(*rest);
   kept.push_back(curve.back());
   return kept;

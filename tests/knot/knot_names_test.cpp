@@ -79,15 +79,15 @@ TEST(KnotNames, are_those_of_the_knot_table) {
   for (const auto& [name, code] : table) {
     const LaurentPolynomial jones = regina_jones_of_code(code);
     const std::string crossings = " (" + std::to_string(code.size()) + " crossings)";
+    const std::string right = std::string(name).append(", right-handed").append(crossings);
+    const std::string left = std::string(name).append(", left-handed").append(crossings);
     const auto named = knot_name(jones);
     ASSERT_TRUE(named) << name;
     if (jones == jones.mirrored()) {
-      EXPECT_EQ(*named, name + crossings);
+      EXPECT_EQ(*named, std::string(name).append(crossings));
     } else {
-      const bool right = *named == name + ", right-handed" + crossings;
-      EXPECT_TRUE(right || *named == name + ", left-handed" + crossings) << *named;
-      EXPECT_EQ(knot_name(jones.mirrored()),
-                name + (right ? ", left-handed" : ", right-handed") + crossings);
+      EXPECT_TRUE(*named == right || *named == left) << *named;
+      EXPECT_EQ(knot_name(jones.mirrored()), *named == right ? left : right);
     }
   }
 }

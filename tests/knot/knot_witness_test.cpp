@@ -165,7 +165,7 @@ TEST(KnotWitness, a_broken_frame_is_said_and_remembered) {
 
 TEST(KnotWitness, particles_all_in_one_place_are_certified_as_unknown) {
   KnotWitness witness({20, across}, axis);
-  witness.follow(Eigen::Matrix3Xf::Zero(3, 20 * across));
+  witness.follow(Eigen::Matrix3Xf::Zero(3, RibbonGrid{20, across}.particle_count()));
   EXPECT_TRUE(witness.certificate().first_end_buried);
   EXPECT_FALSE(witness.certificate().jones);
 }
