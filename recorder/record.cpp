@@ -54,6 +54,13 @@ Result<SpaceCurve> centre_line(const Scene& scene) {
       scene.contact == ContactMethod::gate ? TightPassage::squeeze : TightPassage::refuse);
 }
 
+// A start without room is told with the tightest passage of the drawing, if that was squeezed.
+Error with_tight_passage(const Scene& scene, Error error) {
+  const auto roomy = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along);
+  if (!roomy) error.problem += " (" + roomy.error().place + ": " + roomy.error().problem + ")";
+  return error;
+}
+
 // The first step at or after the time of frame `index`. A frame time that falls on a step up to
 // rounding is on it.
 long step_of_frame(const Scene& scene, int index) {
@@ -82,7 +89,7 @@ Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& re
   }
   Stopwatch stopwatch;
   auto fastening = FasteningProcessor::create(scene, ribbon, obstacle);
-  if (!fastening) return tl::unexpected(fastening.error());
+  if (!fastening) return tl::unexpected(with_tight_passage(scene, fastening.error()));
   // Not before the start has been found: a scene without one leaves an older recording alone.
   auto file = RecordingWriter::create(
       recording, header_of(scene, writer, ribbon, obstacle, fastening->guaranteed_gap_m()));

@@ -23,7 +23,8 @@ int frame_count(const Scene& scene);
 
 // Generates the ribbon of `scene`, fastens it and records every frame into `recording`. A frame is
 // recorded at the first step at or after its time. `writer`: program and version, for the header.
-// Fails when the drawing, the obstacle or the file does not work; frames written before stay
+// Fails when the drawing, the obstacle, the start or the file does not work. The file is created,
+// and an older one of that name replaced, only once there is a start; frames written before stay
 // readable.
 Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& recording,
                              const std::string& writer, const RunObserver& observer);

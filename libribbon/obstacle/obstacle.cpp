@@ -5,6 +5,7 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <optional>
 
 namespace ribbon {
 
@@ -55,6 +56,13 @@ TriangleMesh merged(const aiScene& file) {
   return result;
 }
 
+std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (const int corner : mesh.triangles.col(t))
+      if (!mesh.vertices.col(corner).allFinite()) return t;
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<TriangleMesh> read_obstacle(const ObstacleScene& scene) {
@@ -73,8 +81,10 @@ Result<TriangleMesh> read_obstacle(const ObstacleScene& scene) {
     return failure(place, "the mesh holds no triangles", "export it with faces");
   mesh.vertices =
       ((mesh.vertices.cast<double>() * scene.scale).colwise() + scene.position_m).cast<float>();
-  if (!mesh.vertices.allFinite())
-    return failure(place, "a coordinate of the mesh is not a finite number",
+  if (const auto triangle = first_not_finite(mesh))
+    return failure(place,
+                   "a coordinate of triangle " + std::to_string(*triangle + 1) + " of " +
+                       std::to_string(mesh.triangles.cols()) + " is not a finite number",
                    "repair the mesh or choose a smaller obstacle.scale");
   return mesh;
 }

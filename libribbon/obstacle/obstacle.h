@@ -8,8 +8,10 @@
 namespace ribbon {
 
 // Reads any triangle mesh file that assimp reads, joins equal vertices, scales and places it. The
-// vertices are final in single precision, so that the recorded obstacle is the simulated one. Fails
-// with the file's name when it cannot be read, holds no triangles, or has coordinates that are not
+// vertices are final in single precision, so that the recorded obstacle is the simulated one. The
+// mesh may be as bad as it likes: open, non-manifold, with triangles that are duplicates, inverted
+// or without area; they are kept, and all are in the ribbon's way. Fails with the file's name when
+// it cannot be read, holds no triangles, or (naming the triangle) has coordinates that are not
 // finite.
 Result<TriangleMesh> read_obstacle(const ObstacleScene& scene);
 

@@ -91,9 +91,13 @@ class Search {
     return false;
   }
 
+  // The schemes lead out of obstacles; where the thinnest band meets itself they have little to
+  // try.
   bool take_recovered_band() {
     report_.kind = StartKind::recovered;
-    for (double share = 1; share >= thinnest; share /= 2) {
+    take_band(thinnest);
+    const auto at = encounter();
+    for (double share = at && of_obstacle(*at) ? 1 : thinnest; share >= thinnest; share /= 4) {
       take_band(share);
       const RecoverySettings settings{.gap_m = 0.1 * shortest_edge_m(),
                                       .step_m = 0.5 * shortest_edge_m(),

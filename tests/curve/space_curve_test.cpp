@@ -164,6 +164,21 @@ TEST(SpaceCurve, passages_too_close_for_the_width_are_refused_with_a_width_that_
   EXPECT_NE(problem_of(scene, 1.03 * widest_m), "none");
 }
 
+TEST(SpaceCurve, passages_too_close_are_squeezed_where_that_is_asked_for) {
+  CurveScene scene = scene_of(trefoil, 0.1);
+  const auto squeezed = generate_space_curve(scene, 0.5, 20001, TightPassage::squeeze);
+  ASSERT_TRUE(squeezed.has_value()) << squeezed.error().sentence();
+  const std::vector<double> heights = heights_at(*squeezed, 0.1, 0);
+  ASSERT_EQ(heights.size(), 2U);
+  const double gap_m = std::abs(heights[0] - heights[1]);
+  // As in the test above: between 0.17 and 0.25 m of width, and 0.01 m of clearance.
+  EXPECT_GT(gap_m, 0.18);
+  EXPECT_LT(gap_m, 0.26);
+  // Where there is room nothing is squeezed.
+  EXPECT_EQ(generate_space_curve(scene, 0.1, 100, TightPassage::squeeze)->points,
+            generate_space_curve(scene, 0.1, 100)->points);
+}
+
 TEST(SpaceCurve, crossing_at_the_very_end_leaves_no_way_to_rise) {
   std::vector<Eigen::Vector2d> points = trefoil;
   points.front() = {0.9, -0.1};

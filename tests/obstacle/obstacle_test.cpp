@@ -64,6 +64,24 @@ TEST(Obstacle, a_missing_file_and_a_file_without_faces_are_named) {
   EXPECT_FALSE(read_obstacle(scene_of(written("points.obj", "v 0 0 0\nv 1 0 0\n"))).has_value());
 }
 
+TEST(Obstacle, triangles_without_area_duplicates_and_inverted_ones_are_kept) {
+  const auto file = written("bad.obj",
+                            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.5 0 0\nv 7 7 7\n"
+                            "f 1 2 3\nf 1 2 3\nf 3 2 1\nf 1 4 2\nf 1 2 2\nf 3 3 3\n");
+  const TriangleMesh mesh = read_obstacle(scene_of(file)).value();
+  EXPECT_EQ(mesh.triangles.cols(), 6);
+  EXPECT_TRUE((mesh.vertices.array() < 2).all());  // the vertex without a triangle is gone
+}
+
+TEST(Obstacle, a_coordinate_that_is_no_number_is_told_with_its_triangle) {
+  const auto answer = read_obstacle(
+      scene_of(written("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 nan 1\nf 1 2 3\nf 1 2 4\n")));
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_NE(answer.error().sentence().find("nan.obj: a coordinate of triangle 2 of 2"),
+            std::string::npos)
+      << answer.error().sentence();
+}
+
 TEST(Obstacle, coordinates_beyond_single_precision_are_refused) {
   ObstacleScene scene = scene_of(written("large.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   scene.scale = 1e39;

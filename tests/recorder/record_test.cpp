@@ -92,5 +92,60 @@ TEST_F(Record, an_obstacle_that_cannot_be_read_is_named_before_anything_is_writt
   EXPECT_FALSE(fs::exists(folder_ / "knot.rbn"));
 }
 
+TEST_F(Record, a_scene_without_a_free_start_leaves_an_older_recording_as_it_was) {
+  const fs::path file = folder_ / "knot.rbn";
+  (void)record_all(file);
+  const std::string before = read_file(file).value();
+  scene_.ribbon.width_m = 50;
+  scene_.curve.clearance_m = 5;
+  const RunObserver observer{[](int, int, const FrameNumbers&) { return true; }};
+  const auto answer = record(scene_, file, "test", observer);
+  ASSERT_FALSE(answer.has_value());
+  const std::string sentence = answer.error().sentence();
+  EXPECT_EQ(sentence.find("small loop: "), 0U) << sentence;
+  EXPECT_NE(sentence.find("row "), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("drawing at ("), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("ribbon.width"), std::string::npos) << sentence;
+  EXPECT_TRUE(read_file(file).value() == before);
+  const auto refused = record(scene_, folder_ / "new.rbn", "test", observer);
+  EXPECT_FALSE(refused.has_value());
+  EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
+}
+
+TEST_F(Record, a_ribbon_too_wide_for_the_crossing_is_grown_and_states_its_gap) {
+  scene_.ribbon.width_m = 0.4;
+  scene_.curve.clearance_m = 0.04;
+  const RunStatistics statistics = record_all(folder_ / "knot.rbn");
+  EXPECT_EQ(statistics.start, "grown");
+  EXPECT_GT(statistics.start_s, 0);
+  EXPECT_EQ(statistics.worst_penetrating_edges, 0U);
+  EXPECT_GT(RecordingReader::open(folder_ / "knot.rbn").value().header().stated_gap_m, 0);
+}
+
+TEST_F(Record, as_published_too_wide_a_ribbon_is_refused_by_its_drawing) {
+  scene_.contact = ContactMethod::paper;
+  scene_.ribbon.width_m = 2;
+  const auto answer = record(scene_, folder_ / "knot.rbn", "test",
+                             {[](int, int, const FrameNumbers&) { return true; }});
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_NE(answer.error().sentence().find("too short for a ribbon"), std::string::npos);
+}
+
+TEST_F(Record, recoveries_of_the_start_are_in_the_first_frame) {
+  // A needle through the band.
+  const fs::path needle = folder_ / "needle.obj";
+  ASSERT_TRUE(write_file(needle,
+                         "v -0.001 0 -0.4\nv 0.001 0 -0.4\nv 0 0.002 -0.4\nv 0 0 0\n"
+                         "f 1 3 2\nf 2 3 4\nf 4 3 1\nf 1 2 4\n")
+                  .has_value());
+  scene_.obstacle = ObstacleScene{.file = needle};
+  scene_.contact = ContactMethod::paper;
+  const RunStatistics statistics = record_all(folder_ / "knot.rbn");
+  EXPECT_EQ(statistics.start, "recovered");
+  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  EXPECT_GT(reader.numbers(0)->recovery_iterations, 0U);
+  EXPECT_EQ(reader.header().stated_gap_m, 0);
+}
+
 }  // namespace
 }  // namespace ribbon

@@ -69,6 +69,23 @@ TEST(Recovery, from_the_obstacle_brings_the_ribbon_out) {
   EXPECT_GT(planted.positions.leftCols(grid.particle_count()).row(1).minCoeff(), -0.5);
 }
 
+TEST(Recovery, with_patience_leads_out_of_an_obstacle_layer_by_layer) {
+  // A step down of the ribbon through the floor: each application moves one row out, and as many
+  // edges pierce as before, until the last row is out.
+  const RibbonGrid grid{12, 3};
+  OverFloor planted = ribbon_over_floor(grid, -0.5);
+  for (int row = 6; row < 12; ++row)
+    for (int column = 0; column < 3; ++column)
+      planted.positions(1, grid.particle(row, column)) = -0.7;
+  Eigen::Matrix3Xd patient = planted.positions;
+  EXPECT_GT(recover(planted.bodies, settings, planted.positions).penetrating_edges, 0);
+  RecoverySettings with_patience = settings;
+  with_patience.patience = 12;
+  const RecoveryReport report = recover(planted.bodies, with_patience, patient);
+  EXPECT_EQ(report.penetrating_edges, 0);
+  EXPECT_GE(report.iterations, 6);
+}
+
 TEST(Recovery, never_leaves_more_errors_than_it_found) {
   // Two halves pushed deeply through each other along their whole length: beyond the schemes.
   const RibbonGrid grid{21, 5};
