@@ -69,36 +69,40 @@ Vector3d from_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 // The closest point of a triangle is inside or on an edge: one of these directions is the one from
 // it to p, and no other can give more.
 double certain_point_triangle_distance(const Eigen::Vector3f& p, const Eigen::Vector3f& a,
-                                       const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
+                                       const Eigen::Vector3f& b, const Eigen::Vector3f& c,
+                                       double enough) {
   const Vector3d origin = p.cast<double>();
   const Vector3d point = Vector3d::Zero();
   Eigen::Matrix3d triangle;
   triangle << a.cast<double>() - origin, b.cast<double>() - origin, c.cast<double>() - origin;
-  double distance = 0;
-  for (int k = 0; k < 3; ++k) {
+  const Vector3d normal =
+      (triangle.col(1) - triangle.col(0)).cross(triangle.col(2) - triangle.col(0));
+  double distance = std::max(0.0, gap_along(normal, point, triangle));
+  for (int k = 0; k < 3 && distance < enough; ++k) {
     const Vector3d direction = from_segment(point, triangle.col(k), triangle.col((k + 1) % 3));
     distance = std::max(distance, gap_along(direction, point, triangle));
   }
-  const Vector3d normal =
-      (triangle.col(1) - triangle.col(0)).cross(triangle.col(2) - triangle.col(0));
-  return std::max(distance, gap_along(normal, point, triangle));
+  return distance;
 }
 
 // The closest points of two segments are both inside, and then the direction between them is
 // perpendicular to both, or one of them is an end.
 double certain_segments_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                                 const Eigen::Vector3f& c, const Eigen::Vector3f& d) {
+                                 const Eigen::Vector3f& c, const Eigen::Vector3f& d,
+                                 double enough) {
   const Vector3d origin = a.cast<double>();
   Eigen::Matrix<double, 3, 2> segment;
   Eigen::Matrix<double, 3, 2> other;
   segment << Vector3d::Zero(), b.cast<double>() - origin;
   other << c.cast<double>() - origin, d.cast<double>() - origin;
-  double distance = gap_along(segment.col(1).cross(other.col(1) - other.col(0)), segment, other);
-  for (int end = 0; end < 2; ++end) {
-    const Vector3d to_end = from_segment(segment.col(end), other.col(0), other.col(1));
-    const Vector3d from_end = from_segment(other.col(end), segment.col(0), segment.col(1));
-    distance = std::max(distance, gap_along(to_end, segment, other));
-    distance = std::max(distance, gap_along(from_end, segment, other));
+  const Vector3d normal = segment.col(1).cross(other.col(1) - other.col(0));
+  double distance = std::max(0.0, gap_along(normal, segment, other));
+  for (int k = 0; k < 4 && distance < enough; ++k) {
+    const int end = k / 2;
+    const Vector3d direction = k % 2 == 0
+                                   ? from_segment(segment.col(end), other.col(0), other.col(1))
+                                   : from_segment(other.col(end), segment.col(0), segment.col(1));
+    distance = std::max(distance, gap_along(direction, segment, other));
   }
   return distance;
 }

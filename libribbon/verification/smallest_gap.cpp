@@ -84,7 +84,7 @@ class Search {
       const Eigen::Vector3f point = soup_.points.col(corner);
       if (is_too_far({point.array(), point.array()}, ClosedBox::around(soup_, other))) continue;
       take(certain_point_triangle_distance(point, soup_.corner(other, 0), soup_.corner(other, 1),
-                                           soup_.corner(other, 2)),
+                                           soup_.corner(other, 2), limit()),
            triangle, other);
     }
   }
@@ -99,7 +99,8 @@ class Search {
           edge[1] == opposite[0] || edge[1] == opposite[1] || is_too_far(box, around(opposite)))
         continue;
       take(certain_segments_distance(soup_.points.col(edge[0]), soup_.points.col(edge[1]),
-                                     soup_.points.col(opposite[0]), soup_.points.col(opposite[1])),
+                                     soup_.points.col(opposite[0]), soup_.points.col(opposite[1]),
+                                     limit()),
            triangle, other);
     }
   }
@@ -115,9 +116,13 @@ class Search {
   }
 
   void take(double distance_m, int triangle, int other) {
-    if (best_ && distance_m >= best_->certain_m) return;
+    if (distance_m >= limit()) return;
     best_ = {distance_m, {std::min(triangle, other), std::max(triangle, other)}};
     squared_limit_ = distance_m * distance_m;
+  }
+
+  [[nodiscard]] double limit() const {
+    return best_ ? best_->certain_m : std::numeric_limits<double>::infinity();
   }
 
   const TriangleSoup& soup_;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <compare>
 
 namespace ribbon {
 
@@ -22,7 +21,10 @@ struct TriangleSoup {
 struct TrianglePair {
   int first = 0;
   int second = 0;
-  auto operator<=>(const TrianglePair&) const = default;
+  bool operator==(const TrianglePair&) const = default;
+  bool operator<(const TrianglePair& pair) const {
+    return first != pair.first ? first < pair.first : second < pair.second;
+  }
 };
 
 }  // namespace ribbon
