@@ -48,19 +48,26 @@ TEST_P(Sample, says_its_particles_in_its_name) {
                                    std::to_string(scene.ribbon.along)));
 }
 
+TEST_P(Sample, resists_lengthwise_like_every_other) {
+  const Scene scene = read_scene(GetParam()).value();
+  for (const double resistance : {scene.springs.stretch, scene.springs.shear, scene.springs.bend})
+    EXPECT_DOUBLE_EQ(resistance * scene.ribbon.across / scene.ribbon.along, 0.2);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Sample, testing::ValuesIn(sample_scenes()), [](const auto& sample) {
   std::string name = sample.param.stem().string();
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
 
-TEST(Samples, are_the_three_overhand_knots_in_both_granularities) {
+TEST(Samples, are_the_three_overhand_knots_in_two_granularities_and_one_in_a_third) {
   std::vector<std::string> names;
   for (const fs::path& scene : sample_scenes()) names.push_back(scene.stem().string());
-  EXPECT_EQ(names, (std::vector<std::string>{
-                       "overhand-cylinder-16x400", "overhand-cylinder-8x400",
-                       "overhand-hourglass-16x400", "overhand-hourglass-8x400",
-                       "overhand-small-object-16x400", "overhand-small-object-8x400"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"overhand-cylinder-16x400", "overhand-cylinder-8x400",
+                                      "overhand-hourglass-16x400", "overhand-hourglass-32x800",
+                                      "overhand-hourglass-8x400", "overhand-small-object-16x400",
+                                      "overhand-small-object-8x400"}));
 }
 
 }  // namespace
