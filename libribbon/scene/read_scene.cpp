@@ -261,6 +261,8 @@ std::vector<Key> ribbon_keys() {
       {"along", required, "400", set(in(&Scene::ribbon, &RibbonScene::along), particle_count)},
       {"across", required, "8", set(in(&Scene::ribbon, &RibbonScene::across), particle_count)},
       {"mass", optional, "1", set(in(&Scene::ribbon, &RibbonScene::mass_kg), number(positive))},
+      {"thickness", optional, "0.001",
+       set(in(&Scene::ribbon, &RibbonScene::thickness_m), number(not_negative))},
   };
 }
 
@@ -327,6 +329,9 @@ const std::vector<Table>& tables() {
       {"air",
        optional,
        {{"resistance", optional, "10", set(&Scene::air_resistance_per_s, number(not_negative))}}},
+      {"friction",
+       optional,
+       {{"coefficient", required, "0.3", set(&Scene::friction, number(not_negative))}}},
       {"obstacle", optional, obstacle_keys()},
       {"fastening", optional, fastening_keys()},
       {"time", required, time_keys()},

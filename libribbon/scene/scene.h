@@ -39,6 +39,7 @@ struct RibbonScene {
   int along = 0;
   int across = 0;
   double mass_kg = 1;
+  double thickness_m = 0;  // at which contact begins; 0: as soon as the mesh needs it
 };
 
 // Spring resistances of the paper's section 5.1, in N/m. A resistance of 0 creates no springs.
@@ -89,6 +90,7 @@ struct Scene {
   RibbonScene ribbon;
   SpringScene springs;
   double air_resistance_per_s = 0;  // deceleration per speed
+  double friction = 0;              // Coulomb's coefficient, of ribbon on ribbon and on obstacle
   ContactMethod contact = ContactMethod::gate;
   std::optional<ObstacleScene> obstacle;
   std::optional<FasteningScene> fastening;

@@ -12,10 +12,11 @@ constexpr double strain_limit = 0.1;   // of the natural length (section 5.5)
 constexpr int correction_rounds = 10;  // at most, in one step (section 5.5)
 
 std::unique_ptr<Contact> contact_of(const Scene& scene, const NaturalSize& size, Bodies& bodies) {
-  const ContactLengths lengths{size.shortest_edge_m(),
-                               scene.recording.max_position_error_m(size.length_m)};
-  return scene.contact == ContactMethod::paper ? paper_contact(bodies, lengths)
-                                               : gated_contact(bodies, lengths, scene.time.step_s);
+  const ContactProperties properties{size, scene.recording.max_position_error_m(size.length_m),
+                                     scene.ribbon.thickness_m, scene.friction};
+  return scene.contact == ContactMethod::paper
+             ? paper_contact(bodies, properties)
+             : gated_contact(bodies, properties, scene.time.step_s);
 }
 
 }  // namespace

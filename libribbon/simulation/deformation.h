@@ -2,30 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <memory>
 
-#include "geometry/ribbon_grid.h"
 #include "ribbon_mesh/springs.h"
 #include "scene/scene.h"
 #include "simulation/bodies.h"
 #include "simulation/cloth.h"
 #include "simulation/contact.h"
+#include "simulation/natural_size.h"
 #include "simulation/strain_correction.h"
 
 namespace ribbon {
-
-// How large the flat band is.
-struct NaturalSize {
-  RibbonGrid grid;
-  double length_m = 0;
-  double width_m = 0;
-
-  // Of one edge.
-  [[nodiscard]] double along_m() const { return length_m / (grid.along - 1); }
-  [[nodiscard]] double across_m() const { return width_m / (grid.across - 1); }
-  [[nodiscard]] double shortest_edge_m() const { return std::min(along_m(), across_m()); }
-};
 
 class Deformation {
  public:

@@ -13,7 +13,7 @@ class PairLister {
   PairLister(const RangedSurface& a, const RangedSurface& b, double margin_m)
       : a_(a), b_(b), margin_m_(margin_m) {}
 
-  void list(const TrianglePair& pair, std::vector<FeaturePair>& found) const {
+  void list(const CandidatePair& pair, std::vector<FeaturePair>& found) const {
     for (int corner = 0; corner < 3; ++corner) {
       if (a_.surface.answers_for_vertex(pair.a, corner))
         list_vertex(a_.surface.triangles(corner, pair.a), b_, pair.b, found);
@@ -67,7 +67,7 @@ class PairLister {
 }  // namespace
 
 std::vector<FeaturePair> feature_pairs(const RangedSurface& a, const RangedSurface& b,
-                                       std::span<const TrianglePair> pairs, double margin_m) {
+                                       std::span<const CandidatePair> pairs, double margin_m) {
   constexpr std::size_t grain = 256;
   const PairLister lister(a, b, margin_m);
   std::vector<std::vector<FeaturePair>> found((pairs.size() + grain - 1) / grain);

@@ -41,6 +41,6 @@ struct RangedSurface {
 // The feature pairs of `pairs` (triangles of a and of b, which may be the same surface) whose boxes
 // come within margin_m of each other. Each pair of features is listed once.
 std::vector<FeaturePair> feature_pairs(const RangedSurface& a, const RangedSurface& b,
-                                       std::span<const TrianglePair> pairs, double margin_m);
+                                       std::span<const CandidatePair> pairs, double margin_m);
 
 }  // namespace ribbon

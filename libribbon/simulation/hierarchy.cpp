@@ -314,9 +314,9 @@ namespace {
 // reports pairs of leaves. The widest front is shared out over the cores; the order of the answer
 // depends on the tree alone.
 template <class NodePair, class Expand>
-std::vector<TrianglePair> walk(const NodePair& start, const Expand& expand) {
+std::vector<CandidatePair> walk(const NodePair& start, const Expand& expand) {
   constexpr std::size_t wide_enough = 512;
-  std::vector<TrianglePair> found;
+  std::vector<CandidatePair> found;
   std::vector<NodePair> front{start};
   std::vector<NodePair> next;
   while (!front.empty() && front.size() < wide_enough) {
@@ -324,7 +324,7 @@ std::vector<TrianglePair> walk(const NodePair& start, const Expand& expand) {
     for (const NodePair& pair : front) expand(pair, next, found);
     front.swap(next);
   }
-  std::vector<std::vector<TrianglePair>> found_below(front.size());
+  std::vector<std::vector<CandidatePair>> found_below(front.size());
   parallel_ranges(front.size(), 16, [&](std::size_t begin, std::size_t end) {
     std::vector<NodePair> open;
     for (std::size_t i = begin; i < end; ++i) {
@@ -342,10 +342,10 @@ std::vector<TrianglePair> walk(const NodePair& start, const Expand& expand) {
 
 }  // namespace
 
-std::vector<TrianglePair> Hierarchy::pairs_within(Spare spare) const {
+std::vector<CandidatePair> Hierarchy::pairs_within(Spare spare) const {
   return walk(NodePair{root(), root()},
               [this, spare](const NodePair& pair, std::vector<NodePair>& next,
-                            std::vector<TrianglePair>& found) {
+                            std::vector<CandidatePair>& found) {
                 if (!can_meet(pair, spare)) return;
                 if (is_leaf(pair.a) && is_leaf(pair.b))
                   found.push_back({pair.a, pair.b});
@@ -354,9 +354,9 @@ std::vector<TrianglePair> Hierarchy::pairs_within(Spare spare) const {
               });
 }
 
-std::vector<TrianglePair> Hierarchy::pairs_with(const Hierarchy& other) const {
+std::vector<CandidatePair> Hierarchy::pairs_with(const Hierarchy& other) const {
   return walk(NodePair{root(), other.root()}, [&](const NodePair& pair, std::vector<NodePair>& next,
-                                                  std::vector<TrianglePair>& found) {
+                                                  std::vector<CandidatePair>& found) {
     if (!boxes_[static_cast<std::size_t>(pair.a)].meets(
             other.boxes_[static_cast<std::size_t>(pair.b)]))
       return;

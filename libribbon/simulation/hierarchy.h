@@ -11,7 +11,8 @@
 
 namespace ribbon {
 
-struct TrianglePair {
+// Two triangles that may meet.
+struct CandidatePair {
   int a = 0;
   int b = 0;
 };
@@ -42,10 +43,10 @@ class Hierarchy {
 
   // Pairs of different triangles of this surface that may meet, in an order that depends on nothing
   // but the boxes and curvatures.
-  [[nodiscard]] std::vector<TrianglePair> pairs_within(Spare spare) const;
+  [[nodiscard]] std::vector<CandidatePair> pairs_within(Spare spare) const;
 
   // Pairs (triangle of this surface, triangle of `other`) whose boxes meet.
-  [[nodiscard]] std::vector<TrianglePair> pairs_with(const Hierarchy& other) const;
+  [[nodiscard]] std::vector<CandidatePair> pairs_with(const Hierarchy& other) const;
 
   [[nodiscard]] int node_count() const { return static_cast<int>(boxes_.size()); }
 

@@ -34,19 +34,21 @@ double PairGaps::natural_distance_m(const FeaturePair& pair) const {
   const std::size_t first_count = pair.kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
   const std::span<const int> first = std::span(pair.vertices).first(first_count);
   const std::span<const int> second = std::span(pair.vertices).subspan(first_count);
-  const auto row = [this](int vertex) { return grid_.row(vertex); };
-  const auto column = [this](int vertex) { return grid_.column(vertex); };
+  const auto row = [this](int vertex) { return size_.grid.row(vertex); };
+  const auto column = [this](int vertex) { return size_.grid.column(vertex); };
   const double distance_m =
-      std::hypot(apart(interval(first, row), interval(second, row)) * along_m_,
-                 apart(interval(first, column), interval(second, column)) * across_m_);
+      std::hypot(apart(interval(first, row), interval(second, row)) * size_.along_m(),
+                 apart(interval(first, column), interval(second, column)) * size_.across_m());
   // No two features that share no vertex are closer than a corner of a quad and its diagonal.
-  const double corner_to_diagonal_m = along_m_ * across_m_ / std::hypot(along_m_, across_m_);
+  const double corner_to_diagonal_m =
+      size_.along_m() * size_.across_m() / std::hypot(size_.along_m(), size_.across_m());
   return std::max(distance_m, corner_to_diagonal_m);
 }
 
 double PairGaps::thick_contact_m(const FeaturePair& pair) const {
-  const bool with_obstacle = std::any_of(pair.vertices.begin(), pair.vertices.end(),
-                                         [this](int v) { return v >= grid_.particle_count(); });
+  const bool with_obstacle = std::any_of(pair.vertices.begin(), pair.vertices.end(), [this](int v) {
+    return v >= size_.grid.particle_count();
+  });
   if (with_obstacle) return 0.5 * lengths_.thickness_m;
   return std::min(lengths_.thickness_m, 0.5 * natural_distance_m(pair));
 }

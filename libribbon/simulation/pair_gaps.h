@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "geometry/ribbon_grid.h"
 #include "simulation/feature_pairs.h"
 #include "simulation/gap_lengths.h"
+#include "simulation/natural_size.h"
 
 namespace ribbon {
 
@@ -15,9 +15,7 @@ namespace ribbon {
 // at most.
 class PairGaps {
  public:
-  // The flat ribbon: `along_m` between its rows, `across_m` between its columns.
-  PairGaps(const RibbonGrid& grid, double along_m, double across_m, const GapLengths& lengths)
-      : grid_(grid), along_m_(along_m), across_m_(across_m), lengths_(lengths) {}
+  PairGaps(const NaturalSize& size, const GapLengths& lengths) : size_(size), lengths_(lengths) {}
 
   [[nodiscard]] double hard_m(const FeaturePair& pair) const {
     return is_thick() ? std::max(lengths_.hard_m, 0.5 * thick_contact_m(pair)) : lengths_.hard_m;
@@ -38,9 +36,7 @@ class PairGaps {
   [[nodiscard]] double thick_contact_m(const FeaturePair& pair) const;
   [[nodiscard]] double natural_distance_m(const FeaturePair& pair) const;
 
-  RibbonGrid grid_;
-  double along_m_;
-  double across_m_;
+  NaturalSize size_;
   GapLengths lengths_;
 };
 

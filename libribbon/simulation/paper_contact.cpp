@@ -11,10 +11,13 @@ constexpr int repulsion_rounds = 10;  // of detection and repulsion, at most
 
 class PaperContact : public Contact {
  public:
-  PaperContact(Bodies& bodies, const ContactLengths& lengths)
+  PaperContact(Bodies& bodies, const ContactProperties& properties)
       : bodies_(bodies),
-        gaps_(bodies.grid, lengths.edge_m, lengths.edge_m, {.contact_m = 0.1 * lengths.edge_m}),
-        recovery_settings_{.gap_m = 0.1 * lengths.edge_m, .step_m = 0.5 * lengths.edge_m} {}
+        gaps_(properties.size, {.contact_m = 0.1 * properties.size.shortest_edge_m(),
+                                .thickness_m = properties.thickness_m}),
+        repulsion_settings_{.friction = properties.friction},
+        recovery_settings_{.gap_m = 0.1 * properties.size.shortest_edge_m(),
+                           .step_m = 0.5 * properties.size.shortest_edge_m()} {}
 
   void after_displacement(const Eigen::Matrix3Xd& before, Cloth& cloth) override {
     for (int round = 0; round < repulsion_rounds; ++round)
@@ -37,8 +40,8 @@ class PaperContact : public Contact {
 
 }  // namespace
 
-std::unique_ptr<Contact> paper_contact(Bodies& bodies, const ContactLengths& lengths) {
-  return std::make_unique<PaperContact>(bodies, lengths);
+std::unique_ptr<Contact> paper_contact(Bodies& bodies, const ContactProperties& properties) {
+  return std::make_unique<PaperContact>(bodies, properties);
 }
 
 }  // namespace ribbon

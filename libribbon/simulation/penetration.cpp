@@ -38,7 +38,7 @@ void list_piercing_edges(const CollisionSurface& edges, int edge_triangle,
 
 // Runs list(pair, found) for all pairs on both cores and joins what was found, in order.
 template <class List>
-std::vector<Penetration> collect(const std::vector<TrianglePair>& pairs, const List& list) {
+std::vector<Penetration> collect(const std::vector<CandidatePair>& pairs, const List& list) {
   constexpr std::size_t grain = 512;
   std::vector<std::vector<Penetration>> parts((pairs.size() + grain - 1) / grain);
   parallel_ranges(pairs.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -57,7 +57,7 @@ std::vector<Penetration> self_penetrations(const CollisionSurface& surface, Hier
   if (spare == Hierarchy::Spare::curvature_and_boxes)
     hierarchy.refit_curvatures(positions, positions);
   return collect(hierarchy.pairs_within(spare),
-                 [&](const TrianglePair& pair, std::vector<Penetration>& found) {
+                 [&](const CandidatePair& pair, std::vector<Penetration>& found) {
                    list_piercing_edges(surface, pair.a, surface, pair.b, positions, found);
                    list_piercing_edges(surface, pair.b, surface, pair.a, positions, found);
                  });
@@ -68,12 +68,12 @@ MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy&
                                        const Hierarchy& second_hierarchy,
                                        const Matrix3Xd& positions) {
   first_hierarchy.refit(vertex_ranges(positions, positions), 0);
-  const std::vector<TrianglePair> pairs = first_hierarchy.pairs_with(second_hierarchy);
+  const std::vector<CandidatePair> pairs = first_hierarchy.pairs_with(second_hierarchy);
   return {collect(pairs,
-                  [&](const TrianglePair& pair, std::vector<Penetration>& found) {
+                  [&](const CandidatePair& pair, std::vector<Penetration>& found) {
                     list_piercing_edges(first, pair.a, second, pair.b, positions, found);
                   }),
-          collect(pairs, [&](const TrianglePair& pair, std::vector<Penetration>& found) {
+          collect(pairs, [&](const CandidatePair& pair, std::vector<Penetration>& found) {
             list_piercing_edges(second, pair.b, first, pair.a, positions, found);
           })};
 }

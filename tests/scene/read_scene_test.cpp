@@ -27,6 +27,8 @@ TEST(ReadScene, what_a_scene_does_not_name_costs_nothing) {
   EXPECT_EQ(scene.springs.shear, 0);
   EXPECT_EQ(scene.springs.bend, 0);
   EXPECT_EQ(scene.air_resistance_per_s, 0);
+  EXPECT_EQ(scene.friction, 0);
+  EXPECT_EQ(scene.ribbon.thickness_m, 0);
 }
 
 TEST(ReadScene, defaults_are_as_documented) {
@@ -49,9 +51,10 @@ TEST(ReadScene, every_key_reaches_its_place) {
       "contact = 'paper'\n"
       "[curve]\nsvg = '/drawings/a.svg'\npath = 'p'\nunit = 2\norigin = [3, 4.5]\naxis = 'z'\n"
       "first = 'under'\nclearance = 5\n"
-      "[ribbon]\nwidth = 6\nalong = 7\nacross = 8\nmass = 9\n"
+      "[ribbon]\nwidth = 6\nalong = 7\nacross = 8\nmass = 9\nthickness = 0.125\n"
       "[springs]\nstretch = 10\nshear = 11\nbend = 12\n"
       "[air]\nresistance = 13\n"
+      "[friction]\ncoefficient = 0.375\n"
       "[obstacle]\nmesh = '/meshes/b.obj'\nscale = 14\nposition = [15, 16, 17]\n"
       "[fastening]\nspeed = 18\nyield = 0.25\naxis_point = [19, 20, 21]\naxis = [0, 3, 4]\n"
       "[time]\nstep = 0.5\nduration = 22\n"
@@ -70,6 +73,8 @@ TEST(ReadScene, every_key_reaches_its_place) {
   EXPECT_EQ(scene.ribbon.along, 7);
   EXPECT_EQ(scene.ribbon.across, 8);
   EXPECT_EQ(scene.ribbon.mass_kg, 9);
+  EXPECT_EQ(scene.ribbon.thickness_m, 0.125);
+  EXPECT_EQ(scene.friction, 0.375);
   EXPECT_EQ(scene.springs.stretch, 10);
   EXPECT_EQ(scene.springs.shear, 11);
   EXPECT_EQ(scene.springs.bend, 12);
@@ -138,7 +143,7 @@ TEST(ReadScene, a_key_of_another_table_is_sent_there) {
 TEST(ReadScene, an_unheard_of_key_is_answered_with_the_known_ones) {
   EXPECT_EQ(complaint(with_in("[ribbon]", "colour = 'red'")),
             "knot.toml:4:1: unknown key 'colour' in [ribbon]; "
-            "it may hold 'width', 'along', 'across', 'mass'");
+            "it may hold 'width', 'along', 'across', 'mass', 'thickness'");
 }
 
 TEST(ReadScene, a_key_with_control_characters_stays_on_one_line) {

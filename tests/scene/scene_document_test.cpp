@@ -64,7 +64,7 @@ std::set<std::string> names_offered(const std::string& table) {
 }
 
 KeysOfTables read_keys() {
-  const std::set<std::string> tables = {"curve",    "ribbon",    "springs", "air",
+  const std::set<std::string> tables = {"curve",    "ribbon",    "springs", "air",      "friction",
                                         "obstacle", "fastening", "time",    "recording"};
   KeysOfTables keys;
   for (const std::string& name : names_offered(""))

@@ -30,7 +30,7 @@ double smallest_gap_m(Bodies& bodies, const Matrix3Xd& x, double query_m) {
 
 // Cloth without thickness.
 PairGaps thin(const Bodies& bodies, double hard_m) {
-  return {bodies.grid, 1, 1, {.hard_m = hard_m, .contact_m = hard_m}};
+  return {{bodies.grid, 1, 1}, {.hard_m = hard_m, .contact_m = hard_m}};
 }
 
 // One detection and one passage.

@@ -36,9 +36,9 @@ Matrix3Xd spiral(const RibbonGrid& grid, double turns, double pitch) {
   return positions;
 }
 
-std::set<std::array<int, 2>> as_set(const std::vector<TrianglePair>& pairs) {
+std::set<std::array<int, 2>> as_set(const std::vector<CandidatePair>& pairs) {
   std::set<std::array<int, 2>> result;
-  for (const TrianglePair& pair : pairs) {
+  for (const CandidatePair& pair : pairs) {
     const bool is_new = result.insert({std::min(pair.a, pair.b), std::max(pair.a, pair.b)}).second;
     EXPECT_TRUE(is_new) << "pair listed twice";
   }
@@ -119,7 +119,7 @@ TEST(Hierarchy, boxes_alone_also_see_a_band_that_lies_flat_over_itself) {
   refit(hierarchy, ramp, ramp, 0.01);
   EXPECT_TRUE(hierarchy.pairs_within(both).empty());
   int found_across_turns = 0;
-  for (const TrianglePair& pair : hierarchy.pairs_within(Hierarchy::Spare::boxes))
+  for (const CandidatePair& pair : hierarchy.pairs_within(Hierarchy::Spare::boxes))
     found_across_turns += std::abs(pair.a - pair.b) > grid.triangle_count() / 4 ? 1 : 0;
   EXPECT_GT(found_across_turns, 100);
 }
@@ -151,7 +151,7 @@ TEST(Hierarchy, pairs_with_another_surface_equal_brute_force) {
     for (int b = 0; b < grid.triangle_count(); ++b)
       if (box_of(surface, x, a, 0).meets(box_of(surface, y, b, 0))) expected.insert({a, b});
   std::set<std::array<int, 2>> found;
-  for (const TrianglePair& pair : first.pairs_with(second)) found.insert({pair.a, pair.b});
+  for (const CandidatePair& pair : first.pairs_with(second)) found.insert({pair.a, pair.b});
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(found, expected);
 }
@@ -181,7 +181,7 @@ TEST(Hierarchy, lists_the_same_pairs_in_the_same_order_for_any_number_of_threads
     Hierarchy hierarchy(surface, x);
     refit(hierarchy, x, x, 0.01);
     std::vector<int> flat;
-    for (const TrianglePair& pair : hierarchy.pairs_within(both))
+    for (const CandidatePair& pair : hierarchy.pairs_within(both))
       flat.insert(flat.end(), {pair.a, pair.b});
     answers.push_back(flat);
   }
@@ -211,7 +211,7 @@ TEST(CollisionSurface, each_vertex_and_edge_has_one_triangle_that_answers_for_it
 }
 
 std::vector<FeaturePair> pairs_of(const CollisionSurface& surface,
-                                  const std::vector<TrianglePair>& pairs, const Matrix3Xd& x,
+                                  const std::vector<CandidatePair>& pairs, const Matrix3Xd& x,
                                   double margin_m) {
   const std::vector<Box> ranges = vertex_ranges(x, x);
   FeatureBoxes boxes;
@@ -228,7 +228,7 @@ TEST(FeaturePairs, of_two_far_triangles_are_six_vertices_and_nine_edge_pairs) {
       0, 0, 1, 0, 0, 1,   //
       0, 0, 0, 0.1, 0.1, 0.1;
   const CollisionSurface surface = collision_surface(triangles);
-  const std::vector<TrianglePair> pair = {{0, 1}};
+  const std::vector<CandidatePair> pair = {{0, 1}};
   const auto found = pairs_of(surface, pair, x, 0.2);
   int vertex_triangle = 0;
   for (const FeaturePair& f : found)
@@ -242,7 +242,7 @@ TEST(FeaturePairs, features_that_share_a_vertex_are_left_out) {
   const RibbonGrid grid{3, 2};
   const CollisionSurface surface = collision_surface(grid.triangles());
   Matrix3Xd x = Matrix3Xd::Zero(3, 6);  // everything in one point: all boxes meet
-  std::vector<TrianglePair> pairs;
+  std::vector<CandidatePair> pairs;
   for (int a = 0; a < 4; ++a)
     for (int b = a + 1; b < 4; ++b) pairs.push_back({a, b});
   for (const FeaturePair& f : pairs_of(surface, pairs, x, 0.1))

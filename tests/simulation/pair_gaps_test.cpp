@@ -11,9 +11,12 @@ using Kind = FeaturePair::Kind;
 
 constexpr RibbonGrid grid{10, 4};
 
-// Rows 0.1 m and columns 0.2 m apart; the cloth is 0.3 m thick.
+// Rows 0.1 m and columns 0.2 m apart.
+constexpr NaturalSize size{grid, 0.9, 0.6};
+
+// The cloth is 0.3 m thick.
 PairGaps thick() {
-  return {grid, 0.1, 0.2, {.hard_m = 0.01, .contact_m = 0.02, .thickness_m = 0.3}};
+  return {size, {.hard_m = 0.01, .contact_m = 0.02, .thickness_m = 0.3}};
 }
 
 FeaturePair vertex_and_triangle_at_row(int row) {
@@ -23,7 +26,7 @@ FeaturePair vertex_and_triangle_at_row(int row) {
 }
 
 TEST(PairGaps, without_thickness_are_the_same_for_all) {
-  const PairGaps gaps(grid, 0.1, 0.2, {.hard_m = 0.01, .contact_m = 0.02});
+  const PairGaps gaps(size, {.hard_m = 0.01, .contact_m = 0.02});
   for (const int row : {1, 3, 8}) {
     EXPECT_EQ(gaps.hard_m(vertex_and_triangle_at_row(row)), 0.01);
     EXPECT_EQ(gaps.contact_m(vertex_and_triangle_at_row(row)), 0.02);
