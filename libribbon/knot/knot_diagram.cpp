@@ -86,7 +86,9 @@ std::vector<Index> passes_under(const KnotDiagram& knot) {
 }
 
 // Two crossings at which one strand passes over another and comes back, with nothing in between on
-// either (second Reidemeister move). Their signs differ; where they agree the strands embrace.
+// either (second Reidemeister move). If the knot goes on inside the loop of the two edges at one
+// crossing and outside at the other, each crossing only turns a part of the knot over and can go
+// too.
 std::optional<std::pair<int, int>> find_bigon(const KnotDiagram& knot) {
   const std::vector<Index> under = passes_under(knot);
   for (Index k = 0; k < knot.passes.size(); ++k) {
@@ -96,8 +98,7 @@ std::optional<std::pair<int, int>> find_bigon(const KnotDiagram& knot) {
     const auto a = static_cast<Index>(first.crossing);
     const auto b = static_cast<Index>(second.crossing);
     const bool neighbours = after(knot, under[a]) == under[b] || after(knot, under[b]) == under[a];
-    if (neighbours && knot.signs[a] != knot.signs[b])
-      return std::pair{first.crossing, second.crossing};
+    if (neighbours) return std::pair{first.crossing, second.crossing};
   }
   return {};
 }

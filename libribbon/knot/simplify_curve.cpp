@@ -34,10 +34,7 @@ bool misses(const Box& box, const Place& p, const Place& q) {
 // Does edge pq meet the triangle? In doubt, yes.
 bool meets(const Corner& triangle, const Place& p, const Place& q) {
   const auto& [a, b, c] = triangle;
-  const int p_side = orientation(a, b, c, p);
-  const int q_side = orientation(a, b, c, q);
-  if (p_side * q_side > 0) return false;
-  if (p_side == 0 || q_side == 0) return true;
+  if (orientation(a, b, c, p) * orientation(a, b, c, q) > 0) return false;
   const int ab = orientation(p, q, a, b);
   const int bc = orientation(p, q, b, c);
   const int ca = orientation(p, q, c, a);

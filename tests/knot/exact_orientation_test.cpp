@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <random>
 
 namespace ribbon {
 namespace {
@@ -100,6 +102,25 @@ TEST(OrderAlong, tells_which_line_is_met_first) {
   EXPECT_EQ(order(2, 2), 0);
   EXPECT_EQ(order(1, one_and_a_bit), -1);
   EXPECT_EQ(order(one_and_a_bit, 1), 1);
+}
+
+TEST(OrderAlong, lines_through_one_point_are_met_together) {
+  // Their areas have more digits than a double.
+  std::mt19937 random(8);
+  std::uniform_int_distribution<int> far(1, 1 << 28);
+  const Place p = point(0, 0, 0);
+  const Place q = point(3e8, 9e8, 0);
+  for (int round = 0; round < 50; ++round) {
+    const int share = far(random);
+    const Eigen::Vector3d met(share, 3.0 * share, 0);
+    const auto beside = [&] { return Eigen::Vector3d(far(random), -far(random), far(random)); };
+    const Eigen::Vector3d one = beside();
+    const Eigen::Vector3d other = beside();
+    EXPECT_EQ(
+        order_along(p, q, Place::point(met + one), Place::point(met - 3 * one),
+                    Place::point(met + 5 * other), Place::point(met - other), direction(0, 0, 1)),
+        0);
+  }
 }
 
 TEST(OrderAlong, rays_have_an_order_too) {

@@ -42,6 +42,23 @@ TEST(ViewCones, an_edge_through_the_eye_blocks_every_view) {
   EXPECT_LE(clearance_of(swept, {0, 0, 1}), 0);
 }
 
+TEST(ViewCones, no_ray_that_meets_a_surface_close_to_the_eye_is_clear) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int round = 0; round < 300; ++round) {
+    SweptEdge swept;
+    for (Eigen::Vector3d& corner : swept)
+      corner = Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
+    // Its middle nearly is the eye.
+    const Eigen::Vector3d beside(1e-3 * coordinate(random), 1e-3 * coordinate(random), 0);
+    swept[3] = beside - swept[0] - swept[1] - swept[2];
+    const double way = 0.5 + 1e-3 * coordinate(random);
+    const Eigen::Vector3d met = 0.5 * ((1 - way) * swept[0] + way * swept[1]) +
+                                0.5 * ((1 - way) * swept[2] + way * swept[3]);
+    EXPECT_LE(clearance_of(swept, met), 1e-9);
+  }
+}
+
 TEST(ViewCones, no_ray_that_meets_the_swept_edge_is_clear) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> coordinate(-1, 1);
