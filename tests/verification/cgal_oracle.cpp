@@ -48,16 +48,25 @@ Vertices vertices_of(const TriangleSoup& soup, int triangle) {
   return {column[0], column[1], column[2]};
 }
 
+Vertices without(Vertices vertices, const Vertices& others) {
+  std::erase_if(vertices, [&](int vertex) {
+    return std::find(others.begin(), others.end(), vertex) != others.end();
+  });
+  return vertices;
+}
+
 // Corners, edges and the triangle itself.
 std::vector<Vertices> features(const Vertices& t) {
   return {{t[0]}, {t[1]}, {t[2]}, {t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}, t};
 }
 
+// Two features that share no vertex: whatever one of t is, the other is part of what u has beside
+// it.
 bool features_meet(const TriangleSoup& soup, const Vertices& t, const Vertices& u) {
-  for (const Vertices& feature : features(t))
-    for (const Vertices& other : features(u))
-      if (!share_a_vertex(feature, other) && meet(span_of(soup, feature), span_of(soup, other)))
-        return true;
+  for (const Vertices& feature : features(t)) {
+    const Vertices beside = without(u, feature);
+    if (!beside.empty() && meet(span_of(soup, feature), span_of(soup, beside))) return true;
+  }
   return false;
 }
 
