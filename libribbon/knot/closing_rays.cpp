@@ -7,8 +7,11 @@
 namespace ribbon {
 namespace {
 
+// A ray that is clearer than this may stay. View cones are up to 0.03 rad wider than what is seen,
+// so another set of them, of the same frame, still shows such a ray to be clear.
+constexpr double comfortable_rad = 0.04;
 // Less is no clear view: many times what rounding, or scattering the vertices, turns a ray by.
-constexpr double margin_rad = 0.01;
+constexpr double least_rad = 0.005;
 
 // Spread evenly over the sphere (a Fibonacci spiral), in few binary digits, so that they are the
 // same everywhere.
@@ -94,31 +97,52 @@ std::vector<double> clearances_rad(const std::vector<ViewCone>& cones) {
   return result;
 }
 
-// Is the whole arc between two directions clear, each having the given clearance?
-bool arc_is_clear(const Eigen::Vector3d& from, double from_rad, const Eigen::Vector3d& to,
-                  double to_rad) {
-  const double arc_rad = std::acos(std::clamp(from.dot(to), -1.0, 1.0));
-  return from_rad > margin_rad && to_rad > margin_rad && arc_rad + margin_rad < from_rad + to_rad;
+struct ClearDirection {
+  Eigen::Vector3d unit;
+  double clear_rad;
+};
+
+// Do the clearances of the two ends alone show that the arc between them is clear?
+bool plainly_clear(const ClearDirection& from, const ClearDirection& to) {
+  const double arc_rad = std::acos(std::clamp(from.unit.dot(to.unit), -1.0, 1.0));
+  return from.clear_rad > least_rad && to.clear_rad > least_rad &&
+         arc_rad + least_rad < from.clear_rad + to.clear_rad;
 }
 
-// Which directions can a ray be turned to, arc by arc, without meeting anything?
+// Is the whole arc clear, looking at directions in between where needed?
+bool arc_is_clear(const ClearDirection& from, const ClearDirection& to,
+                  const std::vector<ViewCone>& cones, int splits_left) {
+  if (from.clear_rad <= least_rad || to.clear_rad <= least_rad) return false;
+  if (plainly_clear(from, to)) return true;
+  if (splits_left == 0) return false;
+  const Eigen::Vector3d unit = (from.unit + to.unit).normalized();
+  const ClearDirection middle{unit, clearance_rad(cones, unit)};
+  return arc_is_clear(from, middle, cones, splits_left - 1) &&
+         arc_is_clear(middle, to, cones, splits_left - 1);
+}
+
+// Which directions can a ray be turned to, arc by arc, without meeting anything? The first arc,
+// which may lead out of a narrow place, is looked at closely.
 std::vector<bool> reachable(const Eigen::Vector3d& start, const std::vector<ViewCone>& cones) {
-  const auto& directions = directions_to_choose_from();
-  const std::vector<double> clear_rad = clearances_rad(cones);
-  std::vector<bool> result(directions.size());
+  constexpr int most_splits = 5;
+  std::vector<ClearDirection> goals;
+  for (const Eigen::Vector3d& direction : directions_to_choose_from())
+    goals.push_back({direction, clearance_rad(cones, direction)});
+  const ClearDirection from{start, clearance_rad(cones, start)};
+  std::vector<bool> result(goals.size());
   std::vector<std::size_t> reached;
-  const auto reach_from = [&](const Eigen::Vector3d& from, double from_rad) {
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-      if (result[k] || !arc_is_clear(from, from_rad, directions[k], clear_rad[k])) continue;
+  const auto reach = [&](const auto& is_clear) {
+    for (std::size_t k = 0; k < goals.size(); ++k) {
+      if (result[k] || !is_clear(goals[k])) continue;
       result[k] = true;
       reached.push_back(k);
     }
   };
-  reach_from(start, clearance_rad(cones, start));
+  reach([&](const ClearDirection& to) { return arc_is_clear(from, to, cones, most_splits); });
   while (!reached.empty()) {
-    const std::size_t from = reached.back();
+    const ClearDirection& next = goals[reached.back()];
     reached.pop_back();
-    reach_from(directions[from], clear_rad[from]);
+    reach([&](const ClearDirection& to) { return plainly_clear(next, to); });
   }
   return result;
 }
@@ -128,7 +152,7 @@ std::vector<bool> reachable(const Eigen::Vector3d& start, const std::vector<View
 void ClosingRays::choose(std::size_t end, const std::vector<ViewCone>& cones) {
   const std::vector<double> clear_rad = clearances_rad(cones);
   const auto clearest = std::max_element(clear_rad.begin(), clear_rad.end());
-  buried_[end] = *clearest <= margin_rad;
+  buried_[end] = *clearest <= comfortable_rad;
   directions_[end] =
       directions_to_choose_from()[static_cast<std::size_t>(clearest - clear_rad.begin())];
 }
@@ -140,7 +164,7 @@ void ClosingRays::turn(std::size_t end, const std::vector<ViewCone>& before,
   for (std::size_t k = 0; k < clear_rad.size(); ++k)
     if (!can_be_reached[k]) clear_rad[k] = 0;
   const auto clearest = std::max_element(clear_rad.begin(), clear_rad.end());
-  if (*clearest <= margin_rad) {
+  if (*clearest <= comfortable_rad) {
     buried_[end] = true;
   } else {
     directions_[end] =
@@ -160,7 +184,7 @@ void ClosingRays::follow(const RibbonCurves& before, const RibbonCurves& now) {
     if (buried_[0] || buried_[1]) return;
     const Eigen::Vector3d other_ray = directions_[1 - end];
     const std::vector<ViewCone> until_now = in_the_way(before, now, end, &other_ray);
-    if (clearance_rad(until_now, directions_[end]) > margin_rad) continue;
+    if (clearance_rad(until_now, directions_[end]) > comfortable_rad) continue;
     turn(end, in_the_way(before, before, end, &other_ray), until_now);
   }
 }

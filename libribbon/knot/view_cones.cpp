@@ -23,31 +23,39 @@ ViewCone cone_around(const SweptEdge& swept) {
   return result;
 }
 
-// The quarter of the swept surface at the given corner.
-SweptEdge quarter(const SweptEdge& swept, std::size_t corner) {
-  const Eigen::Vector3d centre = (swept[0] + swept[1] + swept[2] + swept[3]) / 4;
-  SweptEdge result;
-  for (std::size_t other = 0; other < 4; ++other)
-    result[other] = (swept[corner] + swept[other]) / 2;
-  result[3 - corner] = centre;
-  return result;
+double extent(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+  return (one - other).squaredNorm();
+}
+
+// Halves the swept surface across its longer side: the edge, or the way that it goes.
+std::array<SweptEdge, 2> halves(const SweptEdge& swept) {
+  const auto& [p_before, q_before, p_after, q_after] = swept;
+  const double edge = std::max(extent(p_before, q_before), extent(p_after, q_after));
+  const double way = std::max(extent(p_before, p_after), extent(q_before, q_after));
+  if (edge > way) {
+    const Eigen::Vector3d before = (p_before + q_before) / 2;
+    const Eigen::Vector3d after = (p_after + q_after) / 2;
+    return {{{p_before, before, p_after, after}, {before, q_before, after, q_after}}};
+  }
+  const Eigen::Vector3d p = (p_before + p_after) / 2;
+  const Eigen::Vector3d q = (q_before + q_after) / 2;
+  return {{{p_before, q_before, p, q}, {p, q, p_after, q_after}}};
 }
 
 void append(const SweptEdge& swept, int splits_left, std::vector<ViewCone>& cones) {
-  constexpr double narrow_rad = 0.1;
+  constexpr double narrow_rad = 0.03;
   const ViewCone cone = cone_around(swept);
   if (cone.half_angle_rad <= narrow_rad || splits_left == 0) {
     cones.push_back(cone);
     return;
   }
-  for (std::size_t corner = 0; corner < 4; ++corner)
-    append(quarter(swept, corner), splits_left - 1, cones);
+  for (const SweptEdge& half : halves(swept)) append(half, splits_left - 1, cones);
 }
 
 }  // namespace
 
 void append_view_cones(const SweptEdge& swept, std::vector<ViewCone>& cones) {
-  constexpr int most_splits = 5;
+  constexpr int most_splits = 10;
   append(swept, most_splits, cones);
 }
 

@@ -71,6 +71,21 @@ TEST(ExactOrientation, the_last_bit_decides) {
   EXPECT_EQ(orientation(a, b, c, point(third, third, std::nextafter(rest, 0))), -1);
 }
 
+TEST(ExactOrientation, points_of_one_slanted_plane_have_none) {
+  // Their volumes have more digits than a double.
+  std::mt19937 random(10);
+  std::uniform_int_distribution<int> far(-(1 << 27), 1 << 27);
+  const auto anywhere = [&] { return Eigen::Vector3d(far(random), far(random), far(random)); };
+  for (int round = 0; round < 50; ++round) {
+    const Eigen::Vector3d a = anywhere();
+    const Eigen::Vector3d b = anywhere();
+    const Eigen::Vector3d c = anywhere();
+    EXPECT_EQ(orientation(Place::point(a), Place::point(b), Place::point(c),
+                          Place::point(a + 3 * (b - a) - 5 * (c - a))),
+              0);
+  }
+}
+
 TEST(ExactOrientation, far_from_the_origin_the_last_bit_decides) {
   const double far = 1e9;
   EXPECT_EQ(orientation(point(far, far, far), point(far + 1, far, far), point(far, far + 1, far),

@@ -93,22 +93,25 @@ TEST(SelvageLinking, stays_when_the_rays_turn) {
   const RibbonCurves still = curves_of(overhand_knot(300), 2);
   linking.start(still, along_x);
   for (const double x : {-1.0, -0.1, 1.0}) {  // in the end, over the whole knot
-    linking.follow(still, still, {Eigen::Vector3d(x, 0.01, 1.5), Eigen::Vector3d(-x, 0.2, -1.5)});
+    linking.follow(still, still, {Eigen::Vector3d(x, 0.01, 1.5), along_x[1]});
     EXPECT_EQ(linking.number(), 5);
   }
 }
 
 TEST(SelvageLinking, stays_when_the_ribbon_turns_below_a_ray) {
-  SelvageLinking linking;
-  const SelvageLinking::Directions rays{Eigen::Vector3d(-1, 0.02, 0.5), along_x[1]};
+  const SelvageLinking::Directions rays{Eigen::Vector3d(-1, 0.02, 0.5),
+                                        Eigen::Vector3d(0.1, 0.2, -1)};
   const auto turned = [](int step) {
     const Eigen::AngleAxisd turn(std::numbers::pi * step / 20, Eigen::Vector3d::UnitZ());
     return curves_of(turn.toRotationMatrix() * straight(), 1);
   };
-  linking.start(turned(0), rays);
-  for (int step = 1; step <= 20; ++step) {
-    linking.follow(turned(step - 1), turned(step), {rays[0], Eigen::Vector3d(0.1, 0.2, -1)});
-    EXPECT_EQ(linking.number(), 1) << "step " << step;
+  for (const int sense : {1, -1}) {
+    SelvageLinking linking;
+    linking.start(turned(0), rays);
+    for (int step = 1; step <= 22; ++step) {
+      linking.follow(turned(sense * (step - 1)), turned(sense * step), rays);
+      EXPECT_EQ(linking.number(), 1) << "step " << step;
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -22,9 +23,9 @@ TEST(ViewCones, clearance_is_the_angle_to_the_nearest_point) {
   const Eigen::Vector3d p(1, 0, 0);
   const Eigen::Vector3d q(1, 1, 0);
   const SweptEdge still{p, q, p, q};
-  EXPECT_NEAR(clearance_of(still, {0, 0, 1}), std::numbers::pi / 2, 0.11);
-  EXPECT_NEAR(clearance_of(still, {1, 0, 1}), std::numbers::pi / 4, 0.11);
-  EXPECT_NEAR(clearance_of(still, {-1, -1, 0}), 3 * std::numbers::pi / 4, 0.21);
+  EXPECT_NEAR(clearance_of(still, {0, 0, 1}), std::numbers::pi / 2, 0.04);
+  EXPECT_NEAR(clearance_of(still, {1, 0, 1}), std::numbers::pi / 4, 0.04);
+  EXPECT_NEAR(clearance_of(still, {-1, -1, 0}), 3 * std::numbers::pi / 4, 0.07);
   EXPECT_LE(clearance_of(still, {1, 0.5, 0}), 0);
 }
 
@@ -50,12 +51,18 @@ TEST(ViewCones, no_ray_that_meets_a_surface_close_to_the_eye_is_clear) {
     for (Eigen::Vector3d& corner : swept)
       corner = Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
     // Its middle nearly is the eye.
-    const Eigen::Vector3d beside(1e-3 * coordinate(random), 1e-3 * coordinate(random), 0);
+    const double near = std::pow(10, -2 - 4 * std::abs(coordinate(random)));
+    const Eigen::Vector3d beside(near * coordinate(random), near * coordinate(random), 0);
     swept[3] = beside - swept[0] - swept[1] - swept[2];
-    const double way = 0.5 + 1e-3 * coordinate(random);
-    const Eigen::Vector3d met = 0.5 * ((1 - way) * swept[0] + way * swept[1]) +
-                                0.5 * ((1 - way) * swept[2] + way * swept[3]);
-    EXPECT_LE(clearance_of(swept, met), 1e-9);
+    std::vector<ViewCone> cones;
+    append_view_cones(swept, cones);
+    for (int ray = 0; ray < 20; ++ray) {
+      const double way = 0.5 + near * coordinate(random);
+      const double time = 0.5 + near * coordinate(random);
+      const Eigen::Vector3d met = (1 - time) * ((1 - way) * swept[0] + way * swept[1]) +
+                                  time * ((1 - way) * swept[2] + way * swept[3]);
+      EXPECT_LE(clearance_rad(cones, met.normalized()), 1e-9);
+    }
   }
 }
 
