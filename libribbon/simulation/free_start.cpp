@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-constexpr double thinnest = 1.0 / 64;   // share of the width
+constexpr int thinnest = 64;            // part of the width
 constexpr double gap_per_edge = 0.025;  // half of what the gate keeps at least
 constexpr int settling_rounds = 50;     // at most, of strain correction
 constexpr int parting_steps = 60;       // at most, until nothing is too close
@@ -84,8 +84,8 @@ class Search {
 
   bool take_thin_band() {
     report_.kind = StartKind::grown;
-    for (double share = 0.5; share >= thinnest; share /= 2) {
-      take_band(share);
+    for (int part = 2; part <= thinnest; part *= 2) {
+      take_band(1.0 / part);
       if (is_free()) return true;
     }
     return false;
@@ -95,10 +95,10 @@ class Search {
   // try.
   bool take_recovered_band() {
     report_.kind = StartKind::recovered;
-    take_band(thinnest);
+    take_band(1.0 / thinnest);
     const auto at = encounter();
-    for (double share = at && of_obstacle(*at) ? 1 : thinnest; share >= thinnest; share /= 4) {
-      take_band(share);
+    for (int part = at && of_obstacle(*at) ? 1 : thinnest; part <= thinnest; part *= 4) {
+      take_band(1.0 / part);
       const RecoverySettings settings{.gap_m = 0.1 * shortest_edge_m(),
                                       .step_m = 0.5 * shortest_edge_m(),
                                       .patience = patience};
@@ -121,7 +121,7 @@ class Search {
   }
 
   tl::unexpected<Error> pierced() {
-    take_band(thinnest);
+    take_band(1.0 / thinnest);
     const std::optional<Encounter> at = encounter();
     assert(at);  // it was found before
     return failure(

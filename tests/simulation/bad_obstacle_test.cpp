@@ -125,7 +125,7 @@ TEST(BadObstacle, triangles_that_are_points_stop_it_as_points) {
     for (int s = 0; s < sides; ++s) {
       const double angle = 2 * std::numbers::pi * s / sides;
       const Vector3f place(static_cast<float>(radius_m * std::sin(angle)),
-                           static_cast<float>(0.01 * (level - levels / 2)),
+                           static_cast<float>(0.01 * level - 0.2),
                            static_cast<float>(radius_m * std::cos(angle)));
       const int vertex = add_vertex(mesh, place);
       add_triangle(mesh, vertex, vertex, vertex);

@@ -97,18 +97,12 @@ TriangleMesh ring_box() {
   mesh.name = "ring box";
   mesh.vertices.resize(3, 2 * 120 + 8);
   mesh.triangles.resize(3, 2 * 120 + 4);
-  for (int tube = 0; tube < 2; ++tube) {
-    mesh.vertices.middleCols(tube * 120, 120) = tubes[static_cast<std::size_t>(tube)].vertices;
-    mesh.triangles.middleCols(tube * 120, 120) =
-        tubes[static_cast<std::size_t>(tube)].triangles.array() + tube * 120;
-  }
-  for (int lid = 0; lid < 2; ++lid) {
-    const int corner = 240 + 4 * lid;
-    const float y = lid == 0 ? 0.12F : -0.12F;
-    mesh.vertices.middleCols(corner, 4) << -2, 2, 2, -2, y, y, y, y, 2, 2, -2, -2;
-    mesh.triangles.col(240 + 2 * lid) << corner, corner + 1, corner + 2;
-    mesh.triangles.col(241 + 2 * lid) << corner, corner + 2, corner + 3;
-  }
+  mesh.vertices.leftCols(240) << tubes[0].vertices, tubes[1].vertices;
+  mesh.triangles.leftCols(240) << tubes[0].triangles, (tubes[1].triangles.array() + 120).matrix();
+  mesh.vertices.rightCols(8) << -2, 2, 2, -2, -2, 2, 2, -2,        //
+      0.12F, 0.12F, 0.12F, 0.12F, -0.12F, -0.12F, -0.12F, -0.12F,  //
+      2, 2, -2, -2, 2, 2, -2, -2;
+  mesh.triangles.rightCols(4) << 240, 240, 244, 244, 241, 242, 245, 246, 242, 243, 246, 247;
   return mesh;
 }
 
@@ -150,14 +144,14 @@ TriangleMesh post_in_the_way(double depth_m) {
 
 // Walls across the loop, so many that there is no room between them.
 TriangleMesh walls() {
-  constexpr int count = 12;
+  constexpr Eigen::Index count = 12;
   TriangleMesh mesh;
   mesh.name = "walls";
   mesh.vertices.resize(3, 4 * count);
   mesh.triangles.resize(3, 2 * count);
-  for (int wall = 0; wall < count; ++wall) {
-    const int corner = 4 * wall;
-    const auto z = static_cast<float>(0.08 * (wall - count / 2));
+  for (Eigen::Index wall = 0; wall < count; ++wall) {
+    const int corner = static_cast<int>(4 * wall);
+    const auto z = static_cast<float>(0.08 * static_cast<double>(wall) - 0.48);
     mesh.vertices.middleCols(corner, 4) << -9, 9, 9, -9, -9, -9, 9, 9, z, z, z, z;
     mesh.triangles.col(2 * wall) << corner, corner + 1, corner + 2;
     mesh.triangles.col(2 * wall + 1) << corner, corner + 2, corner + 3;
