@@ -76,10 +76,12 @@ TEST(ExactOrientation, points_of_one_slanted_plane_have_none) {
   std::mt19937 random(10);
   std::uniform_int_distribution<int> far(-(1 << 27), 1 << 27);
   const auto anywhere = [&] { return Eigen::Vector3d(far(random), far(random), far(random)); };
-  for (int round = 0; round < 50; ++round) {
-    const Eigen::Vector3d a = anywhere();
-    const Eigen::Vector3d b = anywhere();
-    const Eigen::Vector3d c = anywhere();
+  for (int round = 0; round < 100; ++round) {
+    // Every second time, so small that products lose digits below the smallest normal double.
+    const double scale = round % 2 == 0 ? 1 : std::ldexp(1.0, -375);
+    const Eigen::Vector3d a = scale * anywhere();
+    const Eigen::Vector3d b = scale * anywhere();
+    const Eigen::Vector3d c = scale * anywhere();
     EXPECT_EQ(orientation(Place::point(a), Place::point(b), Place::point(c),
                           Place::point(a + 3 * (b - a) - 5 * (c - a))),
               0);
