@@ -97,7 +97,7 @@ class Search {
     report_.kind = StartKind::recovered;
     take_band(1.0 / thinnest);
     const auto at = encounter();
-    for (int part = at && of_obstacle(*at) ? 1 : thinnest; part <= thinnest; part *= 4) {
+    for (int part = at && of_obstacle(*at) ? 1 : thinnest; part <= thinnest; part *= 2) {
       take_band(1.0 / part);
       const RecoverySettings settings{.gap_m = 0.1 * shortest_edge_m(),
                                       .step_m = 0.5 * shortest_edge_m(),
