@@ -91,14 +91,11 @@ TEST(Extremes, particles_in_one_place_are_refused_with_their_row) {
   const int first = mesh.grid.particle(60, 0);
   for (int k = 0; k < 12; ++k) mesh.positions.col(first + k) = mesh.positions.col(first);
   const auto answer = FasteningProcessor::create(scene, mesh, std::nullopt);
-  if (!answer) {
-    EXPECT_NE(answer.error().problem.find("row 6"), std::string::npos) << answer.error().sentence();
-    return;
-  }
-  EXPECT_TRUE(FrameJudge(mesh, std::nullopt).is_free(answer->positions()));
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_NE(answer.error().problem.find("row 6"), std::string::npos) << answer.error().sentence();
 }
 
-TEST(Extremes, a_jammed_knot_pulled_a_thousand_times_too_hard_stays_free) {
+TEST(Extremes, a_loop_pulled_a_thousand_times_too_hard_stays_free) {
   Scene scene = scene_of_loop();
   scene.fastening->speed_m_s = 400;
   expect_free_for_30_steps(scene, mesh_of_loop(scene), post(0.49));
