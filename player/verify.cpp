@@ -76,6 +76,7 @@ class Verifying {
     certificate_ = std::move(certificate);
     certified_ = followed_;
     ++result_.certified_frames;
+    if (!certificate_.is_known()) ++result_.uncertain_frames;
   }
 
   void add(int index, const FrameVerdict& verdict) {
@@ -132,6 +133,7 @@ std::vector<std::string> Verification::complaints() const {
   complain(intersecting_pairs > 0, "triangles intersect");
   complain(!keeps_stated_gap(), "the stated gap is not kept");
   complain(!certificate_changes.empty(), "the knot has changed");
+  complain(uncertain_frames > 0, "the knot cannot be certified");
   complain(!not_finite.empty(), "coordinates are no numbers");
   complain(!lost.empty(), "frames are lost");
   complain(damaged && lost.empty(), "the file is damaged");

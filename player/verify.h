@@ -61,6 +61,7 @@ struct Verification {
 
   std::string certificate;  // of the first frame that could be read; empty: none could
   int certified_frames = 0;
+  int uncertain_frames = 0;  // of these, where knot or twist could not be known
   std::vector<CertificateChange> certificate_changes;
 
   // Is no gap smaller than the stated one? True where none is stated.

@@ -69,6 +69,7 @@ Json knot_json(const Verification& verification) {
   const bool known = verification.certified_frames > 0;
   return {{"certificate", known ? Json(verification.certificate) : Json(nullptr)},
           {"certified_frames", verification.certified_frames},
+          {"uncertain_frames", verification.uncertain_frames},
           {"changes", changes}};
 }
 

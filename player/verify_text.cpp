@@ -81,6 +81,8 @@ std::string knot_text(const Verification& verification) {
   const auto& changes = verification.certificate_changes;
   const std::string certified = counted(verification.certified_frames, "frame") + " certified";
   std::string text = report_line("knot", verification.certificate);
+  if (verification.uncertain_frames > 0)
+    text += report_line("", "not known in " + counted(verification.uncertain_frames, "frame"));
   if (changes.empty()) return text + report_line("", "the same in all of " + certified);
   text += report_line("", "CHANGED " + counted(changes.size(), "time") + "; " + certified);
   for (std::size_t k = 0; k < std::min(most_changes, changes.size()); ++k) {

@@ -30,6 +30,9 @@ struct KnotCertificate {
   // The centre line, or the trail of one of its ends, has met the axis exactly.
   bool axis_met = false;
 
+  // Are knot and twist known? Otherwise equal certificates prove nothing.
+  [[nodiscard]] bool is_known() const { return jones && selvage_linking; }
+
   // For people, on one line, such as "trefoil, right-handed (3 crossings); 1 turn about the axis;
   // selvages linked 2 times".
   [[nodiscard]] std::string text() const;

@@ -167,6 +167,7 @@ TEST(KnotWitness, particles_all_in_one_place_are_certified_as_unknown) {
   KnotWitness witness({20, across}, axis);
   witness.follow(Eigen::Matrix3Xf::Zero(3, RibbonGrid{20, across}.particle_count()));
   EXPECT_TRUE(witness.certificate().first_end_buried);
+  EXPECT_FALSE(witness.certificate().is_known());
   EXPECT_FALSE(witness.certificate().jones);
 }
 

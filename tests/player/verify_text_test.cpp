@@ -69,6 +69,15 @@ TEST(VerificationText, what_is_wrong_is_said_with_its_place) {
       "changed, coordinates are no numbers, frames are lost\n");
 }
 
+TEST(VerificationText, equal_certificates_that_know_nothing_prove_nothing) {
+  Verification verification = all_in_order();
+  verification.certificate = "first end buried";
+  verification.uncertain_frames = 3;
+  const std::string text = verification_text("knot.rbn", verification);
+  EXPECT_NE(text.find("not known in 3 frames"), std::string::npos) << text;
+  EXPECT_NE(text.find("WRONG: the knot cannot be certified"), std::string::npos) << text;
+}
+
 TEST(VerificationText, what_is_not_known_is_not_invented) {
   Verification nothing = all_in_order();
   nothing.smallest_gap.reset();
