@@ -6,6 +6,7 @@
 
 #include "curve/space_curve.h"
 #include "obstacle/obstacle.h"
+#include "recorder/tying.h"
 #include "recording/recording_writer.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "simulation/fastening_processor.h"
@@ -28,6 +29,11 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+std::optional<CentreAxis> centre_axis(const Scene& scene) {
+  if (!scene.fastening) return std::nullopt;
+  return CentreAxis{scene.fastening->axis_point_m, scene.fastening->axis_direction};
+}
+
 RecordingHeader header_of(const Scene& scene, const std::string& writer, const RibbonMesh& ribbon,
                           const std::optional<TriangleMesh>& obstacle, double stated_gap_m) {
   RecordingHeader header;
@@ -42,8 +48,7 @@ RecordingHeader header_of(const Scene& scene, const std::string& writer, const R
   header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
   header.obstacle = obstacle;
   header.stated_gap_m = stated_gap_m;
-  if (const auto& hands = scene.fastening)
-    header.centre_axis = CentreAxis{hands->axis_point_m, hands->axis_direction};
+  header.centre_axis = centre_axis(scene);
   return header;
 }
 
@@ -59,6 +64,16 @@ Error with_tight_passage(const Scene& scene, Error error) {
   const auto roomy = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along);
   if (!roomy) error.problem += " (" + roomy.error().place + ": " + roomy.error().problem + ")";
   return error;
+}
+
+// Growth keeps the knot; the recovery schemes know nothing of it.
+Result<void> start_is_tied_as_drawn(const Scene& scene, const RibbonMesh& ribbon,
+                                    const FasteningProcessor& fastening) {
+  if (scene.contact != ContactMethod::gate || fastening.start().kind != StartKind::recovered)
+    return {};
+  auto tied = check_tying(ribbon.grid, centre_axis(scene), ribbon.positions, fastening.positions());
+  if (!tied) tied.error().place = scene.name;
+  return tied;
 }
 
 // The first step at or after the time of frame `index`. A frame time that falls on a step up to
@@ -90,6 +105,8 @@ Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& re
   Stopwatch stopwatch;
   auto fastening = FasteningProcessor::create(scene, ribbon, obstacle);
   if (!fastening) return tl::unexpected(with_tight_passage(scene, fastening.error()));
+  if (auto tied = start_is_tied_as_drawn(scene, ribbon, *fastening); !tied)
+    return tl::unexpected(tied.error());
   // Not before the start has been found: a scene without one leaves an older recording alone.
   auto file = RecordingWriter::create(
       recording, header_of(scene, writer, ribbon, obstacle, fastening->guaranteed_gap_m()));
