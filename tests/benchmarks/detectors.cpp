@@ -59,7 +59,7 @@ class ByTriangles : public AnyDetector {
   using AnyDetector::AnyDetector;
 
  protected:
-  virtual std::vector<TrianglePair> pairs(const std::vector<Box>& boxes) = 0;
+  virtual std::vector<CandidatePair> pairs(const std::vector<Box>& boxes) = 0;
 
   std::vector<FeaturePair> find() final {
     Body& body = bodies().ribbon;
@@ -77,8 +77,8 @@ class BruteForce : public ByTriangles {
   using ByTriangles::ByTriangles;
 
  protected:
-  std::vector<TrianglePair> pairs(const std::vector<Box>& boxes) override {
-    std::vector<TrianglePair> found;
+  std::vector<CandidatePair> pairs(const std::vector<Box>& boxes) override {
+    std::vector<CandidatePair> found;
     for (std::size_t a = 0; a < boxes.size(); ++a)
       for (std::size_t b = a + 1; b < boxes.size(); ++b)
         if (boxes[a].meets(boxes[b])) found.push_back({static_cast<int>(a), static_cast<int>(b)});
@@ -92,7 +92,7 @@ class SpaceEnumeration : public ByTriangles {
       : ByTriangles(motion), cell_factor_(cell_factor) {}
 
  protected:
-  std::vector<TrianglePair> pairs(const std::vector<Box>& boxes) override {
+  std::vector<CandidatePair> pairs(const std::vector<Box>& boxes) override {
     double sizes_m = 0;
     for (const Box& box : boxes) sizes_m += (box.high - box.low).maxCoeff();
     return pairs_by_cells(boxes, cell_factor_ * sizes_m / static_cast<double>(boxes.size()));

@@ -48,7 +48,7 @@ struct Entry {
 
 }  // namespace
 
-std::vector<TrianglePair> pairs_by_cells(std::span<const Box> boxes, double cell_m) {
+std::vector<CandidatePair> pairs_by_cells(std::span<const Box> boxes, double cell_m) {
   const Cells cells(cell_m);
   std::size_t entry_count = 0;
   for (const Box& box : boxes) cells.visit(box, [&](const Cell& /*cell*/) { ++entry_count; });
@@ -67,7 +67,7 @@ std::vector<TrianglePair> pairs_by_cells(std::span<const Box> boxes, double cell
       entries[next[slot_of(cell, slots)]++] = {cell, static_cast<int>(b)};
     });
 
-  std::vector<TrianglePair> pairs;
+  std::vector<CandidatePair> pairs;
   for (std::size_t slot = 0; slot < slots; ++slot)
     for (std::size_t i = first[slot]; i < first[slot + 1]; ++i)
       for (std::size_t j = i + 1; j < first[slot + 1]; ++j) {

@@ -12,6 +12,6 @@ namespace ribbon {
 
 // The pairs of boxes that meet, each once. Cells are cubes of cell_m. Only cells that hold
 // something take memory: they are found through a table of as many slots as there are entries.
-std::vector<TrianglePair> pairs_by_cells(std::span<const Box> boxes, double cell_m);
+std::vector<CandidatePair> pairs_by_cells(std::span<const Box> boxes, double cell_m);
 
 }  // namespace ribbon
