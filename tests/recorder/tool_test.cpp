@@ -42,7 +42,8 @@ void expect_refusal(const ToolRun& run, const std::string& part) {
 TEST_F(RibbonRecord, records_a_scene_and_sums_it_up_in_one_line) {
   const ToolRun answer = run("small.toml -o knot.rbn");
   EXPECT_EQ(answer.exit_code, 0) << answer.errors;
-  EXPECT_EQ(answer.output.rfind("knot.rbn: free start; 7 frames, 0.2 s in 20 steps", 0), 0U) << answer.output;
+  EXPECT_EQ(answer.output.rfind("knot.rbn: free start; 7 frames, 0.2 s in 20 steps", 0), 0U)
+      << answer.output;
   EXPECT_EQ(std::count(answer.output.begin(), answer.output.end(), '\n'), 1);
   EXPECT_EQ(answer.errors, "");
   EXPECT_EQ(RecordingReader::open(folder_ / "knot.rbn").value().frame_count(), 7);
