@@ -1,7 +1,5 @@
 #include "simulation/deformation.h"
 
-#include "simulation/integrate.h"
-
 namespace ribbon {
 
 namespace {
@@ -24,16 +22,15 @@ std::unique_ptr<Contact> contact_of(const Scene& scene, const NaturalSize& size,
 Deformation::Deformation(const Scene& scene, const NaturalSize& size, double particle_mass_kg,
                          Bodies& bodies)
     : step_s_(scene.time.step_s),
-      air_resistance_per_s_(scene.air_resistance_per_s),
       springs_(spring_network(size.grid, size.length_m, size.width_m, scene.springs)),
-      substeps_(stable_substeps(springs_, size.grid.particle_count(), particle_mass_kg,
-                                air_resistance_per_s_, step_s_)),
+      integrator_(runge_kutta(springs_, {scene.time.step_s, size.grid.particle_count(),
+                                         particle_mass_kg, scene.air_resistance_per_s})),
       strain_correction_(size.grid, size.length_m, size.width_m, strain_limit),
       contact_(contact_of(scene, size, bodies)) {}
 
 int Deformation::step(const Matrix3Xd& fastening_force, Cloth& cloth) {
   const Matrix3Xd before = cloth.positions;
-  integrate(springs_, fastening_force, air_resistance_per_s_, step_s_, substeps_, cloth);
+  integrator_->displace(fastening_force, cloth);
   contact_->after_displacement(before, cloth);
   correct_strain(cloth);
   return contact_->after_smoothing(cloth);

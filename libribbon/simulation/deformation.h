@@ -9,6 +9,7 @@
 #include "simulation/bodies.h"
 #include "simulation/cloth.h"
 #include "simulation/contact.h"
+#include "simulation/integrator.h"
 #include "simulation/natural_size.h"
 #include "simulation/strain_correction.h"
 
@@ -32,16 +33,15 @@ class Deformation {
   int settle(int rounds, Cloth& cloth);
 
   // Into how many parts the springs divide a step.
-  [[nodiscard]] int substeps() const { return substeps_; }
+  [[nodiscard]] int substeps() const { return integrator_->substeps(); }
   [[nodiscard]] const SpringNetwork& springs() const { return springs_; }
 
  private:
   void correct_strain(Cloth& cloth) const;
 
   double step_s_;
-  double air_resistance_per_s_;
   SpringNetwork springs_;
-  int substeps_;
+  std::unique_ptr<Integrator> integrator_;
   StrainCorrection strain_correction_;
   std::unique_ptr<Contact> contact_;
 };

@@ -1,0 +1,39 @@
+// Acceleration, velocity and displacement (paper, section 5.3).
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "ribbon_mesh/springs.h"
+#include "scene/scene.h"
+#include "simulation/cloth.h"
+
+namespace ribbon {
+
+// What an integrator needs to know besides the springs.
+struct MotionProperties {
+  double step_s = 0;
+  int particle_count = 0;
+  double particle_mass_kg = 0;
+  double air_resistance_per_s = 0;  // deceleration per speed
+};
+
+// Moves a ribbon by its springs, the air and the fastening force, one step at a time.
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+
+  // Moves the particles of the cloth by one step. The fastening force (3 x particles, N, or no
+  // columns for none) is held over the step.
+  virtual void displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) = 0;
+
+  // Into how many parts it divides a step to stay stable on its springs and in its air, however the
+  // ribbon lies.
+  [[nodiscard]] virtual int substeps() const = 0;
+};
+
+// Fourth-order Runge-Kutta, as in the paper.
+std::unique_ptr<Integrator> runge_kutta(const SpringNetwork& springs,
+                                        const MotionProperties& properties);
+
+}  // namespace ribbon
