@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/flat_state.h"
 #include "simulation/integrator.h"
 #include "simulation/spring_force.h"
 
@@ -9,6 +10,7 @@ namespace ribbon {
 namespace {
 
 using Eigen::Matrix3Xd;
+using Eigen::MatrixX3d;
 
 // Runge-Kutta stays stable up to |eigenvalue| * step = 2 sqrt 2 on the imaginary and 2.785 on the
 // real axis; the margin covers what lies between.
@@ -27,44 +29,55 @@ int stable_substeps(const SpringNetwork& springs, const MotionProperties& proper
 class RungeKutta final : public Integrator {
  public:
   RungeKutta(const SpringNetwork& springs, const MotionProperties& properties)
-      : springs_(springs),
+      : springs_(springs, properties.particle_count),
         properties_(properties),
         substeps_(stable_substeps(springs, properties)) {}
 
   void displace(const Matrix3Xd& fastening_force, Cloth& cloth) override {
-    for (int substep = 0; substep < substeps_; ++substep) advance(fastening_force, cloth);
+    state_.take(fastening_force, cloth);
+    for (int substep = 0; substep < substeps_; ++substep) advance();
+    state_.give(cloth);
   }
 
   [[nodiscard]] int substeps() const override { return substeps_; }
 
  private:
-  [[nodiscard]] Matrix3Xd acceleration(const Matrix3Xd& fastening_force, const Matrix3Xd& x,
-                                       const Matrix3Xd& v) const {
-    Matrix3Xd force = fastening_force.cols() > 0
-                          ? fastening_force
-                          : Matrix3Xd::Zero(3, properties_.particle_count).eval();
-    add_spring_forces(springs_, x, force);
-    return force / properties_.particle_mass_kg - properties_.air_resistance_per_s * v;
+  // Of one stage, from positions x and velocities v.
+  void accelerate(const MatrixX3d& x, const MatrixX3d& v, MatrixX3d& a) {
+    springs_.forces(x, a);
+    a = a / properties_.particle_mass_kg - properties_.air_resistance_per_s * v;
+    if (state_.pull.rows() > 0) a += state_.pull;
   }
 
-  void advance(const Matrix3Xd& fastening_force, Cloth& cloth) const {
+  void advance() {
     const double h = properties_.step_s / substeps_;
-    auto position = cloth.positions.leftCols(cloth.particle_count());
-    Matrix3Xd& velocity = cloth.velocities;
-    const Matrix3Xd a1 = acceleration(fastening_force, position, velocity);
-    const Matrix3Xd v2 = velocity + h / 2 * a1;
-    const Matrix3Xd a2 = acceleration(fastening_force, position + h / 2 * velocity, v2);
-    const Matrix3Xd v3 = velocity + h / 2 * a2;
-    const Matrix3Xd a3 = acceleration(fastening_force, position + h / 2 * v2, v3);
-    const Matrix3Xd v4 = velocity + h * a3;
-    const Matrix3Xd a4 = acceleration(fastening_force, position + h * v3, v4);
-    position += h / 6 * (velocity + 2 * v2 + 2 * v3 + v4);
-    velocity += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    MatrixX3d& x = state_.positions;
+    MatrixX3d& v = state_.velocities;
+    accelerate(x, v, a_);
+    stage_x_ = x + h / 2 * v;
+    stage_v_ = v + h / 2 * a_;
+    sum_v_ = v + 2 * stage_v_;
+    sum_a_ = a_;
+    accelerate(stage_x_, stage_v_, a_);
+    stage_x_ = x + h / 2 * stage_v_;
+    stage_v_ = v + h / 2 * a_;
+    sum_v_ += 2 * stage_v_;
+    sum_a_ += 2 * a_;
+    accelerate(stage_x_, stage_v_, a_);
+    stage_x_ = x + h * stage_v_;
+    stage_v_ = v + h * a_;
+    sum_v_ += stage_v_;
+    sum_a_ += 2 * a_;
+    accelerate(stage_x_, stage_v_, a_);
+    x += h / 6 * sum_v_;
+    v += h / 6 * (sum_a_ + a_);
   }
 
-  SpringNetwork springs_;
+  SpringForces springs_;
   MotionProperties properties_;
   int substeps_;
+  FlatState state_;
+  MatrixX3d a_, stage_x_, stage_v_, sum_v_, sum_a_;
 };
 
 }  // namespace

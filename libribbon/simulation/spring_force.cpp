@@ -2,25 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <functional>
+
+#include "parallel/parallel.h"
+#include "simulation/spring_pull.h"
 
 namespace ribbon {
 
 namespace {
 
+using Eigen::ArrayXd;
+using Eigen::Index;
 using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
+using Eigen::MatrixX3d;
 
-void add_forces(const SpringSet& set, const Matrix3Xd& positions, Matrix3Xd& forces) {
-  for (const Spring& spring : set.springs) {
-    const Vector3d from_a = positions.col(spring.b) - positions.col(spring.a);
-    const double length_m = from_a.norm();
-    if (length_m == 0) continue;  // no direction to push in
-    const Vector3d pull = set.resistance * (length_m - spring.rest_length_m) / length_m * from_a;
-    forces.col(spring.a) += pull;
-    forces.col(spring.b) -= pull;
-  }
-}
+// So many particles are at least one task: their springs fit the fast memory of a core.
+constexpr Index least_grain = 1024;
+// Each range also computes springs that belong to the one before it; at most one in eight.
+constexpr Index grain_per_offset = 8;
 
 double worst_strain(const SpringSet& set, const Matrix3Xd& positions) {
   double worst = 0;
@@ -40,11 +39,79 @@ void add_resistances(const SpringSet& set, std::vector<double>& sums) {
 
 }  // namespace
 
-void add_spring_forces(const SpringNetwork& network, const Matrix3Xd& positions,
-                       Matrix3Xd& forces) {
-  add_forces(network.stretch, positions, forces);
-  add_forces(network.shear, positions, forces);
-  add_forces(network.bend, positions, forces);
+SpringForces::SpringForces(const SpringNetwork& network, int particle_count)
+    : particle_count_(particle_count) {
+  for (const SpringSet* set : {&network.stretch, &network.shear, &network.bend})
+    for (const Spring& spring : set->springs) add(spring, set->resistance);
+  Index farthest = 0;
+  for (const Family& family : families_) farthest = std::max(farthest, family.offset);
+  grain_ = std::max(least_grain, grain_per_offset * farthest);
+  workspaces_.resize(static_cast<std::size_t>((particle_count_ + grain_ - 1) / grain_));
+  for (Workspace& workspace : workspaces_) {
+    const Index most = std::min(grain_, particle_count_) + farthest;
+    workspace.pull.resize(most, 3);
+    workspace.twice_energy_j.resize(most);
+  }
+}
+
+void SpringForces::add(const Spring& spring, double resistance) {
+  const auto [first, last] = std::minmax(spring.a, spring.b);
+  Family& family = family_with_room(last - first, first);
+  family.resistance[first] = resistance;
+  family.rest_length_m[first] = spring.rest_length_m;
+}
+
+SpringForces::Family& SpringForces::family_with_room(int offset, int first) {
+  for (Family& family : families_)
+    if (family.offset == offset && family.resistance[first] == 0) return family;
+  return families_.emplace_back(Family{offset, ArrayXd::Zero(particle_count_ - offset),
+                                       ArrayXd::Zero(particle_count_ - offset)});
+}
+
+// Family by family: first the pull of each spring that starts or ends at the range, then what the
+// particles of the range get of it.
+void SpringForces::forces_on(Index begin, Index end, const MatrixX3d& positions,
+                             MatrixX3d& forces) {
+  Workspace& workspace = workspaces_[static_cast<std::size_t>(begin / grain_)];
+  forces.middleRows(begin, end - begin).setZero();
+  workspace.energy_j = 0;
+  for (const Family& family : families_) {
+    // Workspace and springs from the first that ends in the range to the last that starts in it.
+    const Index begin_run = begin - family.offset;
+    const Index first = std::max<Index>(0, begin_run);
+    const Index last = std::max(first, std::min(end, particle_count_ - family.offset));
+    auto pull = workspace.pull.topRows(end - begin_run);
+    auto twice_energy_j = workspace.twice_energy_j.head(end - begin_run);
+    pull.topRows(first - begin_run).setZero();
+    pull.bottomRows(end - last).setZero();
+    twice_energy_j.tail(end - last).setZero();
+    SpringRun run{.count = static_cast<std::size_t>(last - first),
+                  .resistance = family.resistance.data() + first,
+                  .rest_length_m = family.rest_length_m.data() + first,
+                  .twice_energy_j = twice_energy_j.data() + (first - begin_run)};
+    for (Index axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      run.starts[a] = positions.col(axis).data() + first;
+      run.ends[a] = run.starts[a] + family.offset;
+      run.pull[a] = pull.col(axis).data() + (first - begin_run);
+    }
+    compute_pull(run);
+    forces.middleRows(begin, end - begin) +=
+        pull.bottomRows(end - begin) - pull.topRows(end - begin);
+    workspace.energy_j += twice_energy_j.tail(end - begin).sum() / 2;
+  }
+}
+
+double SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
+  forces.resize(particle_count_, 3);
+  const auto body = [&](std::size_t begin, std::size_t end) {
+    forces_on(static_cast<Index>(begin), static_cast<Index>(end), positions, forces);
+  };
+  parallel_ranges(static_cast<std::size_t>(particle_count_), static_cast<std::size_t>(grain_),
+                  std::ref(body));
+  double energy_j = 0;
+  for (const Workspace& workspace : workspaces_) energy_j += workspace.energy_j;
+  return energy_j;
 }
 
 double worst_strain(const SpringNetwork& network, const Matrix3Xd& positions) {

@@ -2,15 +2,52 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "ribbon_mesh/springs.h"
 
 namespace ribbon {
 
-// Adds the force of every spring to both its particles: resistance times elongation, along the
-// spring. positions: 3 x at least all particles; forces: 3 x particles, N.
-void add_spring_forces(const SpringNetwork& network, const Eigen::Matrix3Xd& positions,
-                       Eigen::Matrix3Xd& forces);
+// The forces and the energy of a network, over flat arrays: the springs that lead equally far
+// through the numbering of the particles are one family. A ribbon has two families a kind, so that
+// springs are computed one after the other without looking up their ends. The results are the same
+// bits for any number of threads, compiler and optimisation.
+class SpringForces {
+ public:
+  SpringForces(const SpringNetwork& network, int particle_count);
+
+  // Overwrites `forces` (particles x 3, N) with the force of all springs on each particle:
+  // resistance times elongation, along the spring. A spring without length has no direction and
+  // exerts none. positions: particles x 3, m. Returns the elastic energy, J: half of each
+  // resistance times elongation squared.
+  double forces(const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
+
+ private:
+  // Spring i of a family leads from particle i to particle i + offset; where there is none its
+  // resistance is 0.
+  struct Family {
+    Eigen::Index offset = 0;
+    Eigen::ArrayXd resistance;  // N/m
+    Eigen::ArrayXd rest_length_m;
+  };
+
+  // What the springs at one range of particles need while they are computed.
+  struct Workspace {
+    Eigen::MatrixX3d pull;           // N, of each spring on the particle where it starts
+    Eigen::VectorXd twice_energy_j;  // of each spring
+    double energy_j = 0;             // of the springs that start in the range
+  };
+
+  void add(const Spring& spring, double resistance);
+  Family& family_with_room(int offset, int first);
+  void forces_on(Eigen::Index begin, Eigen::Index end, const Eigen::MatrixX3d& positions,
+                 Eigen::MatrixX3d& forces);
+
+  Eigen::Index particle_count_;
+  std::vector<Family> families_;
+  Eigen::Index grain_ = 0;  // particles in a range
+  std::vector<Workspace> workspaces_;
+};
 
 // The largest |length / rest length - 1| of the stretch and shear springs; 0 without any.
 double worst_strain(const SpringNetwork& network, const Eigen::Matrix3Xd& positions);

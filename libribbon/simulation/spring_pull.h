@@ -1,0 +1,25 @@
+// The innermost loop of the simulation: what springs pull with.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace ribbon {
+
+// `count` springs one after the other, each array of their own length. No two arrays overlap but
+// `starts` with `ends`.
+struct SpringRun {
+  std::size_t count = 0;
+  const double* resistance = nullptr;     // N/m
+  const double* rest_length_m = nullptr;  // not used where the resistance is 0
+  std::array<const double*, 3> starts{};  // the coordinates of their starts and ends, m
+  std::array<const double*, 3> ends{};
+  std::array<double*, 3> pull{};     // result: on the start, N
+  double* twice_energy_j = nullptr;  // result: resistance times elongation squared
+};
+
+// Fills in the results. Uses the widest registers that the processor has; each spring is computed
+// by itself in the same operations, so that the bits are the same with any.
+void compute_pull(const SpringRun& run);
+
+}  // namespace ribbon
