@@ -8,10 +8,9 @@
 #include "scene/scene.h"
 #include "simulation/bodies.h"
 #include "simulation/cloth.h"
-#include "simulation/contact.h"
 #include "simulation/integrator.h"
 #include "simulation/natural_size.h"
-#include "simulation/strain_correction.h"
+#include "simulation/post_step.h"
 
 namespace ribbon {
 
@@ -24,12 +23,12 @@ class Deformation {
   // Returns how often a recovery scheme was applied.
   int step(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
 
-  // Brings the cloth from its positions, where the contact certified it, toward `wished`
-  // (3 x vertices) as far as contact lets, and leaves it at rest.
+  // Brings the cloth from its positions toward `wished` (3 x vertices), as far as the post-step
+  // lets, and leaves it at rest.
   void move(const Eigen::Matrix3Xd& wished, Cloth& cloth);
 
-  // Corrects the strain up to `rounds` times, each time followed by contact, and leaves the cloth
-  // at rest. Returns how often a recovery scheme was applied.
+  // Applies the post-step up to `rounds` times, until no edge is over the strain limit, and leaves
+  // the cloth at rest. Returns how often a recovery scheme was applied.
   int settle(int rounds, Cloth& cloth);
 
   // Into how many parts the springs divide a step.
@@ -37,13 +36,9 @@ class Deformation {
   [[nodiscard]] const SpringNetwork& springs() const { return springs_; }
 
  private:
-  void correct_strain(Cloth& cloth) const;
-
-  double step_s_;
   SpringNetwork springs_;
   std::unique_ptr<Integrator> integrator_;
-  StrainCorrection strain_correction_;
-  std::unique_ptr<Contact> contact_;
+  std::unique_ptr<PostStep> post_step_;
 };
 
 }  // namespace ribbon

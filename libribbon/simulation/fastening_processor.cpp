@@ -84,7 +84,6 @@ Result<void> FasteningProcessor::begin(const Scene& scene, const RibbonMesh& rib
 // A band that was bent into a drawn curve is strained here and there, and may be pierced. Before
 // the first step it is corrected and recovered as after any other, without force and at rest.
 StartReport FasteningProcessor::recover_as_published() {
-  deformation_.move(cloth_.positions, cloth_);
   const int iterations = deformation_.settle(settling_rounds, cloth_);
   return {iterations > 0 ? StartKind::recovered : StartKind::free, iterations};
 }

@@ -64,7 +64,6 @@ class Search {
   // Settles the band at its whole width; is it then as far from everything as the gate wants it?
   bool settles() {
     share_ = 1;
-    deformation_.move(cloth_.positions, cloth_);
     deformation_.settle(settling_rounds, cloth_);
     for (int step = 0; step < parting_steps && is_too_close(); ++step) {
       deformation_.step({3, 0}, cloth_);

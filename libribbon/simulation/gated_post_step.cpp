@@ -1,0 +1,139 @@
+#include <algorithm>
+
+#include "simulation/collision_response.h"
+#include "simulation/contact_constraints.h"
+#include "simulation/gate.h"
+#include "simulation/post_step.h"
+#include "simulation/strain_limit.h"
+#include "simulation/surroundings.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+
+constexpr int repulsion_rounds = 3;
+constexpr int smoothing_rounds = 10;  // each followed by the gate
+constexpr int sweeps = 20;            // at most, in each of them
+// Layers that move together let each other pass one by one.
+constexpr int passages = 4;
+
+// Of the natural length: what smoothing aims at, and what it is content with. The paper's limit of
+// 10 % (section 5.5) lies beyond both, because the gate may hold a particle back afterwards.
+constexpr double aimed_strain = 0.08;
+constexpr double accepted_strain = 0.088;
+
+std::vector<Spring> limited_edges(const PostStepProperties& properties) {
+  const NaturalSize& size = properties.size;
+  const SpringNetwork network =
+      spring_network(size.grid, size.length_m, size.width_m,
+                     {.stretch = 1, .shear = properties.resists_shear ? 1.0 : 0.0, .bend = 0});
+  std::vector<Spring> edges = network.stretch.springs;
+  edges.insert(edges.end(), network.shear.springs.begin(), network.shear.springs.end());
+  return edges;
+}
+
+class GatedPostStep : public PostStep {
+ public:
+  GatedPostStep(Bodies& bodies, const PostStepProperties& properties)
+      : bodies_(bodies),
+        gaps_(properties.size, gap_lengths(properties.size.shortest_edge_m(), properties.rounding_m,
+                                           properties.thickness_m)),
+        repulsion_settings_{.friction = properties.friction},
+        survey_lengths_{.reach_m = gaps_.largest_contact_m(),
+                        .slack_m = 0.15 * properties.size.shortest_edge_m(),
+                        .longest_way_m = 4 * properties.size.shortest_edge_m()},
+        strain_limit_(limited_edges(properties), aimed_strain),
+        negligible_m_(0.01 * properties.size.shortest_edge_m()),
+        step_s_(properties.step_s) {}
+
+  PostStepReport correct(const Matrix3Xd& before, Cloth& cloth) override {
+    certified_ = before;
+    surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
+    repel(cloth);
+    bool is_over_limit = true;
+    for (int round = 0; round < smoothing_rounds && is_over_limit; ++round) {
+      survey_again_if_outgrown(cloth);
+      smooth(cloth);
+      pass(cloth);
+      is_over_limit = strain_limit_.worst(cloth.positions) > accepted_strain;
+    }
+    return {.recovery_iterations = 0, .is_over_limit = is_over_limit};
+  }
+
+ private:
+  // A few vertices that wish to leave their ranges are held back; many are worth a new survey.
+  void survey_again_if_outgrown(const Cloth& cloth) {
+    if (count_outside(surroundings_, cloth.positions) > cloth.particle_count() / 100)
+      surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
+  }
+
+  // while ∃ collision: update velocity, displacement.
+  void repel(Cloth& cloth) {
+    std::vector<FeaturePair> pairs;
+    for (const std::size_t i :
+         approaching_pairs(surroundings_, certified_, cloth.positions - certified_, reach_m()))
+      pairs.push_back(surroundings_.pairs[i]);
+    for (int round = 0; round < repulsion_rounds; ++round)
+      if (!repel_once(pairs, gaps_, repulsion_settings_, certified_, cloth)) return;
+  }
+
+  // while ∃ over-stretched edge: apply post-step correction. Corrected alone, edges would be
+  // pressed into contact, and stretched again by it; so both are satisfied in turn. What moves the
+  // particles also changes their velocities.
+  void smooth(Cloth& cloth) const {
+    const Matrix3Xd before = cloth.positions;
+    const auto contacts = contact_constraints(surroundings_, gaps_, reach_m(), certified_, cloth);
+    bool any = true;
+    for (int sweep = 0; sweep < sweeps && any; ++sweep) {
+      any = keep_apart(contacts, cloth.positions);
+      any = strain_limit_.tighten(cloth.positions) || any;
+    }
+    cloth.velocities += (cloth.positions - before).leftCols(cloth.particle_count()) / step_s_;
+  }
+
+  // From the certified positions toward the cloth's wish, as far as the gate lets: no errors to
+  // recover from.
+  void pass(Cloth& cloth) {
+    for (int i = 0; i < passages; ++i) {
+      const Passage passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
+      if (passage.held_back == 0 || passage.farthest_m < negligible_m_) break;
+    }
+    stop_what_is_held_back(cloth);
+    cloth.positions = certified_;
+  }
+
+  // What the gate held back is taken from the velocity, as far as there is any in that direction: a
+  // repulsion or smoothing that did not get through must not throw a particle the other way.
+  void stop_what_is_held_back(Cloth& cloth) const {
+    for (Eigen::Index particle = 0; particle < cloth.particle_count(); ++particle) {
+      const Eigen::Vector3d held = cloth.positions.col(particle) - certified_.col(particle);
+      const double held_m = held.norm();
+      const double speed_m_s = held_m > 0 ? held.dot(cloth.velocities.col(particle)) / held_m : 0;
+      if (speed_m_s > 0)
+        cloth.velocities.col(particle) -= std::min(speed_m_s, held_m / step_s_) * held / held_m;
+    }
+  }
+
+  // Pairs this close may come into contact by what still moves them.
+  [[nodiscard]] double reach_m() const { return survey_lengths_.reach_m + survey_lengths_.slack_m; }
+
+  Bodies& bodies_;
+  PairGaps gaps_;
+  RepulsionSettings repulsion_settings_;
+  SurveyLengths survey_lengths_;
+  StrainLimit strain_limit_;
+  double negligible_m_;
+  double step_s_;
+  Matrix3Xd certified_;  // positions that the gate has let pass
+  Surroundings surroundings_;
+};
+
+}  // namespace
+
+std::unique_ptr<PostStep> gated_post_step(Bodies& bodies, const PostStepProperties& properties) {
+  return std::make_unique<GatedPostStep>(bodies, properties);
+}
+
+}  // namespace ribbon

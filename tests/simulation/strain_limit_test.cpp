@@ -1,0 +1,59 @@
+#include "simulation/strain_limit.h"
+
+#include <gtest/gtest.h>
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+TEST(StrainLimit, brings_a_long_edge_back_to_the_limit_about_its_middle) {
+  const StrainLimit limit({{0, 1, 1}}, 0.1);
+  Matrix3Xd x(3, 2);
+  x << 0, 0, 0, 2, 0, 0;
+  EXPECT_DOUBLE_EQ(limit.worst(x), 1);
+  EXPECT_TRUE(limit.tighten(x));
+  // By hand: from 2 m to 1.1 m, 0.45 m at either end.
+  EXPECT_NEAR(x(1, 0), 0.45, 1e-15);
+  EXPECT_NEAR(x(1, 1), 1.55, 1e-15);
+  EXPECT_NEAR(limit.worst(x), 0.1, 1e-12);
+}
+
+TEST(StrainLimit, brings_a_short_edge_back_to_the_limit) {
+  const StrainLimit limit({{0, 1, 1}}, 0.1);
+  Matrix3Xd x(3, 2);
+  x << 0, 0.5, 0, 0, 0, 0;
+  EXPECT_TRUE(limit.tighten(x));
+  EXPECT_NEAR(x(0, 1) - x(0, 0), 0.9, 1e-15);
+}
+
+TEST(StrainLimit, leaves_alone_what_is_within_it) {
+  const StrainLimit limit({{0, 1, 1}, {1, 2, 1}}, 0.1);
+  Matrix3Xd x(3, 3);
+  x << 0, 1.09, 2, 0, 0, 0, 0, 0, 0;
+  const Matrix3Xd before = x;
+  EXPECT_FALSE(limit.tighten(x));
+  EXPECT_EQ(x, before);
+}
+
+TEST(StrainLimit, repeated_sweeps_share_one_long_edge_among_its_neighbours) {
+  std::vector<Spring> chain;
+  for (int i = 0; i < 9; ++i) chain.push_back({i, i + 1, 1});
+  const StrainLimit limit(chain, 0.1);
+  Matrix3Xd x = Matrix3Xd::Zero(3, 10);
+  for (int i = 0; i < 10; ++i) x(0, i) = i < 5 ? i : i + 0.6;
+  int sweeps = 0;
+  while (limit.tighten(x) && ++sweeps < 200) continue;
+  EXPECT_LT(sweeps, 200);
+  EXPECT_LT(limit.worst(x), 0.1 + 0.003);
+}
+
+TEST(StrainLimit, an_edge_without_length_has_no_direction_and_stays) {
+  const StrainLimit limit({{0, 1, 1}}, 0.1);
+  Matrix3Xd x = Matrix3Xd::Zero(3, 2);
+  EXPECT_FALSE(limit.tighten(x));
+  EXPECT_TRUE(x.allFinite());
+}
+
+}  // namespace
+}  // namespace ribbon
