@@ -303,6 +303,11 @@ std::vector<Key> time_keys() {
   return {
       {"step", optional, "0.01", set(in(&Scene::time, &TimeScene::step_s), number(positive))},
       {"duration", required, "4", set(in(&Scene::time, &TimeScene::duration_s), number(positive))},
+      {"integrator", optional, "\"rk4\"",
+       set(in(&Scene::time, &TimeScene::integrator),
+           one_of<IntegrationMethod>({{"rk4", IntegrationMethod::rk4},
+                                      {"symplectic_euler", IntegrationMethod::symplectic_euler},
+                                      {"implicit", IntegrationMethod::implicit}}))},
   };
 }
 

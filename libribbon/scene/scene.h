@@ -59,6 +59,10 @@ struct ObstacleScene {
 // method with its recovery schemes A, B and C.
 enum class ContactMethod { gate, paper };
 
+// How the displacement of a step is computed: fourth-order Runge-Kutta as in the paper, symplectic
+// Euler, or backward Euler.
+enum class IntegrationMethod { rk4, symplectic_euler, implicit };
+
 // The pre-step fastening force of the paper's section 5.2.
 struct FasteningScene {
   double speed_m_s = 0;  // speed at which the force alone would carry a free particle that is at
@@ -72,6 +76,7 @@ struct FasteningScene {
 struct TimeScene {
   double step_s = 0.01;
   double duration_s = 0;
+  IntegrationMethod integrator = IntegrationMethod::rk4;
 };
 
 struct RecordingScene {

@@ -24,8 +24,9 @@ std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& si
 Deformation::Deformation(const Scene& scene, const NaturalSize& size, double particle_mass_kg,
                          Bodies& bodies)
     : springs_(spring_network(size.grid, size.length_m, size.width_m, scene.springs)),
-      integrator_(runge_kutta(springs_, {scene.time.step_s, size.grid.particle_count(),
-                                         particle_mass_kg, scene.air_resistance_per_s})),
+      integrator_(create_integrator(scene.time.integrator, springs_,
+                                    {scene.time.step_s, size.grid.particle_count(),
+                                     particle_mass_kg, scene.air_resistance_per_s})),
       post_step_(post_step_of(scene, size, bodies)) {}
 
 int Deformation::step(const Matrix3Xd& fastening_force, Cloth& cloth) {

@@ -32,8 +32,23 @@ class Integrator {
   [[nodiscard]] virtual int substeps() const = 0;
 };
 
+// The one that the scene asks for.
+std::unique_ptr<Integrator> create_integrator(IntegrationMethod method,
+                                              const SpringNetwork& springs,
+                                              const MotionProperties& properties);
+
 // Fourth-order Runge-Kutta, as in the paper.
 std::unique_ptr<Integrator> runge_kutta(const SpringNetwork& springs,
                                         const MotionProperties& properties);
+
+// Symplectic Euler: one evaluation of the springs a part; energy is kept on average, but swings are
+// distorted as soon as they are fast for the step.
+std::unique_ptr<Integrator> symplectic_euler(const SpringNetwork& springs,
+                                             const MotionProperties& properties);
+
+// Backward Euler, stable on any springs without dividing a step: what is fast for the step is
+// damped. The energy of free motion never grows.
+std::unique_ptr<Integrator> implicit_euler(const SpringNetwork& springs,
+                                           const MotionProperties& properties);
 
 }  // namespace ribbon

@@ -75,7 +75,8 @@ Result<void> check_substeps(const Scene& scene, int substeps) {
   return failure(scene.name,
                  "springs and air divide each step into " + std::to_string(substeps) +
                      " parts, more than " + std::to_string(most_substeps),
-                 "set smaller resistances, a larger ribbon.mass or a shorter time.step");
+                 "set smaller resistances, a larger ribbon.mass, a shorter time.step, or "
+                 "time.integrator to \"implicit\"");
 }
 
 }  // namespace ribbon

@@ -22,6 +22,8 @@ class SpringForces {
   // resistance times elongation squared.
   double forces(const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
 
+  [[nodiscard]] bool empty() const { return families_.empty(); }
+
  private:
   // Spring i of a family leads from particle i to particle i + offset; where there is none its
   // resistance is 0.

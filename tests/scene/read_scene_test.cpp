@@ -41,6 +41,7 @@ TEST(ReadScene, defaults_are_as_documented) {
   EXPECT_EQ(scene.ribbon.mass_kg, 1);
   EXPECT_EQ(scene.contact, ContactMethod::gate);
   EXPECT_EQ(scene.time.step_s, 0.01);
+  EXPECT_EQ(scene.time.integrator, IntegrationMethod::rk4);
   EXPECT_EQ(scene.recording.frames_per_second, 50);
   EXPECT_EQ(scene.recording.max_position_error, 1e-5);
 }
@@ -57,7 +58,7 @@ TEST(ReadScene, every_key_reaches_its_place) {
       "[friction]\ncoefficient = 0.375\n"
       "[obstacle]\nmesh = '/meshes/b.obj'\nscale = 14\nposition = [15, 16, 17]\n"
       "[fastening]\nspeed = 18\nyield = 0.25\naxis_point = [19, 20, 21]\naxis = [0, 3, 4]\n"
-      "[time]\nstep = 0.5\nduration = 22\n"
+      "[time]\nstep = 0.5\nduration = 22\nintegrator = 'implicit'\n"
       "[recording]\nframes_per_second = 0.25\nmax_position_error = 1e-4\n";
   const Scene scene = read_text(text).value();
   EXPECT_EQ(scene.name, "my knot");
@@ -88,6 +89,7 @@ TEST(ReadScene, every_key_reaches_its_place) {
   EXPECT_TRUE(scene.fastening->axis_direction.isApprox(Eigen::Vector3d(0, 0.6, 0.8), 1e-15));
   EXPECT_EQ(scene.time.step_s, 0.5);
   EXPECT_EQ(scene.time.duration_s, 22);
+  EXPECT_EQ(scene.time.integrator, IntegrationMethod::implicit);
   EXPECT_EQ(scene.recording.frames_per_second, 0.25);
   EXPECT_EQ(scene.recording.max_position_error, 1e-4);
 }
