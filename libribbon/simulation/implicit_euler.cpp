@@ -20,9 +20,10 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixX3d;
 using Eigen::RowVector3d;
 
-// The minimum is found when the energy that is left to win is less than this squared of the energy
-// of the motion. With ten times as much the result is no better for shorter steps.
-constexpr double tolerance = 1e-3;
+// The minimum is found when the energy that is left to win is less than this squared of what it
+// takes to change the velocities so far: measured against the motion itself, forces that are weak
+// for a fast ribbon would be left out for ever.
+constexpr double tolerance = 1e-2;
 // Beyond it the step ends where it is: lower than where it began, but not at the minimum.
 constexpr int most_iterations = 50;
 constexpr int most_trials = 8;             // of one line search
@@ -98,7 +99,7 @@ class ImplicitEuler final : public Integrator {
         pairs_.clear();
         slope_j = head_for_minimum();
       }
-      if (-slope_j <= tolerance * tolerance * inertia_ * relative_motion()) return;
+      if (-slope_j <= tolerance * tolerance * inertia_ * squared_change()) return;
       if (!descend(slope_j) && pairs_.empty()) return;  // nothing but rounding is left to win
     }
   }
@@ -127,8 +128,9 @@ class ImplicitEuler final : public Integrator {
     return dot(here_.gradient, heading_);
   }
 
-  [[nodiscard]] double relative_motion() {
-    downhill_ = here_.displacement;
+  // Of the displacement against the one that the last velocities would bring.
+  [[nodiscard]] double squared_change() {
+    downhill_ = here_.displacement - properties_.step_s * state_.velocities;
     set_mean(RowVector3d::Zero(), downhill_);
     return downhill_.squaredNorm();
   }

@@ -55,29 +55,6 @@ TEST(RungeKutta, divides_a_long_step_into_smaller_ones) {
   EXPECT_EQ(once.positions, four_times.positions);
 }
 
-TEST(RungeKutta, air_resistance_slows_a_free_particle_exponentially) {
-  Cloth cloth = stretched_pair();
-  cloth.velocities.setOnes();
-  advance({}, Matrix3Xd(3, 0), 2, 0.01, 100, cloth);
-  EXPECT_NEAR(cloth.velocities(1, 0), std::exp(-2.0), 1e-8);
-}
-
-TEST(RungeKutta, a_constant_force_reaches_the_speed_at_which_air_resists_as_much) {
-  Cloth cloth = stretched_pair();
-  Matrix3Xd force = Matrix3Xd::Zero(3, 2);
-  force(2, 0) = 3;  // N on 2 kg against 5/s: 0.3 m/s
-  advance({}, force, 5, 0.01, 400, cloth);
-  EXPECT_NEAR(cloth.velocities(2, 0), 0.3, 1e-6);
-}
-
-TEST(RungeKutta, obstacle_vertices_stay) {
-  Cloth cloth = stretched_pair();
-  cloth.positions.conservativeResize(3, 3);
-  cloth.positions.col(2) << 7, 8, 9;
-  advance(spring_of_pair(), Matrix3Xd(3, 0), 0, 0.1, 1, cloth);
-  EXPECT_EQ(cloth.positions.col(2), Eigen::Vector3d(7, 8, 9));
-}
-
 TEST(RungeKuttaSubsteps, keep_the_stiffest_sample_of_the_paper_bounded) {
   // k/m = 1e6 at dt = 0.01 (section 6.2): a plain step multiplies the fastest swing by 4e4.
   const RibbonGrid grid{12, 8};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace ribbon {
@@ -46,23 +47,56 @@ double energy(const SpringNetwork& network, const Matrix3Xd& x) {
   return sum;
 }
 
+// A crumpled band, longer than one range of particles.
+struct CrumpledBand {
+  RibbonGrid grid{300, 4};
+  SpringNetwork network = spring_network(grid, 30, 0.3, {.stretch = 10, .shear = 7, .bend = 3});
+  Matrix3Xd positions = Matrix3Xd(3, grid.particle_count());
+
+  CrumpledBand() {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> away(-0.04, 0.04);
+    for (int p = 0; p < grid.particle_count(); ++p)
+      positions.col(p) << 0.1 * grid.row(p) + away(random), 0.1 * grid.column(p) + away(random),
+          away(random);
+  }
+};
+
+TEST(SpringForce, returns_the_elastic_energy) {
+  const CrumpledBand band;
+  SpringForces springs(band.network, band.grid.particle_count());
+  Eigen::MatrixX3d forces;
+  const double energy_j = springs.forces(band.positions.transpose(), forces);
+  EXPECT_NEAR(energy_j / energy(band.network, band.positions), 1, 1e-14);
+}
+
 TEST(SpringForce, is_the_negative_slope_of_the_elastic_energy) {
-  const RibbonGrid grid{6, 4};
-  const SpringNetwork network =
-      spring_network(grid, 1.0, 0.6, {.stretch = 10, .shear = 7, .bend = 3});
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> coordinate(0, 1);
-  Matrix3Xd x(3, grid.particle_count());
-  for (double& value : x.reshaped()) value = coordinate(random);
-  const Matrix3Xd forces = forces_of(network, x);
+  const CrumpledBand band;
+  const Matrix3Xd forces = forces_of(band.network, band.positions);
   const double h = 1e-6;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    Matrix3Xd ahead = x;
-    Matrix3Xd behind = x;
-    ahead.reshaped()[i] += h;
-    behind.reshaped()[i] -= h;
-    EXPECT_NEAR(forces.reshaped()[i], -(energy(network, ahead) - energy(network, behind)) / (2 * h),
-                1e-6);
+  const auto at = [&](Eigen::Index i, double displacement_m) {
+    Matrix3Xd displaced = band.positions;
+    displaced.reshaped()[i] += displacement_m;
+    return energy(band.network, displaced);
+  };
+  for (Eigen::Index i = 0; i < forces.size(); i += 7)
+    EXPECT_NEAR(forces.reshaped()[i], -(at(i, h) - at(i, -h)) / (2 * h), 1e-7) << i;
+}
+
+TEST(SpringForce, adds_springs_that_join_the_same_particles) {
+  SpringNetwork network = one_spring(10, 2);
+  network.stretch.springs.push_back({1, 0, 3});
+  Matrix3Xd positions = Matrix3Xd::Zero(3, 2);
+  positions(0, 1) = 4;
+  // By hand: 10 (4 - 2) + 10 (4 - 3) N.
+  EXPECT_EQ(forces_of(network, positions).col(0), Eigen::Vector3d(30, 0, 0));
+}
+
+TEST(SpringForce, of_a_spring_too_short_for_squares_is_never_more_than_of_none_left) {
+  for (const double length_m : {1e-140, 1e-155, 1e-170, 1e-310}) {
+    Matrix3Xd positions = Matrix3Xd::Zero(3, 2);
+    positions(0, 1) = length_m;
+    EXPECT_LE(forces_of(one_spring(10, 2), positions).norm(), 20 * std::sqrt(2) * (1 + 1e-15));
   }
 }
 
