@@ -29,10 +29,10 @@ Deformation::Deformation(const Scene& scene, const NaturalSize& size, double par
                                      particle_mass_kg, scene.air_resistance_per_s})),
       post_step_(post_step_of(scene, size, bodies)) {}
 
-int Deformation::step(const Matrix3Xd& fastening_force, Cloth& cloth) {
+PostStepReport Deformation::step(const Matrix3Xd& fastening_force, Cloth& cloth) {
   const Matrix3Xd before = cloth.positions;
   integrator_->displace(fastening_force, cloth);
-  return post_step_->correct(before, cloth).recovery_iterations;
+  return post_step_->correct(before, cloth);
 }
 
 void Deformation::move(const Matrix3Xd& wished, Cloth& cloth) {

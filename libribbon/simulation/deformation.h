@@ -20,8 +20,7 @@ class Deformation {
   Deformation(const Scene& scene, const NaturalSize& size, double particle_mass_kg, Bodies& bodies);
 
   // Figure 5 from the displacement on. fastening_force: 3 x particles, N, or no columns for none.
-  // Returns how often a recovery scheme was applied.
-  int step(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
+  PostStepReport step(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
 
   // Brings the cloth from its positions toward `wished` (3 x vertices), as far as the post-step
   // lets, and leaves it at rest.

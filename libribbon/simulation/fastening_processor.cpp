@@ -90,7 +90,7 @@ StartReport FasteningProcessor::recover_as_published() {
 
 StepReport FasteningProcessor::step() {
   ++steps_;
-  return {deformation_.step(fastening_force(), cloth_)};
+  return {deformation_.step(fastening_force(), cloth_).recovery_iterations};
 }
 
 int FasteningProcessor::penetrating_edges() {

@@ -52,14 +52,14 @@ class GatedPostStep : public PostStep {
     certified_ = before;
     surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
     repel(cloth);
-    bool is_over_limit = true;
-    for (int round = 0; round < smoothing_rounds && is_over_limit; ++round) {
+    PostStepReport report{.is_over_limit = true};
+    for (int round = 0; round < smoothing_rounds && report.is_over_limit; ++round) {
       survey_again_if_outgrown(cloth);
       smooth(cloth);
-      pass(cloth);
-      is_over_limit = strain_limit_.worst(cloth.positions) > accepted_strain;
+      report.held_back = std::max(report.held_back, pass(cloth));
+      report.is_over_limit = strain_limit_.worst(cloth.positions) > accepted_strain;
     }
-    return {.recovery_iterations = 0, .is_over_limit = is_over_limit};
+    return report;
   }
 
  private:
@@ -94,14 +94,16 @@ class GatedPostStep : public PostStep {
   }
 
   // From the certified positions toward the cloth's wish, as far as the gate lets: no errors to
-  // recover from.
-  void pass(Cloth& cloth) {
+  // recover from. Returns how many did not get all of their way.
+  int pass(Cloth& cloth) {
+    Passage passage;
     for (int i = 0; i < passages; ++i) {
-      const Passage passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
+      passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
       if (passage.held_back == 0 || passage.farthest_m < negligible_m_) break;
     }
     stop_what_is_held_back(cloth);
     cloth.positions = certified_;
+    return passage.held_back;
   }
 
   // What the gate held back is taken from the velocity, as far as there is any in that direction: a

@@ -24,6 +24,8 @@ struct PostStepProperties {
 struct PostStepReport {
   int recovery_iterations = 0;  // how often scheme A, B or C was applied
   bool is_over_limit = false;  // is some edge still longer or shorter than the strain limit allows?
+  int held_back = 0;  // particles that the gate did not let go all of their way, in the passage
+                      // that held most
 };
 
 class PostStep {

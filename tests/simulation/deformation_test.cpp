@@ -28,7 +28,7 @@ TEST(Deformation, a_step_moves_with_the_force_and_gains_speed) {
   Deformation deformation = band.deformation(1);
   Matrix3Xd force = Matrix3Xd::Zero(3, band.mesh.positions.cols());
   force.row(1).setConstant(0.01);
-  EXPECT_EQ(deformation.step(force, band.cloth), 0);
+  EXPECT_EQ(deformation.step(force, band.cloth).recovery_iterations, 0);
   // Every particle is pushed alike, so the springs do not resist: a = 10 m/s^2 for 10 ms, and a
   // little less for the air.
   const Matrix3Xd moved = band.cloth.positions - band.mesh.positions;

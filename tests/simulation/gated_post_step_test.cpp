@@ -57,6 +57,17 @@ TEST(GatedPostStep, nothing_passes_however_far_the_wish_lies_beyond) {
   }
 }
 
+TEST(GatedPostStep, tells_how_many_particles_the_gate_held_back) {
+  OverFloor planted = ribbon_over_floor(grid, -0.3);
+  Cloth cloth = cloth_at(planted.positions);
+  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s});
+  const Matrix3Xd before = cloth.positions;
+  EXPECT_EQ(post_step->correct(before, cloth).held_back, 0);
+  // No way is longer than four edges, however free it is.
+  cloth.positions.row(0).leftCols(grid.particle_count()).array() += 30;
+  EXPECT_EQ(post_step->correct(before, cloth).held_back, grid.particle_count());
+}
+
 // Both ends are pulled outward while all of it is pressed on the floor.
 TEST(GatedPostStep, what_is_pulled_against_contact_stays_within_the_strain_limit) {
   OverFloor planted = ribbon_over_floor(grid, -0.3);
