@@ -23,7 +23,7 @@ using Eigen::RowVector3d;
 // The minimum is found when the energy that is left to win is less than this squared of what it
 // takes to change the velocities so far: measured against the motion itself, forces that are weak
 // for a fast ribbon would be left out for ever.
-constexpr double tolerance = 1e-2;
+constexpr double tolerance = 0.03;
 // Beyond it the step ends where it is: lower than where it began, but not at the minimum.
 constexpr int most_iterations = 50;
 constexpr int most_trials = 8;             // of one line search
