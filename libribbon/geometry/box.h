@@ -22,9 +22,38 @@ struct Box {
     low.array() -= margin;
     high.array() += margin;
   }
+  [[nodiscard]] bool contains(const Eigen::Vector3d& point) const {
+    return (low.array() <= point.array()).all() && (point.array() <= high.array()).all();
+  }
   [[nodiscard]] bool meets(const Box& box) const {
     return low[0] <= box.high[0] && box.low[0] <= high[0] && low[1] <= box.high[1] &&
            box.low[1] <= high[1] && low[2] <= box.high[2] && box.low[2] <= high[2];
+  }
+};
+
+// What encloses points that move along straight ways, all from their starts to their ends in the
+// same time: at every instant they lie inside the box between `start` and `end` in proportion, for
+// the lowest of linear functions never falls under its chord.
+struct MovingBox {
+  Box start;
+  Box end;
+
+  void include(const MovingBox& box) {
+    start.include(box.start);
+    end.include(box.end);
+  }
+  void grow(double margin) {
+    start.grow(margin);
+    end.grow(margin);
+  }
+  // Can the two touch at some instant? Not if they lie apart in one coordinate, in the same order,
+  // at the start and at the end.
+  [[nodiscard]] bool meets(const MovingBox& box) const {
+    for (int k = 0; k < 3; ++k)
+      if ((start.high[k] < box.start.low[k] && end.high[k] < box.end.low[k]) ||
+          (box.start.high[k] < start.low[k] && box.end.high[k] < end.low[k]))
+        return false;
+    return true;
   }
 };
 

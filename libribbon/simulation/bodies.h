@@ -10,6 +10,7 @@
 #include "simulation/collision_surface.h"
 #include "simulation/feature_boxes.h"
 #include "simulation/hierarchy.h"
+#include "simulation/patch_tree.h"
 #include "simulation/vertex_ranges.h"
 
 namespace ribbon {
@@ -21,22 +22,22 @@ struct Body {
     boxes.refit(surface, vertex_ranges(positions, positions));
   }
 
-  // To the ranges of the vertices (one for each vertex of all bodies); the boxes of the hierarchy
-  // are grown by margin_m.
-  void refit(std::span<const Box> ranges, double margin_m) {
-    hierarchy.refit(ranges, margin_m);
-    boxes.refit(surface, ranges);
-  }
-
   CollisionSurface surface;
   Hierarchy hierarchy;
   FeatureBoxes boxes;
 };
 
 struct Bodies {
+  Bodies(const RibbonGrid& ribbon_grid, Body ribbon_body, std::optional<Body> obstacle_body)
+      : grid(ribbon_grid),
+        ribbon(std::move(ribbon_body)),
+        obstacle(std::move(obstacle_body)),
+        patches(ribbon_grid) {}
+
   RibbonGrid grid;
   Body ribbon;
   std::optional<Body> obstacle;
+  PatchTree patches;  // of the ribbon
 };
 
 }  // namespace ribbon

@@ -2,8 +2,8 @@
 
 namespace ribbon {
 
-void FeatureBoxes::refit(const CollisionSurface& surface, std::span<const Box> ranges) {
-  const auto range = [&](int vertex) -> const Box& {
+void FeatureBoxes::refit(const CollisionSurface& surface, std::span<const MovingBox> ranges) {
+  const auto range = [&](int vertex) -> const MovingBox& {
     return ranges[static_cast<std::size_t>(vertex)];
   };
   edges.clear();

@@ -12,10 +12,10 @@ namespace ribbon {
 // The boxes of a surface's edges and triangles over the ranges of their vertices (one for each
 // vertex that the surface uses).
 struct FeatureBoxes {
-  std::vector<Box> edges;
-  std::vector<Box> triangles;
+  std::vector<MovingBox> edges;
+  std::vector<MovingBox> triangles;
 
-  void refit(const CollisionSurface& surface, std::span<const Box> ranges);
+  void refit(const CollisionSurface& surface, std::span<const MovingBox> ranges);
 };
 
 }  // namespace ribbon

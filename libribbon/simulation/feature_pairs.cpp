@@ -36,7 +36,7 @@ class PairLister {
   }
 
   // Only one of the two partners carries the margin, so it is grown by the whole of it.
-  [[nodiscard]] Box grown(Box box) const {
+  [[nodiscard]] MovingBox grown(MovingBox box) const {
     box.grow(margin_m_);
     return box;
   }
@@ -45,7 +45,7 @@ class PairLister {
                    std::vector<FeaturePair>& found) const {
     const Eigen::Vector3i corners = other.surface.triangles.col(triangle);
     if (vertex == corners[0] || vertex == corners[1] || vertex == corners[2]) return;
-    const Box& box = other.boxes.triangles[static_cast<std::size_t>(triangle)];
+    const MovingBox& box = other.boxes.triangles[static_cast<std::size_t>(triangle)];
     if (!grown(other.ranges[static_cast<std::size_t>(vertex)]).meets(box)) return;
     found.push_back(
         {FeaturePair::Kind::vertex_triangle, {vertex, corners[0], corners[1], corners[2]}});

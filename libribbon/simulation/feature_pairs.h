@@ -34,7 +34,7 @@ inline Eigen::Matrix<double, 3, 4> corners(const FeaturePair& pair,
 // A surface, the ranges of the vertices (one for each vertex that any surface uses) and its boxes.
 struct RangedSurface {
   const CollisionSurface& surface;
-  std::span<const Box> ranges;
+  std::span<const MovingBox> ranges;
   const FeatureBoxes& boxes;
 };
 

@@ -13,11 +13,11 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector4d;
 
-// Where each vertex wishes to be inside its range.
-Matrix3Xd confined(const std::vector<Box>& ranges, const Matrix3Xd& wished) {
+// Where each vertex wishes to be inside its range at the end.
+Matrix3Xd confined(const std::vector<MovingBox>& ranges, const Matrix3Xd& wished) {
   Matrix3Xd inside(3, wished.cols());
   for (Eigen::Index vertex = 0; vertex < wished.cols(); ++vertex) {
-    const Box& range = ranges[static_cast<std::size_t>(vertex)];
+    const Box& range = ranges[static_cast<std::size_t>(vertex)].end;
     inside.col(vertex) = wished.col(vertex).cwiseMax(range.low).cwiseMin(range.high);
   }
   return inside;
@@ -87,15 +87,18 @@ Passage pass_gate(const Surroundings& surroundings, const PairGaps& gaps, const 
   const Matrix3Xd goal = confined(surroundings.ranges, wished);
   const Matrix3Xd way = goal - positions;
   const Eigen::VectorXd share = LeastShares(surroundings, gaps, positions, way).find();
+  Matrix3Xd reached = goal;
   Passage passage;
   for (Eigen::Index vertex = 0; vertex < positions.cols(); ++vertex) {
-    if (share[vertex] == 1)
-      positions.col(vertex) = goal.col(vertex);
-    else
-      positions.col(vertex) += share[vertex] * way.col(vertex);
+    if (share[vertex] < 1) {
+      reached.col(vertex) = positions.col(vertex) + share[vertex] * way.col(vertex);
+      if (!surroundings.ranges[static_cast<std::size_t>(vertex)].end.contains(reached.col(vertex)))
+        passage.stragglers.push_back(static_cast<int>(vertex));
+    }
     passage.farthest_m = std::max(passage.farthest_m, share[vertex] * way.col(vertex).norm());
-    if (positions.col(vertex) != wished.col(vertex)) ++passage.held_back;
+    if (reached.col(vertex) != wished.col(vertex)) ++passage.held_back;
   }
+  if (passage.stragglers.empty()) positions = reached;
   return passage;
 }
 

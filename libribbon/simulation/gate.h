@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "simulation/pair_gaps.h"
 #include "simulation/surroundings.h"
@@ -9,13 +10,15 @@
 namespace ribbon {
 
 struct Passage {
-  int held_back = 0;      // vertices that did not get all of their way
-  double farthest_m = 0;  // the longest way that a vertex went
+  int held_back = 0;            // vertices that did not get all of their way
+  double farthest_m = 0;        // the longest way that a vertex went
+  std::vector<int> stragglers;  // vertices that would fall behind their range: nothing was moved
 };
 
-// Moves `positions` (3 x vertices, inside their ranges) toward `wished`, as far as it is certain
-// that no two features that share no vertex come closer than min_gap_m (at most the survey's
-// reach), or, where they are closer already, any closer at all.
+// Moves `positions` (3 x vertices, inside their ranges, where the survey found them or at the end
+// of its ways) toward `wished`, as far as it is certain that no two features that share no vertex
+// come closer than min_gap_m (at most the survey's reach), or, where they are closer already, any
+// closer at all.
 //
 // Each listed pair bounds the ways of its vertices by a plane (shares_of_way); a vertex takes the
 // shortest of its ways and stays inside its range. Shortening a way keeps a vertex on its side of

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "simulation/collision_response.h"
 #include "simulation/contact_constraints.h"
@@ -18,6 +19,8 @@ constexpr int smoothing_rounds = 10;  // each followed by the gate
 constexpr int sweeps = 20;            // at most, in each of them
 // Layers that move together let each other pass one by one.
 constexpr int passages = 4;
+
+constexpr int surveys_of_stragglers = 3;  // before all particles count as such
 
 // Of the natural length: what smoothing aims at, and what it is content with. The paper's limit of
 // 10 % (section 5.5) lies beyond both, because the gate may hold a particle back afterwards.
@@ -42,7 +45,7 @@ class GatedPostStep : public PostStep {
                                            properties.thickness_m)),
         repulsion_settings_{.friction = properties.friction},
         survey_lengths_{.reach_m = gaps_.largest_contact_m(),
-                        .slack_m = 0.15 * properties.size.shortest_edge_m(),
+                        .slack_m = 0.1 * properties.size.shortest_edge_m(),
                         .longest_way_m = 4 * properties.size.shortest_edge_m()},
         strain_limit_(limited_edges(properties), aimed_strain),
         negligible_m_(0.01 * properties.size.shortest_edge_m()),
@@ -54,8 +57,8 @@ class GatedPostStep : public PostStep {
     repel(cloth);
     PostStepReport report{.is_over_limit = true};
     for (int round = 0; round < smoothing_rounds && report.is_over_limit; ++round) {
-      survey_again_if_outgrown(cloth);
       smooth(cloth);
+      survey_again_if_outgrown(round > 0, cloth);
       report.held_back = std::max(report.held_back, pass(cloth));
       report.is_over_limit = strain_limit_.worst(cloth.positions) > accepted_strain;
     }
@@ -63,9 +66,11 @@ class GatedPostStep : public PostStep {
   }
 
  private:
-  // A few vertices that wish to leave their ranges are held back; many are worth a new survey.
-  void survey_again_if_outgrown(const Cloth& cloth) {
-    if (count_outside(surroundings_, cloth.positions) > cloth.particle_count() / 100)
+  // A few vertices that wish to leave their ranges are held back, which may strain their edges;
+  // many are worth a new survey, and any when edges are strained.
+  void survey_again_if_outgrown(bool is_strained, const Cloth& cloth) {
+    const Eigen::Index few = is_strained ? 0 : cloth.particle_count() / 100;
+    if (count_outside(surroundings_, cloth.positions) > few)
       surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
   }
 
@@ -98,12 +103,29 @@ class GatedPostStep : public PostStep {
   int pass(Cloth& cloth) {
     Passage passage;
     for (int i = 0; i < passages; ++i) {
-      passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
+      passage = pass_once(cloth);
       if (passage.held_back == 0 || passage.farthest_m < negligible_m_) break;
     }
     stop_what_is_held_back(cloth);
     cloth.positions = certified_;
     return passage.held_back;
+  }
+
+  // Around stragglers it is surveyed again with all of their way, until none are left: at last with
+  // all particles.
+  Passage pass_once(const Cloth& cloth) {
+    Passage passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
+    std::vector<int> stragglers;
+    for (int again = 0; again <= surveys_of_stragglers && !passage.stragglers.empty(); ++again) {
+      stragglers.insert(stragglers.end(), passage.stragglers.begin(), passage.stragglers.end());
+      if (again == surveys_of_stragglers) {
+        stragglers.resize(static_cast<std::size_t>(cloth.particle_count()));
+        std::iota(stragglers.begin(), stragglers.end(), 0);
+      }
+      surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions, stragglers);
+      passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
+    }
+    return passage;
   }
 
   // What the gate held back is taken from the velocity, as far as there is any in that direction: a

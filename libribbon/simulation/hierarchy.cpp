@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "parallel/parallel.h"
+#include "simulation/tree_walk.h"
 #include "simulation/vertex_ranges.h"
 
 namespace ribbon {
@@ -229,16 +229,16 @@ void Hierarchy::refit_inner(std::vector<Node>& nodes, const Join& join) const {
   }
 }
 
-void Hierarchy::refit(std::span<const Box> ranges, double margin_m) {
+void Hierarchy::refit(std::span<const MovingBox> ranges, double margin_m) {
   for (std::size_t leaf = 0; leaf < static_cast<std::size_t>(triangles_.cols()); ++leaf) {
     const Eigen::Vector3i triangle = triangles_.col(static_cast<Eigen::Index>(leaf));
-    Box box = ranges[static_cast<std::size_t>(triangle[0])];
+    MovingBox box = ranges[static_cast<std::size_t>(triangle[0])];
     box.include(ranges[static_cast<std::size_t>(triangle[1])]);
     box.include(ranges[static_cast<std::size_t>(triangle[2])]);
     box.grow(margin_m);
     boxes_[leaf] = box;
   }
-  refit_inner(boxes_, [](Box& box, const Box& child) { box.include(child); });
+  refit_inner(boxes_, [](MovingBox& box, const MovingBox& child) { box.include(child); });
   curvatures_.clear();
 }
 
@@ -295,8 +295,8 @@ void Hierarchy::descend(const NodePair& pair, std::vector<NodePair>& next) const
 void Hierarchy::descend(const Hierarchy& first, const Hierarchy& second, const NodePair& pair,
                         std::vector<NodePair>& next) {
   const auto size = [](const Hierarchy& tree, int node) {
-    const Box& box = tree.boxes_[static_cast<std::size_t>(node)];
-    return (box.high - box.low).squaredNorm();
+    const MovingBox& box = tree.boxes_[static_cast<std::size_t>(node)];
+    return (box.start.high - box.start.low + box.end.high - box.end.low).squaredNorm();
   };
   const bool split_first = second.is_leaf(pair.b) ||
                            (!first.is_leaf(pair.a) && size(first, pair.a) >= size(second, pair.b));
@@ -307,40 +307,6 @@ void Hierarchy::descend(const Hierarchy& first, const Hierarchy& second, const N
     next.push_back(split_first ? NodePair{child, pair.b} : NodePair{pair.a, child});
   }
 }
-
-namespace {
-
-// Walks from `start` top-down: `expand` replaces a pair by those below it that can still meet, and
-// reports pairs of leaves. The widest front is shared out over the cores; the order of the answer
-// depends on the tree alone.
-template <class NodePair, class Expand>
-std::vector<CandidatePair> walk(const NodePair& start, const Expand& expand) {
-  constexpr std::size_t wide_enough = 512;
-  std::vector<CandidatePair> found;
-  std::vector<NodePair> front{start};
-  std::vector<NodePair> next;
-  while (!front.empty() && front.size() < wide_enough) {
-    next.clear();
-    for (const NodePair& pair : front) expand(pair, next, found);
-    front.swap(next);
-  }
-  std::vector<std::vector<CandidatePair>> found_below(front.size());
-  parallel_ranges(front.size(), 16, [&](std::size_t begin, std::size_t end) {
-    std::vector<NodePair> open;
-    for (std::size_t i = begin; i < end; ++i) {
-      open.assign(1, front[i]);
-      while (!open.empty()) {
-        const NodePair pair = open.back();
-        open.pop_back();
-        expand(pair, open, found_below[i]);
-      }
-    }
-  });
-  for (const auto& below : found_below) found.insert(found.end(), below.begin(), below.end());
-  return found;
-}
-
-}  // namespace
 
 std::vector<CandidatePair> Hierarchy::pairs_within(Spare spare) const {
   return walk(NodePair{root(), root()},

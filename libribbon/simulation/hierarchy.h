@@ -7,15 +7,10 @@
 #include <vector>
 
 #include "geometry/box.h"
+#include "simulation/candidate_pair.h"
 #include "simulation/collision_surface.h"
 
 namespace ribbon {
-
-// Two triangles that may meet.
-struct CandidatePair {
-  int a = 0;
-  int b = 0;
-};
 
 // A tree over the triangles of one surface. Each leaf is a triangle; a region one rank higher
 // groups the three adjacent regions whose common contour is shortest. The tree is built once; for
@@ -36,7 +31,7 @@ class Hierarchy {
 
   // Boxes over the ranges of the vertices (one box for each vertex that the surface uses), grown by
   // margin_m on every side. Forgets the curvatures.
-  void refit(std::span<const Box> ranges, double margin_m);
+  void refit(std::span<const MovingBox> ranges, double margin_m);
 
   // Curvatures at both ends of a step (3 x vertices each).
   void refit_curvatures(const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1);
@@ -48,7 +43,18 @@ class Hierarchy {
   // Pairs (triangle of this surface, triangle of `other`) whose boxes meet.
   [[nodiscard]] std::vector<CandidatePair> pairs_with(const Hierarchy& other) const;
 
+  // The nodes, for who walks this tree against another: a leaf's number is its triangle's.
   [[nodiscard]] int node_count() const { return static_cast<int>(boxes_.size()); }
+  [[nodiscard]] int root() const { return node_count() - 1; }
+  [[nodiscard]] bool is_leaf(int node) const { return node < triangles_.cols(); }
+  [[nodiscard]] const MovingBox& box(int node) const {
+    return boxes_[static_cast<std::size_t>(node)];
+  }
+  [[nodiscard]] std::span<const int> children(int node) const {
+    const auto first = static_cast<std::size_t>(first_child_[static_cast<std::size_t>(node)]);
+    const auto last = static_cast<std::size_t>(first_child_[static_cast<std::size_t>(node) + 1]);
+    return std::span(children_).subspan(first, last - first);
+  }
 
  private:
   struct NodePair {
@@ -56,8 +62,6 @@ class Hierarchy {
     int b = 0;
   };
 
-  [[nodiscard]] bool is_leaf(int node) const { return node < triangles_.cols(); }
-  [[nodiscard]] int root() const { return node_count() - 1; }
   [[nodiscard]] bool adjacent(int a, int b) const;
   [[nodiscard]] bool can_meet(const NodePair& pair, Spare spare) const;
   void descend(const NodePair& pair, std::vector<NodePair>& next) const;
@@ -74,7 +78,7 @@ class Hierarchy {
   std::vector<int> children_;      // of all inner nodes, one after the other
   std::vector<int> first_border_;  // into border_, one more than nodes
   std::vector<int> border_;        // vertices that a region shares with others, sorted per region
-  std::vector<Box> boxes_;
+  std::vector<MovingBox> boxes_;
   std::vector<std::uint32_t> curvatures_;
 };
 

@@ -15,61 +15,40 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-std::vector<Box> ranges_of(int particles, const SurveyLengths& lengths, const Matrix3Xd& from,
-                           const Matrix3Xd& wished) {
-  Matrix3Xd end = wished;
+std::vector<MovingBox> ranges_of(int particles, const SurveyLengths& lengths, const Matrix3Xd& from,
+                                 const Matrix3Xd& wished, std::span<const int> stragglers) {
+  Matrix3Xd end = from;
   for (int particle = 0; particle < particles; ++particle) {
     const Vector3d way = wished.col(particle) - from.col(particle);
-    if (way.squaredNorm() > lengths.longest_way_m * lengths.longest_way_m)
-      end.col(particle) = from.col(particle) + lengths.longest_way_m * way.stableNormalized();
+    const bool is_long = way.squaredNorm() > lengths.longest_way_m * lengths.longest_way_m;
+    end.col(particle) += is_long ? lengths.longest_way_m * way.stableNormalized() : way;
   }
-  std::vector<Box> ranges = vertex_ranges(from, end);
+  std::vector<MovingBox> ranges = vertex_ranges(from, end);
   for (int particle = 0; particle < particles; ++particle)
-    ranges[static_cast<std::size_t>(particle)].grow(lengths.slack_m);
+    ranges[static_cast<std::size_t>(particle)].end.grow(lengths.slack_m);
+  for (const int particle : stragglers) {
+    MovingBox& range = ranges[static_cast<std::size_t>(particle)];
+    range.end.include(range.start);
+  }
   return ranges;
 }
 
-// How far the vertices can get from where they are.
-std::vector<double> radii_m(const std::vector<Box>& ranges, const Matrix3Xd& from) {
-  std::vector<double> radii(ranges.size());
-  for (std::size_t vertex = 0; vertex < ranges.size(); ++vertex) {
-    const Vector3d centre = from.col(static_cast<Eigen::Index>(vertex));
-    radii[vertex] = (ranges[vertex].high - centre).cwiseMax(centre - ranges[vertex].low).norm();
-  }
-  return radii;
-}
+// How a vertex moves: along a straight way, and around it as far as its freedom goes.
+struct Motion {
+  Matrix3Xd ways;                // of the middles of the ranges
+  std::vector<double> freedoms;  // m
+};
 
-// Boxes meet long before what is inside them does: measures the pairs and drops those that are too
-// far apart for the ranges of their vertices.
-void keep_near_pairs(double reach_m, Surroundings& surroundings) {
-  const std::vector<double> radii = radii_m(surroundings.ranges, surroundings.from);
-  std::vector<FeaturePair>& pairs = surroundings.pairs;
-  std::vector<double>& distances = surroundings.distances_m;
-  distances.resize(pairs.size());
-  std::vector<char> is_near(pairs.size());
-  parallel_ranges(pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto radius = [&](int k) {
-        return radii[static_cast<std::size_t>(pairs[i].vertices[static_cast<std::size_t>(k)])];
-      };
-      const auto x = corners(pairs[i], surroundings.from);
-      distances[i] = (x * closest_weights(pairs[i].kind, x)).norm();
-      const bool edges = pairs[i].kind == FeaturePair::Kind::edge_edge;
-      const double middle = radius(1);
-      const double last = std::max(radius(2), radius(3));
-      const double approach =
-          edges ? std::max(radius(0), middle) + last : radius(0) + std::max(middle, last);
-      is_near[i] = distances[i] <= reach_m + approach ? 1 : 0;
-    }
-  });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (is_near[i] == 0) continue;
-    pairs[kept] = pairs[i];
-    distances[kept++] = distances[i];
+Motion motion_within(const std::vector<MovingBox>& ranges, const Matrix3Xd& from) {
+  Motion motion{Matrix3Xd(3, from.cols()), std::vector<double>(ranges.size())};
+  for (std::size_t vertex = 0; vertex < ranges.size(); ++vertex) {
+    const Box& end = ranges[vertex].end;
+    const auto column = static_cast<Eigen::Index>(vertex);
+    const Vector3d middle = (end.low + end.high) / 2;
+    motion.ways.col(column) = middle - from.col(column);
+    motion.freedoms[vertex] = (end.high - middle).norm();
   }
-  pairs.resize(kept);
-  distances.resize(kept);
+  return motion;
 }
 
 // The largest difference between the ways of a vertex of the one and a vertex of the other feature.
@@ -85,13 +64,48 @@ double largest_difference_m(const FeaturePair& pair, const Matrix3Xd& ways) {
   return std::sqrt(squared);
 }
 
+// Boxes meet long before what is inside them does: measures the pairs and drops those that are too
+// far apart for how differently their vertices can move.
+void keep_near_pairs(double reach_m, Surroundings& surroundings) {
+  const Motion motion = motion_within(surroundings.ranges, surroundings.from);
+  std::vector<FeaturePair>& pairs = surroundings.pairs;
+  std::vector<double>& distances = surroundings.distances_m;
+  distances.resize(pairs.size());
+  std::vector<char> is_near(pairs.size());
+  parallel_ranges(pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto freedom_m = [&](int k) {
+        return motion
+            .freedoms[static_cast<std::size_t>(pairs[i].vertices[static_cast<std::size_t>(k)])];
+      };
+      const auto x = corners(pairs[i], surroundings.from);
+      distances[i] = (x * closest_weights(pairs[i].kind, x)).norm();
+      const bool edges = pairs[i].kind == FeaturePair::Kind::edge_edge;
+      const double middle_m = freedom_m(1);
+      const double last_m = std::max(freedom_m(2), freedom_m(3));
+      const double freedoms_m = edges ? std::max(freedom_m(0), middle_m) + last_m
+                                      : freedom_m(0) + std::max(middle_m, last_m);
+      const double approach_m = largest_difference_m(pairs[i], motion.ways) + freedoms_m;
+      is_near[i] = distances[i] <= reach_m + approach_m ? 1 : 0;
+    }
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (is_near[i] == 0) continue;
+    pairs[kept] = pairs[i];
+    distances[kept++] = distances[i];
+  }
+  pairs.resize(kept);
+  distances.resize(kept);
+}
+
 }  // namespace
 
 Surroundings survey(Bodies& bodies, const SurveyLengths& lengths, const Matrix3Xd& from,
-                    const Matrix3Xd& wished) {
+                    const Matrix3Xd& wished, std::span<const int> stragglers) {
   Surroundings surroundings;
   surroundings.from = from;
-  surroundings.ranges = ranges_of(bodies.grid.particle_count(), lengths, from, wished);
+  surroundings.ranges = ranges_of(bodies.grid.particle_count(), lengths, from, wished, stragglers);
   surroundings.pairs = pairs_within_ranges(bodies, surroundings.ranges, lengths.reach_m);
   keep_near_pairs(lengths.reach_m, surroundings);
   return surroundings;
@@ -124,11 +138,8 @@ std::vector<std::size_t> approaching_pairs(const Surroundings& surroundings,
 int count_outside(const Surroundings& surroundings, const Matrix3Xd& wished) {
   int outside = 0;
   for (std::size_t vertex = 0; vertex < surroundings.ranges.size(); ++vertex) {
-    const Box& range = surroundings.ranges[vertex];
     const Vector3d wish = wished.col(static_cast<Eigen::Index>(vertex));
-    const bool inside =
-        (range.low.array() <= wish.array()).all() && (wish.array() <= range.high.array()).all();
-    outside += inside ? 0 : 1;
+    outside += surroundings.ranges[vertex].end.contains(wish) ? 0 : 1;
   }
   return outside;
 }

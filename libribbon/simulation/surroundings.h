@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "geometry/box.h"
@@ -14,9 +15,14 @@ namespace ribbon {
 // Every vertex has a range that it does not leave until the next detection, and every pair of
 // features that could come within reach of each other inside those ranges is listed. One detection
 // thus serves all that moves the vertices within a step: what is not listed cannot meet.
+//
+// Ranges move with the cloth: the vertices start together, each at its place, go the same part of
+// their ways at every instant, and then stay in the boxes at the end. So neighbours that travel
+// far together are not listed. The range of a straggler, which something stops on its way, reaches
+// back to its place.
 struct Surroundings {
   Eigen::Matrix3Xd from;            // where the vertices were at the detection
-  std::vector<Box> ranges;          // one for each vertex
+  std::vector<MovingBox> ranges;    // one for each vertex
   std::vector<FeaturePair> pairs;   // ribbon-ribbon and ribbon-obstacle, each once
   std::vector<double> distances_m;  // of the pairs, at the detection
 };
@@ -29,7 +35,7 @@ struct SurveyLengths {
 
 // Detects around the way from `from` to `wished` (3 x vertices each). The obstacle's vertices stay.
 Surroundings survey(Bodies& bodies, const SurveyLengths& lengths, const Eigen::Matrix3Xd& from,
-                    const Eigen::Matrix3Xd& wished);
+                    const Eigen::Matrix3Xd& wished, std::span<const int> stragglers = {});
 
 // Indices, in order, of the listed pairs that may come within distance_m of each other while all
 // vertices move from `positions` along equal parts of their `way` (3 x vertices each). Pairs whose
@@ -38,7 +44,7 @@ std::vector<std::size_t> approaching_pairs(const Surroundings& surroundings,
                                            const Eigen::Matrix3Xd& positions,
                                            const Eigen::Matrix3Xd& way, double distance_m);
 
-// How many vertices wish to be outside their ranges.
+// How many vertices wish to be outside their ranges at the end.
 int count_outside(const Surroundings& surroundings, const Eigen::Matrix3Xd& wished);
 
 }  // namespace ribbon

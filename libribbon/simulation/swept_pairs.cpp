@@ -6,38 +6,45 @@ namespace ribbon {
 
 namespace {
 
-// The ribbon has been refitted to `ranges`, grown by margin_m: the boxes of both
-// partners are grown, the still obstacle's is not, so the whole margin serves both.
-std::vector<FeaturePair> list_pairs(const Bodies& bodies, Hierarchy::Spare spare,
-                                    std::span<const Box> ranges, double margin_m) {
-  const Body& ribbon = bodies.ribbon;
-  const RangedSurface band{ribbon.surface, ranges, ribbon.boxes};
-  std::vector<FeaturePair> pairs =
-      feature_pairs(band, band, ribbon.hierarchy.pairs_within(spare), margin_m);
+// The ribbon's boxes have been refitted to `ranges`.
+std::vector<FeaturePair> list_pairs(const Bodies& bodies, std::span<const CandidatePair> within,
+                                    std::span<const CandidatePair> with_obstacle,
+                                    std::span<const MovingBox> ranges, double margin_m) {
+  const RangedSurface band{bodies.ribbon.surface, ranges, bodies.ribbon.boxes};
+  std::vector<FeaturePair> pairs = feature_pairs(band, band, within, margin_m);
   if (bodies.obstacle) {
     const Body& obstacle = *bodies.obstacle;
-    const std::vector<FeaturePair> with_obstacle =
-        feature_pairs(band, {obstacle.surface, ranges, obstacle.boxes},
-                      ribbon.hierarchy.pairs_with(obstacle.hierarchy), margin_m);
-    pairs.insert(pairs.end(), with_obstacle.begin(), with_obstacle.end());
+    const std::vector<FeaturePair> others =
+        feature_pairs(band, {obstacle.surface, ranges, obstacle.boxes}, with_obstacle, margin_m);
+    pairs.insert(pairs.end(), others.begin(), others.end());
   }
   return pairs;
 }
 
 }  // namespace
 
-std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const Box> ranges,
+std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
                                              double margin_m) {
-  bodies.ribbon.refit(ranges, margin_m);
-  return list_pairs(bodies, Hierarchy::Spare::boxes, ranges, margin_m);
+  bodies.ribbon.boxes.refit(bodies.ribbon.surface, ranges);
+  bodies.patches.refit(ranges, margin_m);
+  std::vector<CandidatePair> with_obstacle;
+  if (bodies.obstacle) with_obstacle = bodies.patches.pairs_with(bodies.obstacle->hierarchy);
+  return list_pairs(bodies, bodies.patches.pairs_within(), with_obstacle, ranges, margin_m);
 }
 
 std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,
                                                   const Eigen::Matrix3Xd& t1, double margin_m) {
-  const std::vector<Box> ranges = vertex_ranges(t0, t1);
-  bodies.ribbon.refit(ranges, margin_m);
-  bodies.ribbon.hierarchy.refit_curvatures(t0, t1);
-  return list_pairs(bodies, Hierarchy::Spare::curvature_and_boxes, ranges, margin_m);
+  const std::vector<MovingBox> ranges = vertex_ranges(t0, t1);
+  bodies.ribbon.boxes.refit(bodies.ribbon.surface, ranges);
+  Hierarchy& ribbon = bodies.ribbon.hierarchy;
+  // The boxes of both partners are grown, the still obstacle's is not: the whole margin serves
+  // both.
+  ribbon.refit(ranges, margin_m);
+  ribbon.refit_curvatures(t0, t1);
+  std::vector<CandidatePair> with_obstacle;
+  if (bodies.obstacle) with_obstacle = ribbon.pairs_with(bodies.obstacle->hierarchy);
+  return list_pairs(bodies, ribbon.pairs_within(Hierarchy::Spare::curvature_and_boxes),
+                    with_obstacle, ranges, margin_m);
 }
 
 }  // namespace ribbon

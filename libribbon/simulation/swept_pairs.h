@@ -10,10 +10,10 @@
 
 namespace ribbon {
 
-// The feature pairs, ribbon-ribbon and ribbon-obstacle, whose boxes over the ranges of their
-// vertices come within margin_m of each other. Nothing is missed: a pair that is not listed stays
-// more than margin_m apart in some coordinate while each of its vertices is anywhere in its range.
-std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const Box> ranges,
+// The feature pairs, ribbon-ribbon and ribbon-obstacle, that may come within margin_m of each other
+// inside the ranges of their vertices, as far as boxes and flatness (patch_tree.h) tell. Nothing is
+// missed: a pair that is not listed stays more than margin_m apart.
+std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
                                              double margin_m);
 
 // As published: the pairs whose boxes over the straight way from t0 to t1 come within margin_m of

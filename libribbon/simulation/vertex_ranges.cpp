@@ -2,13 +2,11 @@
 
 namespace ribbon {
 
-std::vector<Box> vertex_ranges(const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1) {
-  std::vector<Box> ranges(static_cast<std::size_t>(t0.cols()));
-  for (Eigen::Index vertex = 0; vertex < t0.cols(); ++vertex) {
-    Box& range = ranges[static_cast<std::size_t>(vertex)];
-    range = Box::around(t0.col(vertex));
-    range.include(t1.col(vertex));
-  }
+std::vector<MovingBox> vertex_ranges(const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1) {
+  std::vector<MovingBox> ranges(static_cast<std::size_t>(t0.cols()));
+  for (Eigen::Index vertex = 0; vertex < t0.cols(); ++vertex)
+    ranges[static_cast<std::size_t>(vertex)] = {Box::around(t0.col(vertex)),
+                                                Box::around(t1.col(vertex))};
   return ranges;
 }
 

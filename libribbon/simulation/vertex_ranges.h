@@ -8,7 +8,7 @@
 
 namespace ribbon {
 
-// For each vertex the box around its way from t0 to t1 (3 x vertices each).
-std::vector<Box> vertex_ranges(const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1);
+// For each vertex its straight way from t0 to t1 (3 x vertices each).
+std::vector<MovingBox> vertex_ranges(const Eigen::Matrix3Xd& t0, const Eigen::Matrix3Xd& t1);
 
 }  // namespace ribbon

@@ -14,6 +14,7 @@ enum class Method {
   space_enumeration,  // those that share a cell of a uniform grid (paper, section 5.4.3)
   curvature,          // the hierarchy as published: curvature and boxes
   boxes,              // the hierarchy where nothing may be missed: boxes alone
+  patches,            // what the gate uses: flatness and boxes, nothing missed either
 };
 
 // A ribbon that moves during a step; columns are particles, row by row.

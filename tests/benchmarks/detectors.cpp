@@ -59,14 +59,14 @@ class ByTriangles : public AnyDetector {
   using AnyDetector::AnyDetector;
 
  protected:
-  virtual std::vector<CandidatePair> pairs(const std::vector<Box>& boxes) = 0;
+  virtual std::vector<CandidatePair> pairs(const std::vector<MovingBox>& boxes) = 0;
 
   std::vector<FeaturePair> find() final {
     Body& body = bodies().ribbon;
-    const std::vector<Box> ranges = vertex_ranges(motion().t0, motion().t1);
+    const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
     body.boxes.refit(body.surface, ranges);
-    std::vector<Box> grown = body.boxes.triangles;
-    for (Box& box : grown) box.grow(motion().margin_m / 2);
+    std::vector<MovingBox> grown = body.boxes.triangles;
+    for (MovingBox& box : grown) box.grow(motion().margin_m / 2);
     const RangedSurface surface{body.surface, ranges, body.boxes};
     return feature_pairs(surface, surface, pairs(grown), motion().margin_m);
   }
@@ -77,7 +77,7 @@ class BruteForce : public ByTriangles {
   using ByTriangles::ByTriangles;
 
  protected:
-  std::vector<CandidatePair> pairs(const std::vector<Box>& boxes) override {
+  std::vector<CandidatePair> pairs(const std::vector<MovingBox>& boxes) override {
     std::vector<CandidatePair> found;
     for (std::size_t a = 0; a < boxes.size(); ++a)
       for (std::size_t b = a + 1; b < boxes.size(); ++b)
@@ -92,10 +92,16 @@ class SpaceEnumeration : public ByTriangles {
       : ByTriangles(motion), cell_factor_(cell_factor) {}
 
  protected:
-  std::vector<CandidatePair> pairs(const std::vector<Box>& boxes) override {
+  // Cells hold what reaches into them at any time of the step.
+  std::vector<CandidatePair> pairs(const std::vector<MovingBox>& boxes) override {
     double sizes_m = 0;
-    for (const Box& box : boxes) sizes_m += (box.high - box.low).maxCoeff();
-    return pairs_by_cells(boxes, cell_factor_ * sizes_m / static_cast<double>(boxes.size()));
+    std::vector<Box> swept;
+    for (const MovingBox& box : boxes) {
+      swept.push_back(box.start);
+      swept.back().include(box.end);
+      sizes_m += (swept.back().high - swept.back().low).maxCoeff();
+    }
+    return pairs_by_cells(swept, cell_factor_ * sizes_m / static_cast<double>(boxes.size()));
   }
 
  private:
@@ -113,6 +119,22 @@ class ByCurvature : public AnyDetector {
 };
 
 class ByBoxes : public AnyDetector {
+ public:
+  using AnyDetector::AnyDetector;
+
+ protected:
+  std::vector<FeaturePair> find() override {
+    Body& body = bodies().ribbon;
+    const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
+    body.boxes.refit(body.surface, ranges);
+    body.hierarchy.refit(ranges, motion().margin_m / 2);
+    const RangedSurface surface{body.surface, ranges, body.boxes};
+    return feature_pairs(surface, surface, body.hierarchy.pairs_within(Hierarchy::Spare::boxes),
+                         motion().margin_m);
+  }
+};
+
+class ByPatches : public AnyDetector {
  public:
   using AnyDetector::AnyDetector;
 
@@ -136,6 +158,8 @@ std::unique_ptr<benchmark::Detector> make_detector(Method method, const Motion& 
       return std::make_unique<ByCurvature>(motion);
     case Method::boxes:
       return std::make_unique<ByBoxes>(motion);
+    case Method::patches:
+      return std::make_unique<ByPatches>(motion);
   }
   return nullptr;
 }

@@ -213,7 +213,7 @@ TEST(CollisionSurface, each_vertex_and_edge_has_one_triangle_that_answers_for_it
 std::vector<FeaturePair> pairs_of(const CollisionSurface& surface,
                                   const std::vector<CandidatePair>& pairs, const Matrix3Xd& x,
                                   double margin_m) {
-  const std::vector<Box> ranges = vertex_ranges(x, x);
+  const std::vector<MovingBox> ranges = vertex_ranges(x, x);
   FeatureBoxes boxes;
   boxes.refit(surface, ranges);
   const RangedSurface ranged{surface, ranges, boxes};

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "geometry/box.h"
+#include "simulation/closest_weights.h"
 #include "simulation/planted_penetrations.h"
 #include "simulation/vertex_ranges.h"
 
@@ -66,18 +66,20 @@ class BruteForce {
   std::set<Features> found;
 
  private:
-  [[nodiscard]] Box box(const std::vector<int>& feature) const {
-    Box result = Box::around(t0_.col(feature[0]));
-    for (const int vertex : feature) {
-      result.include(t0_.col(vertex));
-      result.include(t1_.col(vertex));
-    }
-    return result;
-  }
+  // Closer than the margin at one of some instants?
   [[nodiscard]] bool meet(const std::vector<int>& a, const std::vector<int>& b) const {
-    Box grown = box(a);
-    grown.grow(margin_m);
-    return grown.meets(box(b));
+    const std::vector<int>& first = a.size() <= b.size() ? a : b;
+    const std::vector<int>& second = a.size() <= b.size() ? b : a;
+    const Kind kind = first.size() == 1 ? Kind::vertex_triangle : Kind::edge_edge;
+    Eigen::Matrix<double, 3, 4> corners;
+    for (const double time : {0.0, 0.3, 0.6, 1.0}) {
+      Eigen::Index column = 0;
+      for (const auto* feature : {&first, &second})
+        for (const int v : *feature)
+          corners.col(column++) = (1 - time) * t0_.col(v) + time * t1_.col(v);
+      if ((corners * closest_weights(kind, corners)).norm() <= margin_m) return true;
+    }
+    return false;
   }
 
   const Matrix3Xd& t0_;
@@ -85,7 +87,7 @@ class BruteForce {
 };
 
 // A ribbon of any size, down to 2 x 2, beside a soup of triangles, some without area.
-TEST(SweptPairs, are_all_that_brute_force_finds_and_each_once) {
+TEST(SweptPairs, are_all_that_come_close_by_brute_force_and_each_once) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   std::size_t pairs_in_all = 0;
@@ -115,10 +117,12 @@ TEST(SweptPairs, are_all_that_brute_force_finds_and_each_once) {
     expected.look(obstacle.vertices, ribbon.triangles);
     expected.look(ribbon.edges, ribbon.edges);
     expected.look(ribbon.edges, obstacle.edges);
-    EXPECT_EQ(listed, expected.found) << trial;
-    pairs_in_all += listed.size();
+    EXPECT_TRUE(
+        std::includes(listed.begin(), listed.end(), expected.found.begin(), expected.found.end()))
+        << trial;
+    pairs_in_all += expected.found.size();
   }
-  EXPECT_GT(pairs_in_all, 1000U);
+  EXPECT_GT(pairs_in_all, 500U);
 }
 
 }  // namespace

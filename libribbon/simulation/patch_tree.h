@@ -1,0 +1,95 @@
+// A tree over rectangular patches of the ribbon that tells what lies too flat to meet itself.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "geometry/box.h"
+#include "geometry/ribbon_grid.h"
+#include "simulation/hierarchy.h"
+
+namespace ribbon {
+
+// The gate's answer to the paper's hierarchy (section 5.4.3), in which curvature spares adjacent
+// regions and boxes the others. Curvature by normals overlooks a band that lies flat over itself;
+// here a patch is spared only on proof. Seen in one frame of two directions, a rectangle whose
+// tangents along s and across t keep the symmetric part of d(x)/d(s,t) above `flatness` > 0 brings
+// no two of its points closer than flatness times their distance in the band (the classic condition
+// for a map of a convex region to be one-to-one, with its factor). It is linear in the positions:
+// what holds at the start and at the end of straight ways holds all the time between.
+//
+// Each patch looks at its surroundings, too, two quads to every side, so that a patch and a small
+// neighbour lie in one rectangle. Built once, refitted for each detection.
+class PatchTree {
+ public:
+  explicit PatchTree(const RibbonGrid& grid);
+
+  // Over the ranges of the particles. reach_m: pairs that cannot come this close are spared.
+  void refit(std::span<const MovingBox> ranges, double reach_m);
+
+  // Pairs of different triangles of the ribbon of which some features that share no vertex may come
+  // within reach_m of each other.
+  [[nodiscard]] std::vector<CandidatePair> pairs_within() const;
+
+  // Pairs (triangle of the ribbon, triangle of `other`) that may come within reach_m.
+  [[nodiscard]] std::vector<CandidatePair> pairs_with(const Hierarchy& other) const;
+
+ private:
+  // Quads [first_row, end_row) x [first_column, end_column).
+  struct Patch {
+    int first_row = 0;
+    int end_row = 0;
+    int first_column = 0;
+    int end_column = 0;
+    int first_child = -1;  // -1: one quad
+    int second_child = -1;
+
+    [[nodiscard]] bool is_leaf() const { return first_child < 0; }
+    [[nodiscard]] int quads() const { return (end_row - first_row) * (end_column - first_column); }
+  };
+
+  // Of a patch and its surroundings.
+  struct Tangents {
+    MovingBox along;       // edges along the ribbon
+    MovingBox across;      // edges across it
+    double freedom_m = 0;  // how far a particle may be beside its straight way
+
+    void include(const Tangents& other);
+  };
+
+  struct PatchPair {
+    int a = 0;  // a == b: the patch against itself
+    int b = 0;
+  };
+
+  int build(Patch patch);
+  [[nodiscard]] int root() const { return static_cast<int>(patches_.size()) - 1; }
+  [[nodiscard]] const Patch& at(int patch) const {
+    return patches_[static_cast<std::size_t>(patch)];
+  }
+  [[nodiscard]] int quad_of(int leaf) const {
+    return at(leaf).first_row * (grid_.across - 1) + at(leaf).first_column;
+  }
+
+  void measure_edges(std::span<const MovingBox> ranges);
+  void refit_quads(std::span<const MovingBox> ranges);
+  [[nodiscard]] bool is_flat(const Tangents& tangents) const;
+  [[nodiscard]] bool lie_flat(const PatchPair& pair) const;
+  [[nodiscard]] bool can_meet(const PatchPair& pair) const;
+  void split(const PatchPair& pair, std::vector<PatchPair>& next) const;
+  void list(const PatchPair& pair, std::vector<CandidatePair>& found) const;
+
+  RibbonGrid grid_;
+  std::vector<Patch> patches_;  // children before their parents; the root is last
+  double reach_m_ = 0;
+  double along_m_ = 0;  // mean lengths of the edges at the start
+  double across_m_ = 0;
+  std::vector<MovingBox> boxes_;    // of the patches, grown by half the reach
+  std::vector<Tangents> tangents_;  // of the patches with their surroundings
+  std::vector<char> flat_;          // is the patch with its surroundings?
+  std::vector<Tangents> quads_;     // of single quads
+  std::vector<Tangents> widened_;   // of quads and what lies beside them in the same row
+};
+
+}  // namespace ribbon

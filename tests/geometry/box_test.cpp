@@ -1,0 +1,69 @@
+#include "geometry/box.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace ribbon {
+namespace {
+
+using Eigen::Vector3d;
+
+MovingBox moving(const Vector3d& start, const Vector3d& end) {
+  return {Box::around(start), Box::around(end)};
+}
+
+TEST(MovingBox, those_that_fly_beside_each_other_do_not_meet) {
+  // As still boxes around all of their ways they would overlap from 1 to 10.
+  const MovingBox first = moving({0, 0, 0}, {10, 0, 0});
+  const MovingBox second = moving({1, 0, 0}, {11, 0, 0});
+  EXPECT_FALSE(first.meets(second));
+  EXPECT_FALSE(second.meets(first));
+}
+
+TEST(MovingBox, one_that_overtakes_the_other_meets_it) {
+  EXPECT_TRUE(moving({0, 0, 0}, {10, 0, 0}).meets(moving({1, 0, 0}, {2, 0, 0})));
+}
+
+TEST(MovingBox, those_that_pass_in_different_coordinates_at_the_ends_may_meet_between) {
+  // Apart in x at the start and in y at the end, they touch half way.
+  EXPECT_TRUE(moving({0, 0, 0}, {0, 0, 0}).meets(moving({1, -1, 0}, {-1, 1, 0})));
+}
+
+TEST(MovingBox, a_margin_keeps_apart_what_comes_that_close) {
+  MovingBox first = moving({0, 0, 0}, {0, 0, 0});
+  const MovingBox second = moving({1, 0, 0}, {0.5, 0, 0});
+  EXPECT_FALSE(first.meets(second));
+  first.grow(0.6);
+  EXPECT_TRUE(first.meets(second));
+}
+
+// Whatever meets at some instant is said to meet.
+TEST(MovingBox, misses_no_meeting_of_moving_segments) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto point = [&] {
+    return Vector3d(coordinate(random), coordinate(random), coordinate(random));
+  };
+  int meetings = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
+    const std::array<Vector3d, 4> start = {point(), point(), point(), point()};
+    const std::array<Vector3d, 4> end = {point(), point(), point(), point()};
+    const auto box_at = [&](std::size_t a, std::size_t b, double time) {
+      Box box = Box::around((1 - time) * start[a] + time * end[a]);
+      box.include(Vector3d((1 - time) * start[b] + time * end[b]));
+      return box;
+    };
+    const MovingBox first{box_at(0, 1, 0), box_at(0, 1, 1)};
+    const MovingBox second{box_at(2, 3, 0), box_at(2, 3, 1)};
+    for (double time = 0; time <= 1; time += 0.125) {
+      if (!box_at(0, 1, time).meets(box_at(2, 3, time))) continue;
+      ++meetings;
+      ASSERT_TRUE(first.meets(second)) << trial;
+    }
+  }
+  EXPECT_GT(meetings, 1000);
+}
+
+}  // namespace
+}  // namespace ribbon
