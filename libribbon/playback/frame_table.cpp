@@ -6,6 +6,7 @@
 #include "recording/checksum.h"
 #include "recording/index_record.h"
 #include "recording/record.h"
+#include "recording/tightness_record.h"
 
 namespace ribbon {
 
@@ -67,16 +68,21 @@ class Scan {
     const std::uint64_t end = at_ + record_head_bytes + payload.size();
     if (head->type == RecordType::frame && !take_frame(payload, end))
       return refuse("a frame does not belong here");
-    if (is_last_words(head->type, payload)) table_.finished = true;
-    at_ = good_end_ = end;
+    if (head->type == RecordType::tightness) tightness_ = parse_tightness_payload(payload);
+    take_last_words(head->type, payload);
+    at_ = end;
     return true;
   }
 
   // Only a writer that was allowed to finish writes an index and a footer.
-  [[nodiscard]] bool is_last_words(RecordType type, std::string_view payload) const {
-    if (type == RecordType::index)
-      return parse_index_payload(payload, recording_id_, frames_begin_, at_).has_value();
-    return type == RecordType::footer && parse_footer_payload(payload, recording_id_).has_value();
+  void take_last_words(RecordType type, std::string_view payload) {
+    if (type == RecordType::footer && parse_footer_payload(payload, recording_id_))
+      table_.finished = true;
+    if (type != RecordType::index) return;
+    const auto index = parse_index_payload(payload, recording_id_, frames_begin_, at_);
+    if (!index) return;
+    table_.finished = true;
+    table_.ending = index->ending;
   }
 
   bool refuse(const char* reason) {
@@ -91,9 +97,19 @@ class Scan {
     // Frames that are missing must have had room in the bytes that were skipped.
     if (frame->frame - next > (at_ - good_end_) / smallest_frame_record) return false;
     table_.frames.resize(frame->frame);
-    table_.frames.push_back({at_, end - at_, frame->frames_since_key, frame->numbers, false});
+    table_.frames.push_back(
+        {at_, end - at_, frame->frames_since_key, with_tightness(*frame), false});
+    good_end_ = end;
     lost_frames_ = 0;
     return true;
+  }
+
+  // A frame's tightness stands in a record of its own before it.
+  [[nodiscard]] FrameNumbers with_tightness(const FrameRecord& frame) const {
+    FrameNumbers numbers = frame.numbers;
+    if (tightness_ && tightness_->recording_id == recording_id_ && tightness_->frame == frame.frame)
+      numbers.tightness = tightness_->numbers;
+    return numbers;
   }
 
   // Moves at_ to the next record and notes the gap; false when there is none: where the rest is
@@ -132,9 +148,10 @@ class Scan {
   std::uint32_t recording_id_;
   std::uint64_t frames_begin_;
   std::uint64_t at_;
-  std::uint64_t good_end_;  // end of the last whole record
+  std::uint64_t good_end_;  // end of the last whole frame
   std::string reason_;
-  std::size_t lost_frames_ = 0;  // damaged frame records since the last good one
+  std::optional<TightnessRecord> tightness_;  // the last one met
+  std::size_t lost_frames_ = 0;               // damaged frame records since the last good one
   FrameTable table_;
 };
 
@@ -154,12 +171,13 @@ std::optional<FrameTable> table_from_index(const RandomAccessFile& file, std::ui
   const std::string index = file.read(*index_offset, footer_offset - *index_offset);
   const auto index_payload = whole_record(index, RecordType::index);
   if (!index_payload) return std::nullopt;
-  const auto entries =
+  const auto parsed =
       parse_index_payload(*index_payload, recording_id, frames_begin, *index_offset);
-  if (!entries) return std::nullopt;
+  if (!parsed) return std::nullopt;
   FrameTable table;
   table.finished = true;
-  for (const IndexEntry& entry : *entries)
+  table.ending = parsed->ending;
+  for (const IndexEntry& entry : parsed->entries)
     table.frames.push_back(
         {entry.offset, entry.record_bytes, entry.frames_since_key, entry.numbers, false});
   mark_readable(table.frames);

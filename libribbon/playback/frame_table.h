@@ -24,6 +24,7 @@ struct FrameTable {
   std::vector<FrameEntry> frames;
   std::vector<Damage> damage;
   bool finished = false;
+  RunEnding ending = RunEnding::unknown;  // of what was finished
 };
 
 // The table that the index gives; nothing where index or footer is missing or not whole. The

@@ -125,6 +125,10 @@ bool RecordingReader::finished() const {
   return state_->table.finished;
 }
 
+RunEnding RecordingReader::ending() const {
+  return state_->table.ending;
+}
+
 const std::vector<Damage>& RecordingReader::damage() const {
   return state_->table.damage;
 }

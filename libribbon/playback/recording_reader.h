@@ -41,6 +41,8 @@ class RecordingReader {
   [[nodiscard]] const std::optional<FrameNumbers>& numbers(int index) const;
   // Was the recording finished, or was its writer stopped on the way?
   [[nodiscard]] bool finished() const;
+  // What ended the run; unknown where the recording is not finished or its writer did not tell.
+  [[nodiscard]] RunEnding ending() const;
   // What is known to be damaged. An index tells nothing about the frames that it points to, so
   // damage to frames of a finished recording is noticed when one of them is read, or by check().
   [[nodiscard]] const std::vector<Damage>& damage() const;

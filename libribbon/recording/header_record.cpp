@@ -12,7 +12,7 @@ namespace ribbon {
 namespace {
 
 constexpr std::uint16_t major_version = 1;
-constexpr std::uint16_t minor_version = 1;
+constexpr std::uint16_t minor_version = 2;
 constexpr std::uint32_t position_codec = 1;
 constexpr std::uint64_t largest_grid = std::uint64_t{1} << 24;
 constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;

@@ -1,6 +1,8 @@
 #include "recording/index_record.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "recording/bytes.h"
 #include "recording/compression.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr std::uint64_t smallest_frame_record = record_head_bytes + frame_fields_bytes;
 constexpr std::size_t table_row_bytes = 36;
+constexpr std::size_t tightness_row_bytes = tightness_columns.size() * sizeof(float);
 
 std::string table(const std::vector<IndexEntry>& entries, std::uint64_t frames_begin) {
   std::string bytes;
@@ -53,37 +56,84 @@ bool parse_table(std::string_view bytes, std::uint64_t frames_begin, std::uint64
   return true;
 }
 
-}  // namespace
-
-std::string index_payload(std::uint32_t recording_id, const std::vector<IndexEntry>& entries,
-                          std::uint64_t frames_begin) {
-  const std::string content = table(entries, frames_begin);
-  const std::string compressed =
-      Compressor().compress(std::array<std::string_view, 1>{std::string_view(content)});
-  std::string bytes;
-  put<std::uint32_t>(bytes, recording_id);
-  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(entries.size()));
+void put_block(std::string& bytes, std::string_view content) {
+  const std::string compressed = Compressor().compress(std::array<std::string_view, 1>{content});
   put<std::uint32_t>(bytes, static_cast<std::uint32_t>(compressed.size()));
-  return bytes + compressed;
+  bytes += compressed;
 }
 
-std::optional<std::vector<IndexEntry>> parse_index_payload(std::string_view payload,
-                                                           std::uint32_t recording_id,
-                                                           std::uint64_t frames_begin,
-                                                           std::uint64_t frames_end) {
+// The content of the next block; nothing where it does not hold exactly `size` bytes.
+std::optional<std::string> take_block(ByteTaker& taker, std::size_t size) {
+  const auto compressed = taker.take_bytes(taker.take<std::uint32_t>());
+  Decompressor decompressor;
+  const auto content = decompressor.decompress(compressed, size);
+  if (!taker.complete() || !content || content->size() != size) return std::nullopt;
+  return std::string(*content);
+}
+
+bool has_tightness(const IndexEntry& entry) {
+  return entry.numbers.tightness.has_value();
+}
+
+// What version 1.2 appended.
+void put_version_1_2(std::string& bytes, const Index& index) {
+  put<std::uint8_t>(bytes, static_cast<std::uint8_t>(index.ending));
+  const bool tightness = std::any_of(index.entries.begin(), index.entries.end(), has_tightness);
+  put<std::uint8_t>(bytes, tightness ? 1 : 0);
+  if (!tightness) return;
+  assert(std::all_of(index.entries.begin(), index.entries.end(), has_tightness));
+  std::string table;
+  for (const TightnessColumn& column : tightness_columns)
+    for (const IndexEntry& entry : index.entries)
+      put<float>(table, *entry.numbers.tightness.*column.value);
+  put_block(bytes, table);
+}
+
+// Older indices end before it; endings that this version does not know are as good as none.
+bool take_version_1_2(ByteTaker& taker, Index& index) {
+  if (taker.rest().empty()) return true;
+  const auto ending = taker.take<std::uint8_t>();
+  if (ending <= static_cast<std::uint8_t>(RunEnding::stopped))
+    index.ending = static_cast<RunEnding>(ending);
+  if (taker.take<std::uint8_t>() == 0) return taker.complete();
+  const auto table = take_block(taker, index.entries.size() * tightness_row_bytes);
+  if (!table) return false;
+  ByteTaker numbers(*table);
+  for (IndexEntry& entry : index.entries) entry.numbers.tightness.emplace();
+  for (const TightnessColumn& column : tightness_columns)
+    for (IndexEntry& entry : index.entries)
+      *entry.numbers.tightness.*column.value = numbers.take<float>();
+  return true;
+}
+
+}  // namespace
+
+std::string index_payload(std::uint32_t recording_id, const Index& index,
+                          std::uint64_t frames_begin) {
+  std::string bytes;
+  put<std::uint32_t>(bytes, recording_id);
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(index.entries.size()));
+  put_block(bytes, table(index.entries, frames_begin));
+  put_version_1_2(bytes, index);
+  return bytes;
+}
+
+std::optional<Index> parse_index_payload(std::string_view payload, std::uint32_t recording_id,
+                                         std::uint64_t frames_begin, std::uint64_t frames_end) {
   ByteTaker taker(payload);
   const auto id = taker.take<std::uint32_t>();
   const auto count = taker.take<std::uint32_t>();
-  const auto compressed = taker.take_bytes(taker.take<std::uint32_t>());
   if (!taker.complete() || id != recording_id || frames_end < frames_begin ||
       count > (frames_end - frames_begin) / smallest_frame_record)
     return std::nullopt;
-  Decompressor decompressor;
-  const auto content = decompressor.decompress(compressed, count * table_row_bytes);
-  if (!content || content->size() != count * table_row_bytes) return std::nullopt;
-  std::vector<IndexEntry> entries(count);
-  if (!parse_table(*content, frames_begin, frames_end, entries)) return std::nullopt;
-  return entries;
+  const auto content = take_block(taker, count * table_row_bytes);
+  if (!content) return std::nullopt;
+  Index index;
+  index.entries.resize(count);
+  if (!parse_table(*content, frames_begin, frames_end, index.entries) ||
+      !take_version_1_2(taker, index))
+    return std::nullopt;
+  return index;
 }
 
 std::string footer_payload(std::uint32_t recording_id, std::uint64_t index_offset) {

@@ -19,17 +19,20 @@ struct IndexEntry {
   FrameNumbers numbers;
 };
 
-// Frames lie in `entries` in their order; the first of them begins at or after `frames_begin`, the
-// end of the header record.
-std::string index_payload(std::uint32_t recording_id, const std::vector<IndexEntry>& entries,
+struct Index {
+  std::vector<IndexEntry> entries;
+  RunEnding ending = RunEnding::unknown;
+};
+
+// Either all frames have a tightness or none. Frames lie in `entries` in their order; the first of
+// them begins at or after `frames_begin`, the end of the header record.
+std::string index_payload(std::uint32_t recording_id, const Index& index,
                           std::uint64_t frames_begin);
 
 // Nothing where the payload is malformed, of another recording, or names frames that do not lie
 // between `frames_begin` and `frames_end`.
-std::optional<std::vector<IndexEntry>> parse_index_payload(std::string_view payload,
-                                                           std::uint32_t recording_id,
-                                                           std::uint64_t frames_begin,
-                                                           std::uint64_t frames_end);
+std::optional<Index> parse_index_payload(std::string_view payload, std::uint32_t recording_id,
+                                         std::uint64_t frames_begin, std::uint64_t frames_end);
 
 inline constexpr std::size_t footer_payload_bytes = 16;
 

@@ -13,7 +13,13 @@ inline constexpr std::string_view file_signature{"\x89RBN\r\n\x1A\n", 8};
 inline constexpr std::string_view record_magic{"\xB1REC", 4};
 inline constexpr std::size_t record_head_bytes = 24;
 
-enum class RecordType : std::uint32_t { header = 1, frame = 2, index = 3, footer = 4 };
+enum class RecordType : std::uint32_t {
+  header = 1,
+  frame = 2,
+  index = 3,
+  footer = 4,
+  tightness = 5
+};
 
 struct RecordHead {
   RecordType type{};  // may be one that this version does not know

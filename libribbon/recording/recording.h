@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,35 @@ struct RecordingHeader {
   std::optional<CentreAxis> centre_axis;  // what the ribbon was fastened towards
 };
 
+// How tight a ribbon is that is being fastened.
+struct TightnessNumbers {
+  float progress = 0;  // way of the last two seconds along the pull over the way commanded: 1 free,
+                       // 0 locked, below 0 drawn back
+  float held_back = 0;    // share of the particles that contact kept from going all of their way,
+                          // mean of the steps since the last frame
+  float pull = 0;         // share of the fastening force that was applied, mean of the same steps
+  float contact = 0;      // share of the rows that touch another part of the ribbon or the obstacle
+  float rope_length = 0;  // natural length from the first to the last row that touches another part
+                          // of the ribbon, over the ribbon's width
+
+  bool operator==(const TightnessNumbers&) const = default;
+};
+
+// In the order in which they are written; the names are those of info and JSON.
+struct TightnessColumn {
+  const char* name;
+  float TightnessNumbers::*value;
+};
+inline constexpr std::array<TightnessColumn, 5> tightness_columns = {
+    {{"progress", &TightnessNumbers::progress},
+     {"held_back", &TightnessNumbers::held_back},
+     {"pull", &TightnessNumbers::pull},
+     {"contact", &TightnessNumbers::contact},
+     {"rope_length", &TightnessNumbers::rope_length}}};
+
+// What ended the run; the numbers are those of the file.
+enum class RunEnding : std::uint8_t { unknown = 0, duration = 1, tight = 2, stopped = 3 };
+
 // The numbers of one frame, readable without its geometry.
 struct FrameNumbers {
   double time_s = 0;
@@ -38,6 +68,8 @@ struct FrameNumbers {
   std::uint32_t penetrating_edges = 0;    // left over in this frame
   std::uint32_t recovery_iterations = 0;  // of Figure 15, summed over the steps since the last
                                           // frame
+  std::optional<TightnessNumbers> tightness = std::nullopt;  // where something fastens the ribbon
+
   bool operator==(const FrameNumbers&) const = default;
 };
 

@@ -14,6 +14,7 @@
 #include "recording/index_record.h"
 #include "recording/position_encoder.h"
 #include "recording/record.h"
+#include "recording/tightness_record.h"
 
 namespace ribbon {
 
@@ -73,6 +74,17 @@ Result<void> RecordingWriter::State::write(std::string_view record) {
                  "free some space or choose another place");
 }
 
+namespace {
+
+// Empty where the frame has none.
+std::string tightness_record(const FrameRecord& frame) {
+  if (!frame.numbers.tightness) return "";
+  return make_record(RecordType::tightness, tightness_payload({frame.recording_id, frame.frame,
+                                                               *frame.numbers.tightness}));
+}
+
+}  // namespace
+
 RecordingWriter::RecordingWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
 RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
 RecordingWriter& RecordingWriter::operator=(RecordingWriter&&) noexcept = default;
@@ -111,8 +123,9 @@ Result<void> RecordingWriter::append(const FrameNumbers& numbers,
   frame.numbers = numbers;
   frame.geometry = encoded->geometry;
   const std::string record = make_record(RecordType::frame, frame_payload(frame));
-  const std::uint64_t offset = state.bytes;
-  auto written = state.write(record);
+  const std::string tightness = tightness_record(frame);
+  const std::uint64_t offset = state.bytes + tightness.size();
+  auto written = state.write(tightness + record);
   if (!written) {
     state.encoder.restart();
     return written;
@@ -122,13 +135,13 @@ Result<void> RecordingWriter::append(const FrameNumbers& numbers,
   return {};
 }
 
-Result<void> RecordingWriter::finish() {
+Result<void> RecordingWriter::finish(RunEnding ending) {
   State& state = *state_;
   assert(state.descriptor >= 0 && "only once");
   const std::uint64_t index_offset = state.bytes;
   auto written = state.write(
       make_record(RecordType::index,
-                  index_payload(state.recording_id, state.entries, state.frames_begin)) +
+                  index_payload(state.recording_id, {state.entries, ending}, state.frames_begin)) +
       make_record(RecordType::footer, footer_payload(state.recording_id, index_offset)));
   if (!written) return written;
   // Pipes and devices cannot be forced to the disk, and need not be.

@@ -21,12 +21,13 @@ class RecordingWriter {
   ~RecordingWriter();
 
   // Appends one frame and hands it to the operating system before returning. positions: 3 x
-  // particles in metres. Fails on a write error; all earlier frames stay readable.
+  // particles in metres. Either all frames have a tightness or none. Fails on a write error; all
+  // earlier frames stay readable.
   Result<void> append(const FrameNumbers& numbers, const Eigen::Matrix3Xd& positions);
 
-  // Writes the seek index and closes. Without it the recording is still complete: readers then
-  // scan.
-  Result<void> finish();
+  // Writes the seek index and what ended the run, and closes. Without it the recording is still
+  // complete: readers then scan.
+  Result<void> finish(RunEnding ending = RunEnding::unknown);
 
   [[nodiscard]] std::uint64_t bytes_written() const;
   [[nodiscard]] std::uint32_t frames_written() const;

@@ -182,6 +182,36 @@ TEST_F(DamagedRecording, a_check_finds_what_nobody_has_read_yet) {
   EXPECT_TRUE(reader->finished());
 }
 
+// Frame 5 begins with its tightness record, of 28 bytes.
+TEST_F(DamagedRecording, tightness_and_frame_are_lost_by_themselves) {
+  std::size_t begin = 0;
+  {
+    auto writer = RecordingWriter::create(path_, small_header());
+    for (int frame = 0; frame < 8; ++frame) {
+      if (frame == 5) begin = writer->bytes_written();
+      FrameNumbers numbers = sample_numbers(frame);
+      numbers.tightness = {0.5F, 0, 1, 0.25F, static_cast<float>(frame)};
+      ASSERT_TRUE(writer->append(numbers, positions(frame)).has_value());
+    }
+  }
+  const std::string whole = read_file(path_).value();
+  const std::size_t frame_begin = begin + record_head_bytes + 28;
+  for (const std::size_t damaged : {begin + record_head_bytes, frame_begin + record_head_bytes}) {
+    std::string bytes = whole;
+    bytes[damaged] ^= 1;
+    const auto reader = open(bytes);
+    ASSERT_TRUE(reader.has_value());
+    ASSERT_EQ(reader->frame_count(), 8);
+    EXPECT_EQ(reader->damage().size(), 1U);
+    EXPECT_EQ(reader->numbers(6)->tightness->rope_length, 6);
+    if (damaged > frame_begin) {
+      EXPECT_FALSE(reader->numbers(5).has_value());
+    } else {
+      EXPECT_EQ(reader->numbers(5), sample_numbers(5));
+    }
+  }
+}
+
 TEST_F(DamagedRecording, a_hole_in_the_file_loses_the_frames_within) {
   std::string bytes = killed_;
   const std::size_t hole = begin_[4] + 10;

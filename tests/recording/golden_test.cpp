@@ -20,7 +20,7 @@ std::filesystem::path golden(const std::string& version) {
   return std::filesystem::path(RIBBON_GOLDEN_RECORDINGS) / ("v" + version + ".rbn");
 }
 
-const std::string this_version = "1.1";
+const std::string this_version = "1.2";
 constexpr int frames = 40;
 constexpr RibbonGrid golden_grid{48, 6};
 
@@ -46,6 +46,14 @@ Eigen::Matrix3Xd golden_positions(int frame) {
 FrameNumbers golden_numbers(int frame) {
   return {frame / 64.0, frame / 1024.0, static_cast<std::uint32_t>(frame * frame),
           static_cast<std::uint32_t>(frame)};
+}
+
+// Since version 1.2.
+FrameNumbers golden_numbers_with_tightness(int frame) {
+  FrameNumbers numbers = golden_numbers(frame);
+  const auto n = static_cast<float>(frame);
+  numbers.tightness = {1 - n / 32, n / 256, 1 - n / 64, n / 128, 64 - n};
+  return numbers;
 }
 
 RecordingHeader golden_header() {
@@ -80,8 +88,9 @@ void write_golden(const std::filesystem::path& path) {
   auto writer = RecordingWriter::create(path, golden_header());
   ASSERT_TRUE(writer.has_value()) << writer.error().sentence();
   for (int frame = 0; frame < frames; ++frame)
-    ASSERT_TRUE(writer->append(golden_numbers(frame), golden_positions(frame)).has_value());
-  ASSERT_TRUE(writer->finish().has_value());
+    ASSERT_TRUE(
+        writer->append(golden_numbers_with_tightness(frame), golden_positions(frame)).has_value());
+  ASSERT_TRUE(writer->finish(RunEnding::tight).has_value());
 }
 
 std::string content(const std::filesystem::path& path) {
@@ -113,6 +122,22 @@ TEST(GoldenRecording, version_1_1_names_gap_and_axis_and_version_1_0_does_not) {
   EXPECT_FALSE(older->header().centre_axis.has_value());
 }
 
+TEST(GoldenRecording, version_1_2_tells_tightness_and_ending_and_version_1_1_does_not) {
+  auto newer = RecordingReader::open(golden("1.2"));
+  ASSERT_TRUE(newer.has_value()) << newer.error().sentence();
+  EXPECT_EQ(newer->ending(), RunEnding::tight);
+  const auto older = RecordingReader::open(golden("1.1"));
+  ASSERT_TRUE(older.has_value()) << older.error().sentence();
+  EXPECT_EQ(older->ending(), RunEnding::unknown);
+  for (int frame = 0; frame < frames; ++frame) {
+    EXPECT_EQ(newer->numbers(frame), golden_numbers_with_tightness(frame));
+    EXPECT_EQ(older->numbers(frame), golden_numbers(frame));
+  }
+  newer->check();
+  EXPECT_EQ(newer->ending(), RunEnding::tight) << "as its records tell, not only its index";
+  EXPECT_EQ(newer->numbers(7), golden_numbers_with_tightness(7));
+}
+
 class GoldenVersions : public testing::TestWithParam<std::string> {};
 
 TEST_P(GoldenVersions, it_is_read_as_it_was_written) {
@@ -124,7 +149,9 @@ TEST_P(GoldenVersions, it_is_read_as_it_was_written) {
   ASSERT_EQ(reader->frame_count(), frames);
   EXPECT_TRUE(reader->finished());
   for (int frame = 0; frame < frames; ++frame) {
-    EXPECT_EQ(reader->numbers(frame), golden_numbers(frame));
+    FrameNumbers numbers = *reader->numbers(frame);
+    numbers.tightness.reset();
+    EXPECT_EQ(numbers, golden_numbers(frame));
     Eigen::Matrix3Xf positions;
     ASSERT_TRUE(reader->read(frame, positions).has_value());
     EXPECT_LE((positions.cast<double>() - golden_positions(frame)).cwiseAbs().maxCoeff(), 0x1p-15);
@@ -144,10 +171,8 @@ TEST_P(GoldenVersions, every_bit_of_its_positions_is_known) {
   EXPECT_EQ(checksum(bytes), 0x86A835E1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("1.0", "1.1"),
-                         [](const auto& version) {
-                           return version.param == "1.0" ? "v1_0" : "v1_1";
-                         });
+INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("1.0", "1.1", "1.2"),
+                         [](const auto& version) { return "v1_" + version.param.substr(2); });
 
 }  // namespace
 }  // namespace ribbon
