@@ -290,6 +290,12 @@ std::vector<Key> fastening_keys() {
   return {
       {"speed", required, "0.5",
        set(in(&Scene::fastening, &FasteningScene::speed_m_s), number(positive))},
+      {"pull", optional, "\"distributed\"",
+       set(in(&Scene::fastening, &FasteningScene::pull),
+           one_of<FasteningPull>(
+               {{"distributed", FasteningPull::distributed}, {"ends", FasteningPull::ends}}))},
+      {"max_speed", optional, "1",
+       set(in(&Scene::fastening, &FasteningScene::max_speed_m_s), number(positive))},
       {"yield", optional, "0.05",
        set(in(&Scene::fastening, &FasteningScene::yield_strain), number(yield_strain))},
       {"axis_point", optional, "[0, 0, 0]",
@@ -303,6 +309,9 @@ std::vector<Key> time_keys() {
   return {
       {"step", optional, "0.01", set(in(&Scene::time, &TimeScene::step_s), number(positive))},
       {"duration", required, "4", set(in(&Scene::time, &TimeScene::duration_s), number(positive))},
+      {"until", optional, "\"tight\"",
+       set(in(&Scene::time, &TimeScene::until),
+           one_of<RunsUntil>({{"duration", RunsUntil::duration}, {"tight", RunsUntil::tight}}))},
       {"integrator", optional, "\"rk4\"",
        set(in(&Scene::time, &TimeScene::integrator),
            one_of<IntegrationMethod>({{"rk4", IntegrationMethod::rk4},
@@ -504,6 +513,13 @@ Result<void> fastening_against_air(const Document& document, const Scene& scene)
                  "write for example 'resistance = 10' in [air]");
 }
 
+Result<void> tight_by_fastening(const Document& document, const Scene& scene) {
+  if (scene.fastening || scene.time.until == RunsUntil::duration) return {};
+  return failure(document.place("time", "until"),
+                 "a ribbon that nothing pulls never becomes 'tight'",
+                 "add '[fastening]' with for example 'speed = 0.5' below it, or remove 'until'");
+}
+
 void set_defaults(const Document& document, Scene& scene) {
   if (scene.name.empty()) scene.name = document.file.stem().string();
   if (scene.curve.clearance_m == 0)
@@ -519,7 +535,7 @@ Result<Scene> scene_of(const Document& document) {
     if (auto read = read_table(document, table, scene); !read) return tl::unexpected(read.error());
   set_defaults(document, scene);
   for (const auto& rule : {one_drawing, countable_particles, countable_steps,
-                           at_most_a_frame_a_step, fastening_against_air})
+                           at_most_a_frame_a_step, fastening_against_air, tight_by_fastening})
     if (auto kept = rule(document, scene); !kept) return tl::unexpected(kept.error());
   return scene;
 }

@@ -63,19 +63,30 @@ enum class ContactMethod { gate, paper };
 // Euler, or backward Euler.
 enum class IntegrationMethod { rk4, symplectic_euler, implicit };
 
+// Where the ribbon is pulled: everywhere as in the paper, or at its two ends alone.
+enum class FasteningPull { distributed, ends };
+
 // The pre-step fastening force of the paper's section 5.2.
 struct FasteningScene {
-  double speed_m_s = 0;  // speed at which the force alone would carry a free particle that is at
-                         // mean distance from the axis, against the air resistance
+  double speed_m_s = 0;  // distributed: at which the force alone would carry a free particle that
+                         // is at mean distance from the axis; ends: at which each end would draw a
+                         // free half of the ribbon; both against the air resistance
+  FasteningPull pull = FasteningPull::distributed;
+  std::optional<double> max_speed_m_s =
+      std::nullopt;  // to which the force accelerates particles at most; none: to any
   std::optional<double> yield_strain =
       std::nullopt;  // stretch along at which the hands give way; none: never
   Eigen::Vector3d axis_point_m = Eigen::Vector3d::Zero();     // a point on the centre axis
   Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitY();  // unit length
 };
 
+// What ends a run: its duration alone, or a knot that is tight before.
+enum class RunsUntil { duration, tight };
+
 struct TimeScene {
   double step_s = 0.01;
-  double duration_s = 0;
+  double duration_s = 0;  // at most
+  RunsUntil until = RunsUntil::duration;
   IntegrationMethod integrator = IntegrationMethod::rk4;
 };
 

@@ -8,28 +8,39 @@
 
 namespace ribbon {
 
-// Moves every particle toward its end of the ribbon: the first half of the rows toward the first
-// end, the second half toward the second. The force points along the smoothed direction of the
-// ribbon (averaged over as many rows to either side as the ribbon is particles wide, so that it
-// fades where the ribbon is crumpled) and is proportional to the particle's distance from the
-// centre axis.
+// Moves particles toward their end of the ribbon: the first half of the rows toward the first end,
+// the second half toward the second. The force points along the smoothed direction of the ribbon
+// (averaged over as many rows to either side as the ribbon is particles wide, so that it fades
+// where the ribbon is crumpled).
+//
+// Distributed, it is proportional to the particle's distance from the centre axis. By its ends, it
+// acts on the last rows only, as many as the ribbon is particles wide, and is the same everywhere:
+// so strong that each end draws its half of the ribbon against the air at the scene's speed.
 class FasteningForce {
  public:
   // start: 3 x at least all particles, the ribbon at the start, whose mean distance from the axis
-  // is where the scene's speed holds.
+  // is where the scene's speed holds for a distributed force.
   FasteningForce(const FasteningScene& scene, double air_resistance_per_s, const RibbonGrid& grid,
                  const Eigen::Matrix3Xd& start, double particle_mass_kg);
 
   // 3 x particles, N.
   [[nodiscard]] Eigen::Matrix3Xd at(const Eigen::Matrix3Xd& positions) const;
 
+  // The force on a particle for each m/s at which the scene wants it to move, N s/m.
+  [[nodiscard]] double newton_per_m_s() const { return newton_per_m_s_; }
+
  private:
   [[nodiscard]] double distance_from_axis_m(const Eigen::Vector3d& position) const;
+  [[nodiscard]] double strength_n(int particle, const Eigen::Vector3d& position) const;
 
+  FasteningPull pull_;
   RibbonGrid grid_;
   Eigen::Vector3d axis_point_m_;
   Eigen::Vector3d axis_direction_;
-  double newton_per_m_ = 0;  // force on a particle per distance from the axis
+  int held_rows_;  // at each end, when pulled by the ends
+  double newton_per_m_s_;
+  double end_newton_ = 0;    // force on a particle of the held rows
+  double newton_per_m_ = 0;  // distributed force on a particle per distance from the axis
 };
 
 }  // namespace ribbon

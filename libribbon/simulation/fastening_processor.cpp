@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "simulation/contact_extent.h"
 #include "simulation/gap_lengths.h"
 #include "simulation/recovery.h"
 #include "simulation/scene_limits.h"
@@ -48,7 +49,11 @@ FasteningProcessor::FasteningProcessor(const Scene& scene, const RibbonMesh& rib
       cloth_{std::move(vertices), Matrix3Xd::Zero(3, ribbon.positions.cols()),
              scene.ribbon.mass_kg / ribbon.grid.particle_count()},
       bodies_(bodies_of(ribbon.grid, obstacle, cloth_.positions)),
-      deformation_(scene, natural_size(ribbon, 1), cloth_.particle_mass_kg, *bodies_) {}
+      deformation_(scene, natural_size(ribbon, 1), cloth_.particle_mass_kg, *bodies_),
+      size_(natural_size(ribbon, 1)),
+      gaps_(size_, gap_lengths(size_.shortest_edge_m(),
+                               scene.recording.max_position_error_m(ribbon.length_m),
+                               scene.ribbon.thickness_m)) {}
 
 Result<FasteningProcessor> FasteningProcessor::create(const Scene& scene, const RibbonMesh& ribbon,
                                                       const std::optional<TriangleMesh>& obstacle) {
@@ -73,11 +78,7 @@ Result<void> FasteningProcessor::begin(const Scene& scene, const RibbonMesh& rib
   } else {
     start_ = recover_as_published();
   }
-  if (scene.fastening)
-    fastening_.emplace(*scene.fastening, scene.air_resistance_per_s, ribbon.grid, cloth_.positions,
-                       cloth_.particle_mass_kg);
-  if (scene.fastening && scene.fastening->yield_strain)
-    yielding_.emplace(ribbon.grid, ribbon.length_m, *scene.fastening->yield_strain);
+  if (scene.fastening) hands_.emplace(scene, ribbon.grid, ribbon.length_m, cloth_);
   return {};
 }
 
@@ -90,7 +91,20 @@ StartReport FasteningProcessor::recover_as_published() {
 
 StepReport FasteningProcessor::step() {
   ++steps_;
-  return {deformation_.step(fastening_force(), cloth_).recovery_iterations};
+  const PostStepReport report =
+      deformation_.step(hands_ ? hands_->pull(cloth_) : Matrix3Xd(3, 0), cloth_);
+  if (hands_) hands_->follow(cloth_);
+  return {.recovery_iterations = report.recovery_iterations,
+          .held_back = report.held_back,
+          .pull = hands_ ? hands_->share() : 1};
+}
+
+std::optional<Tightness> FasteningProcessor::tightness() {
+  if (!hands_) return std::nullopt;
+  const ContactExtent contact = contact_extent(*bodies_, size_, gaps_, cloth_.positions);
+  return Tightness{.progress = hands_->progress(),
+                   .contact_share = contact.share,
+                   .rope_length = contact.knotted_m / size_.width_m};
 }
 
 int FasteningProcessor::penetrating_edges() {
@@ -103,13 +117,6 @@ double FasteningProcessor::strain() const {
 
 Matrix3Xd FasteningProcessor::positions() const {
   return cloth_.positions.leftCols(cloth_.particle_count());
-}
-
-Matrix3Xd FasteningProcessor::fastening_force() {
-  if (!fastening_) return {3, 0};
-  Matrix3Xd force = fastening_->at(cloth_.positions);
-  if (yielding_) force *= yielding_->feel(cloth_.positions);
-  return force;
 }
 
 }  // namespace ribbon

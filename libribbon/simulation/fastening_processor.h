@@ -12,15 +12,25 @@
 #include "simulation/bodies.h"
 #include "simulation/cloth.h"
 #include "simulation/deformation.h"
-#include "simulation/fastening_force.h"
 #include "simulation/free_start.h"
-#include "simulation/yielding.h"
+#include "simulation/hands.h"
+#include "simulation/natural_size.h"
+#include "simulation/pair_gaps.h"
 
 namespace ribbon {
 
 // What one step brought about.
 struct StepReport {
   int recovery_iterations = 0;  // of Figure 15
+  int held_back = 0;            // particles that the gate did not let go all of their way
+  double pull = 1;              // the share of the fastening force that the hands applied
+};
+
+// How tight the ribbon is now (paper, section 7).
+struct Tightness {
+  double progress = 1;       // of the last two seconds against the command; 1: free, 0: locked
+  double contact_share = 0;  // of the rows, that touch another part of the ribbon or the obstacle
+  double rope_length = 0;    // natural length of the knotted part over the ribbon's width
 };
 
 // Fastens one ribbon, step by step. What the scene does not name (springs, obstacle, fastening) is
@@ -45,6 +55,12 @@ class FasteningProcessor {
   // Largest |length / rest length - 1| of the stretch and shear springs now.
   [[nodiscard]] double strain() const;
 
+  // Costs a detection. Nothing where the scene has no fastening.
+  std::optional<Tightness> tightness();
+
+  // Has the ribbon come to a stop although it is pulled (hands.h)? Never without a fastening.
+  [[nodiscard]] bool is_tight() const { return hands_ && hands_->are_stopped(); }
+
   // No two features that share no vertex, of the ribbon or of ribbon and obstacle, come nearer than
   // this, even if each coordinate of a particle is moved by the scene's max_position_error. 0 with
   // contact = "paper", which guarantees nothing.
@@ -60,15 +76,15 @@ class FasteningProcessor {
 
   Result<void> begin(const Scene& scene, const RibbonMesh& ribbon);
   StartReport recover_as_published();
-  Eigen::Matrix3Xd fastening_force();
 
   double step_s_;
   long steps_ = 0;
   Cloth cloth_;
   std::unique_ptr<Bodies> bodies_;  // at a fixed place: the deformation refers to it
   Deformation deformation_;
-  std::optional<FasteningForce> fastening_;
-  std::optional<Yielding> yielding_;
+  std::optional<Hands> hands_;
+  NaturalSize size_;
+  PairGaps gaps_;
   StartReport start_;
   double guaranteed_gap_m_ = 0;
 };

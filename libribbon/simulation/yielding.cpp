@@ -1,29 +1,27 @@
 #include "simulation/yielding.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ribbon {
 
-namespace {
-
-// Slow enough not to tremble, fast enough to halve the force within 14 steps.
-constexpr double giving_way = 0.95;
-
-}  // namespace
-
 Yielding::Yielding(const RibbonGrid& grid, double length_m, double strain)
-    : grid_(grid), longest_m_((1 + strain) * length_m / (grid.along - 1)) {}
+    : grid_(grid),
+      rest_m_(length_m / (grid.along - 1)),
+      strain_(strain),
+      squared_lengths_(static_cast<std::size_t>(grid.particle_count() - grid.across)) {}
 
 double Yielding::feel(const Eigen::Matrix3Xd& positions) {
-  int stretched = 0;
-  for (int particle = 0; particle + grid_.across < grid_.particle_count(); ++particle) {
-    const double squared_m =
+  for (std::size_t edge = 0; edge < squared_lengths_.size(); ++edge) {
+    const auto particle = static_cast<Eigen::Index>(edge);
+    squared_lengths_[edge] =
         (positions.col(particle + grid_.across) - positions.col(particle)).squaredNorm();
-    stretched += squared_m > longest_m_ * longest_m_ ? 1 : 0;
   }
-  const int edges = grid_.particle_count() - grid_.across;
-  share_ = stretched * 100 > edges ? share_ * giving_way : std::min(1.0, share_ / giving_way);
-  return share_;
+  const auto felt =
+      squared_lengths_.end() - 1 - static_cast<std::ptrdiff_t>(squared_lengths_.size() / 100);
+  std::nth_element(squared_lengths_.begin(), felt, squared_lengths_.end());
+  const double stretch = std::sqrt(*felt) / rest_m_ - 1;
+  return std::clamp(1.5 - stretch / strain_, 0.0, 1.0);
 }
 
 }  // namespace ribbon

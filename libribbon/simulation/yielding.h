@@ -3,27 +3,29 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "geometry/ribbon_grid.h"
 
 namespace ribbon {
 
-// The share of the fastening force that is applied. It falls step by step while the ribbon is
-// stretched beyond what the hands put up with, and rises again, up to all of it, when it is not.
+// The share of the fastening force that is applied: the more the ribbon is stretched, the less. In
+// proportion, so that a ribbon that is locked comes to rest where force and resistance agree.
 class Yielding {
  public:
-  // The hands yield when more than one in a hundred edges along the ribbon, each length_m / (rows -
-  // 1) at rest, are longer than that by more than `strain` (> 0).
+  // What is felt is the stretch that one in a hundred of the edges along the ribbon exceeds, each
+  // length_m / (rows - 1) at rest. Up to half of `strain` (> 0) it is met with all of the force, at
+  // one and a half of it with none.
   Yielding(const RibbonGrid& grid, double length_m, double strain);
 
-  // Feels the ribbon as it lies now (3 x at least all particles); returns the share for the next
-  // step, 0 ... 1. Equal calls in equal order give equal answers.
+  // The share of the force for a ribbon that lies as it does now (3 x at least all particles).
   double feel(const Eigen::Matrix3Xd& positions);
 
  private:
   RibbonGrid grid_;
-  double longest_m_;
-  double share_ = 1;
+  double rest_m_;
+  double strain_;
+  std::vector<double> squared_lengths_;  // m2, of the edges along
 };
 
 }  // namespace ribbon

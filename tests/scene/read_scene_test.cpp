@@ -41,6 +41,7 @@ TEST(ReadScene, defaults_are_as_documented) {
   EXPECT_EQ(scene.ribbon.mass_kg, 1);
   EXPECT_EQ(scene.contact, ContactMethod::gate);
   EXPECT_EQ(scene.time.step_s, 0.01);
+  EXPECT_EQ(scene.time.until, RunsUntil::duration);
   EXPECT_EQ(scene.time.integrator, IntegrationMethod::rk4);
   EXPECT_EQ(scene.recording.frames_per_second, 50);
   EXPECT_EQ(scene.recording.max_position_error, 1e-5);
@@ -57,8 +58,9 @@ TEST(ReadScene, every_key_reaches_its_place) {
       "[air]\nresistance = 13\n"
       "[friction]\ncoefficient = 0.375\n"
       "[obstacle]\nmesh = '/meshes/b.obj'\nscale = 14\nposition = [15, 16, 17]\n"
-      "[fastening]\nspeed = 18\nyield = 0.25\naxis_point = [19, 20, 21]\naxis = [0, 3, 4]\n"
-      "[time]\nstep = 0.5\nduration = 22\nintegrator = 'implicit'\n"
+      "[fastening]\nspeed = 18\npull = 'ends'\nmax_speed = 18.5\nyield = 0.25\naxis_point = [19, "
+      "20, 21]\naxis = [0, 3, 4]\n"
+      "[time]\nstep = 0.5\nduration = 22\nuntil = 'tight'\nintegrator = 'implicit'\n"
       "[recording]\nframes_per_second = 0.25\nmax_position_error = 1e-4\n";
   const Scene scene = read_text(text).value();
   EXPECT_EQ(scene.name, "my knot");
@@ -84,11 +86,14 @@ TEST(ReadScene, every_key_reaches_its_place) {
   EXPECT_EQ(scene.obstacle->scale, 14);
   EXPECT_EQ(scene.obstacle->position_m, Eigen::Vector3d(15, 16, 17));
   EXPECT_EQ(scene.fastening->speed_m_s, 18);
+  EXPECT_EQ(scene.fastening->pull, FasteningPull::ends);
+  EXPECT_EQ(scene.fastening->max_speed_m_s, 18.5);
   EXPECT_EQ(scene.fastening->yield_strain, 0.25);
   EXPECT_EQ(scene.fastening->axis_point_m, Eigen::Vector3d(19, 20, 21));
   EXPECT_TRUE(scene.fastening->axis_direction.isApprox(Eigen::Vector3d(0, 0.6, 0.8), 1e-15));
   EXPECT_EQ(scene.time.step_s, 0.5);
   EXPECT_EQ(scene.time.duration_s, 22);
+  EXPECT_EQ(scene.time.until, RunsUntil::tight);
   EXPECT_EQ(scene.time.integrator, IntegrationMethod::implicit);
   EXPECT_EQ(scene.recording.frames_per_second, 0.25);
   EXPECT_EQ(scene.recording.max_position_error, 1e-4);
@@ -269,6 +274,9 @@ INSTANTIATE_TEST_SUITE_P(
         Impossible{"path_of_points", with_in("[curve]", "path = 'a'"),
                    "2:8: 'path' names a path of an SVG file, but the drawing is a list of "
                    "'points'; remove 'path', or replace 'points' by 'svg'"},
+        Impossible{"tight_without_fastening", with_in("[time]", "until = 'tight'"),
+                   "8:9: a ribbon that nothing pulls never becomes 'tight'; add '[fastening]' with "
+                   "for example 'speed = 0.5' below it, or remove 'until'"},
         Impossible{"fastening_without_air", with("[fastening]\nspeed = 1\n"),
                    "10:1: [fastening] needs air resistance, because its force is the one that "
                    "reaches 'speed' against it; write for example 'resistance = 10' in [air]"}),

@@ -54,6 +54,41 @@ TEST(FasteningProcessor, gives_the_same_bits_for_any_number_of_threads) {
   EXPECT_EQ(answers[0], answers[2]);
 }
 
+TEST(FasteningProcessor, drawn_tight_round_a_post_it_knows_that_it_is) {
+  for (const FasteningPull pull : {FasteningPull::distributed, FasteningPull::ends}) {
+    Scene scene = scene_of_loop();
+    scene.fastening->pull = pull;
+    scene.fastening->yield_strain = 0.05;
+    FasteningProcessor fastening = processor(scene, post(0.3));
+    const double loose = fastening.tightness()->contact_share;
+    int steps = 0;
+    for (; steps < 2000 && !fastening.is_tight(); ++steps) fastening.step();
+    EXPECT_GT(steps, 250);
+    EXPECT_LT(steps, 1500);
+    const Tightness tightness = *fastening.tightness();
+    EXPECT_LT(std::abs(tightness.progress), 0.03);
+    EXPECT_GT(tightness.contact_share, loose + 0.2);
+    EXPECT_GT(tightness.contact_share, 0.3) << "it lies round the post";
+  }
+}
+
+TEST(FasteningProcessor, is_drawn_no_faster_than_the_speed_limit) {
+  Scene scene = scene_of_loop();
+  scene.fastening->speed_m_s = 2;
+  const auto mean_way_in_half_a_second = [](const Scene& tried) {
+    FasteningProcessor fastening = processor(tried, post(0.3));
+    const Matrix3Xd start = fastening.positions();
+    for (int i = 0; i < 50; ++i) fastening.step();
+    return (fastening.positions() - start).colwise().norm().mean();
+  };
+  const double unlimited_m = mean_way_in_half_a_second(scene);
+  scene.fastening->max_speed_m_s = 0.2;
+  const double limited_m = mean_way_in_half_a_second(scene);
+  EXPECT_GT(unlimited_m, 0.2);
+  EXPECT_LT(limited_m, 1.2 * 0.2 * 0.5) << "the springs may add a little";
+  EXPECT_GT(limited_m, 0.05);
+}
+
 TEST(FasteningProcessor, as_published_recovers_and_reports_how_often) {
   Scene scene = scene_of_loop();
   scene.contact = ContactMethod::paper;
