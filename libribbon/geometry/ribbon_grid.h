@@ -26,22 +26,24 @@ struct RibbonGrid {
     return {corner, corner + across, corner + across + 1, corner + 1};
   }
 
-  // 3 x triangle_count(): quad q is split into triangles 2q and 2q+1. The diagonal alternates from
+  // Corners of triangle t: quad q is split into triangles 2q and 2q+1. The diagonal alternates from
   // quad to quad, so that cloth does not prefer one direction: it joins corners 0 and 2 where i+j
   // is even, 1 and 3 where it is odd.
+  [[nodiscard]] std::array<int, 3> triangle(int t) const {
+    const int q = t / 2;
+    const auto c = quad(q);
+    const bool is_first = t % 2 == 0;
+    if ((q / (across - 1) + q % (across - 1)) % 2 == 0)
+      return is_first ? std::array{c[0], c[1], c[2]} : std::array{c[0], c[2], c[3]};
+    return is_first ? std::array{c[0], c[1], c[3]} : std::array{c[1], c[2], c[3]};
+  }
+
+  // 3 x triangle_count().
   [[nodiscard]] Eigen::Matrix3Xi triangles() const {
     Eigen::Matrix3Xi result(3, triangle_count());
-    for (int q = 0; q < quad_count(); ++q) {
-      const auto c = quad(q);
-      const Eigen::Index first = 2 * static_cast<Eigen::Index>(q);
-      const bool even = (q / (across - 1) + q % (across - 1)) % 2 == 0;
-      if (even) {
-        result.col(first) << c[0], c[1], c[2];
-        result.col(first + 1) << c[0], c[2], c[3];
-      } else {
-        result.col(first) << c[0], c[1], c[3];
-        result.col(first + 1) << c[1], c[2], c[3];
-      }
+    for (int t = 0; t < triangle_count(); ++t) {
+      const auto corners = triangle(t);
+      result.col(t) << corners[0], corners[1], corners[2];
     }
     return result;
   }

@@ -3,28 +3,22 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "geometry/ribbon_grid.h"
 #include "simulation/collision_surface.h"
-#include "simulation/feature_boxes.h"
 #include "simulation/hierarchy.h"
 #include "simulation/patch_tree.h"
-#include "simulation/vertex_ranges.h"
 
 namespace ribbon {
 
-// A surface with the hierarchy over it and the boxes of its features.
+// A surface with the hierarchy over it.
 struct Body {
   Body(CollisionSurface body_surface, const Eigen::Matrix3Xd& positions)
-      : surface(std::move(body_surface)), hierarchy(surface, positions) {
-    boxes.refit(surface, vertex_ranges(positions, positions));
-  }
+      : surface(std::move(body_surface)), hierarchy(surface, positions) {}
 
   CollisionSurface surface;
   Hierarchy hierarchy;
-  FeatureBoxes boxes;
 };
 
 struct Bodies {

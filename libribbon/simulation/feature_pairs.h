@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "geometry/box.h"
+#include "simulation/candidate_pair.h"
 #include "simulation/collision_surface.h"
-#include "simulation/feature_boxes.h"
-#include "simulation/hierarchy.h"
 
 namespace ribbon {
 
@@ -31,11 +30,10 @@ inline Eigen::Matrix<double, 3, 4> corners(const FeaturePair& pair,
   return result;
 }
 
-// A surface, the ranges of the vertices (one for each vertex that any surface uses) and its boxes.
+// A surface and the ranges of the vertices (one for each vertex that any surface uses).
 struct RangedSurface {
   const CollisionSurface& surface;
   std::span<const MovingBox> ranges;
-  const FeatureBoxes& boxes;
 };
 
 // The feature pairs of `pairs` (triangles of a and of b, which may be the same surface) whose boxes

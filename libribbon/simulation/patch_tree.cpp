@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int surrounding_quads = 2;  // to every side of a patch
+constexpr int block = 2;        // quads to a side
+constexpr int surrounding = 1;  // blocks to every side of a patch
 
 Vector3d middle(const Box& box) {
   return (box.low + box.high) / 2;
@@ -55,21 +56,21 @@ void PatchTree::Tangents::include(const Tangents& other) {
   freedom_m = std::max(freedom_m, other.freedom_m);
 }
 
-PatchTree::PatchTree(const RibbonGrid& grid) : grid_(grid) {
-  build({.first_row = 0,
-         .end_row = grid.along - 1,
-         .first_column = 0,
-         .end_column = grid.across - 1});
+PatchTree::PatchTree(const RibbonGrid& grid)
+    : grid_(grid),
+      block_rows_((grid.along - 1 + block - 1) / block),
+      block_columns_((grid.across - 1 + block - 1) / block) {
+  build({.first_row = 0, .end_row = block_rows_, .first_column = 0, .end_column = block_columns_});
   boxes_.resize(patches_.size());
   tangents_.resize(patches_.size());
   flat_.resize(patches_.size());
-  quads_.resize(static_cast<std::size_t>(grid.quad_count()));
-  widened_.resize(quads_.size());
+  blocks_.resize(static_cast<std::size_t>(block_rows_) * static_cast<std::size_t>(block_columns_));
+  widened_.resize(blocks_.size());
 }
 
 // Returns the patch's number. The longer side is halved.
 int PatchTree::build(Patch patch) {
-  if (patch.quads() > 1) {
+  if (patch.blocks() > 1) {
     Patch first = patch;
     Patch second = patch;
     if (patch.end_row - patch.first_row >= patch.end_column - patch.first_column)
@@ -101,73 +102,99 @@ void PatchTree::measure_edges(std::span<const MovingBox> ranges) {
   across_m_ = across_m / (static_cast<double>(grid_.across - 1) * grid_.along);
 }
 
-// Of every quad with what surrounds it: first beside it in its row, then over the rows.
-void PatchTree::refit_quads(std::span<const MovingBox> ranges) {
+template <class Visit>
+void PatchTree::visit_quads(int leaf, const Visit& visit) const {
   const int columns = grid_.across - 1;
-  const int rows = grid_.along - 1;
-  const auto quad = [columns](int row, int column) {
-    return static_cast<std::size_t>(row * columns + column);
+  const int end_row = std::min(grid_.along - 1, block * at(leaf).end_row);
+  const int end_column = std::min(columns, block * at(leaf).end_column);
+  for (int row = block * at(leaf).first_row; row < end_row; ++row)
+    for (int column = block * at(leaf).first_column; column < end_column; ++column)
+      visit(row * columns + column);
+}
+
+PatchTree::Tangents PatchTree::tangents_of_block(std::span<const MovingBox> ranges, int block_row,
+                                                 int block_column) const {
+  const int last_row = std::min(grid_.along - 1, block * (block_row + 1));
+  const int last_column = std::min(grid_.across - 1, block * (block_column + 1));
+  const auto range = [&](int row, int column) -> const MovingBox& {
+    return ranges[static_cast<std::size_t>(grid_.particle(row, column))];
   };
-  const auto for_rows = [rows](const auto& body) {
-    parallel_ranges(static_cast<std::size_t>(rows), 32, [&](std::size_t begin, std::size_t end) {
-      for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row) body(row);
-    });
+  const int first_row = block * block_row;
+  const int first_column = block * block_column;
+  const MovingBox& corner = range(first_row, first_column);
+  Tangents tangents{edge(corner, range(first_row + 1, first_column)),
+                    edge(corner, range(first_row, first_column + 1)), 0};
+  for (int row = first_row; row <= last_row; ++row)
+    for (int column = first_column; column <= last_column; ++column) {
+      const MovingBox& here = range(row, column);
+      tangents.freedom_m = std::max(tangents.freedom_m, freedom_m(here));
+      if (row < last_row) tangents.along.include(edge(here, range(row + 1, column)));
+      if (column < last_column) tangents.across.include(edge(here, range(row, column + 1)));
+    }
+  return tangents;
+}
+
+// Of every block with what surrounds it: first beside it in its row, then over the rows.
+void PatchTree::refit_blocks(std::span<const MovingBox> ranges) {
+  const auto at_block = [this](std::vector<Tangents>& of, int row, int column) -> Tangents& {
+    return of[static_cast<std::size_t>(row * block_columns_ + column)];
+  };
+  const auto for_rows = [this](const auto& body) {
+    parallel_ranges(static_cast<std::size_t>(block_rows_), 32,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+                        body(row);
+                    });
   };
   for_rows([&](int row) {
-    for (int column = 0; column < columns; ++column) {
-      const auto corners = grid_.quad(row * columns + column);
-      const auto range = [&](std::size_t k) -> const MovingBox& {
-        return ranges[static_cast<std::size_t>(corners[k])];
-      };
-      Tangents& own = quads_[quad(row, column)];
-      own.along = edge(range(0), range(1));
-      own.along.include(edge(range(3), range(2)));
-      own.across = edge(range(0), range(3));
-      own.across.include(edge(range(1), range(2)));
-      own.freedom_m = std::max(
-          {freedom_m(range(0)), freedom_m(range(1)), freedom_m(range(2)), freedom_m(range(3))});
-    }
-    for (int column = 0; column < columns; ++column) {
-      Tangents& wide = widened_[quad(row, column)];
-      const int last = std::min(columns - 1, column + surrounding_quads);
-      wide = quads_[quad(row, column)];
-      for (int other = std::max(0, column - surrounding_quads); other <= last; ++other)
-        wide.include(quads_[quad(row, other)]);
+    for (int column = 0; column < block_columns_; ++column)
+      at_block(blocks_, row, column) = tangents_of_block(ranges, row, column);
+    for (int column = 0; column < block_columns_; ++column) {
+      Tangents& wide = at_block(widened_, row, column);
+      wide = at_block(blocks_, row, column);
+      const int last = std::min(block_columns_ - 1, column + surrounding);
+      for (int other = std::max(0, column - surrounding); other <= last; ++other)
+        wide.include(at_block(blocks_, row, other));
     }
   });
   for_rows([&](int row) {
-    const int last = std::min(rows - 1, row + surrounding_quads);
-    for (int column = 0; column < columns; ++column) {
-      Tangents& all = quads_[quad(row, column)];
-      all = widened_[quad(row, column)];
-      for (int other = std::max(0, row - surrounding_quads); other <= last; ++other)
-        all.include(widened_[quad(other, column)]);
+    const int last = std::min(block_rows_ - 1, row + surrounding);
+    for (int column = 0; column < block_columns_; ++column) {
+      Tangents& all = at_block(blocks_, row, column);
+      all = at_block(widened_, row, column);
+      for (int other = std::max(0, row - surrounding); other <= last; ++other)
+        all.include(at_block(widened_, other, column));
     }
   });
+}
+
+MovingBox PatchTree::box_of_leaf(std::span<const MovingBox> ranges, int leaf) const {
+  MovingBox box = ranges[static_cast<std::size_t>(
+      grid_.particle(block * at(leaf).first_row, block * at(leaf).first_column))];
+  visit_quads(leaf, [&](int quad) {
+    for (const int corner : grid_.quad(quad)) box.include(ranges[static_cast<std::size_t>(corner)]);
+  });
+  box.grow(reach_m_ / 2);
+  return box;
 }
 
 void PatchTree::refit(std::span<const MovingBox> ranges, double reach_m) {
   reach_m_ = reach_m;
   measure_edges(ranges);
-  refit_quads(ranges);
+  refit_blocks(ranges);
   for (std::size_t index = 0; index < patches_.size(); ++index) {
     const Patch& patch = patches_[index];
     if (patch.is_leaf()) {
-      const auto quad = static_cast<std::size_t>(quad_of(static_cast<int>(index)));
-      tangents_[index] = quads_[quad];
-      const auto corners = grid_.quad(static_cast<int>(quad));
-      MovingBox box = ranges[static_cast<std::size_t>(corners[0])];
-      for (const int corner : corners) box.include(ranges[static_cast<std::size_t>(corner)]);
-      box.grow(reach_m / 2);
-      boxes_[index] = box;
-    } else {
-      const auto first = static_cast<std::size_t>(patch.first_child);
-      const auto second = static_cast<std::size_t>(patch.second_child);
-      tangents_[index] = tangents_[first];
-      tangents_[index].include(tangents_[second]);
-      boxes_[index] = boxes_[first];
-      boxes_[index].include(boxes_[second]);
+      tangents_[index] = blocks_[static_cast<std::size_t>(block_of(static_cast<int>(index)))];
+      boxes_[index] = box_of_leaf(ranges, static_cast<int>(index));
+      continue;
     }
+    const auto first = static_cast<std::size_t>(patch.first_child);
+    const auto second = static_cast<std::size_t>(patch.second_child);
+    tangents_[index] = tangents_[first];
+    tangents_[index].include(tangents_[second]);
+    boxes_[index] = boxes_[first];
+    boxes_[index].include(boxes_[second]);
   }
   parallel_ranges(patches_.size(), 512, [&](std::size_t begin, std::size_t end) {
     for (std::size_t index = begin; index < end; ++index)
@@ -194,10 +221,10 @@ bool PatchTree::lie_flat(const PatchPair& pair) const {
   const Patch& a = at(pair.a);
   const Patch& b = at(pair.b);
   const auto surrounds = [](const Patch& outer, const Patch& inner) {
-    return outer.first_row - surrounding_quads <= inner.first_row &&
-           inner.end_row <= outer.end_row + surrounding_quads &&
-           outer.first_column - surrounding_quads <= inner.first_column &&
-           inner.end_column <= outer.end_column + surrounding_quads;
+    return outer.first_row - surrounding <= inner.first_row &&
+           inner.end_row <= outer.end_row + surrounding &&
+           outer.first_column - surrounding <= inner.first_column &&
+           inner.end_column <= outer.end_column + surrounding;
   };
   if (flat_[static_cast<std::size_t>(pair.a)] != 0 && surrounds(a, b)) return true;
   if (flat_[static_cast<std::size_t>(pair.b)] != 0 && surrounds(b, a)) return true;
@@ -227,27 +254,45 @@ void PatchTree::split(const PatchPair& pair, std::vector<PatchPair>& next) const
     return;
   }
   const Patch& b = at(pair.b);
-  if (a.quads() >= b.quads())
+  if (a.blocks() >= b.blocks())
     next.insert(next.end(), {{a.first_child, pair.b}, {a.second_child, pair.b}});
   else
     next.insert(next.end(), {{pair.a, b.first_child}, {pair.a, b.second_child}});
 }
 
-void PatchTree::list(const PatchPair& pair, std::vector<CandidatePair>& found) const {
-  const int a = 2 * quad_of(pair.a);
-  const int b = 2 * quad_of(pair.b);
-  if (a == b)
-    found.push_back({a, a + 1});
-  else
-    found.insert(found.end(), {{a, b}, {a, b + 1}, {a + 1, b}, {a + 1, b + 1}});
+void PatchTree::list(std::span<const MovingBox> ranges, const PatchPair& pair,
+                     std::vector<CandidatePair>& found) const {
+  struct Boxed {
+    int triangle = 0;
+    MovingBox box;
+  };
+  const auto triangles_of = [&](int leaf) {
+    std::vector<Boxed> boxed;
+    visit_quads(leaf, [&](int quad) {
+      for (const int triangle : {2 * quad, 2 * quad + 1}) {
+        const auto corners = grid_.triangle(triangle);
+        MovingBox box = ranges[static_cast<std::size_t>(corners[0])];
+        box.include(ranges[static_cast<std::size_t>(corners[1])]);
+        box.include(ranges[static_cast<std::size_t>(corners[2])]);
+        box.grow(reach_m_ / 2);
+        boxed.push_back({triangle, box});
+      }
+    });
+    return boxed;
+  };
+  const std::vector<Boxed> of_a = triangles_of(pair.a);
+  const std::vector<Boxed> of_b = triangles_of(pair.b);
+  for (std::size_t i = 0; i < of_a.size(); ++i)
+    for (std::size_t j = pair.a == pair.b ? i + 1 : 0; j < of_b.size(); ++j)
+      if (of_a[i].box.meets(of_b[j].box)) found.push_back({of_a[i].triangle, of_b[j].triangle});
 }
 
-std::vector<CandidatePair> PatchTree::pairs_within() const {
-  return walk(PatchPair{root(), root()}, [this](const PatchPair& pair, std::vector<PatchPair>& next,
-                                                std::vector<CandidatePair>& found) {
+std::vector<CandidatePair> PatchTree::pairs_within(std::span<const MovingBox> ranges) const {
+  return walk(PatchPair{root(), root()}, [&](const PatchPair& pair, std::vector<PatchPair>& next,
+                                             std::vector<CandidatePair>& found) {
     if (!can_meet(pair)) return;
     if (at(pair.a).is_leaf() && at(pair.b).is_leaf())
-      list(pair, found);
+      list(ranges, pair, found);
     else
       split(pair, next);
   });
@@ -270,8 +315,9 @@ std::vector<CandidatePair> PatchTree::pairs_with(const Hierarchy& other) const {
     const Patch& patch = at(pair.patch);
     const bool node_is_leaf = other.is_leaf(pair.node);
     if (patch.is_leaf() && node_is_leaf) {
-      const int triangle = 2 * quad_of(pair.patch);
-      found.insert(found.end(), {{triangle, pair.node}, {triangle + 1, pair.node}});
+      visit_quads(pair.patch, [&](int quad) {
+        found.insert(found.end(), {{2 * quad, pair.node}, {2 * quad + 1, pair.node}});
+      });
     } else if (!patch.is_leaf() && (node_is_leaf || size(box) >= size(grown))) {
       next.insert(next.end(), {{patch.first_child, pair.node}, {patch.second_child, pair.node}});
     } else {

@@ -19,8 +19,9 @@ namespace ribbon {
 // for a map of a convex region to be one-to-one, with its factor). It is linear in the positions:
 // what holds at the start and at the end of straight ways holds all the time between.
 //
-// Each patch looks at its surroundings, too, two quads to every side, so that a patch and a small
-// neighbour lie in one rectangle. Built once, refitted for each detection.
+// The leaves are blocks of two by two quads. Each patch looks at its surroundings, too, one block
+// to every side, so that a patch and a small neighbour lie in one rectangle. Built once, refitted
+// for each detection.
 class PatchTree {
  public:
   explicit PatchTree(const RibbonGrid& grid);
@@ -29,24 +30,24 @@ class PatchTree {
   void refit(std::span<const MovingBox> ranges, double reach_m);
 
   // Pairs of different triangles of the ribbon of which some features that share no vertex may come
-  // within reach_m of each other.
-  [[nodiscard]] std::vector<CandidatePair> pairs_within() const;
+  // within the reach of each other. The ranges are those of the last refit.
+  [[nodiscard]] std::vector<CandidatePair> pairs_within(std::span<const MovingBox> ranges) const;
 
-  // Pairs (triangle of the ribbon, triangle of `other`) that may come within reach_m.
+  // Pairs (triangle of the ribbon, triangle of `other`) that may come within the reach.
   [[nodiscard]] std::vector<CandidatePair> pairs_with(const Hierarchy& other) const;
 
  private:
-  // Quads [first_row, end_row) x [first_column, end_column).
+  // Blocks [first_row, end_row) x [first_column, end_column).
   struct Patch {
     int first_row = 0;
     int end_row = 0;
     int first_column = 0;
     int end_column = 0;
-    int first_child = -1;  // -1: one quad
+    int first_child = -1;  // -1: one block
     int second_child = -1;
 
     [[nodiscard]] bool is_leaf() const { return first_child < 0; }
-    [[nodiscard]] int quads() const { return (end_row - first_row) * (end_column - first_column); }
+    [[nodiscard]] int blocks() const { return (end_row - first_row) * (end_column - first_column); }
   };
 
   // Of a patch and its surroundings.
@@ -68,19 +69,27 @@ class PatchTree {
   [[nodiscard]] const Patch& at(int patch) const {
     return patches_[static_cast<std::size_t>(patch)];
   }
-  [[nodiscard]] int quad_of(int leaf) const {
-    return at(leaf).first_row * (grid_.across - 1) + at(leaf).first_column;
+  [[nodiscard]] int block_of(int leaf) const {
+    return at(leaf).first_row * block_columns_ + at(leaf).first_column;
   }
+  template <class Visit>
+  void visit_quads(int leaf, const Visit& visit) const;
 
   void measure_edges(std::span<const MovingBox> ranges);
-  void refit_quads(std::span<const MovingBox> ranges);
+  [[nodiscard]] Tangents tangents_of_block(std::span<const MovingBox> ranges, int block_row,
+                                           int block_column) const;
+  void refit_blocks(std::span<const MovingBox> ranges);
+  [[nodiscard]] MovingBox box_of_leaf(std::span<const MovingBox> ranges, int leaf) const;
   [[nodiscard]] bool is_flat(const Tangents& tangents) const;
   [[nodiscard]] bool lie_flat(const PatchPair& pair) const;
   [[nodiscard]] bool can_meet(const PatchPair& pair) const;
   void split(const PatchPair& pair, std::vector<PatchPair>& next) const;
-  void list(const PatchPair& pair, std::vector<CandidatePair>& found) const;
+  void list(std::span<const MovingBox> ranges, const PatchPair& pair,
+            std::vector<CandidatePair>& found) const;
 
   RibbonGrid grid_;
+  int block_rows_;
+  int block_columns_;
   std::vector<Patch> patches_;  // children before their parents; the root is last
   double reach_m_ = 0;
   double along_m_ = 0;  // mean lengths of the edges at the start
@@ -88,8 +97,8 @@ class PatchTree {
   std::vector<MovingBox> boxes_;    // of the patches, grown by half the reach
   std::vector<Tangents> tangents_;  // of the patches with their surroundings
   std::vector<char> flat_;          // is the patch with its surroundings?
-  std::vector<Tangents> quads_;     // of single quads
-  std::vector<Tangents> widened_;   // of quads and what lies beside them in the same row
+  std::vector<Tangents> blocks_;    // of single blocks, then with their surroundings
+  std::vector<Tangents> widened_;   // of blocks and what lies beside them in the same row
 };
 
 }  // namespace ribbon

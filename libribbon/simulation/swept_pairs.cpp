@@ -6,16 +6,15 @@ namespace ribbon {
 
 namespace {
 
-// The ribbon's boxes have been refitted to `ranges`.
 std::vector<FeaturePair> list_pairs(const Bodies& bodies, std::span<const CandidatePair> within,
                                     std::span<const CandidatePair> with_obstacle,
                                     std::span<const MovingBox> ranges, double margin_m) {
-  const RangedSurface band{bodies.ribbon.surface, ranges, bodies.ribbon.boxes};
+  const RangedSurface band{bodies.ribbon.surface, ranges};
   std::vector<FeaturePair> pairs = feature_pairs(band, band, within, margin_m);
   if (bodies.obstacle) {
     const Body& obstacle = *bodies.obstacle;
     const std::vector<FeaturePair> others =
-        feature_pairs(band, {obstacle.surface, ranges, obstacle.boxes}, with_obstacle, margin_m);
+        feature_pairs(band, {obstacle.surface, ranges}, with_obstacle, margin_m);
     pairs.insert(pairs.end(), others.begin(), others.end());
   }
   return pairs;
@@ -25,17 +24,15 @@ std::vector<FeaturePair> list_pairs(const Bodies& bodies, std::span<const Candid
 
 std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
                                              double margin_m) {
-  bodies.ribbon.boxes.refit(bodies.ribbon.surface, ranges);
   bodies.patches.refit(ranges, margin_m);
   std::vector<CandidatePair> with_obstacle;
   if (bodies.obstacle) with_obstacle = bodies.patches.pairs_with(bodies.obstacle->hierarchy);
-  return list_pairs(bodies, bodies.patches.pairs_within(), with_obstacle, ranges, margin_m);
+  return list_pairs(bodies, bodies.patches.pairs_within(ranges), with_obstacle, ranges, margin_m);
 }
 
 std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,
                                                   const Eigen::Matrix3Xd& t1, double margin_m) {
   const std::vector<MovingBox> ranges = vertex_ranges(t0, t1);
-  bodies.ribbon.boxes.refit(bodies.ribbon.surface, ranges);
   Hierarchy& ribbon = bodies.ribbon.hierarchy;
   // The boxes of both partners are grown, the still obstacle's is not: the whole margin serves
   // both.

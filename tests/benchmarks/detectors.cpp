@@ -4,6 +4,7 @@
 #include "benchmarks/space_enumeration.h"
 #include "simulation/bodies.h"
 #include "simulation/swept_pairs.h"
+#include "simulation/vertex_ranges.h"
 
 namespace ribbon {
 
@@ -64,10 +65,14 @@ class ByTriangles : public AnyDetector {
   std::vector<FeaturePair> find() final {
     Body& body = bodies().ribbon;
     const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
-    body.boxes.refit(body.surface, ranges);
-    std::vector<MovingBox> grown = body.boxes.triangles;
-    for (MovingBox& box : grown) box.grow(motion().margin_m / 2);
-    const RangedSurface surface{body.surface, ranges, body.boxes};
+    std::vector<MovingBox> grown;
+    for (const auto& triangle : body.surface.triangles.colwise()) {
+      grown.push_back(ranges[static_cast<std::size_t>(triangle[0])]);
+      grown.back().include(ranges[static_cast<std::size_t>(triangle[1])]);
+      grown.back().include(ranges[static_cast<std::size_t>(triangle[2])]);
+      grown.back().grow(motion().margin_m / 2);
+    }
+    const RangedSurface surface{body.surface, ranges};
     return feature_pairs(surface, surface, pairs(grown), motion().margin_m);
   }
 };
@@ -126,9 +131,8 @@ class ByBoxes : public AnyDetector {
   std::vector<FeaturePair> find() override {
     Body& body = bodies().ribbon;
     const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
-    body.boxes.refit(body.surface, ranges);
     body.hierarchy.refit(ranges, motion().margin_m / 2);
-    const RangedSurface surface{body.surface, ranges, body.boxes};
+    const RangedSurface surface{body.surface, ranges};
     return feature_pairs(surface, surface, body.hierarchy.pairs_within(Hierarchy::Spare::boxes),
                          motion().margin_m);
   }

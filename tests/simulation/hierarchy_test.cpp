@@ -214,9 +214,7 @@ std::vector<FeaturePair> pairs_of(const CollisionSurface& surface,
                                   const std::vector<CandidatePair>& pairs, const Matrix3Xd& x,
                                   double margin_m) {
   const std::vector<MovingBox> ranges = vertex_ranges(x, x);
-  FeatureBoxes boxes;
-  boxes.refit(surface, ranges);
-  const RangedSurface ranged{surface, ranges, boxes};
+  const RangedSurface ranged{surface, ranges};
   return feature_pairs(ranged, ranged, pairs, margin_m);
 }
 

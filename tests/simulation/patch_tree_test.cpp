@@ -40,9 +40,10 @@ Matrix3Xd turned(const Matrix3Xd& x) {
 }
 
 std::vector<CandidatePair> pairs(const RibbonGrid& grid, const Matrix3Xd& t0, const Matrix3Xd& t1) {
+  const std::vector<MovingBox> ranges = vertex_ranges(t0, t1);
   PatchTree tree(grid);
-  tree.refit(vertex_ranges(t0, t1), reach_m);
-  return tree.pairs_within();
+  tree.refit(ranges, reach_m);
+  return tree.pairs_within(ranges);
 }
 
 TEST(PatchTree, a_flat_ribbon_has_no_pairs_to_test_however_it_lies_and_flies) {
@@ -150,7 +151,7 @@ TEST(PatchTree, room_in_the_ranges_counts) {
     std::vector<MovingBox> ranges = vertex_ranges(flat, flat);
     for (MovingBox& range : ranges) range.end.grow(room_m);
     tree.refit(ranges, reach_m);
-    EXPECT_EQ(tree.pairs_within().empty(), room_m < 0.1);
+    EXPECT_EQ(tree.pairs_within(ranges).empty(), room_m < 0.1);
   }
 }
 
