@@ -83,6 +83,49 @@ long step_of_frame(const Scene& scene, int index) {
   return static_cast<long>(std::ceil(steps - 1e-9 * (1 + steps)));
 }
 
+// What the steps since the last frame brought about.
+class StepSums {
+ public:
+  void add(const StepReport& report) {
+    ++steps_;
+    recovery_iterations_ += report.recovery_iterations;
+    held_back_ += report.held_back;
+    pull_ += report.pull;
+  }
+
+  [[nodiscard]] std::uint32_t recovery_iterations() const {
+    return static_cast<std::uint32_t>(recovery_iterations_);
+  }
+  // Per step; before the first one nothing is held back and nobody has yielded.
+  [[nodiscard]] double mean_held_back() const { return steps_ > 0 ? held_back_ / steps_ : 0; }
+  [[nodiscard]] double mean_pull() const { return steps_ > 0 ? pull_ / steps_ : 1; }
+
+ private:
+  int steps_ = 0;
+  long recovery_iterations_ = 0;
+  double held_back_ = 0;
+  double pull_ = 0;
+};
+
+std::optional<TightnessNumbers> tightness_numbers(FasteningProcessor& fastening,
+                                                  const StepSums& sums, int particles) {
+  const auto tightness = fastening.tightness();
+  if (!tightness) return std::nullopt;
+  return TightnessNumbers{.progress = static_cast<float>(tightness->progress),
+                          .held_back = static_cast<float>(sums.mean_held_back() / particles),
+                          .pull = static_cast<float>(sums.mean_pull()),
+                          .contact = static_cast<float>(tightness->contact_share),
+                          .rope_length = static_cast<float>(tightness->rope_length)};
+}
+
+FrameNumbers frame_numbers(FasteningProcessor& fastening, const StepSums& sums, int particles) {
+  return {.time_s = fastening.time_s(),
+          .worst_strain = fastening.strain(),
+          .penetrating_edges = static_cast<std::uint32_t>(fastening.penetrating_edges()),
+          .recovery_iterations = sums.recovery_iterations(),
+          .tightness = tightness_numbers(fastening, sums, particles)};
+}
+
 }  // namespace
 
 int frame_count(const Scene& scene) {
@@ -116,27 +159,28 @@ Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& re
                            .along = ribbon.grid.along,
                            .across = ribbon.grid.across,
                            .start = std::string(word_for(fastening->start().kind)),
-                           .start_s = stopwatch.lap()};
+                           .start_s = stopwatch.lap(),
+                           .until_tight = scene.time.until == RunsUntil::tight};
   const int frames = frame_count(scene);
-  for (int frame = 0; frame < frames && !statistics.interrupted; ++frame) {
-    FrameNumbers numbers;
-    if (frame == 0)
-      numbers.recovery_iterations +=
-          static_cast<std::uint32_t>(fastening->start().recovery_iterations);
+  for (int frame = 0; frame < frames && statistics.ending == RunEnding::unknown; ++frame) {
+    StepSums sums;
+    if (frame == 0) sums.add({.recovery_iterations = fastening->start().recovery_iterations});
     for (const long last = step_of_frame(scene, frame); statistics.steps < last; ++statistics.steps)
-      numbers.recovery_iterations +=
-          static_cast<std::uint32_t>(fastening->step().recovery_iterations);
+      sums.add(fastening->step());
     statistics.simulation_s += stopwatch.lap();
-    numbers.time_s = fastening->time_s();
-    numbers.worst_strain = fastening->strain();
-    numbers.penetrating_edges = static_cast<std::uint32_t>(fastening->penetrating_edges());
+    const FrameNumbers numbers = frame_numbers(*fastening, sums, ribbon.grid.particle_count());
     if (auto written = file->append(numbers, fastening->positions()); !written)
       return tl::unexpected(written.error());
     statistics.recording_s += stopwatch.lap();
     statistics.add(numbers);
-    statistics.interrupted = !observer.frame_recorded(frame + 1, frames, numbers);
+    if (!observer.frame_recorded(frame + 1, frames, numbers))
+      statistics.ending = RunEnding::stopped;
+    else if (statistics.until_tight && fastening->is_tight())
+      statistics.ending = RunEnding::tight;
   }
-  if (auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
+  if (statistics.ending == RunEnding::unknown) statistics.ending = RunEnding::duration;
+  if (auto finished = file->finish(statistics.ending); !finished)
+    return tl::unexpected(finished.error());
   statistics.bytes = file->bytes_written();
   return statistics;
 }

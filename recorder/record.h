@@ -17,12 +17,13 @@ struct RunObserver {
   std::function<bool(int done, int total, const FrameNumbers& numbers)> frame_recorded;
 };
 
-// How many frames `scene` records: one at its start and then one for each frame time up to its
-// duration.
+// How many frames `scene` records at most: one at its start and then one for each frame time up to
+// its duration.
 int frame_count(const Scene& scene);
 
 // Generates the ribbon of `scene`, fastens it and records every frame into `recording`. A frame is
-// recorded at the first step at or after its time. `writer`: program and version, for the header.
+// recorded at the first step at or after its time; until = "tight" ends with the first frame in
+// which the ribbon is tight. `writer`: program and version, for the header.
 // Fails when the drawing, the obstacle, the start or the file does not work. The file is created,
 // and an older one of that name replaced, only once there is a start; frames written before stay
 // readable.

@@ -14,6 +14,7 @@ void RunStatistics::add(const FrameNumbers& frame) {
   worst_strain = std::max(worst_strain, frame.worst_strain);
   last_penetrating_edges = frame.penetrating_edges;
   worst_penetrating_edges = std::max(worst_penetrating_edges, frame.penetrating_edges);
+  tightness = frame.tightness;
   recovery_iterations += frame.recovery_iterations;
 }
 
@@ -26,18 +27,41 @@ double RunStatistics::bits_per_vertex_and_frame() const {
   return frames > 0 ? 8.0 * static_cast<double>(bytes) / vertices / frames : 0;
 }
 
+namespace {
+
+std::string tightness_text(const TightnessNumbers& tightness) {
+  return "progress " + decimals(100 * tightness.progress, 1) + " % of the command, rope length " +
+         decimals(tightness.rope_length, 1) + " widths";
+}
+
+// Nothing where the run lasted as long as it was to.
+std::string ending_text(const RunStatistics& statistics) {
+  if (statistics.ending == RunEnding::stopped) return "; ended early by the user";
+  if (!statistics.until_tight || !statistics.tightness) return "";
+  return (statistics.ending == RunEnding::tight ? "; ended tight: " : "; not yet tight: ") +
+         tightness_text(*statistics.tightness);
+}
+
+nlohmann::ordered_json tightness_json(const std::optional<TightnessNumbers>& tightness) {
+  if (!tightness) return nullptr;
+  nlohmann::ordered_json json;
+  for (const TightnessColumn& column : tightness_columns)
+    json[column.name] = (*tightness).*column.value;
+  return json;
+}
+
+}  // namespace
+
 std::string summary_line(const RunStatistics& statistics) {
-  std::string line =
-      statistics.start + " start; " + std::to_string(statistics.frames) + " frames, " +
-      decimals(statistics.simulated_s, 1) + " s in " + std::to_string(statistics.steps) +
-      " steps (" + decimals(statistics.steps_per_second(), 1) + " steps/s); worst strain " +
-      decimals(100 * statistics.worst_strain, 1) + " %; penetrating edges " +
-      std::to_string(statistics.worst_penetrating_edges) + " at worst, " +
-      std::to_string(statistics.last_penetrating_edges) + " at last; " +
-      decimals(static_cast<double>(statistics.bytes) / 1e6, 1) + " MB (" +
-      decimals(statistics.bits_per_vertex_and_frame(), 1) + " bits per vertex and frame)";
-  if (statistics.interrupted) line += "; ended early by the user";
-  return line;
+  return statistics.start + " start; " + std::to_string(statistics.frames) + " frames, " +
+         decimals(statistics.simulated_s, 1) + " s in " + std::to_string(statistics.steps) +
+         " steps (" + decimals(statistics.steps_per_second(), 1) + " steps/s); worst strain " +
+         decimals(100 * statistics.worst_strain, 1) + " %; penetrating edges " +
+         std::to_string(statistics.worst_penetrating_edges) + " at worst, " +
+         std::to_string(statistics.last_penetrating_edges) + " at last; " +
+         decimals(static_cast<double>(statistics.bytes) / 1e6, 1) + " MB (" +
+         decimals(statistics.bits_per_vertex_and_frame(), 1) + " bits per vertex and frame)" +
+         ending_text(statistics);
 }
 
 std::string statistics_json(const RunStatistics& statistics) {
@@ -60,7 +84,8 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"worst_penetrating_edges", statistics.worst_penetrating_edges},
       {"last_penetrating_edges", statistics.last_penetrating_edges},
       {"recovery_iterations", statistics.recovery_iterations},
-      {"interrupted", statistics.interrupted},
+      {"ending", word_for(statistics.ending)},
+      {"tightness", tightness_json(statistics.tightness)},
   };
   return json.dump(2) + "\n";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "recording/recording.h"
@@ -20,13 +21,17 @@ struct RunStatistics {
   double simulation_s = 0;  // wall time spent in steps
   double recording_s = 0;   // wall time spent in recording frames
   std::uint64_t bytes = 0;  // of the recording
-  bool interrupted = false;
+  RunEnding ending = RunEnding::unknown;
+  bool until_tight = false;  // was the run to end when the ribbon is tight?
 
   double worst_strain = 0;  // over all frames
   double last_strain = 0;
   std::uint32_t worst_penetrating_edges = 0;  // over all frames
   std::uint32_t last_penetrating_edges = 0;
   std::uint64_t recovery_iterations = 0;  // at the start and in all steps
+
+  // Of the last frame; none without a fastening.
+  std::optional<TightnessNumbers> tightness = std::nullopt;
 
   void add(const FrameNumbers& frame);
   [[nodiscard]] double steps_per_second() const;

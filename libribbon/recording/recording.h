@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "geometry/centre_axis.h"
 #include "geometry/ribbon_grid.h"
@@ -60,6 +61,12 @@ inline constexpr std::array<TightnessColumn, 5> tightness_columns = {
 
 // What ended the run; the numbers are those of the file.
 enum class RunEnding : std::uint8_t { unknown = 0, duration = 1, tight = 2, stopped = 3 };
+
+// "unknown", "duration", "tight", "stopped".
+inline std::string_view word_for(RunEnding ending) {
+  constexpr std::array<std::string_view, 4> words = {"unknown", "duration", "tight", "stopped"};
+  return words[static_cast<std::size_t>(ending)];
+}
 
 // The numbers of one frame, readable without its geometry.
 struct FrameNumbers {

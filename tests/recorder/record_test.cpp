@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "parallel/parallel.h"
 #include "playback/recording_reader.h"
@@ -77,10 +78,61 @@ TEST_F(Record, ends_early_when_asked_and_says_so) {
       record(scene_, folder_ / "knot.rbn", "test",
              {[](int done, int total, const FrameNumbers&) { return done < 3 || total != 7; }})
           .value();
-  EXPECT_TRUE(statistics.interrupted);
+  EXPECT_EQ(statistics.ending, RunEnding::stopped);
   const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  EXPECT_EQ(reader.ending(), RunEnding::stopped);
   EXPECT_EQ(reader.frame_count(), 3);
   EXPECT_TRUE(reader.finished());
+}
+
+TEST_F(Record, every_frame_tells_how_tight_the_ribbon_is) {
+  (void)record_all(folder_ / "knot.rbn");
+  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  EXPECT_EQ(reader.ending(), RunEnding::duration);
+  EXPECT_EQ(reader.numbers(0)->tightness->progress, 1) << "nothing was commanded yet";
+  EXPECT_EQ(reader.numbers(0)->tightness->pull, 1);
+  for (int frame = 1; frame < 7; ++frame) {
+    const auto& tightness = reader.numbers(frame)->tightness;
+    ASSERT_TRUE(tightness.has_value());
+    EXPECT_GT(tightness->progress, 0.5) << "free";
+    EXPECT_LT(tightness->progress, 1.5);
+    EXPECT_EQ(tightness->pull, 1) << "hands that never yield";
+  }
+}
+
+TEST_F(Record, what_nothing_fastens_has_no_tightness) {
+  scene_.fastening.reset();
+  (void)record_all(folder_ / "knot.rbn");
+  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  EXPECT_FALSE(reader.numbers(6)->tightness.has_value());
+}
+
+// The loop closes round a square post and stops.
+TEST_F(Record, a_run_until_tight_ends_by_itself) {
+  const fs::path post = folder_ / "post.obj";
+  ASSERT_TRUE(write_file(post,
+                         "v -0.03 -0.4 -0.14\nv 0.03 -0.4 -0.14\nv 0.03 -0.4 -0.08\n"
+                         "v -0.03 -0.4 -0.08\nv -0.03 0.4 -0.14\nv 0.03 0.4 -0.14\n"
+                         "v 0.03 0.4 -0.08\nv -0.03 0.4 -0.08\n"
+                         "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n")
+                  .has_value());
+  scene_.obstacle = ObstacleScene{.file = post};
+  scene_.time = {.step_s = 0.01, .duration_s = 60, .until = RunsUntil::tight};
+  scene_.fastening->speed_m_s = 0.5;
+  scene_.fastening->yield_strain = 0.05;
+  scene_.recording.frames_per_second = 10;
+  const RunStatistics statistics = record_all(folder_ / "knot.rbn");
+  EXPECT_EQ(statistics.ending, RunEnding::tight);
+  EXPECT_GT(statistics.simulated_s, 2);
+  EXPECT_LT(statistics.simulated_s, 30);
+  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  EXPECT_EQ(reader.ending(), RunEnding::tight);
+  ASSERT_EQ(reader.frame_count(), statistics.frames);
+  const TightnessNumbers last = *reader.numbers(statistics.frames - 1)->tightness;
+  EXPECT_LT(std::abs(last.progress), 0.03);
+  EXPECT_GT(last.contact, 0);
+  for (int frame = 21; frame + 1 < statistics.frames; ++frame)
+    EXPECT_GE(std::abs(reader.numbers(frame)->tightness->progress), 0.03) << frame;
 }
 
 TEST_F(Record, an_obstacle_that_cannot_be_read_is_named_before_anything_is_written) {

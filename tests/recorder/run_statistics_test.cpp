@@ -49,7 +49,41 @@ TEST(RunStatistics, are_told_to_programs_as_json) {
   EXPECT_EQ(json["start"], "grown");
   EXPECT_EQ(json["steps"], 100);
   EXPECT_EQ(json["worst_penetrating_edges"], 5);
-  EXPECT_EQ(json["interrupted"], false);
+  EXPECT_EQ(json["ending"], "unknown");
+  EXPECT_TRUE(json["tightness"].is_null());
+}
+
+RunStatistics tight() {
+  RunStatistics statistics = example();
+  statistics.until_tight = true;
+  statistics.ending = RunEnding::tight;
+  statistics.add({.time_s = 2,
+                  .worst_strain = 0.1,
+                  .penetrating_edges = 0,
+                  .recovery_iterations = 0,
+                  .tightness = TightnessNumbers{0.0215F, 0, 0.125F, 0.5F, 12.25F}});
+  return statistics;
+}
+
+TEST(RunStatistics, say_why_a_run_ended) {
+  RunStatistics statistics = tight();
+  EXPECT_TRUE(
+      summary_line(statistics)
+          .ends_with("; ended tight: progress 2.2 % of the command, rope length 12.2 widths"))
+      << summary_line(statistics);
+  statistics.ending = RunEnding::duration;
+  EXPECT_NE(summary_line(statistics).find("; not yet tight: progress 2.2 %"), std::string::npos);
+  statistics.until_tight = false;
+  EXPECT_TRUE(summary_line(statistics).ends_with("per vertex and frame)"));
+  statistics.ending = RunEnding::stopped;
+  EXPECT_TRUE(summary_line(statistics).ends_with("; ended early by the user"));
+}
+
+TEST(RunStatistics, tell_programs_how_tight_the_last_frame_is) {
+  const auto json = nlohmann::json::parse(statistics_json(tight()));
+  EXPECT_EQ(json["ending"], "tight");
+  EXPECT_EQ(json["tightness"]["contact"], 0.5);
+  EXPECT_EQ(json["tightness"]["rope_length"], 12.25);
 }
 
 }  // namespace
