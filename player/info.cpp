@@ -21,6 +21,12 @@ std::optional<WorstFrame> worst(const RecordingInfo& info, const Function& value
   return result;
 }
 
+const FrameNumbers* last_known(const RecordingInfo& info) {
+  const auto last = std::find_if(info.numbers.rbegin(), info.numbers.rend(),
+                                 [](const auto& frame) { return frame.has_value(); });
+  return last == info.numbers.rend() ? nullptr : &**last;
+}
+
 std::string frames_text(const RecordingInfo& info) {
   std::string text = std::to_string(info.frame_count()) + " in " + decimals(info.duration_s(), 2) +
                      " s, " + short_number(info.header.frames_per_second) + " per second";
@@ -62,6 +68,35 @@ std::string numbers_text(const RecordingInfo& info) {
                                          std::to_string(*info.last_penetrations()));
 }
 
+// Empty where the recording does not tell.
+std::string ending_text(RunEnding ending) {
+  switch (ending) {
+    case RunEnding::duration:
+      return report_line("ended", "when its duration was over");
+    case RunEnding::tight:
+      return report_line("ended", "when the ribbon was tight");
+    case RunEnding::stopped:
+      return report_line("ended", "early, by the user");
+    case RunEnding::unknown:
+      break;
+  }
+  return "";
+}
+
+std::string percent(float share) {
+  return decimals(100 * share, 1) + " %";
+}
+
+std::string tightness_text(const RecordingInfo& info) {
+  const auto tightness = info.last_tightness();
+  if (!tightness) return "";
+  return report_line("last frame", "progress " + percent(tightness->progress) + ", pull " +
+                                       percent(tightness->pull) + ", held back " +
+                                       percent(tightness->held_back)) +
+         report_line("", "in contact " + percent(tightness->contact) + ", rope length " +
+                             decimals(tightness->rope_length, 1) + " widths");
+}
+
 std::string damage_text(const RecordingInfo& info) {
   std::string text;
   for (const Damage& damage : info.damage)
@@ -93,10 +128,13 @@ std::optional<WorstFrame> RecordingInfo::most_penetrations() const {
 }
 
 std::optional<std::uint32_t> RecordingInfo::last_penetrations() const {
-  const auto last = std::find_if(numbers.rbegin(), numbers.rend(),
-                                 [](const auto& frame) { return frame.has_value(); });
-  if (last == numbers.rend()) return std::nullopt;
-  return (*last)->penetrating_edges;
+  const FrameNumbers* last = last_known(*this);
+  return last == nullptr ? std::nullopt : std::optional(last->penetrating_edges);
+}
+
+std::optional<TightnessNumbers> RecordingInfo::last_tightness() const {
+  const FrameNumbers* last = last_known(*this);
+  return last == nullptr ? std::nullopt : last->tightness;
 }
 
 double RecordingInfo::bytes_per_vertex_and_frame() const {
@@ -111,6 +149,7 @@ RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader&
   info.file = file;
   info.file_bytes = reader.file_bytes();
   info.finished = reader.finished();
+  info.ending = reader.ending();
   info.header = reader.header();
   info.damage = reader.damage();
   for (int index = 0; index < reader.frame_count(); ++index) {
@@ -124,13 +163,14 @@ std::string info_text(const RecordingInfo& info) {
   const RecordingHeader& header = info.header;
   return report_line("recording", info.file.string()) + report_line("scene", header.scene_name) +
          report_line("written by", header.writer) + report_line("frames", frames_text(info)) +
+         ending_text(info.ending) +
          report_line("ribbon", std::to_string(header.grid.across) + " x " +
                                    std::to_string(header.grid.along) + " particles, " +
                                    short_number(header.ribbon_width_m) + " m wide, " +
                                    short_number(header.ribbon_length_m) + " m long") +
          report_line("obstacle", obstacle_text(info)) +
          report_line("centre axis", axis_text(header.centre_axis)) +
-         report_line("gap", gap_text(header)) + numbers_text(info) +
+         report_line("gap", gap_text(header)) + numbers_text(info) + tightness_text(info) +
          report_line("position error",
                      "at most " + short_number(1000 * header.max_position_error_m) + " mm") +
          report_line("size", std::to_string(info.file_bytes) + " bytes, " +

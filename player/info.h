@@ -21,6 +21,7 @@ struct RecordingInfo {
   std::filesystem::path file;
   std::uint64_t file_bytes = 0;
   bool finished = false;
+  RunEnding ending = RunEnding::unknown;
   RecordingHeader header;
   std::vector<std::optional<FrameNumbers>> numbers;  // one per frame; nothing where it is lost
   std::vector<int> missing;                          // numbers, from 1, of frames that are lost
@@ -33,6 +34,8 @@ struct RecordingInfo {
   [[nodiscard]] std::optional<WorstFrame> worst_strain() const;
   [[nodiscard]] std::optional<WorstFrame> most_penetrations() const;
   [[nodiscard]] std::optional<std::uint32_t> last_penetrations() const;
+  // Of the last frame whose numbers are known; nothing where there is none or it tells none.
+  [[nodiscard]] std::optional<TightnessNumbers> last_tightness() const;
   // Size of the file over particles and frames; 0 without frames.
   [[nodiscard]] double bytes_per_vertex_and_frame() const;
 };

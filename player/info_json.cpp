@@ -42,6 +42,19 @@ Json damage_json(const std::vector<Damage>& damage) {
   return list;
 }
 
+Json ending_json(RunEnding ending) {
+  if (ending == RunEnding::unknown) return nullptr;
+  return word_for(ending);
+}
+
+Json tightness_json(const std::optional<FrameNumbers>& numbers) {
+  if (!numbers || !numbers->tightness) return nullptr;
+  Json json;
+  for (const TightnessColumn& column : tightness_columns)
+    json[column.name] = (*numbers->tightness).*column.value;
+  return json;
+}
+
 Json frames_json(const RecordingInfo& info) {
   Json list = Json::array();
   for (int index = 0; index < info.frame_count(); ++index) {
@@ -51,6 +64,7 @@ Json frames_json(const RecordingInfo& info) {
     frame["worst_strain"] = numbers ? Json(numbers->worst_strain) : Json(nullptr);
     frame["penetrating_edges"] = numbers ? Json(numbers->penetrating_edges) : Json(nullptr);
     frame["recovery_iterations"] = numbers ? Json(numbers->recovery_iterations) : Json(nullptr);
+    frame["tightness"] = tightness_json(numbers);
     list.push_back(std::move(frame));
   }
   return list;
@@ -66,6 +80,7 @@ std::string info_json(const RecordingInfo& info) {
       {"bytes_per_vertex_and_frame", info.bytes_per_vertex_and_frame()},
       {"writer", header.writer},
       {"finished", info.finished},
+      {"ending", ending_json(info.ending)},
       {"scene", {{"name", header.scene_name}, {"text", header.scene_text}}},
       {"ribbon",
        {{"along", header.grid.along},

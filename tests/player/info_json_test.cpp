@@ -56,6 +56,24 @@ TEST(InfoJson, what_the_writer_states_is_told) {
   EXPECT_EQ(json["centre_axis"]["direction"], nlohmann::json::array({0.0, 1.0, 0.0}));
 }
 
+TEST(InfoJson, tightness_and_ending_are_told_or_null) {
+  RecordingInfo info = two_frames();
+  auto json = nlohmann::json::parse(info_json(info));
+  EXPECT_TRUE(json["ending"].is_null());
+  EXPECT_TRUE(json["frames"][0]["tightness"].is_null());
+  info.ending = RunEnding::duration;
+  info.numbers[0]->tightness = TightnessNumbers{0.5F, 0.25F, 1, 0.75F, 12.5F};
+  json = nlohmann::json::parse(info_json(info));
+  EXPECT_EQ(json["ending"], "duration");
+  const nlohmann::json expected = {{"progress", 0.5},
+                                   {"held_back", 0.25},
+                                   {"pull", 1.0},
+                                   {"contact", 0.75},
+                                   {"rope_length", 12.5}};
+  EXPECT_EQ(json["frames"][0]["tightness"], expected);
+  EXPECT_TRUE(json["frames"][1]["tightness"].is_null());
+}
+
 TEST(InfoJson, names_that_are_not_utf8_still_give_json) {
   RecordingInfo info = two_frames();
   info.header.scene_name = "\xFFobi";

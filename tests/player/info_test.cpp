@@ -74,6 +74,22 @@ TEST(RecordingInfo, what_the_writer_states_is_told) {
             std::string::npos);
 }
 
+TEST(RecordingInfo, tightness_and_ending_are_told) {
+  RecordingInfo info = three_frames();
+  EXPECT_FALSE(info.last_tightness());
+  info.ending = RunEnding::tight;
+  info.numbers[2]->tightness = TightnessNumbers{-0.0125F, 0.5F, 0.25F, 0.375F, 12.25F};
+  EXPECT_EQ(info.last_tightness()->contact, 0.375F);
+  const std::string text = info_text(info);
+  EXPECT_NE(text.find("ended           when the ribbon was tight\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("last frame      progress -1.2 %, pull 25.0 %, held back 50.0 %\n"
+                      "                in contact 37.5 %, rope length 12.2 widths\n"),
+            std::string::npos)
+      << text;
+  info.ending = RunEnding::stopped;
+  EXPECT_NE(info_text(info).find("ended           early, by the user\n"), std::string::npos);
+}
+
 TEST(RecordingInfo, a_stopped_recorder_is_mentioned) {
   RecordingInfo info = three_frames();
   info.finished = false;
