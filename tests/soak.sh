@@ -153,14 +153,17 @@ force() {
   done
 }
 
+# Whenever they are tight.
+equally_long='/^until/d;s/^duration = 20.0/duration = 8.0/'
+
 # Three methods in turn for each scene, so that whatever else the machine does meets all of them.
 cost() {
   local sample name
   for sample in "$root"/samples/*-8x400.toml; do
     name=$(name_of "$sample")-cost
-    scene "$name-gate" "$sample" ''
-    scene "$name-open" "$sample" ''
-    scene "$name-paper" "$sample" '/^name/a contact = "paper"'
+    scene "$name-gate" "$sample" "$equally_long"
+    scene "$name-open" "$sample" "$equally_long"
+    scene "$name-paper" "$sample" "$equally_long;/^name/a contact = \"paper\""
     one cost "$name-gate"
     one cost "$name-open" "$tools/tests/soak/record_without_gate"
     one cost "$name-paper"
