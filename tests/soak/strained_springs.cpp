@@ -15,14 +15,13 @@ struct Strained {
   double worst = 0;
 };
 
-// Of all kinds: a resistance of 0 would leave a kind out.
-std::vector<Spring> all_springs(const RecordingHeader& header) {
+// Bending springs shorten wherever cloth folds: that is no strain.
+std::vector<Spring> stretch_and_shear(const RecordingHeader& header) {
   const SpringNetwork network =
       spring_network(header.grid, header.ribbon_length_m, header.ribbon_width_m,
-                     {.stretch = 1, .shear = 1, .bend = 1});
-  std::vector<Spring> springs;
-  for (const SpringSet* set : {&network.stretch, &network.shear, &network.bend})
-    springs.insert(springs.end(), set->springs.begin(), set->springs.end());
+                     {.stretch = 1, .shear = 1, .bend = 0});
+  std::vector<Spring> springs = network.stretch.springs;
+  springs.insert(springs.end(), network.shear.springs.begin(), network.shear.springs.end());
   return springs;
 }
 
@@ -42,7 +41,7 @@ Strained strained_in(const Eigen::Matrix3Xf& positions, const std::vector<Spring
 }  // namespace
 
 Result<StrainedSprings> strained_springs(RecordingReader& recording, double limit) {
-  const std::vector<Spring> springs = all_springs(recording.header());
+  const std::vector<Spring> springs = stretch_and_shear(recording.header());
   StrainedSprings result{.springs = springs.size(), .limit = limit};
   Eigen::Matrix3Xf positions;
   for (int frame = 0; frame < recording.frame_count(); ++frame) {

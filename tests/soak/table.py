@@ -98,7 +98,7 @@ def main(folder):
             print(f"\n{part}\n")
             print_rows([list(HEADINGS)] + [run.cells() for run in runs[part]])
     print("\npairs: intersecting, in all frames. > 10 %: share of the springs in the worst frame and in the")
-    print("last one. worst: of any spring in any frame.")
+    print("last one. worst: of any spring in any frame. Springs: of stretch and shear.")
     wrong = [run.name for part in PARTS for run in runs[part] if run.is_wrong()]
     for name in wrong:
         print(f"WRONG: {name}")
