@@ -1,0 +1,182 @@
+// benchmark_extremes [--json FILE] [--most-particles N] [--most-steps N] [--only TEXT]: what
+// becomes of scenes whose stiffness, step, size, mass, lengths, place, air or force is extreme, by
+// each integrator. Prints the table of docs/simulation.md. Exit code 1 when a run ends in something
+// that is no number, in an intersection or in energy out of nowhere, 2 when something could not be
+// read or written.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "benchmarks/extreme_scenes.h"
+#include "benchmarks/outcome.h"
+#include "commandline/tool.h"
+#include "files/files.h"
+
+namespace ribbon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string json;
+  std::string only;  // the extremes whose name holds this text
+  int most_particles = 4000;
+  int most_steps = std::numeric_limits<int>::max();
+};
+
+constexpr std::array<std::pair<const char*, IntegrationMethod>, 3> integrators = {
+    {{"rk4", IntegrationMethod::rk4},
+     {"symplectic_euler", IntegrationMethod::symplectic_euler},
+     {"implicit", IntegrationMethod::implicit}}};
+
+// What symplectic Euler keeps, it keeps on average: its energy seems to swing by up to this factor
+// (symplectic_euler.cpp). A run that gains more has got energy out of nowhere.
+constexpr double most_energy = 7;
+
+bool holds(const Outcome& outcome) {
+  return outcome.is_finite && outcome.intersecting_pairs == 0 && outcome.energy <= most_energy;
+}
+
+// Sentences that stand below the table, each once.
+class Notes {
+ public:
+  std::string number_of(const std::string& sentence) {
+    auto found = std::find(sentences_.begin(), sentences_.end(), sentence);
+    if (found == sentences_.end()) found = sentences_.insert(sentences_.end(), sentence);
+    return std::to_string(found - sentences_.begin() + 1);
+  }
+
+  void print() const {
+    for (std::size_t i = 0; i < sentences_.size(); ++i)
+      std::printf("%zu. %s\n", i + 1, sentences_[i].c_str());
+  }
+
+ private:
+  std::vector<std::string> sentences_;
+};
+
+std::string to_text(const char* format, double number) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, number);
+  return text.data();
+}
+
+std::string cell(const Outcome& outcome, Notes& notes) {
+  if (!outcome.refusal.empty()) return "refused (" + notes.number_of(outcome.refusal) + ")";
+  if (!outcome.is_finite) return "no number at step " + std::to_string(outcome.steps);
+  const std::string pairs = std::to_string(outcome.intersecting_pairs);
+  return to_text("%.3g", 100 * outcome.worst_strain) + " / " +
+         to_text("%.3g", 100 * outcome.last_strain) + " %, " + to_text("%.2g", outcome.energy) +
+         ", " + pairs;
+}
+
+Json json(const Outcome& outcome) {
+  if (!outcome.refusal.empty()) return {{"refusal", outcome.refusal}};
+  return {{"steps", outcome.steps},
+          {"finite", outcome.is_finite},
+          {"worst_strain", outcome.worst_strain},
+          {"last_strain", outcome.last_strain},
+          {"energy", outcome.energy},
+          {"intersecting_pairs", outcome.intersecting_pairs},
+          {"step_time_s", outcome.time_s}};
+}
+
+Result<Options> parse(std::span<char*> arguments) {
+  Options options;
+  std::size_t i = 0;
+  for (; i + 1 < arguments.size(); i += 2) {
+    const std::string name = arguments[i];
+    if (name == "--json")
+      options.json = arguments[i + 1];
+    else if (name == "--only")
+      options.only = arguments[i + 1];
+    else if (name == "--most-particles")
+      options.most_particles = std::atoi(arguments[i + 1]);
+    else if (name == "--most-steps")
+      options.most_steps = std::atoi(arguments[i + 1]);
+    else
+      break;
+  }
+  if (i < arguments.size())
+    return failure("", "'" + std::string(arguments[i]) + "' is not understood",
+                   "write --json FILE, --only TEXT, --most-particles N or --most-steps N");
+  return options;
+}
+
+void print_heading() {
+  std::string names;
+  std::string rule;
+  for (const auto& [name, method] : integrators) {
+    names += " `" + std::string(name) + "` |";
+    rule += "---|";
+  }
+  std::printf("| extreme | steps |%s\n|---|---|%s\n", names.c_str(), rule.c_str());
+}
+
+// By each integrator.
+std::vector<Outcome> run_all(ExtremeScene extreme, int most_steps) {
+  std::vector<Outcome> outcomes;
+  for (const auto& [name, method] : integrators) {
+    extreme.scene.time.integrator = method;
+    outcomes.push_back(outcome_of(extreme, most_steps));
+  }
+  return outcomes;
+}
+
+void print(const std::string& extreme, const std::vector<Outcome>& outcomes, Notes& notes) {
+  int steps = 0;
+  std::string cells;
+  for (const Outcome& outcome : outcomes) {
+    steps = std::max(steps, outcome.steps);
+    cells += " " + cell(outcome, notes) + " |";
+  }
+  std::printf("| %s | %d |%s\n", extreme.c_str(), steps, cells.c_str());
+  std::fflush(stdout);
+}
+
+Json json(const std::string& extreme, const std::vector<Outcome>& outcomes) {
+  Json row = {{"extreme", extreme}};
+  for (std::size_t i = 0; i < integrators.size(); ++i)
+    row[integrators[i].first] = json(outcomes[i]);
+  return row;
+}
+
+Result<ExitCode> run(const Options& options) {
+  Json report = Json::array();
+  Notes notes;
+  bool all_hold = true;
+  print_heading();
+  for (const ExtremeScene& extreme : extreme_scenes(options.most_particles)) {
+    if (extreme.extreme.find(options.only) == std::string::npos) continue;
+    const std::vector<Outcome> outcomes = run_all(extreme, options.most_steps);
+    all_hold = all_hold && std::all_of(outcomes.begin(), outcomes.end(), holds);
+    print(extreme.extreme, outcomes, notes);
+    report.push_back(json(extreme.extreme, outcomes));
+  }
+  std::puts(
+      "\nEach cell: worst strain of any frame / of the last, most energy over what was put in,\n"
+      "intersecting pairs in the frame with most of them. Refused:\n");
+  notes.print();
+  if (!options.json.empty())
+    if (auto written = write_file(options.json, report.dump(2) + "\n"); !written)
+      return tl::unexpected(written.error());
+  return all_hold ? ExitCode::done : ExitCode::answer_is_no;
+}
+
+}  // namespace
+}  // namespace ribbon
+
+int main(int argc, char** argv) {
+  return ribbon::run_tool("benchmark_extremes", [&]() -> ribbon::Result<ribbon::ExitCode> {
+    const auto options = ribbon::parse({argv + 1, static_cast<std::size_t>(argc - 1)});
+    if (!options) return tl::unexpected(options.error());
+    return ribbon::run(*options);
+  });
+}
