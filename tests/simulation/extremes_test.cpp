@@ -61,6 +61,15 @@ TEST(Extremes, far_from_the_origin_within_the_limit) {
   expect_free_for_30_steps(scaled.scene, scaled.mesh, scaled.obstacle);
 }
 
+TEST(Extremes, a_million_lengths_from_the_origin_is_refused_with_the_distance_that_is_allowed) {
+  Scaled scaled(1);
+  scaled.mesh.positions.row(0).array() += 1e6 * scaled.mesh.length_m;
+  const auto answer = FasteningProcessor::create(scaled.scene, scaled.mesh, std::nullopt);
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_NE(answer.error().problem.find("from the origin"), std::string::npos);
+  EXPECT_NE(answer.error().remedy.find("within 679 m"), std::string::npos);
+}
+
 TEST(Extremes, a_ribbon_of_four_particles) {
   Scene scene = scene_of_loop();
   scene.ribbon.along = 2;
@@ -99,6 +108,98 @@ TEST(Extremes, a_loop_pulled_a_thousand_times_too_hard_stays_free) {
   Scene scene = scene_of_loop();
   scene.fastening->speed_m_s = 400;
   expect_free_for_30_steps(scene, mesh_of_loop(scene), post(0.49));
+}
+
+// By each integrator on the post, which is touched after some twenty steps, with the paper's limit
+// of strain; or refused, which the last one never does.
+void expect_bounded_by_any_integrator(Scene scene) {
+  for (const IntegrationMethod method :
+       {IntegrationMethod::rk4, IntegrationMethod::symplectic_euler, IntegrationMethod::implicit}) {
+    SCOPED_TRACE(static_cast<int>(method));
+    scene.time.integrator = method;
+    const RibbonMesh mesh = mesh_of_loop(scene);
+    auto fastening = FasteningProcessor::create(scene, mesh, post(0.45));
+    if (!fastening && method != IntegrationMethod::implicit) {
+      EXPECT_NE(fastening.error().remedy.find("time.integrator"), std::string::npos);
+      continue;
+    }
+    ASSERT_TRUE(fastening.has_value()) << fastening.error().sentence();
+    const FrameJudge judge(mesh, post(0.45));
+    for (int step = 0; step < 40; ++step) {
+      fastening->step();
+      ASSERT_TRUE(judge.is_free(fastening->positions())) << step;
+      ASSERT_LT(fastening->strain(), 0.1) << step;
+    }
+  }
+}
+
+Scene small_loop() {
+  Scene scene = scene_of_loop();
+  scene.ribbon.along = 80;
+  scene.ribbon.across = 3;
+  return scene;
+}
+
+TEST(Extremes, springs_without_resistance_and_of_any_resistance) {
+  Scene scene = small_loop();
+  const double particle_mass_kg = scene.ribbon.mass_kg / 240;
+  for (const double ratio : {0.0, 1.0, 1e2, 1e4, 3e4, 1e6, 1e8, 1e10, 1e12}) {
+    SCOPED_TRACE(ratio);
+    const double resistance = ratio * particle_mass_kg;
+    scene.springs = {.stretch = resistance, .shear = resistance, .bend = resistance};
+    expect_bounded_by_any_integrator(scene);
+  }
+}
+
+TEST(Extremes, springs_of_one_kind_and_springs_five_orders_apart) {
+  Scene scene = small_loop();
+  for (const SpringScene& springs :
+       {SpringScene{.bend = 10}, SpringScene{.stretch = 10}, SpringScene{.shear = 10},
+        SpringScene{.stretch = 1e5, .shear = 1, .bend = 1e-5},
+        SpringScene{.stretch = 1e-5, .shear = 1, .bend = 1e5}}) {
+    SCOPED_TRACE(springs.stretch);
+    scene.springs = springs;
+    expect_bounded_by_any_integrator(scene);
+  }
+}
+
+TEST(Extremes, steps_from_ten_microseconds_to_a_tenth_of_a_second) {
+  Scene scene = small_loop();
+  for (const double step_s : {1e-5, 1e-4, 1e-3, 0.1}) {
+    SCOPED_TRACE(step_s);
+    scene.time.step_s = step_s;
+    expect_bounded_by_any_integrator(scene);
+  }
+}
+
+TEST(Extremes, masses_from_a_microgram_to_a_million_tons) {
+  Scene scene = small_loop();
+  for (const double mass_kg : {1e-9, 1e9}) {
+    SCOPED_TRACE(mass_kg);
+    scene.ribbon.mass_kg = mass_kg;
+    expect_bounded_by_any_integrator(scene);
+  }
+}
+
+TEST(Extremes, air_from_next_to_none_to_more_than_a_step_can_hold) {
+  Scene scene = small_loop();
+  for (const double per_s : {1e-6, 1e3, 1e6, 1e12}) {
+    SCOPED_TRACE(per_s);
+    scene.air_resistance_per_s = per_s;
+    expect_bounded_by_any_integrator(scene);
+  }
+}
+
+TEST(Extremes, nothing_at_all_stays_where_it_is) {
+  Scene scene = small_loop();
+  scene.springs = {};
+  scene.air_resistance_per_s = 0;
+  scene.fastening.reset();
+  const RibbonMesh mesh = mesh_of_loop(scene);
+  auto fastening = FasteningProcessor::create(scene, mesh, std::nullopt).value();
+  const Eigen::Matrix3Xd before = fastening.positions();
+  for (int step = 0; step < 10; ++step) fastening.step();
+  EXPECT_EQ(fastening.positions(), before);
 }
 
 TEST(Extremes, any_number_that_a_scene_may_hold_ends_in_numbers_or_a_refusal) {
