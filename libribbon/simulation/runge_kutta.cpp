@@ -1,45 +1,23 @@
-#include <algorithm>
-#include <cmath>
-
-#include "simulation/flat_state.h"
-#include "simulation/integrator.h"
-#include "simulation/spring_force.h"
+#include "simulation/divided_step.h"
 
 namespace ribbon {
 
 namespace {
 
-using Eigen::Matrix3Xd;
 using Eigen::MatrixX3d;
 
 // Runge-Kutta stays stable up to |eigenvalue| * step = 2 sqrt 2 on the imaginary and 2.785 on the
 // real axis; the margin covers what lies between.
 constexpr double stability_limit = 2.5;
 
-int stable_substeps(const SpringNetwork& springs, const MotionProperties& properties) {
-  const double fastest =
-      fastest_frequency(springs, properties.particle_count, properties.particle_mass_kg) +
-      properties.air_resistance_per_s;
-  // Beyond the largest number that fits no step would come to its end anyway.
-  constexpr double most = 1e9;
-  return static_cast<int>(
-      std::clamp(std::ceil(fastest * properties.step_s / stability_limit), 1.0, most));
-}
-
-class RungeKutta final : public Integrator {
+class RungeKutta final : public DividedStep {
  public:
   RungeKutta(const SpringNetwork& springs, const MotionProperties& properties)
-      : springs_(springs, properties.particle_count),
-        properties_(properties),
-        substeps_(stable_substeps(springs, properties)) {}
-
-  void displace(const Matrix3Xd& fastening_force, Cloth& cloth) override {
-    state_.take(fastening_force, cloth);
-    for (int substep = 0; substep < substeps_; ++substep) advance();
-    state_.give(cloth);
-  }
-
-  [[nodiscard]] int substeps() const override { return substeps_; }
+      : DividedStep(
+            springs, properties,
+            fastest_frequency(springs, properties.particle_count, properties.particle_mass_kg) +
+                properties.air_resistance_per_s,
+            stability_limit) {}
 
  private:
   // Of one stage, from positions x and velocities v.
@@ -49,8 +27,7 @@ class RungeKutta final : public Integrator {
     if (state_.pull.rows() > 0) a += state_.pull;
   }
 
-  void advance() {
-    const double h = properties_.step_s / substeps_;
+  void advance(double h) override {
     MatrixX3d& x = state_.positions;
     MatrixX3d& v = state_.velocities;
     accelerate(x, v, a_);
@@ -73,10 +50,6 @@ class RungeKutta final : public Integrator {
     v += h / 6 * (sum_a_ + a_);
   }
 
-  SpringForces springs_;
-  MotionProperties properties_;
-  int substeps_;
-  FlatState state_;
   MatrixX3d a_, stage_x_, stage_v_, sum_v_, sum_a_;
 };
 
