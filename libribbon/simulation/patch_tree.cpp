@@ -137,7 +137,8 @@ PatchTree::Tangents PatchTree::tangents_of_block(std::span<const MovingBox> rang
 // Of every block with what surrounds it: first beside it in its row, then over the rows.
 void PatchTree::refit_blocks(std::span<const MovingBox> ranges) {
   const auto at_block = [this](std::vector<Tangents>& of, int row, int column) -> Tangents& {
-    return of[static_cast<std::size_t>(row * block_columns_ + column)];
+    const int block_number = row * block_columns_ + column;
+    return of[static_cast<std::size_t>(block_number)];
   };
   const auto for_rows = [this](const auto& body) {
     parallel_ranges(static_cast<std::size_t>(block_rows_), 32,
