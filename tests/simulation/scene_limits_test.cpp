@@ -63,7 +63,7 @@ TEST(SceneLimits, a_recording_too_coarse_for_the_gap_is_refused_with_an_error_th
 TEST(SceneLimits, springs_that_would_take_for_ever_are_refused) {
   Scene scene = scene_of_loop();
   scene.springs.stretch = 1e12;
-  expect_part(answer_to(scene, mesh_of_loop(scene)), "more than 100; set smaller resistances");
+  expect_part(answer_to(scene, mesh_of_loop(scene)), "more than 50; set smaller resistances");
 }
 
 TEST(SceneLimits, springs_that_would_take_for_ever_are_accepted_where_they_do_not_divide_the_step) {
