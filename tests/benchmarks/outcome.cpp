@@ -17,6 +17,8 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
+constexpr double strain_limit = 0.1;  // paper, section 5.5
+
 double particle_mass_kg(const ExtremeScene& extreme) {
   return extreme.scene.ribbon.mass_kg / extreme.mesh.grid.particle_count();
 }
@@ -35,15 +37,22 @@ class EnergyAccount {
                      extreme.mesh.grid, start, mass_kg_);
   }
 
-  // Energy now over what has been put in. Hands that yield put in less than is counted here.
-  double after_step(const Matrix3Xd& before, const Matrix3Xd& after) {
+  // Hands that yield put in less than is counted here.
+  void add_step(const Matrix3Xd& before, const Matrix3Xd& after) {
     const Matrix3Xd way = after - before;
     if (force_)
       put_in_j_ += std::max(0.0, force_->at(before).leftCols(way.cols()).cwiseProduct(way).sum());
     const double kinetic_j = mass_kg_ / 2 * (way / step_s_).squaredNorm();
     const double energy_j = elastic_j(after) + kinetic_j;
-    return energy_j > 0 ? energy_j / put_in_j_ : 0;
+    if (energy_j > 0) most_ = std::max(most_, energy_j / put_in_j_);
+    is_explosion_ = is_explosion_ || energy_j > put_in_j_ + at_strain_limit_j();
   }
+
+  // Energy over what had been put in, when that was most.
+  [[nodiscard]] double most() const { return most_; }
+
+  // Was there ever more than what had been put in and what smoothing may strain?
+  [[nodiscard]] bool is_explosion() const { return is_explosion_; }
 
  private:
   [[nodiscard]] double elastic_j(const Matrix3Xd& positions) const {
@@ -56,10 +65,20 @@ class EnergyAccount {
     return sum_j;
   }
 
+  [[nodiscard]] double at_strain_limit_j() const {
+    double sum_j = 0;
+    for (const SpringSet* set : {&network_.stretch, &network_.shear, &network_.bend})
+      for (const Spring& spring : set->springs)
+        sum_j += set->resistance / 2 * std::pow(strain_limit * spring.rest_length_m, 2);
+    return sum_j;
+  }
+
   SpringNetwork network_;
   double step_s_;
   double mass_kg_;
   double put_in_j_;
+  double most_ = 0;
+  bool is_explosion_ = false;
   std::optional<FasteningForce> force_;
 };
 
@@ -92,13 +111,15 @@ Outcome run(const ExtremeScene& extreme, int steps, FasteningProcessor& fastenin
     if (!outcome.is_finite) break;
     outcome.last_strain = worst_strain(edges, after);
     outcome.worst_strain = std::max(outcome.worst_strain, outcome.last_strain);
-    outcome.energy = std::max(outcome.energy, account.after_step(before, after));
+    account.add_step(before, after);
     if (is_judged(extreme, step))
       outcome.intersecting_pairs =
           std::max(outcome.intersecting_pairs,
                    verifier.verify(after.cast<float>()).intersections.pairs.size());
     before = after;
   }
+  outcome.energy = account.most();
+  outcome.is_explosion = account.is_explosion();
   outcome.time_s /= std::max(1, outcome.steps);
   return outcome;
 }

@@ -14,8 +14,11 @@ struct Outcome {
   double worst_strain = 0;  // of any edge along or across, and diagonal where there is shear
   double last_strain = 0;
   // The most energy at any time, kinetic and elastic, over what there was at the start plus what
-  // the fastening force has put in until then. Above 1, energy came out of nowhere.
+  // the fastening force has put in until then. Above 1, contact and smoothing have strained
+  // springs.
   double energy = 0;
+  // More than that by what all springs hold at the strain limit of 10 %: no bound is in sight.
+  bool is_explosion = false;
   std::size_t intersecting_pairs = 0;  // exactly judged; of the frame with most of them
   double time_s = 0;                   // by a clock, of one step
 };
