@@ -9,11 +9,6 @@
 
 namespace ribbon {
 
-// Contact acts once a step, the springs in each part. Springs that swing many times between two
-// contacts turn what contact strains into motion: with more than some 55 parts of rk4, 90 of
-// symplectic_euler, strain is no longer bounded.
-constexpr int most_substeps = 50;
-
 // positions: 3 x vertices, the ribbon of `size` and then the obstacle. Fails, naming the setting
 // and its limit, where
 // - a position is not finite or so far from the origin that arithmetic would blur the gap that the
@@ -23,6 +18,11 @@ constexpr int most_substeps = 50;
 //   keeps none).
 Result<void> check_precision(const Scene& scene, const NaturalSize& size,
                              const Eigen::Matrix3Xd& positions);
+
+// Into how many parts springs and air may divide a step of the scene; any number where its
+// integrator makes only one. Contact acts once a step, the springs in each part: springs that swing
+// many times between two contacts turn what contact strains into motion, without a bound.
+int most_substeps(const Scene& scene);
 
 // Fails where springs and air divide a step into more than most_substeps parts.
 Result<void> check_substeps(const Scene& scene, int substeps);
