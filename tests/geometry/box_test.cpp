@@ -56,7 +56,8 @@ TEST(MovingBox, misses_no_meeting_of_moving_segments) {
     };
     const MovingBox first{box_at(0, 1, 0), box_at(0, 1, 1)};
     const MovingBox second{box_at(2, 3, 0), box_at(2, 3, 1)};
-    for (double time = 0; time <= 1; time += 0.125) {
+    for (int eighth = 0; eighth <= 8; ++eighth) {
+      const double time = eighth / 8.0;
       if (!box_at(0, 1, time).meets(box_at(2, 3, time))) continue;
       ++meetings;
       ASSERT_TRUE(first.meets(second)) << trial;

@@ -37,8 +37,8 @@ TEST(StrainLimit, leaves_alone_what_is_within_it) {
 }
 
 TEST(StrainLimit, repeated_sweeps_share_one_long_edge_among_its_neighbours) {
-  std::vector<Spring> chain;
-  for (int i = 0; i < 9; ++i) chain.push_back({i, i + 1, 1});
+  std::vector<Spring> chain(9);
+  for (int i = 0; i < 9; ++i) chain[static_cast<std::size_t>(i)] = {i, i + 1, 1};
   const StrainLimit limit(chain, 0.1);
   Matrix3Xd x = Matrix3Xd::Zero(3, 10);
   for (int i = 0; i < 10; ++i) x(0, i) = i < 5 ? i : i + 0.6;
