@@ -73,8 +73,8 @@ Result<void> FasteningProcessor::begin(const Scene& scene, const RibbonMesh& rib
     if (!start) return tl::unexpected(start.error());
     start_ = *start;
     const double rounding_m = scene.recording.max_position_error_m(ribbon.length_m);
-    const double edge_m = natural_size(ribbon, 1).shortest_edge_m();
-    guaranteed_gap_m_ = recorded_gap_m(gap_lengths(edge_m, rounding_m, 0), rounding_m);
+    guaranteed_gap_m_ =
+        recorded_gap_m(gap_lengths(size_.shortest_edge_m(), rounding_m, 0), rounding_m);
   } else {
     start_ = recover_as_published();
   }

@@ -102,28 +102,25 @@ TEST(Invariance, a_mirrored_scene_moves_by_the_same_bits) {
     EXPECT_EQ(difference_m(method, mirrored), 0) << static_cast<int>(method);
 }
 
-// Powers of two leave all digits as they are: a difference would come from a length that is not in
-// proportion to the scene's.
-TEST(Invariance, a_scene_of_another_size_moves_by_the_same_bits_even_in_contact) {
+// Powers of two leave all digits as they are: a difference would come from a length or a mass that
+// is not in proportion to the scene's.
+void expect_the_same_bits_in_contact(void (Placed::*scale)(double), double times) {
   for (const IntegrationMethod method : all_methods)
-    for (const double times : {0x1p20, 0x1p-20}) {
+    for (const double by : {times, 1 / times}) {
       const Placed here(method, thick_m);
       Placed there = here;
-      there.enlarge(times);
+      (there.*scale)(by);
       EXPECT_EQ(there.after(steps_into_contact), here.after(steps_into_contact))
-          << static_cast<int>(method) << ", times " << times;
+          << static_cast<int>(method) << ", times " << by;
     }
 }
 
+TEST(Invariance, a_scene_of_another_size_moves_by_the_same_bits_even_in_contact) {
+  expect_the_same_bits_in_contact(&Placed::enlarge, 0x1p20);
+}
+
 TEST(Invariance, a_scene_of_another_mass_moves_by_the_same_bits_even_in_contact) {
-  for (const IntegrationMethod method : all_methods)
-    for (const double times : {0x1p30, 0x1p-30}) {
-      const Placed here(method, thick_m);
-      Placed there = here;
-      there.make_heavier(times);
-      EXPECT_EQ(there.after(steps_into_contact), here.after(steps_into_contact))
-          << static_cast<int>(method) << ", times " << times;
-    }
+  expect_the_same_bits_in_contact(&Placed::make_heavier, 0x1p30);
 }
 
 // In contact the order of rounding decides what gives way first; the promise stays.
