@@ -38,6 +38,7 @@ Result<ExitCode> record_scene(const RecorderOptions& options) {
 
   if (!options.quiet)
     std::printf("%s: %s\n", options.recording.c_str(), summary_line(*statistics).c_str());
+  if (options.profile) std::fputs(profile_text(*statistics).c_str(), stdout);
   if (!options.statistics.empty())
     if (auto written = write_file(options.statistics, statistics_json(*statistics)); !written)
       return tl::unexpected(written.error());

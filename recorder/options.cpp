@@ -34,6 +34,7 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
                  "use at most this many threads (default: all cores); the recording is the same")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
+  app.add_flag("--profile", options.profile, "print where the time of the run went");
   app.add_flag("--quiet", options.quiet, "no progress and no summary");
   const auto read = parse_arguments(app, argc, argv);
   if (!read) return tl::unexpected(read.error());

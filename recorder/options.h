@@ -13,6 +13,7 @@ struct RecorderOptions {
   std::filesystem::path recording;
   std::filesystem::path statistics;  // JSON file to write at the end; empty: none
   int threads = 0;                   // 0: all cores
+  bool profile = false;
   bool quiet = false;
 };
 

@@ -89,12 +89,17 @@ class StepSums {
   void add(const StepReport& report) {
     ++steps_;
     recovery_iterations_ += report.recovery_iterations;
+    penetrating_edges_ = report.penetrating_edges;
     held_back_ += report.held_back;
     pull_ += report.pull;
   }
 
   [[nodiscard]] std::uint32_t recovery_iterations() const {
     return static_cast<std::uint32_t>(recovery_iterations_);
+  }
+  // After the last step.
+  [[nodiscard]] std::uint32_t penetrating_edges() const {
+    return static_cast<std::uint32_t>(penetrating_edges_);
   }
   // Per step; before the first one nothing is held back and nobody has yielded.
   [[nodiscard]] double mean_held_back() const { return steps_ > 0 ? held_back_ / steps_ : 0; }
@@ -103,6 +108,7 @@ class StepSums {
  private:
   int steps_ = 0;
   long recovery_iterations_ = 0;
+  int penetrating_edges_ = 0;
   double held_back_ = 0;
   double pull_ = 0;
 };
@@ -121,7 +127,7 @@ std::optional<TightnessNumbers> tightness_numbers(FasteningProcessor& fastening,
 FrameNumbers frame_numbers(FasteningProcessor& fastening, const StepSums& sums, int particles) {
   return {.time_s = fastening.time_s(),
           .worst_strain = fastening.strain(),
-          .penetrating_edges = static_cast<std::uint32_t>(fastening.penetrating_edges()),
+          .penetrating_edges = sums.penetrating_edges(),
           .recovery_iterations = sums.recovery_iterations(),
           .tightness = tightness_numbers(fastening, sums, particles)};
 }
@@ -164,11 +170,14 @@ Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& re
   const int frames = frame_count(scene);
   for (int frame = 0; frame < frames && statistics.ending == RunEnding::unknown; ++frame) {
     StepSums sums;
-    if (frame == 0) sums.add({.recovery_iterations = fastening->start().recovery_iterations});
+    if (frame == 0)
+      sums.add({.recovery_iterations = fastening->start().recovery_iterations,
+                .penetrating_edges = fastening->start().penetrating_edges});
     for (const long last = step_of_frame(scene, frame); statistics.steps < last; ++statistics.steps)
       sums.add(fastening->step());
     statistics.simulation_s += stopwatch.lap();
     const FrameNumbers numbers = frame_numbers(*fastening, sums, ribbon.grid.particle_count());
+    statistics.measuring_s += stopwatch.lap();
     if (auto written = file->append(numbers, fastening->positions()); !written)
       return tl::unexpected(written.error());
     statistics.recording_s += stopwatch.lap();
@@ -179,6 +188,7 @@ Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& re
       statistics.ending = RunEnding::tight;
   }
   if (statistics.ending == RunEnding::unknown) statistics.ending = RunEnding::duration;
+  statistics.stages = fastening->stage_sums();
   if (auto finished = file->finish(statistics.ending); !finished)
     return tl::unexpected(finished.error());
   statistics.bytes = file->bytes_written();

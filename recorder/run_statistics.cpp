@@ -42,6 +42,37 @@ std::string ending_text(const RunStatistics& statistics) {
          tightness_text(*statistics.tightness);
 }
 
+// Text in a column of so many characters.
+std::string left(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size()), ' ');
+  return text;
+}
+std::string right(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+std::string profile_line(const std::string& what, double time_s, double of_s, long times) {
+  const double each_ms = times > 0 ? 1000 * time_s / static_cast<double>(times) : 0;
+  const double percent = of_s > 0 ? 100 * time_s / of_s : 0;
+  return "  " + left(what, 14) + right(decimals(percent, 1), 6) + " %" +
+         right(decimals(each_ms, 3), 11) + " ms\n";
+}
+
+std::string per_step(long count, const RunStatistics& statistics, int digits) {
+  return decimals(static_cast<double>(count) / static_cast<double>(std::max(1L, statistics.steps)),
+                  digits);
+}
+
+nlohmann::ordered_json stages_json(const StageSums& stages) {
+  nlohmann::ordered_json json;
+  for (std::size_t stage = 0; stage < stage_count; ++stage)
+    json[std::string(word_for(static_cast<Stage>(stage))) + "_s"] = stages.time_s[stage];
+  json["detections"] = stages.detections;
+  json["listed_pairs"] = stages.listed_pairs;
+  json["sweeps"] = stages.sweeps;
+  return json;
+}
+
 nlohmann::ordered_json tightness_json(const std::optional<TightnessNumbers>& tightness) {
   if (!tightness) return nullptr;
   nlohmann::ordered_json json;
@@ -51,6 +82,21 @@ nlohmann::ordered_json tightness_json(const std::optional<TightnessNumbers>& tig
 }
 
 }  // namespace
+
+std::string profile_text(const RunStatistics& statistics) {
+  const double all_s = statistics.simulation_s + statistics.measuring_s + statistics.recording_s;
+  std::string text = "a step, " + std::to_string(statistics.steps) + " times:\n";
+  for (std::size_t stage = 0; stage < stage_count; ++stage)
+    text += profile_line(std::string(word_for(static_cast<Stage>(stage))),
+                         statistics.stages.time_s[stage], all_s, statistics.steps);
+  text += "a frame, " + std::to_string(statistics.frames) + " times:\n" +
+          profile_line("measuring", statistics.measuring_s, all_s, statistics.frames) +
+          profile_line("recording", statistics.recording_s, all_s, statistics.frames);
+  return text + "in a step " + per_step(statistics.stages.detections, statistics, 2) +
+         " detections, " + per_step(statistics.stages.listed_pairs, statistics, 0) +
+         " pairs of features listed, " + per_step(statistics.stages.sweeps, statistics, 1) +
+         " sweeps over all edges\n";
+}
 
 std::string summary_line(const RunStatistics& statistics) {
   return statistics.start + " start; " + std::to_string(statistics.frames) + " frames, " +
@@ -75,6 +121,8 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"frames", statistics.frames},
       {"simulated_s", statistics.simulated_s},
       {"simulation_s", statistics.simulation_s},
+      {"stages", stages_json(statistics.stages)},
+      {"measuring_s", statistics.measuring_s},
       {"recording_s", statistics.recording_s},
       {"steps_per_second", statistics.steps_per_second()},
       {"bytes", statistics.bytes},

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "recording/recording.h"
+#include "simulation/stage_clock.h"
 
 namespace ribbon {
 
@@ -19,7 +20,9 @@ struct RunStatistics {
   int frames = 0;
   double simulated_s = 0;
   double simulation_s = 0;  // wall time spent in steps
-  double recording_s = 0;   // wall time spent in recording frames
+  StageSums stages = {};    // what it was spent for
+  double measuring_s = 0;   // wall time spent on the numbers of frames
+  double recording_s = 0;   // wall time spent in encoding and writing them
   std::uint64_t bytes = 0;  // of the recording
   RunEnding ending = RunEnding::unknown;
   bool until_tight = false;  // was the run to end when the ribbon is tight?
@@ -37,6 +40,9 @@ struct RunStatistics {
   [[nodiscard]] double steps_per_second() const;
   [[nodiscard]] double bits_per_vertex_and_frame() const;
 };
+
+// Where the time of the run went, in lines of text: each stage of the steps, and the frames.
+std::string profile_text(const RunStatistics& statistics);
 
 // For people: one line. For programs: JSON.
 std::string summary_line(const RunStatistics& statistics);

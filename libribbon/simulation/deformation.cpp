@@ -6,8 +6,8 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& size,
-                                       Bodies& bodies) {
+std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& size, Bodies& bodies,
+                                       StageClock& clock) {
   const PostStepProperties properties{
       .size = size,
       .step_s = scene.time.step_s,
@@ -15,8 +15,8 @@ std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& si
       .rounding_m = scene.recording.max_position_error_m(size.length_m),
       .thickness_m = scene.ribbon.thickness_m,
       .friction = scene.friction};
-  return scene.contact == ContactMethod::paper ? published_post_step(bodies, properties)
-                                               : gated_post_step(bodies, properties);
+  return scene.contact == ContactMethod::paper ? published_post_step(bodies, properties, clock)
+                                               : gated_post_step(bodies, properties, clock);
 }
 
 }  // namespace
@@ -27,12 +27,15 @@ Deformation::Deformation(const Scene& scene, const NaturalSize& size, double par
       integrator_(create_integrator(scene.time.integrator, springs_,
                                     {scene.time.step_s, size.grid.particle_count(),
                                      particle_mass_kg, scene.air_resistance_per_s})),
-      post_step_(post_step_of(scene, size, bodies)) {}
+      post_step_(post_step_of(scene, size, bodies, *clock_)) {}
 
 PostStepReport Deformation::step(const Matrix3Xd& fastening_force, Cloth& cloth) {
   const Matrix3Xd before = cloth.positions;
+  clock_->charge(Stage::displacement);
   integrator_->displace(fastening_force, cloth);
-  return post_step_->correct(before, cloth);
+  const PostStepReport report = post_step_->correct(before, cloth);
+  clock_->stop();
+  return report;
 }
 
 void Deformation::move(const Matrix3Xd& wished, Cloth& cloth) {
@@ -42,17 +45,16 @@ void Deformation::move(const Matrix3Xd& wished, Cloth& cloth) {
   cloth.velocities.setZero();
 }
 
-int Deformation::settle(int rounds, Cloth& cloth) {
-  int recovery_iterations = 0;
-  bool is_over_limit = true;
-  for (int round = 0; round < rounds && is_over_limit; ++round) {
+PostStepReport Deformation::settle(int rounds, Cloth& cloth) {
+  PostStepReport last{.is_over_limit = true};
+  for (int round = 0; round < rounds && last.is_over_limit; ++round) {
     const Matrix3Xd before = cloth.positions;
-    const PostStepReport report = post_step_->correct(before, cloth);
-    recovery_iterations += report.recovery_iterations;
-    is_over_limit = report.is_over_limit;
+    const int recovery_iterations = last.recovery_iterations;
+    last = post_step_->correct(before, cloth);
+    last.recovery_iterations += recovery_iterations;
   }
   cloth.velocities.setZero();
-  return recovery_iterations;
+  return last;
 }
 
 }  // namespace ribbon

@@ -11,6 +11,7 @@
 #include "simulation/integrator.h"
 #include "simulation/natural_size.h"
 #include "simulation/post_step.h"
+#include "simulation/stage_clock.h"
 
 namespace ribbon {
 
@@ -27,14 +28,18 @@ class Deformation {
   void move(const Eigen::Matrix3Xd& wished, Cloth& cloth);
 
   // Applies the post-step up to `rounds` times, until no edge is over the strain limit, and leaves
-  // the cloth at rest. Returns how often a recovery scheme was applied.
-  int settle(int rounds, Cloth& cloth);
+  // the cloth at rest. The report's recovery iterations are those of all rounds.
+  PostStepReport settle(int rounds, Cloth& cloth);
 
   // Into how many parts the springs divide a step.
   [[nodiscard]] int substeps() const { return integrator_->substeps(); }
   [[nodiscard]] const SpringNetwork& springs() const { return springs_; }
+  // Charged with the steps' stages.
+  [[nodiscard]] StageClock& clock() { return *clock_; }
+  [[nodiscard]] const StageClock& clock() const { return *clock_; }
 
  private:
+  std::unique_ptr<StageClock> clock_ = std::make_unique<StageClock>();  // at a fixed place
   SpringNetwork springs_;
   std::unique_ptr<Integrator> integrator_;
   std::unique_ptr<PostStep> post_step_;

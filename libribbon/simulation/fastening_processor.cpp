@@ -4,7 +4,6 @@
 
 #include "simulation/contact_extent.h"
 #include "simulation/gap_lengths.h"
-#include "simulation/recovery.h"
 #include "simulation/scene_limits.h"
 #include "simulation/spring_force.h"
 #include "simulation/width_growth.h"
@@ -79,22 +78,30 @@ Result<void> FasteningProcessor::begin(const Scene& scene, const RibbonMesh& rib
     start_ = recover_as_published();
   }
   if (scene.fastening) hands_.emplace(scene, ribbon.grid, ribbon.length_m, cloth_);
+  deformation_.clock().reset();
   return {};
 }
 
 // A band that was bent into a drawn curve is strained here and there, and may be pierced. Before
 // the first step it is corrected and recovered as after any other, without force and at rest.
 StartReport FasteningProcessor::recover_as_published() {
-  const int iterations = deformation_.settle(settling_rounds, cloth_);
-  return {iterations > 0 ? StartKind::recovered : StartKind::free, iterations};
+  const PostStepReport report = deformation_.settle(settling_rounds, cloth_);
+  return {.kind = report.recovery_iterations > 0 ? StartKind::recovered : StartKind::free,
+          .recovery_iterations = report.recovery_iterations,
+          .penetrating_edges = report.penetrating_edges};
 }
 
 StepReport FasteningProcessor::step() {
   ++steps_;
-  const PostStepReport report =
-      deformation_.step(hands_ ? hands_->pull(cloth_) : Matrix3Xd(3, 0), cloth_);
+  StageClock& clock = deformation_.clock();
+  clock.charge(Stage::fastening);
+  const Matrix3Xd force = hands_ ? hands_->pull(cloth_) : Matrix3Xd(3, 0);
+  const PostStepReport report = deformation_.step(force, cloth_);
+  clock.charge(Stage::fastening);
   if (hands_) hands_->follow(cloth_);
+  clock.stop();
   return {.recovery_iterations = report.recovery_iterations,
+          .penetrating_edges = report.penetrating_edges,
           .held_back = report.held_back,
           .pull = hands_ ? hands_->share() : 1};
 }
@@ -105,10 +112,6 @@ std::optional<Tightness> FasteningProcessor::tightness() {
   return Tightness{.progress = hands_->progress(),
                    .contact_share = contact.share,
                    .rope_length = contact.knotted_m / size_.width_m};
-}
-
-int FasteningProcessor::penetrating_edges() {
-  return count_penetrating_edges(*bodies_, cloth_.positions);
 }
 
 double FasteningProcessor::strain() const {

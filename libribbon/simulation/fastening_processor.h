@@ -22,6 +22,7 @@ namespace ribbon {
 // What one step brought about.
 struct StepReport {
   int recovery_iterations = 0;  // of Figure 15
+  int penetrating_edges = 0;    // left over, of ribbon and obstacle; none with the gate
   int held_back = 0;            // particles that the gate did not let go all of their way
   double pull = 1;              // the share of the fastening force that the hands applied
 };
@@ -49,9 +50,6 @@ class FasteningProcessor {
 
   StepReport step();
 
-  // How many distinct edges pierce a triangle now, ribbon and obstacle together. Costs a detection.
-  [[nodiscard]] int penetrating_edges();
-
   // Largest |length / rest length - 1| of the stretch and shear springs now.
   [[nodiscard]] double strain() const;
 
@@ -65,6 +63,9 @@ class FasteningProcessor {
   // this, even if each coordinate of a particle is moved by the scene's max_position_error. 0 with
   // contact = "paper", which guarantees nothing.
   [[nodiscard]] double guaranteed_gap_m() const { return guaranteed_gap_m_; }
+
+  // Where the time of all steps went.
+  [[nodiscard]] const StageSums& stage_sums() const { return deformation_.clock().sums(); }
 
   // 3 x particles, metres.
   [[nodiscard]] Eigen::Matrix3Xd positions() const;

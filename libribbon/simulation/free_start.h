@@ -26,6 +26,7 @@ std::string_view word_for(StartKind kind);
 struct StartReport {
   StartKind kind = StartKind::free;
   int recovery_iterations = 0;  // how often a scheme was applied
+  int penetrating_edges = 0;    // left; none with the gate
 };
 
 // Moves the cloth from where it was generated to a start that is free, settled and at rest,

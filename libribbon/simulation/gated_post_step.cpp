@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "simulation/collision_response.h"
 #include "simulation/contact_constraints.h"
@@ -16,7 +17,7 @@ using Eigen::Matrix3Xd;
 
 constexpr int repulsion_rounds = 3;
 constexpr int smoothing_rounds = 10;  // each followed by the gate
-constexpr int sweeps = 20;            // at most, in each of them
+constexpr int most_sweeps = 20;       // in each of them
 // Layers that move together let each other pass one by one.
 constexpr int passages = 4;
 
@@ -39,8 +40,9 @@ std::vector<Spring> limited_edges(const PostStepProperties& properties) {
 
 class GatedPostStep : public PostStep {
  public:
-  GatedPostStep(Bodies& bodies, const PostStepProperties& properties)
+  GatedPostStep(Bodies& bodies, const PostStepProperties& properties, StageClock& clock)
       : bodies_(bodies),
+        clock_(clock),
         gaps_(properties.size, gap_lengths(properties.size.shortest_edge_m(), properties.rounding_m,
                                            properties.thickness_m)),
         repulsion_settings_{.friction = properties.friction},
@@ -53,12 +55,15 @@ class GatedPostStep : public PostStep {
 
   PostStepReport correct(const Matrix3Xd& before, Cloth& cloth) override {
     certified_ = before;
-    surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
+    detect(cloth.positions);
+    clock_.charge(Stage::repulsion);
     repel(cloth);
     PostStepReport report{.is_over_limit = true};
     for (int round = 0; round < smoothing_rounds && report.is_over_limit; ++round) {
+      clock_.charge(Stage::smoothing);
       smooth(cloth);
       survey_again_if_outgrown(round > 0, cloth);
+      clock_.charge(Stage::errors);
       report.held_back = std::max(report.held_back, pass(cloth));
       report.is_over_limit = strain_limit_.worst(cloth.positions) > accepted_strain;
     }
@@ -66,12 +71,18 @@ class GatedPostStep : public PostStep {
   }
 
  private:
+  // Around the way from the certified to the wished positions.
+  void detect(const Matrix3Xd& wished, std::span<const int> stragglers = {}) {
+    clock_.charge(Stage::detection);
+    surroundings_ = survey(bodies_, survey_lengths_, certified_, wished, stragglers);
+    clock_.count_detection(surroundings_.pairs.size());
+  }
+
   // A few vertices that wish to leave their ranges are held back, which may strain their edges;
   // many are worth a new survey, and any when edges are strained.
   void survey_again_if_outgrown(bool is_strained, const Cloth& cloth) {
     const Eigen::Index few = is_strained ? 0 : cloth.particle_count() / 100;
-    if (count_outside(surroundings_, cloth.positions) > few)
-      surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
+    if (count_outside(surroundings_, cloth.positions) > few) detect(cloth.positions);
   }
 
   // while ∃ collision: update velocity, displacement.
@@ -91,10 +102,12 @@ class GatedPostStep : public PostStep {
     const Matrix3Xd before = cloth.positions;
     const auto contacts = contact_constraints(surroundings_, gaps_, reach_m(), certified_, cloth);
     bool any = true;
-    for (int sweep = 0; sweep < sweeps && any; ++sweep) {
+    int sweeps = 0;
+    for (; sweeps < most_sweeps && any; ++sweeps) {
       any = keep_apart(contacts, cloth.positions);
       any = strain_limit_.tighten(cloth.positions) || any;
     }
+    clock_.count_sweeps(sweeps);
     cloth.velocities += (cloth.positions - before).leftCols(cloth.particle_count()) / step_s_;
   }
 
@@ -122,7 +135,8 @@ class GatedPostStep : public PostStep {
         stragglers.resize(static_cast<std::size_t>(cloth.particle_count()));
         std::iota(stragglers.begin(), stragglers.end(), 0);
       }
-      surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions, stragglers);
+      detect(cloth.positions, stragglers);
+      clock_.charge(Stage::errors);
       passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
     }
     return passage;
@@ -144,6 +158,7 @@ class GatedPostStep : public PostStep {
   [[nodiscard]] double reach_m() const { return survey_lengths_.reach_m + survey_lengths_.slack_m; }
 
   Bodies& bodies_;
+  StageClock& clock_;
   PairGaps gaps_;
   RepulsionSettings repulsion_settings_;
   SurveyLengths survey_lengths_;
@@ -156,8 +171,9 @@ class GatedPostStep : public PostStep {
 
 }  // namespace
 
-std::unique_ptr<PostStep> gated_post_step(Bodies& bodies, const PostStepProperties& properties) {
-  return std::make_unique<GatedPostStep>(bodies, properties);
+std::unique_ptr<PostStep> gated_post_step(Bodies& bodies, const PostStepProperties& properties,
+                                          StageClock& clock) {
+  return std::make_unique<GatedPostStep>(bodies, properties, clock);
 }
 
 }  // namespace ribbon

@@ -8,6 +8,7 @@
 #include "simulation/bodies.h"
 #include "simulation/cloth.h"
 #include "simulation/natural_size.h"
+#include "simulation/stage_clock.h"
 
 namespace ribbon {
 
@@ -23,6 +24,7 @@ struct PostStepProperties {
 
 struct PostStepReport {
   int recovery_iterations = 0;  // how often scheme A, B or C was applied
+  int penetrating_edges = 0;    // that it left; the gate lets none come about
   bool is_over_limit = false;  // is some edge still longer or shorter than the strain limit allows?
   int held_back = 0;  // particles that the gate did not let go all of their way, in the passage
                       // that held most
@@ -38,11 +40,14 @@ class PostStep {
 };
 
 // As published: collisions are repelled as far as they are found, smoothing may push the ribbon
-// through itself, and schemes A, B and C bring it back as well as they can.
-std::unique_ptr<PostStep> published_post_step(Bodies& bodies, const PostStepProperties& properties);
+// through itself, and schemes A, B and C bring it back as well as they can. `clock`, here and
+// below, is charged with the stages, and must outlive the post-step.
+std::unique_ptr<PostStep> published_post_step(Bodies& bodies, const PostStepProperties& properties,
+                                              StageClock& clock);
 
 // Collisions are repelled likewise, but smoothing knows of contact, and positions reach the cloth
 // only through the gate, so that what did not intersect at the start never does.
-std::unique_ptr<PostStep> gated_post_step(Bodies& bodies, const PostStepProperties& properties);
+std::unique_ptr<PostStep> gated_post_step(Bodies& bodies, const PostStepProperties& properties,
+                                          StageClock& clock);
 
 }  // namespace ribbon

@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "simulation/collision_response.h"
 #include "simulation/post_step.h"
 #include "simulation/recovery.h"
@@ -16,8 +18,9 @@ constexpr int repulsion_rounds = 10;   // of detection and repulsion, at most
 
 class PublishedPostStep : public PostStep {
  public:
-  PublishedPostStep(Bodies& bodies, const PostStepProperties& properties)
+  PublishedPostStep(Bodies& bodies, const PostStepProperties& properties, StageClock& clock)
       : bodies_(bodies),
+        clock_(clock),
         step_s_(properties.step_s),
         gaps_(properties.size, {.contact_m = 0.1 * properties.size.shortest_edge_m(),
                                 .thickness_m = properties.thickness_m}),
@@ -29,19 +32,26 @@ class PublishedPostStep : public PostStep {
 
   PostStepReport correct(const Matrix3Xd& before, Cloth& cloth) override {
     repel(before, cloth);
+    clock_.charge(Stage::smoothing);
     smooth(cloth);
-    const int iterations = recover(bodies_, recovery_settings_, cloth.positions).iterations;
-    return {iterations, strain_correction_.any_over_limit(cloth.positions)};
+    clock_.charge(Stage::errors);
+    const RecoveryReport recovery = recover(bodies_, recovery_settings_, cloth.positions);
+    return {.recovery_iterations = recovery.iterations,
+            .penetrating_edges = recovery.penetrating_edges,
+            .is_over_limit = strain_correction_.any_over_limit(cloth.positions)};
   }
 
  private:
   // while ∃ collision: update velocity, displacement.
   void repel(const Matrix3Xd& before, Cloth& cloth) {
-    for (int round = 0; round < repulsion_rounds; ++round)
-      if (!repel_once(
-              swept_pairs_by_curvature(bodies_, before, cloth.positions, gaps_.largest_contact_m()),
-              gaps_, repulsion_settings_, before, cloth))
-        return;
+    for (int round = 0; round < repulsion_rounds; ++round) {
+      clock_.charge(Stage::detection);
+      const std::vector<FeaturePair> pairs =
+          swept_pairs_by_curvature(bodies_, before, cloth.positions, gaps_.largest_contact_m());
+      clock_.count_detection(pairs.size());
+      clock_.charge(Stage::repulsion);
+      if (!repel_once(pairs, gaps_, repulsion_settings_, before, cloth)) return;
+    }
   }
 
   // while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes
@@ -53,11 +63,13 @@ class PublishedPostStep : public PostStep {
       strain_correction_.apply(cloth.positions);
       ++rounds;
     }
+    clock_.count_sweeps(rounds);
     if (rounds > 0)
       cloth.velocities += (cloth.positions - before).leftCols(cloth.particle_count()) / step_s_;
   }
 
   Bodies& bodies_;
+  StageClock& clock_;
   double step_s_;
   PairGaps gaps_;
   RepulsionSettings repulsion_settings_;
@@ -67,9 +79,9 @@ class PublishedPostStep : public PostStep {
 
 }  // namespace
 
-std::unique_ptr<PostStep> published_post_step(Bodies& bodies,
-                                              const PostStepProperties& properties) {
-  return std::make_unique<PublishedPostStep>(bodies, properties);
+std::unique_ptr<PostStep> published_post_step(Bodies& bodies, const PostStepProperties& properties,
+                                              StageClock& clock) {
+  return std::make_unique<PublishedPostStep>(bodies, properties, clock);
 }
 
 }  // namespace ribbon

@@ -214,12 +214,14 @@ TEST(FreeStart, as_published_recovers_what_it_can_and_counts_the_rest) {
   Scene scene = scene_of_loop();
   scene.contact = ContactMethod::paper;
   const RibbonMesh mesh = mesh_of_loop(scene);
-  auto touched = FasteningProcessor::create(scene, mesh, post_in_the_way(0.001)).value();
+  const auto touched = FasteningProcessor::create(scene, mesh, post_in_the_way(0.001)).value();
   EXPECT_EQ(touched.start().kind, StartKind::recovered);
   EXPECT_GT(touched.start().recovery_iterations, 0);
   EXPECT_EQ(touched.guaranteed_gap_m(), 0);
+  EXPECT_EQ(touched.start().penetrating_edges, 0);
   auto cut = FasteningProcessor::create(scene, mesh, walls()).value();
-  EXPECT_GT(cut.penetrating_edges(), 0);
+  EXPECT_GT(cut.start().penetrating_edges, 0);
+  EXPECT_GT(cut.step().penetrating_edges, 0);
 }
 
 }  // namespace

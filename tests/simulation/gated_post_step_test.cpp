@@ -36,7 +36,8 @@ double smallest_height(const Cloth& cloth) {
 TEST(GatedPostStep, a_sheet_that_falls_comes_to_rest_over_the_floor) {
   OverFloor planted = ribbon_over_floor(grid, -1);
   Cloth cloth = cloth_at(planted.positions);
-  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s});
+  StageClock clock;
+  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s}, clock);
   for (int step = 0; step < 30; ++step) {
     cloth.velocities.row(1).array() -= 1;
     drift(*post_step, cloth);
@@ -48,7 +49,8 @@ TEST(GatedPostStep, a_sheet_that_falls_comes_to_rest_over_the_floor) {
 TEST(GatedPostStep, nothing_passes_however_far_the_wish_lies_beyond) {
   OverFloor planted = ribbon_over_floor(grid, -0.3);
   Cloth cloth = cloth_at(planted.positions);
-  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s});
+  StageClock clock;
+  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s}, clock);
   for (int round = 0; round < 20; ++round) {
     const Matrix3Xd before = cloth.positions;
     cloth.positions.row(1).leftCols(grid.particle_count()).array() -= 3;
@@ -60,7 +62,8 @@ TEST(GatedPostStep, nothing_passes_however_far_the_wish_lies_beyond) {
 TEST(GatedPostStep, tells_how_many_particles_the_gate_held_back) {
   OverFloor planted = ribbon_over_floor(grid, -0.3);
   Cloth cloth = cloth_at(planted.positions);
-  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s});
+  StageClock clock;
+  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s}, clock);
   const Matrix3Xd before = cloth.positions;
   EXPECT_EQ(post_step->correct(before, cloth).held_back, 0);
   // No way is longer than four edges, however free it is.
@@ -72,7 +75,8 @@ TEST(GatedPostStep, tells_how_many_particles_the_gate_held_back) {
 TEST(GatedPostStep, what_is_pulled_against_contact_stays_within_the_strain_limit) {
   OverFloor planted = ribbon_over_floor(grid, -0.3);
   Cloth cloth = cloth_at(planted.positions);
-  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s});
+  StageClock clock;
+  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s}, clock);
   const SpringNetwork edges = spring_network(grid, size.length_m, size.width_m, {1, 1, 0});
   const double begun_m = cloth.positions.row(0).leftCols(grid.particle_count()).maxCoeff();
   for (int step = 0; step < 50; ++step) {
@@ -94,8 +98,9 @@ TEST(GatedPostStep, friction_slows_what_slides_under_pressure) {
     OverFloor planted = ribbon_over_floor(grid, -0.15);
     Cloth cloth = cloth_at(planted.positions);
     cloth.velocities.row(0).setConstant(5);
-    const auto post_step =
-        gated_post_step(planted.bodies, {.size = size, .step_s = step_s, .friction = friction});
+    StageClock clock;
+    const auto post_step = gated_post_step(
+        planted.bodies, {.size = size, .step_s = step_s, .friction = friction}, clock);
     for (int step = 0; step < 8; ++step) {
       cloth.velocities.row(1).array() -= 1;
       drift(*post_step, cloth);
@@ -125,8 +130,9 @@ TEST(GatedPostStep, thick_layers_part_to_their_thickness_and_are_not_pressed_und
   const Matrix3Xd start = folded_ribbon(grid, 0.4);
   Bodies bodies = ribbon_alone(grid, start);
   Cloth cloth = cloth_at(start);
+  StageClock clock;
   const auto post_step =
-      gated_post_step(bodies, {.size = size, .step_s = step_s, .thickness_m = 0.6});
+      gated_post_step(bodies, {.size = size, .step_s = step_s, .thickness_m = 0.6}, clock);
   EXPECT_NEAR(gap_between_layers(bodies, cloth.positions), 0.4, 0.01);
   for (int step = 0; step < 10; ++step) drift(*post_step, cloth);
   EXPECT_NEAR(gap_between_layers(bodies, cloth.positions), 0.6, 0.05);
@@ -145,8 +151,9 @@ TEST(GatedPostStep, flat_neighbours_are_at_rest_however_thick_the_cloth) {
   const Matrix3Xd flat = flat_ribbon(grid);
   Bodies bodies = ribbon_alone(grid, flat);
   Cloth cloth = cloth_at(flat);
+  StageClock clock;
   const auto post_step =
-      gated_post_step(bodies, {.size = size, .step_s = step_s, .thickness_m = 3});
+      gated_post_step(bodies, {.size = size, .step_s = step_s, .thickness_m = 3}, clock);
   drift(*post_step, cloth);
   EXPECT_EQ(cloth.positions, flat);
 }
