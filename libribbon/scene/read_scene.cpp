@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "files/files.h"
+#include "scene/accuracy.h"
 #include "scene/nearest_word.h"
 #include "scene/scene.h"
 
@@ -218,6 +219,20 @@ std::vector<Eigen::Vector2d>& drawn_points(Scene& scene) {
   return scene.curve.drawing.emplace<DrawnPoints>().points;
 }
 
+std::vector<std::pair<std::string_view, const AccuracyLevel*>> accuracy_words() {
+  std::vector<std::pair<std::string_view, const AccuracyLevel*>> words;
+  for (const AccuracyLevel& level : accuracy_levels) words.emplace_back(level.word, &level);
+  return words;
+}
+
+// The scene's own keys overwrite what the level sets: they are read later, in the tables below.
+Reader set_level() {
+  return [](const Value& value, Scene& scene) {
+    return one_of(accuracy_words())(value).map(
+        [&](const AccuracyLevel* level) { set_accuracy(*level, scene); });
+  };
+}
+
 // ---- The table of keys. docs/scene.md tells users about each; a test compares the two.
 
 enum class Need { optional, required };
@@ -336,7 +351,8 @@ const std::vector<Table>& tables() {
        {{"name", optional, "\"overhand-hourglass\"", set(&Scene::name, text)},
         {"contact", optional, "\"gate\"",
          set(&Scene::contact, one_of<ContactMethod>({{"gate", ContactMethod::gate},
-                                                     {"paper", ContactMethod::paper}}))}}},
+                                                     {"paper", ContactMethod::paper}}))},
+        {"accuracy", optional, "\"balanced\"", set_level()}}},
       {"curve", required, curve_keys()},
       {"ribbon", required, ribbon_keys()},
       {"springs", optional, spring_keys()},

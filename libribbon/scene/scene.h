@@ -88,6 +88,14 @@ struct TimeScene {
   double duration_s = 0;  // at most
   RunsUntil until = RunsUntil::duration;
   IntegrationMethod integrator = IntegrationMethod::rk4;
+  double tolerance = 0.03;  // of IntegrationMethod::implicit, of the change of the velocities
+};
+
+// How edges are kept near their natural length where contact is in the way.
+struct SmoothingScene {
+  double strain = 0.08;  // that is aimed at, of the natural length
+  int most_rounds = 10;  // of sweeps, each followed by the gate
+  int most_sweeps = 20;  // over all contacts and edges, in each of them
 };
 
 struct RecordingScene {
@@ -111,6 +119,7 @@ struct Scene {
   std::optional<ObstacleScene> obstacle;
   std::optional<FasteningScene> fastening;
   TimeScene time;
+  SmoothingScene smoothing;
   RecordingScene recording;
 };
 

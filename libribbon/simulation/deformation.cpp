@@ -13,6 +13,7 @@ std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& si
       .step_s = scene.time.step_s,
       .resists_shear = scene.springs.shear > 0,
       .rounding_m = scene.recording.max_position_error_m(size.length_m),
+      .smoothing = scene.smoothing,
       .thickness_m = scene.ribbon.thickness_m,
       .friction = scene.friction};
   return scene.contact == ContactMethod::paper ? published_post_step(bodies, properties, clock)
@@ -24,9 +25,10 @@ std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& si
 Deformation::Deformation(const Scene& scene, const NaturalSize& size, double particle_mass_kg,
                          Bodies& bodies)
     : springs_(spring_network(size.grid, size.length_m, size.width_m, scene.springs)),
-      integrator_(create_integrator(scene.time.integrator, springs_,
-                                    {scene.time.step_s, size.grid.particle_count(),
-                                     particle_mass_kg, scene.air_resistance_per_s})),
+      integrator_(
+          create_integrator(scene.time.integrator, springs_,
+                            {scene.time.step_s, size.grid.particle_count(), particle_mass_kg,
+                             scene.air_resistance_per_s, scene.time.tolerance})),
       post_step_(post_step_of(scene, size, bodies, *clock_)) {}
 
 PostStepReport Deformation::step(const Matrix3Xd& fastening_force, Cloth& cloth) {

@@ -16,26 +16,24 @@ namespace {
 using Eigen::Matrix3Xd;
 
 constexpr int repulsion_rounds = 3;
-constexpr int smoothing_rounds = 10;  // each followed by the gate
-constexpr int most_sweeps = 20;       // in each of them
 // Layers that move together let each other pass one by one.
 constexpr int passages = 4;
 
 constexpr int surveys_of_stragglers = 3;  // before all particles count as such
 
-// Of the natural length: what smoothing aims at, and what it is content with. The paper's limit of
-// 10 % (section 5.5) lies beyond both, because the gate may hold a particle back afterwards.
-constexpr double aimed_strain = 0.08;
-constexpr double accepted_strain = 0.088;
-
-std::vector<Spring> limited_edges(const PostStepProperties& properties) {
+StrainLimit strain_limit(const PostStepProperties& properties) {
   const NaturalSize& size = properties.size;
   const SpringNetwork network =
       spring_network(size.grid, size.length_m, size.width_m,
                      {.stretch = 1, .shear = properties.resists_shear ? 1.0 : 0.0, .bend = 0});
   std::vector<Spring> edges = network.stretch.springs;
   edges.insert(edges.end(), network.shear.springs.begin(), network.shear.springs.end());
-  return edges;
+  std::vector<double> limits;
+  limits.reserve(edges.size());
+  for (const Spring& edge : edges)
+    limits.push_back(
+        aimed_strain(properties.smoothing.strain, edge.rest_length_m, properties.rounding_m));
+  return {std::move(edges), std::move(limits)};
 }
 
 class GatedPostStep : public PostStep {
@@ -49,7 +47,8 @@ class GatedPostStep : public PostStep {
         survey_lengths_{.reach_m = gaps_.largest_contact_m(),
                         .slack_m = 0.1 * properties.size.shortest_edge_m(),
                         .longest_way_m = 4 * properties.size.shortest_edge_m()},
-        strain_limit_(limited_edges(properties), aimed_strain),
+        smoothing_(properties.smoothing),
+        strain_limit_(strain_limit(properties)),
         negligible_m_(0.01 * properties.size.shortest_edge_m()),
         step_s_(properties.step_s) {}
 
@@ -59,13 +58,13 @@ class GatedPostStep : public PostStep {
     clock_.charge(Stage::repulsion);
     repel(cloth);
     PostStepReport report{.is_over_limit = true};
-    for (int round = 0; round < smoothing_rounds && report.is_over_limit; ++round) {
+    for (int round = 0; round < smoothing_.most_rounds && report.is_over_limit; ++round) {
       clock_.charge(Stage::smoothing);
       smooth(cloth);
       survey_again_if_outgrown(round > 0, cloth);
       clock_.charge(Stage::errors);
       report.held_back = std::max(report.held_back, pass(cloth));
-      report.is_over_limit = strain_limit_.worst(cloth.positions) > accepted_strain;
+      report.is_over_limit = strain_limit_.worst_excess(cloth.positions) > strain_left_over;
     }
     return report;
   }
@@ -103,7 +102,7 @@ class GatedPostStep : public PostStep {
     const auto contacts = contact_constraints(surroundings_, gaps_, reach_m(), certified_, cloth);
     bool any = true;
     int sweeps = 0;
-    for (; sweeps < most_sweeps && any; ++sweeps) {
+    for (; sweeps < smoothing_.most_sweeps && any; ++sweeps) {
       any = keep_apart(contacts, cloth.positions);
       any = strain_limit_.tighten(cloth.positions) || any;
     }
@@ -162,6 +161,7 @@ class GatedPostStep : public PostStep {
   PairGaps gaps_;
   RepulsionSettings repulsion_settings_;
   SurveyLengths survey_lengths_;
+  SmoothingScene smoothing_;
   StrainLimit strain_limit_;
   double negligible_m_;
   double step_s_;

@@ -20,10 +20,6 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixX3d;
 using Eigen::RowVector3d;
 
-// The minimum is found when the energy that is left to win is less than this squared of what it
-// takes to change the velocities so far: measured against the motion itself, forces that are weak
-// for a fast ribbon would be left out for ever.
-constexpr double tolerance = 0.03;
 // Beyond it the step ends where it is: lower than where it began, but not at the minimum.
 constexpr int most_iterations = 50;
 constexpr int most_trials = 8;             // of one line search
@@ -99,7 +95,7 @@ class ImplicitEuler final : public Integrator {
         pairs_.clear();
         slope_j = head_for_minimum();
       }
-      if (-slope_j <= tolerance * tolerance * inertia_ * squared_change()) return;
+      if (-slope_j <= least_win() * squared_change()) return;
       if (!descend(slope_j) && pairs_.empty()) return;  // nothing but rounding is left to win
     }
   }
@@ -126,6 +122,12 @@ class ImplicitEuler final : public Integrator {
     pairs_.toward_minimum(downhill_, solve, heading_);
     set_mean(RowVector3d::Zero(), heading_);
     return dot(here_.gradient, heading_);
+  }
+
+  // What is worth another iteration, per squared change: measured against the motion itself, forces
+  // that are weak for a fast ribbon would be left out for ever.
+  [[nodiscard]] double least_win() const {
+    return properties_.tolerance * properties_.tolerance * inertia_;
   }
 
   // Of the displacement against the one that the last velocities would bring.

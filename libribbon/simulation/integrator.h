@@ -16,6 +16,10 @@ struct MotionProperties {
   int particle_count = 0;
   double particle_mass_kg = 0;
   double air_resistance_per_s = 0;  // deceleration per speed
+  // Of the implicit scheme, above 0: the minimum is found when the energy that is left to win is
+  // less than this squared of what it takes to change the velocities so far. Too large: forces act
+  // late and motion is damped; too small: each step takes more iterations.
+  double tolerance = 0.03;
 };
 
 // Moves a ribbon by its springs, the air and the fastening force, one step at a time.

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "scene/scene.h"
 #include "simulation/bodies.h"
 #include "simulation/cloth.h"
 #include "simulation/natural_size.h"
@@ -15,11 +16,12 @@ namespace ribbon {
 // What the post-step needs to know of a ribbon and its recording.
 struct PostStepProperties {
   NaturalSize size;
-  double step_s = 0;          // turns corrections of positions into velocities
-  bool resists_shear = true;  // are diagonals kept within the strain limit, too?
-  double rounding_m = 0;      // how far recording may move a coordinate
-  double thickness_m = 0;     // of the cloth
-  double friction = 0;        // Coulomb's coefficient
+  double step_s = 0;              // turns corrections of positions into velocities
+  bool resists_shear = true;      // are diagonals kept within the strain limit, too?
+  double rounding_m = 0;          // how far recording may move a coordinate
+  SmoothingScene smoothing = {};  // of the gated one
+  double thickness_m = 0;         // of the cloth
+  double friction = 0;            // Coulomb's coefficient
 };
 
 struct PostStepReport {

@@ -13,19 +13,29 @@ namespace ribbon {
 // edges.
 class StrainLimit {
  public:
-  // limit: of the natural length, in both directions.
-  StrainLimit(std::vector<Spring> edges, double limit);
+  // One limit per edge, of the natural length, in both directions.
+  StrainLimit(std::vector<Spring> edges, std::vector<double> limits);
 
   // One sweep: both particles of each edge beyond the limit move toward or away from each other by
   // equal parts, in order. Was any beyond it by more than a five-hundredth of its length?
   bool tighten(Eigen::Matrix3Xd& positions) const;
 
-  // The largest |length / natural length - 1|.
-  [[nodiscard]] double worst(const Eigen::Matrix3Xd& positions) const;
+  // The most by which |length / natural length - 1| of an edge is beyond its limit; below 0 where
+  // none is.
+  [[nodiscard]] double worst_excess(const Eigen::Matrix3Xd& positions) const;
 
  private:
   std::vector<Spring> edges_;
-  double limit_;
+  std::vector<double> limits_;
 };
+
+// What smoothing aims at for an edge of natural length rest_m, so that it is still within the
+// paper's limit of 10 % when it is left a little over and then recorded with rounding_m (>= 0) a
+// coordinate: `strain`, or what rounding leaves, but not less than 2 %. Such short edges may be
+// recorded beyond the limit.
+double aimed_strain(double strain, double rest_m, double rounding_m);
+
+// By how much more than what was aimed at smoothing is content with.
+inline constexpr double strain_left_over = 0.008;
 
 }  // namespace ribbon

@@ -234,6 +234,10 @@ INSTANTIATE_TEST_SUITE_P(
         Impossible{"unknown_word", with_in("[curve]", "axis = 'w'"),
                    "2:8: 'axis' must be one of \"x\", \"y\", \"z\", not the text 'w'; "
                    "write for example 'axis = \"y\"'"},
+        Impossible{"unknown_accuracy", "accuracy = 'best'\n" + smallest_scene(),
+                   "1:12: 'accuracy' must be one of \"draft\", \"balanced\", \"fine\", "
+                   "\"reference\", not the text 'best'; write for example 'accuracy = "
+                   "\"balanced\"'"},
         Impossible{"two_coordinates_for_three", with("[obstacle]\nmesh = 'a'\nposition = [1, 2]\n"),
                    "12:12: 'position' must be 3 numbers from -1e12 to 1e12 in brackets, "
                    "not an array of 2; write for example 'position = [0, 0, 0]'"},

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "simulation/planted_penetrations.h"
@@ -71,24 +72,28 @@ TEST(GatedPostStep, tells_how_many_particles_the_gate_held_back) {
   EXPECT_EQ(post_step->correct(before, cloth).held_back, grid.particle_count());
 }
 
-// Both ends are pulled outward while all of it is pressed on the floor.
-TEST(GatedPostStep, what_is_pulled_against_contact_stays_within_the_strain_limit) {
-  OverFloor planted = ribbon_over_floor(grid, -0.3);
-  Cloth cloth = cloth_at(planted.positions);
-  StageClock clock;
-  const auto post_step = gated_post_step(planted.bodies, {.size = size, .step_s = step_s}, clock);
-  const SpringNetwork edges = spring_network(grid, size.length_m, size.width_m, {1, 1, 0});
-  const double begun_m = cloth.positions.row(0).leftCols(grid.particle_count()).maxCoeff();
-  for (int step = 0; step < 50; ++step) {
-    for (int p = 0; p < grid.particle_count(); ++p) {
-      cloth.velocities(0, p) += grid.row(p) > 15 ? 1 : grid.row(p) < 5 ? -1 : 0;
-      cloth.velocities(1, p) -= 0.5;
+// Both ends are pulled outward while all of it is pressed on the floor. Rounded by 0.01 m, what is
+// recorded differs by up to 3.5 % of an edge more.
+TEST(GatedPostStep, what_is_pulled_against_contact_stays_within_the_strain_limit_as_recorded) {
+  for (const double rounding_m : {0.0, 0.01}) {
+    OverFloor planted = ribbon_over_floor(grid, -0.3);
+    Cloth cloth = cloth_at(planted.positions);
+    StageClock clock;
+    const auto post_step = gated_post_step(
+        planted.bodies, {.size = size, .step_s = step_s, .rounding_m = rounding_m}, clock);
+    const SpringNetwork edges = spring_network(grid, size.length_m, size.width_m, {1, 1, 0});
+    const double begun_m = cloth.positions.row(0).leftCols(grid.particle_count()).maxCoeff();
+    for (int step = 0; step < 50; ++step) {
+      for (int p = 0; p < grid.particle_count(); ++p) {
+        cloth.velocities(0, p) += grid.row(p) > 15 ? 1 : grid.row(p) < 5 ? -1 : 0;
+        cloth.velocities(1, p) -= 0.5;
+      }
+      drift(*post_step, cloth);
+      ASSERT_LE(worst_strain(edges, cloth.positions) + 2 * std::sqrt(3) * rounding_m, 0.1) << step;
+      ASSERT_GE(smallest_height(cloth), -1 + 0.05) << step;
     }
-    drift(*post_step, cloth);
-    ASSERT_LE(worst_strain(edges, cloth.positions), 0.1) << step;
-    ASSERT_GE(smallest_height(cloth), -1 + 0.05) << step;
+    EXPECT_GT(cloth.positions.row(0).leftCols(grid.particle_count()).maxCoeff(), begun_m + 0.5);
   }
-  EXPECT_GT(cloth.positions.row(0).leftCols(grid.particle_count()).maxCoeff(), begun_m + 0.5);
 }
 
 // By hand: each step adds 1 m/s down, which contact takes away again, plus a tenth: friction takes

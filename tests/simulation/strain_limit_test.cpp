@@ -8,19 +8,19 @@ namespace {
 using Eigen::Matrix3Xd;
 
 TEST(StrainLimit, brings_a_long_edge_back_to_the_limit_about_its_middle) {
-  const StrainLimit limit({{0, 1, 1}}, 0.1);
+  const StrainLimit limit({{0, 1, 1}}, {0.1});
   Matrix3Xd x(3, 2);
   x << 0, 0, 0, 2, 0, 0;
-  EXPECT_DOUBLE_EQ(limit.worst(x), 1);
+  EXPECT_DOUBLE_EQ(limit.worst_excess(x), 1 - 0.1);
   EXPECT_TRUE(limit.tighten(x));
   // By hand: from 2 m to 1.1 m, 0.45 m at either end.
   EXPECT_NEAR(x(1, 0), 0.45, 1e-15);
   EXPECT_NEAR(x(1, 1), 1.55, 1e-15);
-  EXPECT_NEAR(limit.worst(x), 0.1, 1e-12);
+  EXPECT_NEAR(limit.worst_excess(x), 0, 1e-12);
 }
 
 TEST(StrainLimit, brings_a_short_edge_back_to_the_limit) {
-  const StrainLimit limit({{0, 1, 1}}, 0.1);
+  const StrainLimit limit({{0, 1, 1}}, {0.1});
   Matrix3Xd x(3, 2);
   x << 0, 0.5, 0, 0, 0, 0;
   EXPECT_TRUE(limit.tighten(x));
@@ -28,7 +28,7 @@ TEST(StrainLimit, brings_a_short_edge_back_to_the_limit) {
 }
 
 TEST(StrainLimit, leaves_alone_what_is_within_it) {
-  const StrainLimit limit({{0, 1, 1}, {1, 2, 1}}, 0.1);
+  const StrainLimit limit({{0, 1, 1}, {1, 2, 1}}, {0.1, 0.1});
   Matrix3Xd x(3, 3);
   x << 0, 1.09, 2, 0, 0, 0, 0, 0, 0;
   const Matrix3Xd before = x;
@@ -39,17 +39,43 @@ TEST(StrainLimit, leaves_alone_what_is_within_it) {
 TEST(StrainLimit, repeated_sweeps_share_one_long_edge_among_its_neighbours) {
   std::vector<Spring> chain(9);
   for (int i = 0; i < 9; ++i) chain[static_cast<std::size_t>(i)] = {i, i + 1, 1};
-  const StrainLimit limit(chain, 0.1);
+  const StrainLimit limit(chain, std::vector<double>(chain.size(), 0.1));
   Matrix3Xd x = Matrix3Xd::Zero(3, 10);
   for (int i = 0; i < 10; ++i) x(0, i) = i < 5 ? i : i + 0.6;
   int sweeps = 0;
   while (limit.tighten(x) && ++sweeps < 200) continue;
   EXPECT_LT(sweeps, 200);
-  EXPECT_LT(limit.worst(x), 0.1 + 0.003);
+  EXPECT_LT(limit.worst_excess(x), 0.003);
+}
+
+// The first is 0.1 beyond its limit of 0.2, the second 0.15 beyond its own of 0.05.
+TEST(StrainLimit, holds_each_edge_to_its_own_limit) {
+  const StrainLimit limit({{0, 1, 1}, {1, 2, 1}}, {0.2, 0.05});
+  Matrix3Xd x(3, 3);
+  x << 0, 1.3, 2.5, 0, 0, 0, 0, 0, 0;
+  EXPECT_NEAR(limit.worst_excess(x), 0.15, 1e-12);
+  while (limit.tighten(x)) continue;
+  EXPECT_NEAR(x(0, 1) - x(0, 0), 1.2, 0.003);
+  EXPECT_NEAR(x(0, 2) - x(0, 1), 1.05, 0.003);
+}
+
+TEST(StrainLimit, aims_at_what_the_scene_says_where_rounding_leaves_room) {
+  EXPECT_EQ(aimed_strain(0.08, 1, 0), 0.08);
+  EXPECT_EQ(aimed_strain(0.05, 1, 0.01), 0.05);
+}
+
+// By hand: rounding by 0.01 m moves the ends of an edge of 1 m by up to 2 sqrt 3 0.01 m, 3.46 %.
+TEST(StrainLimit, aims_lower_by_what_rounding_may_take_from_an_edge) {
+  EXPECT_NEAR(aimed_strain(0.08, 1, 0.01), 0.099 - 0.034641 - 0.008, 1e-6);
+  EXPECT_NEAR(aimed_strain(0.08, 2, 0.01), 0.099 - 0.017321 - 0.008, 1e-6);
+}
+
+TEST(StrainLimit, aims_at_two_percent_where_rounding_leaves_no_room) {
+  EXPECT_EQ(aimed_strain(0.08, 1, 0.03), 0.02);
 }
 
 TEST(StrainLimit, an_edge_without_length_has_no_direction_and_stays) {
-  const StrainLimit limit({{0, 1, 1}}, 0.1);
+  const StrainLimit limit({{0, 1, 1}}, {0.1});
   Matrix3Xd x = Matrix3Xd::Zero(3, 2);
   EXPECT_FALSE(limit.tighten(x));
   EXPECT_TRUE(x.allFinite());

@@ -1,0 +1,26 @@
+// The accuracy ladder: what each level sets where the scene does not. docs/accuracy.md tells what
+// each costs and how near it comes to the reference.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace ribbon {
+
+struct AccuracyLevel {
+  std::string_view word;  // for it in scene files
+  double step_s = 0;
+  IntegrationMethod integrator = IntegrationMethod::rk4;
+  double tolerance = 0;
+  SmoothingScene smoothing;
+};
+
+// From the fastest to the most accurate. A new Scene is `balanced`.
+extern const std::array<AccuracyLevel, 4> accuracy_levels;
+
+// Makes the scene one of that level: its step, integrator, tolerance and smoothing.
+void set_accuracy(const AccuracyLevel& level, Scene& scene);
+
+}  // namespace ribbon
