@@ -4,6 +4,7 @@
 
 #include "simulation/penetration.h"
 #include "simulation/surroundings.h"
+#include "simulation/vertex_ranges.h"
 
 namespace ribbon {
 
@@ -22,18 +23,19 @@ Encounter encounter_of(const CollisionSurface& edges, const CollisionSurface& tr
 }  // namespace
 
 std::optional<Encounter> first_piercing(Bodies& bodies, const Matrix3Xd& positions) {
-  Body& ribbon = bodies.ribbon;
-  const auto within =
-      self_penetrations(ribbon.surface, ribbon.hierarchy, Hierarchy::Spare::boxes, positions);
-  if (!within.empty()) return encounter_of(ribbon.surface, ribbon.surface, within.front());
+  const CollisionSurface& ribbon = bodies.ribbon.surface;
+  const std::vector<MovingBox> places = vertex_ranges(positions, positions);
+  bodies.patches.refit(places, 0);
+  const auto within = penetrations_among(ribbon, bodies.patches.pairs_within(places), positions);
+  if (!within.empty()) return encounter_of(ribbon, ribbon, within.front());
   if (!bodies.obstacle) return std::nullopt;
-  const Body& obstacle = *bodies.obstacle;
-  const MutualPenetrations mutual = mutual_penetrations(
-      ribbon.surface, ribbon.hierarchy, obstacle.surface, obstacle.hierarchy, positions);
+  const CollisionSurface& obstacle = bodies.obstacle->surface;
+  const MutualPenetrations mutual = penetrations_between(
+      ribbon, obstacle, bodies.patches.pairs_with(bodies.obstacle->hierarchy), positions);
   if (!mutual.edges_of_first.empty())
-    return encounter_of(ribbon.surface, obstacle.surface, mutual.edges_of_first.front());
+    return encounter_of(ribbon, obstacle, mutual.edges_of_first.front());
   if (!mutual.edges_of_second.empty())
-    return encounter_of(obstacle.surface, ribbon.surface, mutual.edges_of_second.front());
+    return encounter_of(obstacle, ribbon, mutual.edges_of_second.front());
   return std::nullopt;
 }
 

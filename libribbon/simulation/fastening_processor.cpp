@@ -25,18 +25,16 @@ Matrix3Xd all_vertices(const RibbonMesh& ribbon, const std::optional<TriangleMes
   return all;
 }
 
-std::optional<Body> obstacle_body(const std::optional<TriangleMesh>& obstacle, int first_vertex,
-                                  const Matrix3Xd& positions) {
+std::optional<ObstacleBody> obstacle_body(const std::optional<TriangleMesh>& obstacle,
+                                          int first_vertex, const Matrix3Xd& positions) {
   if (!obstacle) return std::nullopt;
-  return Body(collision_surface(obstacle->triangles.array() + first_vertex), positions);
+  return ObstacleBody(collision_surface(obstacle->triangles.array() + first_vertex), positions);
 }
 
 std::unique_ptr<Bodies> bodies_of(const RibbonGrid& grid,
                                   const std::optional<TriangleMesh>& obstacle,
                                   const Matrix3Xd& positions) {
-  return std::make_unique<Bodies>(
-      Bodies{grid, Body(collision_surface(grid.triangles()), positions),
-             obstacle_body(obstacle, grid.particle_count(), positions)});
+  return std::make_unique<Bodies>(grid, obstacle_body(obstacle, grid.particle_count(), positions));
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ class Search {
                                       .step_m = 0.5 * shortest_edge_m(),
                                       .patience = patience};
       report_.recovery_iterations += recover(bodies_, settings, cloth_.positions).iterations;
+      bodies_.ribbon.forget_hierarchy();
       if (is_free()) return true;
     }
     return false;

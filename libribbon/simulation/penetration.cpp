@@ -38,7 +38,7 @@ void list_piercing_edges(const CollisionSurface& edges, int edge_triangle,
 
 // Runs list(pair, found) for all pairs on both cores and joins what was found, in order.
 template <class List>
-std::vector<Penetration> collect(const std::vector<CandidatePair>& pairs, const List& list) {
+std::vector<Penetration> collect(std::span<const CandidatePair> pairs, const List& list) {
   constexpr std::size_t grain = 512;
   std::vector<std::vector<Penetration>> parts((pairs.size() + grain - 1) / grain);
   parallel_ranges(pairs.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -51,24 +51,19 @@ std::vector<Penetration> collect(const std::vector<CandidatePair>& pairs, const 
 
 }  // namespace
 
-std::vector<Penetration> self_penetrations(const CollisionSurface& surface, Hierarchy& hierarchy,
-                                           Hierarchy::Spare spare, const Matrix3Xd& positions) {
-  hierarchy.refit(vertex_ranges(positions, positions), 0);
-  if (spare == Hierarchy::Spare::curvature_and_boxes)
-    hierarchy.refit_curvatures(positions, positions);
-  return collect(hierarchy.pairs_within(spare),
-                 [&](const CandidatePair& pair, std::vector<Penetration>& found) {
-                   list_piercing_edges(surface, pair.a, surface, pair.b, positions, found);
-                   list_piercing_edges(surface, pair.b, surface, pair.a, positions, found);
-                 });
+std::vector<Penetration> penetrations_among(const CollisionSurface& surface,
+                                            std::span<const CandidatePair> pairs,
+                                            const Matrix3Xd& positions) {
+  return collect(pairs, [&](const CandidatePair& pair, std::vector<Penetration>& found) {
+    list_piercing_edges(surface, pair.a, surface, pair.b, positions, found);
+    list_piercing_edges(surface, pair.b, surface, pair.a, positions, found);
+  });
 }
 
-MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy& first_hierarchy,
-                                       const CollisionSurface& second,
-                                       const Hierarchy& second_hierarchy,
-                                       const Matrix3Xd& positions) {
-  first_hierarchy.refit(vertex_ranges(positions, positions), 0);
-  const std::vector<CandidatePair> pairs = first_hierarchy.pairs_with(second_hierarchy);
+MutualPenetrations penetrations_between(const CollisionSurface& first,
+                                        const CollisionSurface& second,
+                                        std::span<const CandidatePair> pairs,
+                                        const Matrix3Xd& positions) {
   return {collect(pairs,
                   [&](const CandidatePair& pair, std::vector<Penetration>& found) {
                     list_piercing_edges(first, pair.a, second, pair.b, positions, found);
@@ -76,6 +71,23 @@ MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy&
           collect(pairs, [&](const CandidatePair& pair, std::vector<Penetration>& found) {
             list_piercing_edges(second, pair.b, first, pair.a, positions, found);
           })};
+}
+
+std::vector<Penetration> self_penetrations(const CollisionSurface& surface, Hierarchy& hierarchy,
+                                           Hierarchy::Spare spare, const Matrix3Xd& positions) {
+  hierarchy.refit(vertex_ranges(positions, positions), 0);
+  if (spare == Hierarchy::Spare::curvature_and_boxes)
+    hierarchy.refit_curvatures(positions, positions);
+  return penetrations_among(surface, hierarchy.pairs_within(spare), positions);
+}
+
+MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy& first_hierarchy,
+                                       const CollisionSurface& second,
+                                       const Hierarchy& second_hierarchy,
+                                       const Matrix3Xd& positions) {
+  first_hierarchy.refit(vertex_ranges(positions, positions), 0);
+  return penetrations_between(first, second, first_hierarchy.pairs_with(second_hierarchy),
+                              positions);
 }
 
 int distinct_edges(const std::vector<Penetration>& penetrations) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
+#include "simulation/candidate_pair.h"
 #include "simulation/collision_surface.h"
 #include "simulation/hierarchy.h"
 
@@ -16,17 +18,29 @@ struct Penetration {
   Eigen::Vector3d point;
 };
 
+// All edges of `surface` that pierce a triangle of it, among `pairs` of its triangles.
+std::vector<Penetration> penetrations_among(const CollisionSurface& surface,
+                                            std::span<const CandidatePair> pairs,
+                                            const Eigen::Matrix3Xd& positions);
+
 // All edges of `surface` that pierce a triangle of it. `hierarchy` is refitted to the positions.
 std::vector<Penetration> self_penetrations(const CollisionSurface& surface, Hierarchy& hierarchy,
                                            Hierarchy::Spare spare,
                                            const Eigen::Matrix3Xd& positions);
 
-// All edges of `first` that pierce a triangle of `second`, in `edges_of_first`, and the other way
-// round, in `edges_of_second`. `first_hierarchy` is refitted; `second` is the still obstacle.
+// All edges of a first surface that pierce a triangle of a second, and the other way round.
 struct MutualPenetrations {
   std::vector<Penetration> edges_of_first;
   std::vector<Penetration> edges_of_second;
 };
+
+// Among `pairs` (triangle of first, triangle of second).
+MutualPenetrations penetrations_between(const CollisionSurface& first,
+                                        const CollisionSurface& second,
+                                        std::span<const CandidatePair> pairs,
+                                        const Eigen::Matrix3Xd& positions);
+
+// `first_hierarchy` is refitted; `second` is the still obstacle.
 MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy& first_hierarchy,
                                        const CollisionSurface& second,
                                        const Hierarchy& second_hierarchy,

@@ -14,13 +14,13 @@ using Eigen::Matrix3Xd;
 
 std::vector<Penetration> ribbon_into_obstacle(Bodies& bodies, const Matrix3Xd& positions) {
   if (!bodies.obstacle) return {};
-  return mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy,
+  return mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
                              bodies.obstacle->surface, bodies.obstacle->hierarchy, positions)
       .edges_of_first;
 }
 
 std::vector<Penetration> ribbon_into_itself(Bodies& bodies, const Matrix3Xd& positions) {
-  return self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy,
+  return self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
                            Hierarchy::Spare::curvature_and_boxes, positions);
 }
 
@@ -61,12 +61,13 @@ void repeat(const Detect& detect, const Scheme& scheme, int patience, Matrix3Xd&
 
 int count_penetrating_edges(Bodies& bodies, const Matrix3Xd& positions) {
   // An honest count does not lean on curvature.
-  std::vector<Penetration> of_ribbon = self_penetrations(
-      bodies.ribbon.surface, bodies.ribbon.hierarchy, Hierarchy::Spare::boxes, positions);
+  std::vector<Penetration> of_ribbon =
+      self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
+                        Hierarchy::Spare::boxes, positions);
   int of_obstacle = 0;
   if (bodies.obstacle) {
     const MutualPenetrations mutual =
-        mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy,
+        mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
                             bodies.obstacle->surface, bodies.obstacle->hierarchy, positions);
     of_ribbon.insert(of_ribbon.end(), mutual.edges_of_first.begin(), mutual.edges_of_first.end());
     of_obstacle = distinct_edges(mutual.edges_of_second);

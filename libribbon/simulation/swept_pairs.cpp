@@ -12,7 +12,7 @@ std::vector<FeaturePair> list_pairs(const Bodies& bodies, std::span<const Candid
   const RangedSurface band{bodies.ribbon.surface, ranges};
   std::vector<FeaturePair> pairs = feature_pairs(band, band, within, margin_m);
   if (bodies.obstacle) {
-    const Body& obstacle = *bodies.obstacle;
+    const ObstacleBody& obstacle = *bodies.obstacle;
     const std::vector<FeaturePair> others =
         feature_pairs(band, {obstacle.surface, ranges}, with_obstacle, margin_m);
     pairs.insert(pairs.end(), others.begin(), others.end());
@@ -33,7 +33,7 @@ std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const Mov
 std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,
                                                   const Eigen::Matrix3Xd& t1, double margin_m) {
   const std::vector<MovingBox> ranges = vertex_ranges(t0, t1);
-  Hierarchy& ribbon = bodies.ribbon.hierarchy;
+  Hierarchy& ribbon = bodies.ribbon.hierarchy(t0);
   // The boxes of both partners are grown, the still obstacle's is not: the whole margin serves
   // both.
   ribbon.refit(ranges, margin_m);

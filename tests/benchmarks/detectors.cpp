@@ -17,11 +17,7 @@ using benchmark::Motion;
 class AnyDetector : public benchmark::Detector {
  public:
   explicit AnyDetector(const Motion& motion)
-      : motion_(motion),
-        bodies_{
-            RibbonGrid{motion.along, motion.across},
-            Body(collision_surface(RibbonGrid{motion.along, motion.across}.triangles()), motion.t0),
-            std::nullopt} {}
+      : motion_(motion), bodies_{RibbonGrid{motion.along, motion.across}, std::nullopt} {}
 
   void detect() final {
     const std::size_t before = box_tests_made();
@@ -63,7 +59,7 @@ class ByTriangles : public AnyDetector {
   virtual std::vector<CandidatePair> pairs(const std::vector<MovingBox>& boxes) = 0;
 
   std::vector<FeaturePair> find() final {
-    Body& body = bodies().ribbon;
+    RibbonBody& body = bodies().ribbon;
     const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
     std::vector<MovingBox> grown;
     for (const auto& triangle : body.surface.triangles.colwise()) {
@@ -129,11 +125,12 @@ class ByBoxes : public AnyDetector {
 
  protected:
   std::vector<FeaturePair> find() override {
-    Body& body = bodies().ribbon;
+    RibbonBody& body = bodies().ribbon;
     const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
-    body.hierarchy.refit(ranges, motion().margin_m / 2);
+    Hierarchy& hierarchy = body.hierarchy(motion().t0);
+    hierarchy.refit(ranges, motion().margin_m / 2);
     const RangedSurface surface{body.surface, ranges};
-    return feature_pairs(surface, surface, body.hierarchy.pairs_within(Hierarchy::Spare::boxes),
+    return feature_pairs(surface, surface, hierarchy.pairs_within(Hierarchy::Spare::boxes),
                          motion().margin_m);
   }
 };

@@ -16,7 +16,7 @@ const PairGaps gaps(size, gap_lengths(1, 0, 0));
 
 TEST(ContactExtent, of_a_flat_ribbon_is_nothing) {
   const Matrix3Xd positions = flat_ribbon(grid);
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   const ContactExtent extent = contact_extent(bodies, size, gaps, positions);
   EXPECT_EQ(extent.share, 0);
   EXPECT_EQ(extent.knotted_m, 0);
@@ -34,7 +34,7 @@ TEST(ContactExtent, on_the_obstacle_is_contact_but_no_knot) {
 // By hand: rows 10 to 20 return over rows 9.5 to -0.5, so that all but the fold lies double.
 TEST(ContactExtent, of_a_fold_reaches_from_its_first_to_its_last_row) {
   const Matrix3Xd positions = folded_ribbon(grid, 0.25);
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   const ContactExtent extent = contact_extent(bodies, size, gaps, positions);
   EXPECT_EQ(extent.share, 1);
   EXPECT_DOUBLE_EQ(extent.knotted_m, 20);
@@ -47,7 +47,7 @@ TEST(ContactExtent, counts_the_rows_in_between_as_knotted_but_not_as_touching) {
   for (int p = 0; p < grid.particle_count(); ++p)
     if (grid.row(p) > 5) positions(1, p) = 20;
   for (int j = 0; j < grid.across; ++j) positions.col(grid.particle(20, j)) << 5, 0.25, j + 0.5;
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   const ContactExtent extent = contact_extent(bodies, size, gaps, positions);
   EXPECT_NEAR(extent.share, 5.0 / 21, 1e-12);
   EXPECT_DOUBLE_EQ(extent.knotted_m, 16);

@@ -14,8 +14,7 @@ using Eigen::Matrix3Xd;
 struct Band {
   Scene scene = scene_of_loop();
   RibbonMesh mesh = mesh_of_loop(scene);
-  Bodies bodies{mesh.grid, Body(collision_surface(mesh.grid.triangles()), mesh.positions),
-                std::nullopt};
+  Bodies bodies{mesh.grid, std::nullopt};
   Cloth cloth{mesh.positions, Matrix3Xd::Zero(3, mesh.positions.cols()), 0.001};
 
   Deformation deformation(double share_of_width) {

@@ -12,16 +12,17 @@ using Eigen::Matrix3Xd;
 TEST(Encounter, a_free_ribbon_has_none) {
   const RibbonGrid grid{21, 5};
   const Matrix3Xd positions = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   EXPECT_FALSE(first_piercing(bodies, positions).has_value());
   EXPECT_FALSE(first_closer_than(0.2, bodies, positions).has_value());
+  EXPECT_FALSE(bodies.ribbon.has_hierarchy()) << "which the gate does without";
 }
 
 TEST(Encounter, of_two_layers_names_a_particle_of_each) {
   const RibbonGrid grid{21, 5};
   Matrix3Xd positions = folded_ribbon(grid, 0.5);
   positions(1, grid.particle(15, 2)) = -0.2;
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   const auto at = first_piercing(bodies, positions);
   ASSERT_TRUE(at.has_value());
   // Row 15 lies over x = 20 - 15 - 0.5 = 4.5, between rows 4 and 5.
@@ -44,8 +45,7 @@ TEST(Encounter, of_the_obstacle_s_edge_with_the_ribbon_s_inside_is_found) {
   OverFloor planted = ribbon_over_floor(grid, -1);
   // The floor's diagonal edge is stood on its end and pricks through a quad.
   planted.positions.rightCols(4) << 2.6, 2.6, 2.6, 2.65, -1, 1, 1, -1, 1.3, 1.3, 1.31, 1.31;
-  Bodies bodies{grid, Body(collision_surface(grid.triangles()), planted.positions),
-                Body(planted.bodies.obstacle->surface, planted.positions)};
+  Bodies bodies{grid, ObstacleBody(planted.bodies.obstacle->surface, planted.positions)};
   const auto at = first_piercing(bodies, planted.positions);
   ASSERT_TRUE(at.has_value());
   EXPECT_GE(at->other, grid.particle_count());

@@ -57,7 +57,7 @@ Matrix3Xd thrown(const RibbonGrid& grid, const Matrix3Xd& x, std::mt19937& rando
 TEST(Gate, a_ribbon_thrown_at_itself_never_comes_closer_than_the_gap) {
   const RibbonGrid grid{21, 5};
   Matrix3Xd x = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid, x);
+  Bodies bodies = ribbon_alone(grid);
   std::mt19937 random(5);
   int held_back = 0;
   for (int throw_number = 0; throw_number < 60; ++throw_number) {
@@ -71,7 +71,7 @@ TEST(Gate, a_ribbon_thrown_at_itself_never_comes_closer_than_the_gap) {
 TEST(Gate, without_it_the_first_throw_intersects) {
   const RibbonGrid grid{21, 5};
   const Matrix3Xd x = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid, x);
+  Bodies bodies = ribbon_alone(grid);
   std::mt19937 random(5);
   EXPECT_GT(count_penetrating_edges(bodies, thrown(grid, x, random)), 0);
 }
@@ -102,7 +102,7 @@ TEST(Gate, one_jammed_pair_does_not_stop_the_rest) {
 TEST(Gate, keeps_the_gap_over_many_passages_within_one_survey) {
   const RibbonGrid grid{21, 5};
   Matrix3Xd x = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid, x);
+  Bodies bodies = ribbon_alone(grid);
   const SurveyLengths lengths{.reach_m = 0.05, .slack_m = 0.3, .longest_way_m = 100};
   const Surroundings surroundings = survey(bodies, lengths, x, x);
   std::mt19937 random(6);
@@ -119,7 +119,7 @@ TEST(Gate, keeps_the_gap_over_many_passages_within_one_survey) {
 TEST(Gate, layers_that_fly_together_are_free_until_one_is_stopped) {
   const RibbonGrid grid{21, 5};
   const Matrix3Xd start = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid, start);
+  Bodies bodies = ribbon_alone(grid);
   Matrix3Xd wished = start;
   wished.row(1).array() += 3;
   Matrix3Xd x = start;
@@ -163,7 +163,7 @@ TEST(Gate, gives_the_same_bits_for_any_number_of_threads) {
   for (const int threads : {1, 2, 5}) {
     set_thread_limit(threads);
     Matrix3Xd x = folded_ribbon(grid, 0.5);
-    Bodies bodies = ribbon_alone(grid, x);
+    Bodies bodies = ribbon_alone(grid);
     Matrix3Xd wished = x;
     for (int p = 0; p < grid.particle_count(); ++p)
       wished.col(p) += 0.4 * Vector3d(std::sin(p), std::cos(3 * p), std::sin(7 * p));

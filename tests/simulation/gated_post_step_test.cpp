@@ -133,7 +133,7 @@ double gap_between_layers(Bodies& bodies, const Matrix3Xd& x) {
 
 TEST(GatedPostStep, thick_layers_part_to_their_thickness_and_are_not_pressed_under_half_of_it) {
   const Matrix3Xd start = folded_ribbon(grid, 0.4);
-  Bodies bodies = ribbon_alone(grid, start);
+  Bodies bodies = ribbon_alone(grid);
   Cloth cloth = cloth_at(start);
   StageClock clock;
   const auto post_step =
@@ -154,7 +154,7 @@ TEST(GatedPostStep, thick_layers_part_to_their_thickness_and_are_not_pressed_und
 
 TEST(GatedPostStep, flat_neighbours_are_at_rest_however_thick_the_cloth) {
   const Matrix3Xd flat = flat_ribbon(grid);
-  Bodies bodies = ribbon_alone(grid, flat);
+  Bodies bodies = ribbon_alone(grid);
   Cloth cloth = cloth_at(flat);
   StageClock clock;
   const auto post_step =

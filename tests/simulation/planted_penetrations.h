@@ -28,8 +28,8 @@ inline Eigen::Matrix3Xd folded_ribbon(const RibbonGrid& grid, double distance) {
   return positions;
 }
 
-inline Bodies ribbon_alone(const RibbonGrid& grid, const Eigen::Matrix3Xd& positions) {
-  return {grid, Body(collision_surface(grid.triangles()), positions), std::nullopt};
+inline Bodies ribbon_alone(const RibbonGrid& grid) {
+  return {grid, std::nullopt};
 }
 
 // The flat ribbon with a large floor at height y under or over it; the floor's outside is up.
@@ -47,8 +47,7 @@ inline OverFloor ribbon_over_floor(const RibbonGrid& grid, double floor_y) {
   Eigen::Matrix3Xi floor(3, 2);
   floor << 0, 0, 1, 2, 2, 3;
   floor.array() += first;
-  return {positions, Bodies{grid, Body(collision_surface(grid.triangles()), positions),
-                            Body(collision_surface(floor), positions)}};
+  return {positions, Bodies{grid, ObstacleBody(collision_surface(floor), positions)}};
 }
 
 }  // namespace ribbon

@@ -19,8 +19,8 @@ TEST(SchemeA, moves_the_erroneous_particle_out_by_its_depth_and_the_gap) {
   planted.positions(1, astray) = -0.8;
   Bodies& bodies = planted.bodies;
   const auto found =
-      mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy, bodies.obstacle->surface,
-                          bodies.obstacle->hierarchy, planted.positions);
+      mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(planted.positions),
+                          bodies.obstacle->surface, bodies.obstacle->hierarchy, planted.positions);
   ASSERT_FALSE(found.edges_of_first.empty());
   Matrix3Xd moved = planted.positions;
   apply_scheme_a(grid, bodies.ribbon.surface, bodies.obstacle->surface, found.edges_of_first, 0.01,
@@ -38,7 +38,7 @@ TEST(SchemeA, frees_a_border_particle_with_fewer_edges_too) {
   planted.positions(1, 0) = -1;
   Bodies& bodies = planted.bodies;
   const auto detect = [&] {
-    return mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy,
+    return mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(planted.positions),
                                bodies.obstacle->surface, bodies.obstacle->hierarchy,
                                planted.positions)
         .edges_of_first;
@@ -64,11 +64,10 @@ TEST(SchemeA, brings_a_particle_back_through_a_thin_plate_and_leaves_its_neighbo
   Eigen::Matrix3Xi plate(3, 4);
   plate << 0, 0, 5, 6, 1, 2, 4, 4, 2, 3, 6, 7;
   plate.array() += first;
-  Bodies bodies{grid, Body(collision_surface(grid.triangles()), positions),
-                Body(collision_surface(plate), positions)};
+  Bodies bodies{grid, ObstacleBody(collision_surface(plate), positions)};
   const auto found =
-      mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy, bodies.obstacle->surface,
-                          bodies.obstacle->hierarchy, positions);
+      mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
+                          bodies.obstacle->surface, bodies.obstacle->hierarchy, positions);
   Matrix3Xd moved = positions;
   apply_scheme_a(grid, bodies.ribbon.surface, bodies.obstacle->surface, found.edges_of_first, 0.01,
                  moved);
@@ -87,9 +86,9 @@ Matrix3Xd selvage_dips_in(const RibbonGrid& grid) {
 TEST(SchemeB, curls_the_selvage_in_across_the_ribbon) {
   const RibbonGrid grid{21, 5};
   Matrix3Xd positions = selvage_dips_in(grid);
-  Bodies bodies = ribbon_alone(grid, positions);
-  const auto found =
-      self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy, boxes, positions);
+  Bodies bodies = ribbon_alone(grid);
+  const auto found = self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
+                                       boxes, positions);
   ASSERT_FALSE(found.empty());
   const Matrix3Xd before = positions;
   apply_scheme_b(grid, bodies.ribbon.surface, found, 0.5, positions);
@@ -114,7 +113,7 @@ TEST(SchemeB, follows_the_width_only_up_to_the_folding_particle) {
   for (int row = 14; row <= 16; ++row)
     for (int column = 2; column < 5; ++column)
       positions.col(grid.particle(row, column)) += Vector3d(0, -5, -3.5);
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   const Vector3d e0 = positions.col(grid.particle(15, 1)) - positions.col(grid.particle(15, 0));
   const Vector3d e1 = positions.col(grid.particle(15, 2)) - positions.col(grid.particle(15, 1));
   ASSERT_LT(e0.dot(e1), 0);
@@ -141,13 +140,14 @@ TEST(SchemeC, moves_the_particle_that_went_through_back_to_the_majority) {
   Matrix3Xd positions = folded_ribbon(grid, 0.5);
   const int astray = grid.particle(15, 2);
   positions(1, astray) = -0.02;
-  Bodies bodies = ribbon_alone(grid, positions);
-  const auto found =
-      self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy, boxes, positions);
+  Bodies bodies = ribbon_alone(grid);
+  const auto found = self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
+                                       boxes, positions);
   ASSERT_FALSE(found.empty());
   apply_scheme_c(grid, bodies.ribbon.surface, found, 0.01, positions);
   EXPECT_TRUE(
-      self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy, boxes, positions).empty());
+      self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions), boxes, positions)
+          .empty());
   EXPECT_GT(positions(1, astray), 0);
 }
 

@@ -14,7 +14,7 @@ constexpr RecoverySettings settings{.gap_m = 0.01, .step_m = 0.5};
 TEST(Penetration, is_counted_once_per_edge) {
   const RibbonGrid grid{21, 5};
   Matrix3Xd positions = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   EXPECT_EQ(count_penetrating_edges(bodies, positions), 0);
   // One inner particle goes through: its six or eight edges (diagonals included) pierce, and none
   // other does, whatever number of triangles each pierces.
@@ -32,15 +32,14 @@ TEST(Penetration, of_an_obstacle_corner_into_the_ribbon_counts_too) {
   positions.rightCols(3) << 2.6, 2.6, 2.65, -1, 0.2, -1, 1.3, 1.35, 1.4;
   Eigen::Matrix3Xi thorn(3, 1);
   thorn.col(0).setLinSpaced(grid.particle_count(), grid.particle_count() + 2);
-  Bodies bodies{grid, Body(collision_surface(grid.triangles()), positions),
-                Body(collision_surface(thorn), positions)};
+  Bodies bodies{grid, ObstacleBody(collision_surface(thorn), positions)};
   EXPECT_EQ(count_penetrating_edges(bodies, positions), 2);
 }
 
 TEST(Recovery, without_errors_moves_nothing) {
   const RibbonGrid grid{21, 5};
   Matrix3Xd positions = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   const RecoveryReport report = recover(bodies, settings, positions);
   EXPECT_EQ(report.iterations, 0);
   EXPECT_EQ(report.penetrating_edges, 0);
@@ -51,7 +50,7 @@ TEST(Recovery, removes_what_the_schemes_can_remove_and_says_how_often_they_ran) 
   const RibbonGrid grid{21, 5};
   Matrix3Xd positions = folded_ribbon(grid, 0.5);
   positions(1, grid.particle(15, 2)) = -0.02;
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   const RecoveryReport report = recover(bodies, settings, positions);
   EXPECT_EQ(report.penetrating_edges, 0);
   EXPECT_GE(report.iterations, 1);
@@ -93,7 +92,7 @@ TEST(Recovery, never_leaves_more_errors_than_it_found) {
   for (int row = 11; row < 21; ++row)
     for (int column = 0; column < 5; ++column)
       positions(1, grid.particle(row, column)) = row % 2 == 0 ? 0.3 : -0.3;
-  Bodies bodies = ribbon_alone(grid, positions);
+  Bodies bodies = ribbon_alone(grid);
   const int before = count_penetrating_edges(bodies, positions);
   ASSERT_GT(before, 0);
   EXPECT_LE(recover(bodies, settings, positions).penetrating_edges, before);

@@ -31,7 +31,7 @@ Matrix3Xd kicked(const Matrix3Xd& x, double size, std::mt19937& random) {
 TEST(Surroundings, list_every_pair_that_comes_within_reach_inside_the_ranges) {
   const RibbonGrid grid{21, 5};
   const Matrix3Xd from = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid, from);
+  Bodies bodies = ribbon_alone(grid);
   std::mt19937 random(8);
   const Matrix3Xd wished = kicked(from, 0.2, random);
   const SurveyLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_way_m = 1};
@@ -64,7 +64,7 @@ TEST(Surroundings, list_every_pair_that_comes_within_reach_inside_the_ranges) {
 TEST(Surroundings, know_the_distances_and_leave_far_pairs_out) {
   const RibbonGrid grid{21, 5};
   const Matrix3Xd from = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid, from);
+  Bodies bodies = ribbon_alone(grid);
   const SurveyLengths lengths{.reach_m = reach_m, .slack_m = 0, .longest_way_m = 1};
   const Surroundings still = survey(bodies, lengths, from, from);
   ASSERT_EQ(still.pairs.size(), still.distances_m.size());
@@ -78,7 +78,7 @@ TEST(Surroundings, know_the_distances_and_leave_far_pairs_out) {
 TEST(Surroundings, a_wish_for_the_moon_does_not_list_the_whole_ribbon) {
   const RibbonGrid grid{40, 4};
   const Matrix3Xd from = flat_ribbon(grid);
-  Bodies bodies = ribbon_alone(grid, from);
+  Bodies bodies = ribbon_alone(grid);
   Matrix3Xd wished = from;
   for (int p = 0; p < grid.particle_count(); ++p) wished(0, p) += p % 2 == 0 ? 4e8 : -4e8;
   const SurveyLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_way_m = 2};
@@ -90,7 +90,7 @@ TEST(Surroundings, a_wish_for_the_moon_does_not_list_the_whole_ribbon) {
 TEST(Surroundings, pairs_that_fly_together_do_not_approach) {
   const RibbonGrid grid{21, 5};
   const Matrix3Xd from = folded_ribbon(grid, 0.3);
-  Bodies bodies = ribbon_alone(grid, from);
+  Bodies bodies = ribbon_alone(grid);
   Matrix3Xd way = Matrix3Xd::Zero(3, grid.particle_count());
   way.row(1).setConstant(3);
   const SurveyLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_way_m = 10};

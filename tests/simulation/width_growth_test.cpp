@@ -38,8 +38,7 @@ TEST(WidthGrowth, with_room_the_band_gets_its_whole_width_and_stays_flat) {
   straight.points.row(0).setLinSpaced(20, 0, 1.9);
   straight.length_m = 1.9;
   const RibbonMesh ribbon = generate_ribbon_mesh(straight, scene.ribbon, Axis::y);
-  Bodies bodies{ribbon.grid, Body(collision_surface(ribbon.grid.triangles()), ribbon.positions),
-                std::nullopt};
+  Bodies bodies{ribbon.grid, std::nullopt};
   Cloth cloth{rows_scaled(ribbon.grid, 0.25, ribbon.positions), Matrix3Xd::Zero(3, 80), 0.01};
   const GrowthReport report = grow_width(scene, ribbon, 0.25, bodies, cloth);
   EXPECT_TRUE(report.complete);
@@ -53,8 +52,7 @@ TEST(WidthGrowth, a_band_that_nothing_can_settle_is_told_with_the_place) {
   Scene scene = scene_of_loop();
   scene.ribbon.across = 2;
   const RibbonMesh ribbon = mesh_of_loop(scene);
-  Bodies bodies{ribbon.grid, Body(collision_surface(ribbon.grid.triangles()), ribbon.positions),
-                std::nullopt};
+  Bodies bodies{ribbon.grid, std::nullopt};
   Cloth cloth{ribbon.positions, Matrix3Xd::Zero(3, ribbon.positions.cols()), 0.001};
   // Torn apart over row 60 by a hundred times its length.
   cloth.positions.rightCols(ribbon.grid.particle(60, 0)).row(1).array() += 400;
