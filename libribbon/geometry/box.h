@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace ribbon {
 
@@ -54,6 +55,43 @@ struct MovingBox {
           (box.start.high[k] < start.low[k] && box.end.high[k] < end.low[k]))
         return false;
     return true;
+  }
+};
+
+// A MovingBox rounded outwards to single precision, for fast tests of many.
+struct PackedBox {
+  using Lanes = Eigen::Array4f;  // x, y, z and 0
+
+  Lanes start_low;
+  Lanes start_high;
+  Lanes end_low;
+  Lanes end_high;
+
+  // Single precision is finest near the origin, so boxes that are tested against each other are
+  // all packed about one that is near them (in double precision, the same for all).
+  static PackedBox around(const MovingBox& box, const Eigen::Vector3d& origin) {
+    return {rounded(box.start.low - origin, -1), rounded(box.start.high - origin, 1),
+            rounded(box.end.low - origin, -1), rounded(box.end.high - origin, 1)};
+  }
+  void include(const PackedBox& box) {
+    start_low = start_low.min(box.start_low);
+    start_high = start_high.max(box.start_high);
+    end_low = end_low.min(box.end_low);
+    end_high = end_high.max(box.end_high);
+  }
+  // As for moving boxes.
+  [[nodiscard]] bool meets(const PackedBox& box) const {
+    const Lanes above = (start_low - box.start_high).min(end_low - box.end_high);
+    const Lanes below = (box.start_low - start_high).min(box.end_low - end_high);
+    return !(above.max(below).maxCoeff() > 0);
+  }
+
+ private:
+  // Farther out by more than the conversion and the origin's subtraction can be wrong.
+  static Lanes rounded(const Eigen::Vector3d& bound, float outwards) {
+    Lanes lanes;
+    lanes << bound.cast<float>().array(), 0;
+    return lanes + 2 * outwards * std::numeric_limits<float>::epsilon() * lanes.abs();
   }
 };
 

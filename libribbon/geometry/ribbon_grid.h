@@ -26,14 +26,19 @@ struct RibbonGrid {
     return {corner, corner + across, corner + across + 1, corner + 1};
   }
 
-  // Corners of triangle t: quad q is split into triangles 2q and 2q+1. The diagonal alternates from
-  // quad to quad, so that cloth does not prefer one direction: it joins corners 0 and 2 where i+j
-  // is even, 1 and 3 where it is odd.
-  [[nodiscard]] std::array<int, 3> triangle(int t) const {
-    const int q = t / 2;
+  // The diagonal that splits quad q into triangles 2q and 2q+1, its smaller end first. It
+  // alternates from quad to quad, so that cloth does not prefer one direction: it joins corners 0
+  // and 2 where i+j is even, 3 and 1 where it is odd.
+  [[nodiscard]] std::array<int, 2> diagonal(int q) const {
     const auto c = quad(q);
+    return joins_corners_0_and_2(q) ? std::array{c[0], c[2]} : std::array{c[3], c[1]};
+  }
+
+  // Corners of triangle t.
+  [[nodiscard]] std::array<int, 3> triangle(int t) const {
+    const auto c = quad(t / 2);
     const bool is_first = t % 2 == 0;
-    if ((q / (across - 1) + q % (across - 1)) % 2 == 0)
+    if (joins_corners_0_and_2(t / 2))
       return is_first ? std::array{c[0], c[1], c[2]} : std::array{c[0], c[2], c[3]};
     return is_first ? std::array{c[0], c[1], c[3]} : std::array{c[1], c[2], c[3]};
   }
@@ -49,6 +54,11 @@ struct RibbonGrid {
   }
 
   bool operator==(const RibbonGrid&) const = default;
+
+ private:
+  [[nodiscard]] bool joins_corners_0_and_2(int q) const {
+    return (q / (across - 1) + q % (across - 1)) % 2 == 0;
+  }
 };
 
 }  // namespace ribbon

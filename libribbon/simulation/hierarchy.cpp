@@ -309,7 +309,7 @@ void Hierarchy::descend(const Hierarchy& first, const Hierarchy& second, const N
 }
 
 std::vector<CandidatePair> Hierarchy::pairs_within(Spare spare) const {
-  return walk(NodePair{root(), root()},
+  return walk<CandidatePair>(NodePair{root(), root()},
               [this, spare](const NodePair& pair, std::vector<NodePair>& next,
                             std::vector<CandidatePair>& found) {
                 if (!can_meet(pair, spare)) return;
@@ -321,7 +321,7 @@ std::vector<CandidatePair> Hierarchy::pairs_within(Spare spare) const {
 }
 
 std::vector<CandidatePair> Hierarchy::pairs_with(const Hierarchy& other) const {
-  return walk(NodePair{root(), other.root()}, [&](const NodePair& pair, std::vector<NodePair>& next,
+  return walk<CandidatePair>(NodePair{root(), other.root()}, [&](const NodePair& pair, std::vector<NodePair>& next,
                                                   std::vector<CandidatePair>& found) {
     if (!boxes_[static_cast<std::size_t>(pair.a)].meets(
             other.boxes_[static_cast<std::size_t>(pair.b)]))

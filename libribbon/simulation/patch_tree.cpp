@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int block = 2;        // quads to a side
 constexpr int surrounding = 1;  // blocks to every side of a patch
+constexpr int patches_to_a_branch = 256;
 
 Vector3d middle(const Box& box) {
   return (box.low + box.high) / 2;
@@ -58,10 +58,11 @@ void PatchTree::Tangents::include(const Tangents& other) {
 
 PatchTree::PatchTree(const RibbonGrid& grid)
     : grid_(grid),
-      block_rows_((grid.along - 1 + block - 1) / block),
-      block_columns_((grid.across - 1 + block - 1) / block) {
+      block_rows_((grid.along - 1 + block_side - 1) / block_side),
+      block_columns_((grid.across - 1 + block_side - 1) / block_side) {
   build({.first_row = 0, .end_row = block_rows_, .first_column = 0, .end_column = block_columns_});
   boxes_.resize(patches_.size());
+  share_out();
   tangents_.resize(patches_.size());
   flat_.resize(patches_.size());
   blocks_.resize(static_cast<std::size_t>(block_rows_) * static_cast<std::size_t>(block_columns_));
@@ -84,6 +85,26 @@ int PatchTree::build(Patch patch) {
   return root();
 }
 
+// Children come before their parents, so the patches of a branch follow each other. Branches can be
+// refitted side by side.
+void PatchTree::share_out() {
+  std::vector<int> sizes(patches_.size(), 1);
+  const auto size = [&](int patch) -> int& { return sizes[static_cast<std::size_t>(patch)]; };
+  for (int patch = 0; patch <= root(); ++patch)
+    if (!at(patch).is_leaf())
+      size(patch) += size(at(patch).first_child) + size(at(patch).second_child);
+  for (int patch = root(); patch >= 0; --patch) {
+    if (size(patch) > patches_to_a_branch) {
+      trunk_.push_back(patch);
+      continue;
+    }
+    branches_.push_back(patch);
+    patch -= size(patch) - 1;
+  }
+  std::reverse(branches_.begin(), branches_.end());
+  std::reverse(trunk_.begin(), trunk_.end());
+}
+
 // The yardstick of flatness: any would do, this one lets most patches pass.
 void PatchTree::measure_edges(std::span<const MovingBox> ranges) {
   const auto length_m = [&](int a, int b) {
@@ -102,25 +123,19 @@ void PatchTree::measure_edges(std::span<const MovingBox> ranges) {
   across_m_ = across_m / (static_cast<double>(grid_.across - 1) * grid_.along);
 }
 
-template <class Visit>
-void PatchTree::visit_quads(int leaf, const Visit& visit) const {
-  const int columns = grid_.across - 1;
-  const int end_row = std::min(grid_.along - 1, block * at(leaf).end_row);
-  const int end_column = std::min(columns, block * at(leaf).end_column);
-  for (int row = block * at(leaf).first_row; row < end_row; ++row)
-    for (int column = block * at(leaf).first_column; column < end_column; ++column)
-      visit(row * columns + column);
+BlockFeatures PatchTree::features_of(int leaf) const {
+  return {grid_, at(leaf).first_row, at(leaf).first_column, vertices_};
 }
 
 PatchTree::Tangents PatchTree::tangents_of_block(std::span<const MovingBox> ranges, int block_row,
                                                  int block_column) const {
-  const int last_row = std::min(grid_.along - 1, block * (block_row + 1));
-  const int last_column = std::min(grid_.across - 1, block * (block_column + 1));
+  const int last_row = std::min(grid_.along - 1, block_side * (block_row + 1));
+  const int last_column = std::min(grid_.across - 1, block_side * (block_column + 1));
   const auto range = [&](int row, int column) -> const MovingBox& {
     return ranges[static_cast<std::size_t>(grid_.particle(row, column))];
   };
-  const int first_row = block * block_row;
-  const int first_column = block * block_column;
+  const int first_row = block_side * block_row;
+  const int first_column = block_side * block_column;
   const MovingBox& corner = range(first_row, first_column);
   Tangents tangents{edge(corner, range(first_row + 1, first_column)),
                     edge(corner, range(first_row, first_column + 1)), 0};
@@ -169,38 +184,61 @@ void PatchTree::refit_blocks(std::span<const MovingBox> ranges) {
   });
 }
 
-MovingBox PatchTree::box_of_leaf(std::span<const MovingBox> ranges, int leaf) const {
-  MovingBox box = ranges[static_cast<std::size_t>(
-      grid_.particle(block * at(leaf).first_row, block * at(leaf).first_column))];
-  visit_quads(leaf, [&](int quad) {
-    for (const int corner : grid_.quad(quad)) box.include(ranges[static_cast<std::size_t>(corner)]);
+// About the first particle, near which the others are.
+void PatchTree::pack(std::span<const MovingBox> ranges) {
+  origin_ = ranges.front().start.low;
+  vertices_.resize(ranges.size());
+  parallel_ranges(ranges.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t vertex = begin; vertex < end; ++vertex) {
+      MovingBox grown = ranges[vertex];
+      grown.grow(reach_m_ / 2);
+      vertices_[vertex] = PackedBox::around(grown, origin_);
+    }
   });
-  box.grow(reach_m_ / 2);
+}
+
+PackedBox PatchTree::box_of_leaf(int leaf) const {
+  const int end_row = std::min(grid_.along - 1, block_side * at(leaf).end_row);
+  const int end_column = std::min(grid_.across - 1, block_side * at(leaf).end_column);
+  const auto vertex = [&](int row, int column) -> const PackedBox& {
+    return vertices_[static_cast<std::size_t>(grid_.particle(row, column))];
+  };
+  PackedBox box = vertex(end_row, end_column);
+  for (int row = block_side * at(leaf).first_row; row <= end_row; ++row)
+    for (int column = block_side * at(leaf).first_column; column <= end_column; ++column)
+      box.include(vertex(row, column));
   return box;
 }
 
-void PatchTree::refit(std::span<const MovingBox> ranges, double reach_m) {
-  reach_m_ = reach_m;
-  measure_edges(ranges);
-  refit_blocks(ranges);
-  for (std::size_t index = 0; index < patches_.size(); ++index) {
-    const Patch& patch = patches_[index];
-    if (patch.is_leaf()) {
-      tangents_[index] = blocks_[static_cast<std::size_t>(block_of(static_cast<int>(index)))];
-      boxes_[index] = box_of_leaf(ranges, static_cast<int>(index));
-      continue;
-    }
-    const auto first = static_cast<std::size_t>(patch.first_child);
-    const auto second = static_cast<std::size_t>(patch.second_child);
+void PatchTree::refit_patch(int patch) {
+  const auto index = static_cast<std::size_t>(patch);
+  if (at(patch).is_leaf()) {
+    tangents_[index] = blocks_[static_cast<std::size_t>(block_of(patch))];
+    boxes_[index] = box_of_leaf(patch);
+  } else {
+    const auto first = static_cast<std::size_t>(at(patch).first_child);
+    const auto second = static_cast<std::size_t>(at(patch).second_child);
     tangents_[index] = tangents_[first];
     tangents_[index].include(tangents_[second]);
     boxes_[index] = boxes_[first];
     boxes_[index].include(boxes_[second]);
   }
-  parallel_ranges(patches_.size(), 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t index = begin; index < end; ++index)
-      flat_[index] = is_flat(tangents_[index]) ? 1 : 0;
+  flat_[index] = is_flat(tangents_[index]) ? 1 : 0;
+}
+
+void PatchTree::refit(std::span<const MovingBox> ranges, double reach_m) {
+  reach_m_ = reach_m;
+  pack(ranges);
+  measure_edges(ranges);
+  refit_blocks(ranges);
+  parallel_ranges(branches_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t branch = begin; branch < end; ++branch) {
+      int patch = branches_[branch];
+      while (!at(patch).is_leaf()) patch = at(patch).first_child;
+      for (; patch <= branches_[branch]; ++patch) refit_patch(patch);
+    }
   });
+  for (const int patch : trunk_) refit_patch(patch);
 }
 
 bool PatchTree::is_flat(const Tangents& tangents) const {
@@ -261,68 +299,52 @@ void PatchTree::split(const PatchPair& pair, std::vector<PatchPair>& next) const
     next.insert(next.end(), {{pair.a, b.first_child}, {pair.a, b.second_child}});
 }
 
-void PatchTree::list(std::span<const MovingBox> ranges, const PatchPair& pair,
-                     std::vector<CandidatePair>& found) const {
-  struct Boxed {
-    int triangle = 0;
-    MovingBox box;
-  };
-  const auto triangles_of = [&](int leaf) {
-    std::vector<Boxed> boxed;
-    visit_quads(leaf, [&](int quad) {
-      for (const int triangle : {2 * quad, 2 * quad + 1}) {
-        const auto corners = grid_.triangle(triangle);
-        MovingBox box = ranges[static_cast<std::size_t>(corners[0])];
-        box.include(ranges[static_cast<std::size_t>(corners[1])]);
-        box.include(ranges[static_cast<std::size_t>(corners[2])]);
-        box.grow(reach_m_ / 2);
-        boxed.push_back({triangle, box});
-      }
-    });
-    return boxed;
-  };
-  const std::vector<Boxed> of_a = triangles_of(pair.a);
-  const std::vector<Boxed> of_b = triangles_of(pair.b);
-  for (std::size_t i = 0; i < of_a.size(); ++i)
-    for (std::size_t j = pair.a == pair.b ? i + 1 : 0; j < of_b.size(); ++j)
-      if (of_a[i].box.meets(of_b[j].box)) found.push_back({of_a[i].triangle, of_b[j].triangle});
+void PatchTree::list(const PatchPair& pair, std::vector<FeaturePair>& found) const {
+  const BlockFeatures of_a = features_of(pair.a);
+  if (pair.a == pair.b)
+    of_a.list_within(found);
+  else
+    of_a.list_between(features_of(pair.b), found);
 }
 
-std::vector<CandidatePair> PatchTree::pairs_within(std::span<const MovingBox> ranges) const {
-  return walk(PatchPair{root(), root()}, [&](const PatchPair& pair, std::vector<PatchPair>& next,
-                                             std::vector<CandidatePair>& found) {
-    if (!can_meet(pair)) return;
-    if (at(pair.a).is_leaf() && at(pair.b).is_leaf())
-      list(ranges, pair, found);
-    else
-      split(pair, next);
-  });
+std::vector<FeaturePair> PatchTree::pairs_within() const {
+  return walk<FeaturePair>(
+      PatchPair{root(), root()},
+      [&](const PatchPair& pair, std::vector<PatchPair>& next, std::vector<FeaturePair>& found) {
+        if (!can_meet(pair)) return;
+        if (at(pair.a).is_leaf() && at(pair.b).is_leaf())
+          list(pair, found);
+        else
+          split(pair, next);
+      });
 }
 
-std::vector<CandidatePair> PatchTree::pairs_with(const Hierarchy& other) const {
+std::vector<FeaturePair> PatchTree::pairs_with(const CollisionSurface& surface,
+                                               const Hierarchy& hierarchy) const {
   struct Pair {
     int patch = 0;
     int node = 0;
   };
-  const auto size = [](const MovingBox& box) {
-    return (half(box.start) + half(box.end)).squaredNorm();
+  const auto size = [](const PackedBox& box) {
+    return (box.start_high - box.start_low).square().sum() +
+           (box.end_high - box.end_low).square().sum();
   };
-  return walk(Pair{root(), other.root()}, [&](const Pair& pair, std::vector<Pair>& next,
-                                              std::vector<CandidatePair>& found) {
-    const MovingBox& box = boxes_[static_cast<std::size_t>(pair.patch)];
-    MovingBox grown = other.box(pair.node);
+  return walk<FeaturePair>(Pair{root(), hierarchy.root()}, [&](const Pair& pair,
+                                                               std::vector<Pair>& next,
+                                                               std::vector<FeaturePair>& found) {
+    const PackedBox& box = boxes_[static_cast<std::size_t>(pair.patch)];
+    MovingBox grown = hierarchy.box(pair.node);
     grown.grow(reach_m_ / 2);
-    if (!box.meets(grown)) return;
+    const PackedBox other = PackedBox::around(grown, origin_);
+    if (!box.meets(other)) return;
     const Patch& patch = at(pair.patch);
-    const bool node_is_leaf = other.is_leaf(pair.node);
+    const bool node_is_leaf = hierarchy.is_leaf(pair.node);
     if (patch.is_leaf() && node_is_leaf) {
-      visit_quads(pair.patch, [&](int quad) {
-        found.insert(found.end(), {{2 * quad, pair.node}, {2 * quad + 1, pair.node}});
-      });
-    } else if (!patch.is_leaf() && (node_is_leaf || size(box) >= size(grown))) {
+      features_of(pair.patch).list_with(surface, pair.node, vertices_, found);
+    } else if (!patch.is_leaf() && (node_is_leaf || size(box) >= size(other))) {
       next.insert(next.end(), {{patch.first_child, pair.node}, {patch.second_child, pair.node}});
     } else {
-      for (const int child : other.children(pair.node)) next.push_back({pair.patch, child});
+      for (const int child : hierarchy.children(pair.node)) next.push_back({pair.patch, child});
     }
   });
 }

@@ -7,6 +7,8 @@
 
 #include "geometry/box.h"
 #include "geometry/ribbon_grid.h"
+#include "simulation/block_features.h"
+#include "simulation/feature_pairs.h"
 #include "simulation/hierarchy.h"
 
 namespace ribbon {
@@ -26,15 +28,17 @@ class PatchTree {
  public:
   explicit PatchTree(const RibbonGrid& grid);
 
-  // Over the ranges of the particles. reach_m: pairs that cannot come this close are spared.
+  // Over the ranges of all vertices, the particles' first. reach_m: pairs that cannot come this
+  // close are spared.
   void refit(std::span<const MovingBox> ranges, double reach_m);
 
-  // Pairs of different triangles of the ribbon of which some features that share no vertex may come
-  // within the reach of each other. The ranges are those of the last refit.
-  [[nodiscard]] std::vector<CandidatePair> pairs_within(std::span<const MovingBox> ranges) const;
+  // Pairs of features of the ribbon that share no vertex and may come within the reach of each
+  // other, each once, in an order that depends on nothing but the ranges.
+  [[nodiscard]] std::vector<FeaturePair> pairs_within() const;
 
-  // Pairs (triangle of the ribbon, triangle of `other`) that may come within the reach.
-  [[nodiscard]] std::vector<CandidatePair> pairs_with(const Hierarchy& other) const;
+  // Likewise, of the ribbon and of another surface over the same vertices.
+  [[nodiscard]] std::vector<FeaturePair> pairs_with(const CollisionSurface& surface,
+                                                    const Hierarchy& hierarchy) const;
 
  private:
   // Blocks [first_row, end_row) x [first_column, end_column).
@@ -65,6 +69,7 @@ class PatchTree {
   };
 
   int build(Patch patch);
+  void share_out();
   [[nodiscard]] int root() const { return static_cast<int>(patches_.size()) - 1; }
   [[nodiscard]] const Patch& at(int patch) const {
     return patches_[static_cast<std::size_t>(patch)];
@@ -72,33 +77,37 @@ class PatchTree {
   [[nodiscard]] int block_of(int leaf) const {
     return at(leaf).first_row * block_columns_ + at(leaf).first_column;
   }
-  template <class Visit>
-  void visit_quads(int leaf, const Visit& visit) const;
+  [[nodiscard]] BlockFeatures features_of(int leaf) const;
 
+  void pack(std::span<const MovingBox> ranges);
   void measure_edges(std::span<const MovingBox> ranges);
   [[nodiscard]] Tangents tangents_of_block(std::span<const MovingBox> ranges, int block_row,
                                            int block_column) const;
   void refit_blocks(std::span<const MovingBox> ranges);
-  [[nodiscard]] MovingBox box_of_leaf(std::span<const MovingBox> ranges, int leaf) const;
+  [[nodiscard]] PackedBox box_of_leaf(int leaf) const;
+  void refit_patch(int patch);
   [[nodiscard]] bool is_flat(const Tangents& tangents) const;
   [[nodiscard]] bool lie_flat(const PatchPair& pair) const;
   [[nodiscard]] bool can_meet(const PatchPair& pair) const;
   void split(const PatchPair& pair, std::vector<PatchPair>& next) const;
-  void list(std::span<const MovingBox> ranges, const PatchPair& pair,
-            std::vector<CandidatePair>& found) const;
+  void list(const PatchPair& pair, std::vector<FeaturePair>& found) const;
 
   RibbonGrid grid_;
   int block_rows_;
   int block_columns_;
   std::vector<Patch> patches_;  // children before their parents; the root is last
+  std::vector<int> branches_;   // roots of branches of some hundred patches, in order
+  std::vector<int> trunk_;      // patches that are in no branch, in order
   double reach_m_ = 0;
   double along_m_ = 0;  // mean lengths of the edges at the start
   double across_m_ = 0;
-  std::vector<MovingBox> boxes_;    // of the patches, grown by half the reach
-  std::vector<Tangents> tangents_;  // of the patches with their surroundings
-  std::vector<char> flat_;          // is the patch with its surroundings?
-  std::vector<Tangents> blocks_;    // of single blocks, then with their surroundings
-  std::vector<Tangents> widened_;   // of blocks and what lies beside them in the same row
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  // of what is packed
+  std::vector<PackedBox> vertices_;                   // grown by half the reach
+  std::vector<PackedBox> boxes_;                      // of the patches
+  std::vector<Tangents> tangents_;                    // of the patches with their surroundings
+  std::vector<char> flat_;                            // is the patch with its surroundings?
+  std::vector<Tangents> blocks_;   // of single blocks, then with their surroundings
+  std::vector<Tangents> widened_;  // of blocks and what lies beside them in the same row
 };
 
 }  // namespace ribbon

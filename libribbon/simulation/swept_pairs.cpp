@@ -25,9 +25,13 @@ std::vector<FeaturePair> list_pairs(const Bodies& bodies, std::span<const Candid
 std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
                                              double margin_m) {
   bodies.patches.refit(ranges, margin_m);
-  std::vector<CandidatePair> with_obstacle;
-  if (bodies.obstacle) with_obstacle = bodies.patches.pairs_with(bodies.obstacle->hierarchy);
-  return list_pairs(bodies, bodies.patches.pairs_within(ranges), with_obstacle, ranges, margin_m);
+  std::vector<FeaturePair> pairs = bodies.patches.pairs_within();
+  if (bodies.obstacle) {
+    const std::vector<FeaturePair> others =
+        bodies.patches.pairs_with(bodies.obstacle->surface, bodies.obstacle->hierarchy);
+    pairs.insert(pairs.end(), others.begin(), others.end());
+  }
+  return pairs;
 }
 
 std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,

@@ -5,17 +5,16 @@
 #include <vector>
 
 #include "parallel/parallel.h"
-#include "simulation/candidate_pair.h"
 
 namespace ribbon {
 
 // Walks from `start` top-down: expand(pair, next, found) replaces a pair of nodes by those below it
-// that can still meet, and reports pairs of leaves. The widest front is shared out over the cores;
-// the order of the answer depends on the trees alone.
-template <class NodePair, class Expand>
-std::vector<CandidatePair> walk(const NodePair& start, const Expand& expand) {
+// that can still meet, and reports what it finds in pairs of leaves. The widest front is shared out
+// over the cores; the order of the answer depends on the trees alone.
+template <class Found, class NodePair, class Expand>
+std::vector<Found> walk(const NodePair& start, const Expand& expand) {
   constexpr std::size_t wide_enough = 512;
-  std::vector<CandidatePair> found;
+  std::vector<Found> found;
   std::vector<NodePair> front{start};
   std::vector<NodePair> next;
   while (!front.empty() && front.size() < wide_enough) {
@@ -23,7 +22,7 @@ std::vector<CandidatePair> walk(const NodePair& start, const Expand& expand) {
     for (const NodePair& pair : front) expand(pair, next, found);
     front.swap(next);
   }
-  std::vector<std::vector<CandidatePair>> found_below(front.size());
+  std::vector<std::vector<Found>> found_below(front.size());
   parallel_ranges(front.size(), 16, [&](std::size_t begin, std::size_t end) {
     std::vector<NodePair> open;
     for (std::size_t i = begin; i < end; ++i) {

@@ -66,5 +66,48 @@ TEST(MovingBox, misses_no_meeting_of_moving_segments) {
   EXPECT_GT(meetings, 1000);
 }
 
+TEST(PackedBox, touching_boxes_meet_wherever_they_lie) {
+  const Vector3d far(3e3, -7e-4, 1.1);
+  const Vector3d corner(0.1, 0.2, 0.3);
+  for (const Vector3d& at : {Vector3d(0, 0, 0), far}) {
+    const MovingBox low{{at, at + corner}, {at, at + corner}};
+    const MovingBox high{{at + corner, at + 2 * corner}, {at + corner, at + 2 * corner}};
+    EXPECT_TRUE(PackedBox::around(low, {0, 0, 0}).meets(PackedBox::around(high, {0, 0, 0})));
+    EXPECT_TRUE(PackedBox::around(low, at).meets(PackedBox::around(high, at)));
+  }
+}
+
+// Packing may bring boxes together, by some rounding, but never apart.
+TEST(PackedBox, misses_no_meeting_and_adds_only_what_nearly_touches) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const Vector3d origin(50, -20, 3);
+  const auto box = [&] {
+    const Vector3d a(coordinate(random), coordinate(random), coordinate(random));
+    const Vector3d b(coordinate(random), coordinate(random), coordinate(random));
+    Box result = Box::around(origin + a);
+    result.include(Vector3d(origin + a + 0.7 * b));
+    return result;
+  };
+  int meetings = 0;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    const MovingBox first{box(), box()};
+    const MovingBox second{box(), box()};
+    MovingBox grown = first;
+    grown.grow(1e-6);
+    const bool packed_meet =
+        PackedBox::around(first, origin).meets(PackedBox::around(second, origin));
+    if (first.meets(second)) {
+      ASSERT_TRUE(packed_meet);
+    }
+    if (!grown.meets(second)) {
+      ASSERT_FALSE(packed_meet);
+    }
+    meetings += packed_meet ? 1 : 0;
+  }
+  EXPECT_GT(meetings, 1000);
+  EXPECT_LT(meetings, 19'000);
+}
+
 }  // namespace
 }  // namespace ribbon

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 namespace ribbon {
@@ -29,6 +30,19 @@ TEST(RibbonGrid, triangles_cover_each_quad_once_and_share_one_orientation) {
     if (!directed.contains({edge.second, edge.first})) ++borders;
   }
   EXPECT_EQ(borders, 2 * (5 - 1) + 2 * (4 - 1));
+}
+
+TEST(RibbonGrid, both_triangles_of_a_quad_have_its_diagonal) {
+  const RibbonGrid grid{5, 4};
+  for (int q = 0; q < grid.quad_count(); ++q) {
+    const auto [low, high] = grid.diagonal(q);
+    EXPECT_LT(low, high);
+    for (const int t : {2 * q, 2 * q + 1}) {
+      const auto corners = grid.triangle(t);
+      EXPECT_EQ(std::count(corners.begin(), corners.end(), low), 1);
+      EXPECT_EQ(std::count(corners.begin(), corners.end(), high), 1);
+    }
+  }
 }
 
 }  // namespace

@@ -39,11 +39,10 @@ Matrix3Xd turned(const Matrix3Xd& x) {
   return Eigen::Quaterniond(0.5, 0.3, -0.7, 0.4).normalized().toRotationMatrix() * x;
 }
 
-std::vector<CandidatePair> pairs(const RibbonGrid& grid, const Matrix3Xd& t0, const Matrix3Xd& t1) {
-  const std::vector<MovingBox> ranges = vertex_ranges(t0, t1);
+std::vector<FeaturePair> pairs(const RibbonGrid& grid, const Matrix3Xd& t0, const Matrix3Xd& t1) {
   PatchTree tree(grid);
-  tree.refit(ranges, reach_m);
-  return tree.pairs_within(ranges);
+  tree.refit(vertex_ranges(t0, t1), reach_m);
+  return tree.pairs_within();
 }
 
 TEST(PatchTree, a_flat_ribbon_has_no_pairs_to_test_however_it_lies_and_flies) {
@@ -73,47 +72,59 @@ TEST(PatchTree, sees_a_band_that_lies_flat_over_itself) {
         (8 + grid.column(p)) * std::sin(angle);
   }
   const auto found = pairs(grid, x, x);
-  const auto layers = std::count_if(found.begin(), found.end(), [&](const CandidatePair& pair) {
-    return std::abs(pair.a - pair.b) / 8 > 20;
+  const auto layers = std::count_if(found.begin(), found.end(), [&](const FeaturePair& pair) {
+    return std::abs(grid.row(pair.vertices[0]) - grid.row(pair.vertices[3])) > 20;
   });
   EXPECT_GT(layers, 100);
 }
 
-std::set<std::array<int, 2>> as_set(const std::vector<CandidatePair>& listed) {
-  std::set<std::array<int, 2>> result;
-  for (const CandidatePair& pair : listed)
-    EXPECT_TRUE(result.insert({std::min(pair.a, pair.b), std::max(pair.a, pair.b)}).second)
-        << "listed twice";
+// A pair, whichever of two edges comes first.
+using Key = std::array<int, 5>;
+
+Key key_of(const FeaturePair& pair) {
+  auto v = pair.vertices;
+  const bool edges = pair.kind == Kind::edge_edge;
+  std::sort(v.begin() + (edges ? 0 : 1), edges ? v.begin() + 2 : v.end());
+  if (edges) std::sort(v.begin() + 2, v.end());
+  if (edges && v[0] > v[2]) std::swap_ranges(v.begin(), v.begin() + 2, v.begin() + 2);
+  return {static_cast<int>(pair.kind), v[0], v[1], v[2], v[3]};
+}
+
+std::set<Key> as_set(const std::vector<FeaturePair>& listed) {
+  std::set<Key> result;
+  for (const FeaturePair& pair : listed)
+    EXPECT_TRUE(result.insert(key_of(pair)).second) << "listed twice";
   return result;
 }
 
-double distance_m(Kind kind, const std::array<int, 4>& v, const Matrix3Xd& x) {
-  const auto at = corners({kind, v}, x);
-  return (at * closest_weights(kind, at)).norm();
+// Every two features that share no vertex.
+std::vector<FeaturePair> all_pairs(const RibbonGrid& grid) {
+  const CollisionSurface surface = collision_surface(grid.triangles());
+  std::vector<FeaturePair> pairs;
+  for (const auto& t : surface.triangles.colwise())
+    for (int v = 0; v < grid.particle_count(); ++v)
+      if ((t.array() != v).all()) pairs.push_back({Kind::vertex_triangle, {v, t[0], t[1], t[2]}});
+  for (const auto& e : surface.edges)
+    for (const auto& f : surface.edges)
+      if (e < f && e[0] != f[0] && e[0] != f[1] && e[1] != f[0] && e[1] != f[1])
+        pairs.push_back({Kind::edge_edge, {e[0], e[1], f[0], f[1]}});
+  return pairs;
 }
 
-// The smallest distance between features of two triangles that share no vertex.
-double smallest_distance_m(const Eigen::Vector3i& s, const Eigen::Vector3i& t, const Matrix3Xd& x) {
-  const auto is_in = [](int v, const Eigen::Vector3i& of) { return (of.array() == v).any(); };
-  double smallest = 1e9;
-  for (int i = 0; i < 3; ++i) {
-    if (!is_in(s[i], t))
-      smallest = std::min(smallest, distance_m(Kind::vertex_triangle, {s[i], t[0], t[1], t[2]}, x));
-    if (!is_in(t[i], s))
-      smallest = std::min(smallest, distance_m(Kind::vertex_triangle, {t[i], s[0], s[1], s[2]}, x));
-    for (int j = 0; j < 3; ++j) {
-      const std::array<int, 4> edges = {s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3]};
-      if (std::set(edges.begin(), edges.end()).size() == 4)
-        smallest = std::min(smallest, distance_m(Kind::edge_edge, edges, x));
-    }
+double smallest_distance_m(const FeaturePair& pair, const Matrix3Xd& t0, const Matrix3Xd& t1) {
+  double smallest_m = 1e9;
+  for (const double time : {0.0, 0.35, 0.7, 1.0}) {
+    const Eigen::Matrix<double, 3, 4> at =
+        (1 - time) * corners(pair, t0) + time * corners(pair, t1);
+    smallest_m = std::min(smallest_m, (at * closest_weights(pair.kind, at)).norm());
   }
-  return smallest;
+  return smallest_m;
 }
 
 // From flat over wrinkled to crumpled, still and moving: what comes within reach is listed.
 TEST(PatchTree, spares_only_what_stays_apart) {
   const RibbonGrid grid{19, 6};
-  const Eigen::Matrix3Xi triangles = grid.triangles();
+  const std::vector<FeaturePair> all = all_pairs(grid);
   std::mt19937 random(9);
   std::normal_distribution<double> kick(0, 1);
   std::size_t close = 0;
@@ -124,19 +135,15 @@ TEST(PatchTree, spares_only_what_stays_apart) {
     Matrix3Xd t1 = t0.colwise() + Eigen::Vector3d(3, 2, 1);
     for (double& value : t1.reshaped()) value += 0.02 * (trial % 5) * kick(random);
     const auto listed = as_set(pairs(grid, t0, t1));
-    for (int a = 0; a < grid.triangle_count(); ++a)
-      for (int b = a + 1; b < grid.triangle_count(); ++b) {
-        double smallest_m = 1e9;
-        for (const double time : {0.0, 0.35, 0.7, 1.0})
-          smallest_m = std::min(smallest_m, smallest_distance_m(triangles.col(a), triangles.col(b),
-                                                                (1 - time) * t0 + time * t1));
-        if (smallest_m > reach_m) {
-          spared += listed.contains({a, b}) ? 0U : 1U;
-          continue;
-        }
-        ++close;
-        ASSERT_TRUE(listed.contains({a, b})) << trial << ": " << a << ", " << b;
+    for (const FeaturePair& pair : all) {
+      const bool is_listed = listed.contains(key_of(pair));
+      if (smallest_distance_m(pair, t0, t1) > reach_m) {
+        spared += is_listed ? 0U : 1U;
+        continue;
       }
+      ++close;
+      ASSERT_TRUE(is_listed) << trial << ": " << testing::PrintToString(pair.vertices);
+    }
   }
   EXPECT_GT(close, 3000U);
   EXPECT_GT(spared, 100000U);
@@ -151,27 +158,32 @@ TEST(PatchTree, room_in_the_ranges_counts) {
     std::vector<MovingBox> ranges = vertex_ranges(flat, flat);
     for (MovingBox& range : ranges) range.end.grow(room_m);
     tree.refit(ranges, reach_m);
-    EXPECT_EQ(tree.pairs_within(ranges).empty(), room_m < 0.1);
+    EXPECT_EQ(tree.pairs_within().empty(), room_m < 0.1);
   }
 }
 
 TEST(PatchTree, lists_what_of_an_obstacle_comes_close) {
   const RibbonGrid grid{30, 5};
   OverFloor planted = ribbon_over_floor(grid, -1);
+  const Body& floor = *planted.bodies.obstacle;
   Matrix3Xd t1 = planted.positions;
   for (const double sink_m : {0.7, 0.9}) {
     t1.row(1).leftCols(grid.particle_count()).setConstant(-sink_m);
     PatchTree tree(grid);
     tree.refit(vertex_ranges(planted.positions, t1), reach_m);
-    const auto found = tree.pairs_with(planted.bodies.obstacle->hierarchy);
-    EXPECT_EQ(found.size(), sink_m > 0.8 ? 2U * static_cast<unsigned>(grid.triangle_count()) : 0U);
+    const auto found = tree.pairs_with(floor.surface, floor.hierarchy);
+    std::set<int> particles;
+    for (const FeaturePair& pair : found)
+      if (pair.kind == Kind::vertex_triangle) particles.insert(pair.vertices[0]);
+    EXPECT_EQ(particles.size(),
+              sink_m > 0.8 ? static_cast<std::size_t>(grid.particle_count()) : 0U);
   }
 }
 
 TEST(PatchTree, gives_the_same_pairs_in_the_same_order_for_any_number_of_threads) {
   const RibbonGrid grid{200, 9};
   const Matrix3Xd x = rolled(grid, 9);
-  std::vector<std::vector<CandidatePair>> answers;
+  std::vector<std::vector<FeaturePair>> answers;
   for (const int threads : {1, 2, 5}) {
     set_thread_limit(threads);
     answers.push_back(pairs(grid, x, x));
@@ -181,7 +193,7 @@ TEST(PatchTree, gives_the_same_pairs_in_the_same_order_for_any_number_of_threads
   for (std::size_t i = 1; i < answers.size(); ++i) {
     ASSERT_EQ(answers[i].size(), answers[0].size());
     for (std::size_t n = 0; n < answers[0].size(); ++n)
-      ASSERT_TRUE(answers[i][n].a == answers[0][n].a && answers[i][n].b == answers[0][n].b);
+      ASSERT_EQ(answers[i][n].vertices, answers[0][n].vertices);
   }
 }
 
