@@ -4,7 +4,6 @@
 
 #include "simulation/penetration.h"
 #include "simulation/surroundings.h"
-#include "simulation/vertex_ranges.h"
 
 namespace ribbon {
 
@@ -24,14 +23,13 @@ Encounter encounter_of(const CollisionSurface& edges, const CollisionSurface& tr
 
 std::optional<Encounter> first_piercing(Bodies& bodies, const Matrix3Xd& positions) {
   const CollisionSurface& ribbon = bodies.ribbon.surface;
-  const std::vector<MovingBox> places = vertex_ranges(positions, positions);
-  bodies.patches.refit(places, 0);
-  const auto within = penetrations_among(ribbon, bodies.patches.pairs_within(places), positions);
+  Hierarchy hierarchy(ribbon, positions);  // asked for rarely: not worth keeping
+  const auto within = self_penetrations(ribbon, hierarchy, Hierarchy::Spare::boxes, positions);
   if (!within.empty()) return encounter_of(ribbon, ribbon, within.front());
   if (!bodies.obstacle) return std::nullopt;
   const CollisionSurface& obstacle = bodies.obstacle->surface;
-  const MutualPenetrations mutual = penetrations_between(
-      ribbon, obstacle, bodies.patches.pairs_with(bodies.obstacle->hierarchy), positions);
+  const MutualPenetrations mutual =
+      mutual_penetrations(ribbon, hierarchy, obstacle, bodies.obstacle->hierarchy, positions);
   if (!mutual.edges_of_first.empty())
     return encounter_of(ribbon, obstacle, mutual.edges_of_first.front());
   if (!mutual.edges_of_second.empty())

@@ -51,34 +51,16 @@ std::vector<Penetration> collect(std::span<const CandidatePair> pairs, const Lis
 
 }  // namespace
 
-std::vector<Penetration> penetrations_among(const CollisionSurface& surface,
-                                            std::span<const CandidatePair> pairs,
-                                            const Matrix3Xd& positions) {
-  return collect(pairs, [&](const CandidatePair& pair, std::vector<Penetration>& found) {
-    list_piercing_edges(surface, pair.a, surface, pair.b, positions, found);
-    list_piercing_edges(surface, pair.b, surface, pair.a, positions, found);
-  });
-}
-
-MutualPenetrations penetrations_between(const CollisionSurface& first,
-                                        const CollisionSurface& second,
-                                        std::span<const CandidatePair> pairs,
-                                        const Matrix3Xd& positions) {
-  return {collect(pairs,
-                  [&](const CandidatePair& pair, std::vector<Penetration>& found) {
-                    list_piercing_edges(first, pair.a, second, pair.b, positions, found);
-                  }),
-          collect(pairs, [&](const CandidatePair& pair, std::vector<Penetration>& found) {
-            list_piercing_edges(second, pair.b, first, pair.a, positions, found);
-          })};
-}
-
 std::vector<Penetration> self_penetrations(const CollisionSurface& surface, Hierarchy& hierarchy,
                                            Hierarchy::Spare spare, const Matrix3Xd& positions) {
   hierarchy.refit(vertex_ranges(positions, positions), 0);
   if (spare == Hierarchy::Spare::curvature_and_boxes)
     hierarchy.refit_curvatures(positions, positions);
-  return penetrations_among(surface, hierarchy.pairs_within(spare), positions);
+  return collect(hierarchy.pairs_within(spare),
+                 [&](const CandidatePair& pair, std::vector<Penetration>& found) {
+                   list_piercing_edges(surface, pair.a, surface, pair.b, positions, found);
+                   list_piercing_edges(surface, pair.b, surface, pair.a, positions, found);
+                 });
 }
 
 MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy& first_hierarchy,
@@ -86,8 +68,14 @@ MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy&
                                        const Hierarchy& second_hierarchy,
                                        const Matrix3Xd& positions) {
   first_hierarchy.refit(vertex_ranges(positions, positions), 0);
-  return penetrations_between(first, second, first_hierarchy.pairs_with(second_hierarchy),
-                              positions);
+  const std::vector<CandidatePair> pairs = first_hierarchy.pairs_with(second_hierarchy);
+  return {collect(pairs,
+                  [&](const CandidatePair& pair, std::vector<Penetration>& found) {
+                    list_piercing_edges(first, pair.a, second, pair.b, positions, found);
+                  }),
+          collect(pairs, [&](const CandidatePair& pair, std::vector<Penetration>& found) {
+            list_piercing_edges(second, pair.b, first, pair.a, positions, found);
+          })};
 }
 
 int distinct_edges(const std::vector<Penetration>& penetrations) {

@@ -18,11 +18,6 @@ struct Penetration {
   Eigen::Vector3d point;
 };
 
-// All edges of `surface` that pierce a triangle of it, among `pairs` of its triangles.
-std::vector<Penetration> penetrations_among(const CollisionSurface& surface,
-                                            std::span<const CandidatePair> pairs,
-                                            const Eigen::Matrix3Xd& positions);
-
 // All edges of `surface` that pierce a triangle of it. `hierarchy` is refitted to the positions.
 std::vector<Penetration> self_penetrations(const CollisionSurface& surface, Hierarchy& hierarchy,
                                            Hierarchy::Spare spare,
@@ -33,12 +28,6 @@ struct MutualPenetrations {
   std::vector<Penetration> edges_of_first;
   std::vector<Penetration> edges_of_second;
 };
-
-// Among `pairs` (triangle of first, triangle of second).
-MutualPenetrations penetrations_between(const CollisionSurface& first,
-                                        const CollisionSurface& second,
-                                        std::span<const CandidatePair> pairs,
-                                        const Eigen::Matrix3Xd& positions);
 
 // `first_hierarchy` is refitted; `second` is the still obstacle.
 MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy& first_hierarchy,

@@ -165,7 +165,7 @@ TEST(PatchTree, room_in_the_ranges_counts) {
 TEST(PatchTree, lists_what_of_an_obstacle_comes_close) {
   const RibbonGrid grid{30, 5};
   OverFloor planted = ribbon_over_floor(grid, -1);
-  const Body& floor = *planted.bodies.obstacle;
+  const ObstacleBody& floor = *planted.bodies.obstacle;
   Matrix3Xd t1 = planted.positions;
   for (const double sink_m : {0.7, 0.9}) {
     t1.row(1).leftCols(grid.particle_count()).setConstant(-sink_m);
