@@ -28,6 +28,9 @@ SpringNetwork spring_network(const RibbonGrid& grid, double length_m, double wid
   network.stretch.resistance = resistances.stretch;
   network.shear.resistance = resistances.shear;
   network.bend.resistance = resistances.bend;
+  for (SpringSet* set : {&network.stretch, &network.shear, &network.bend})
+    if (set->resistance > 0)
+      set->springs.reserve(2 * static_cast<std::size_t>(grid.particle_count()));
   if (resistances.stretch > 0) {
     join(grid, 1, 0, along_m, network.stretch);
     join(grid, 0, 1, across_m, network.stretch);

@@ -1,5 +1,7 @@
 #include "simulation/deformation.h"
 
+#include "ribbon_mesh/springs.h"
+
 namespace ribbon {
 
 namespace {
@@ -24,9 +26,9 @@ std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& si
 
 Deformation::Deformation(const Scene& scene, const NaturalSize& size, double particle_mass_kg,
                          Bodies& bodies)
-    : springs_(spring_network(size.grid, size.length_m, size.width_m, scene.springs)),
-      integrator_(
-          create_integrator(scene.time.integrator, springs_,
+    : integrator_(
+          create_integrator(scene.time.integrator,
+                            spring_network(size.grid, size.length_m, size.width_m, scene.springs),
                             {scene.time.step_s, size.grid.particle_count(), particle_mass_kg,
                              scene.air_resistance_per_s, scene.time.tolerance})),
       post_step_(post_step_of(scene, size, bodies, *clock_)) {}

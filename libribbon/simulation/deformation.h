@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "ribbon_mesh/springs.h"
 #include "scene/scene.h"
 #include "simulation/bodies.h"
 #include "simulation/cloth.h"
@@ -33,14 +32,12 @@ class Deformation {
 
   // Into how many parts the springs divide a step.
   [[nodiscard]] int substeps() const { return integrator_->substeps(); }
-  [[nodiscard]] const SpringNetwork& springs() const { return springs_; }
   // Charged with the steps' stages.
   [[nodiscard]] StageClock& clock() { return *clock_; }
   [[nodiscard]] const StageClock& clock() const { return *clock_; }
 
  private:
   std::unique_ptr<StageClock> clock_ = std::make_unique<StageClock>();  // at a fixed place
-  SpringNetwork springs_;
   std::unique_ptr<Integrator> integrator_;
   std::unique_ptr<PostStep> post_step_;
 };

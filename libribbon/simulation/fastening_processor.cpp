@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "simulation/band_edges.h"
 #include "simulation/contact_extent.h"
 #include "simulation/gap_lengths.h"
 #include "simulation/scene_limits.h"
-#include "simulation/spring_force.h"
 #include "simulation/width_growth.h"
 
 namespace ribbon {
@@ -43,6 +43,7 @@ FasteningProcessor::FasteningProcessor(const Scene& scene, const RibbonMesh& rib
                                        const std::optional<TriangleMesh>& obstacle,
                                        Matrix3Xd vertices)
     : step_s_(scene.time.step_s),
+      springs_(scene.springs),
       cloth_{std::move(vertices), Matrix3Xd::Zero(3, ribbon.positions.cols()),
              scene.ribbon.mass_kg / ribbon.grid.particle_count()},
       bodies_(bodies_of(ribbon.grid, obstacle, cloth_.positions)),
@@ -113,7 +114,7 @@ std::optional<Tightness> FasteningProcessor::tightness() {
 }
 
 double FasteningProcessor::strain() const {
-  return worst_strain(deformation_.springs(), cloth_.positions);
+  return worst_strain(size_, springs_, cloth_.positions);
 }
 
 Matrix3Xd FasteningProcessor::positions() const {

@@ -79,6 +79,7 @@ class FasteningProcessor {
   StartReport recover_as_published();
 
   double step_s_;
+  SpringScene springs_;
   long steps_ = 0;
   Cloth cloth_;
   std::unique_ptr<Bodies> bodies_;  // at a fixed place: the deformation refers to it

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "simulation/collision_response.h"
 #include "simulation/contact_constraints.h"
@@ -23,17 +24,15 @@ constexpr int surveys_of_stragglers = 3;  // before all particles count as such
 
 StrainLimit strain_limit(const PostStepProperties& properties) {
   const NaturalSize& size = properties.size;
-  const SpringNetwork network =
-      spring_network(size.grid, size.length_m, size.width_m,
-                     {.stretch = 1, .shear = properties.resists_shear ? 1.0 : 0.0, .bend = 0});
-  std::vector<Spring> edges = network.stretch.springs;
-  edges.insert(edges.end(), network.shear.springs.begin(), network.shear.springs.end());
-  std::vector<double> limits;
-  limits.reserve(edges.size());
-  for (const Spring& edge : edges)
-    limits.push_back(
-        aimed_strain(properties.smoothing.strain, edge.rest_length_m, properties.rounding_m));
-  return {std::move(edges), std::move(limits)};
+  std::vector<LimitedEdges> edges;
+  const auto limit = [&](const EdgeKind& kind) {
+    edges.push_back({kind, aimed_strain(properties.smoothing.strain, kind.rest_length_m,
+                                        properties.rounding_m)});
+  };
+  for (const EdgeKind& kind : edges_along_and_across(size)) limit(kind);
+  if (properties.resists_shear)
+    for (const EdgeKind& kind : diagonals(size)) limit(kind);
+  return {size.grid, std::move(edges)};
 }
 
 class GatedPostStep : public PostStep {

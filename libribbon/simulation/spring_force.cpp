@@ -13,22 +13,12 @@ namespace {
 
 using Eigen::ArrayXd;
 using Eigen::Index;
-using Eigen::Matrix3Xd;
 using Eigen::MatrixX3d;
 
 // So many particles are at least one task: their springs fit the fast memory of a core.
 constexpr Index least_grain = 1024;
 // Each range also computes springs that belong to the one before it; at most one in eight.
 constexpr Index grain_per_offset = 8;
-
-double worst_strain(const SpringSet& set, const Matrix3Xd& positions) {
-  double worst = 0;
-  for (const Spring& spring : set.springs) {
-    const double length_m = (positions.col(spring.b) - positions.col(spring.a)).norm();
-    worst = std::max(worst, std::abs(length_m / spring.rest_length_m - 1));
-  }
-  return worst;
-}
 
 void add_resistances(const SpringSet& set, std::vector<double>& sums) {
   for (const Spring& spring : set.springs) {
@@ -55,17 +45,18 @@ SpringForces::SpringForces(const SpringNetwork& network, int particle_count)
 }
 
 void SpringForces::add(const Spring& spring, double resistance) {
-  const auto [first, last] = std::minmax(spring.a, spring.b);
-  Family& family = family_with_room(last - first, first);
-  family.resistance[first] = resistance;
-  family.rest_length_m[first] = spring.rest_length_m;
+  family_with_room(spring).resistance[std::min(spring.a, spring.b)] = resistance;
 }
 
-SpringForces::Family& SpringForces::family_with_room(int offset, int first) {
+SpringForces::Family& SpringForces::family_with_room(const Spring& spring) {
+  const auto [first, last] = std::minmax(spring.a, spring.b);
+  const int offset = last - first;
   for (Family& family : families_)
-    if (family.offset == offset && family.resistance[first] == 0) return family;
-  return families_.emplace_back(Family{offset, ArrayXd::Zero(particle_count_ - offset),
-                                       ArrayXd::Zero(particle_count_ - offset)});
+    if (family.offset == offset && family.rest_length_m == spring.rest_length_m &&
+        family.resistance[first] == 0)
+      return family;
+  return families_.emplace_back(
+      Family{offset, spring.rest_length_m, ArrayXd::Zero(particle_count_ - offset)});
 }
 
 // Family by family: first the pull of each spring that starts or ends at the range, then what the
@@ -87,7 +78,7 @@ void SpringForces::forces_on(Index begin, Index end, const MatrixX3d& positions,
     twice_energy_j.tail(end - last).setZero();
     SpringRun run{.count = static_cast<std::size_t>(last - first),
                   .resistance = family.resistance.data() + first,
-                  .rest_length_m = family.rest_length_m.data() + first,
+                  .rest_length_m = family.rest_length_m,
                   .twice_energy_j = twice_energy_j.data() + (first - begin_run)};
     for (Index axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
@@ -112,10 +103,6 @@ double SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
   double energy_j = 0;
   for (const Workspace& workspace : workspaces_) energy_j += workspace.energy_j;
   return energy_j;
-}
-
-double worst_strain(const SpringNetwork& network, const Matrix3Xd& positions) {
-  return std::max(worst_strain(network.stretch, positions), worst_strain(network.shear, positions));
 }
 
 double fastest_frequency(const SpringNetwork& network, int particle_count,

@@ -8,9 +8,10 @@
 
 namespace ribbon {
 
-// The forces and the energy of a network, over flat arrays: the springs that lead equally far
-// through the numbering of the particles are one family. A ribbon has two families a kind, so that
-// springs are computed one after the other without looking up their ends. The results are the same
+// The forces and the energy of a network, over flat arrays: the springs of one rest
+// length that lead equally far through the numbering of the particles are one family. A ribbon has
+// two families a kind, so that springs are computed one after the other without looking up their
+// ends. The results are the same
 // bits for any number of threads, compiler and optimisation.
 class SpringForces {
  public:
@@ -29,8 +30,8 @@ class SpringForces {
   // resistance is 0.
   struct Family {
     Eigen::Index offset = 0;
+    double rest_length_m = 0;
     Eigen::ArrayXd resistance;  // N/m
-    Eigen::ArrayXd rest_length_m;
   };
 
   // What the springs at one range of particles need while they are computed.
@@ -41,7 +42,7 @@ class SpringForces {
   };
 
   void add(const Spring& spring, double resistance);
-  Family& family_with_room(int offset, int first);
+  Family& family_with_room(const Spring& spring);
   void forces_on(Eigen::Index begin, Eigen::Index end, const Eigen::MatrixX3d& positions,
                  Eigen::MatrixX3d& forces);
 
@@ -50,9 +51,6 @@ class SpringForces {
   Eigen::Index grain_ = 0;  // particles in a range
   std::vector<Workspace> workspaces_;
 };
-
-// The largest |length / rest length - 1| of the stretch and shear springs; 0 without any.
-double worst_strain(const SpringNetwork& network, const Eigen::Matrix3Xd& positions);
 
 // An upper bound of the fastest angular frequency (rad/s) at which any particle can swing on its
 // springs, however the ribbon lies.

@@ -13,7 +13,7 @@ constexpr double shortest_m = 1e-150;
 // The compiler vectorises this loop for the registers of the function that it becomes a part of. It
 // believes promises that nothing overlaps only of parameters.
 [[gnu::always_inline]] inline void pull_of_each(
-    std::size_t count, const double* __restrict resistance, const double* __restrict rest_length_m,
+    std::size_t count, const double* __restrict resistance, double rest_length_m,
     const double* __restrict ax, const double* __restrict ay, const double* __restrict az,
     const double* __restrict bx, const double* __restrict by, const double* __restrict bz,
     double* __restrict pull_x, double* __restrict pull_y, double* __restrict pull_z,
@@ -23,7 +23,7 @@ constexpr double shortest_m = 1e-150;
     const double y = by[i] - ay[i];
     const double z = bz[i] - az[i];
     const double length_m = std::sqrt(x * x + y * y + z * z);
-    const double elongation_m = length_m - rest_length_m[i];
+    const double elongation_m = length_m - rest_length_m;
     const double tension = resistance[i] * elongation_m;
     const double per_length = tension / (length_m > shortest_m ? length_m : shortest_m);
     twice_energy_j[i] = tension * elongation_m;

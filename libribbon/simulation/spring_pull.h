@@ -6,12 +6,12 @@
 
 namespace ribbon {
 
-// `count` springs one after the other, each array of their own length. No two arrays overlap but
-// `starts` with `ends`.
+// `count` springs of equal rest length one after the other, each array as long. No two arrays
+// overlap but `starts` with `ends`.
 struct SpringRun {
   std::size_t count = 0;
   const double* resistance = nullptr;     // N/m
-  const double* rest_length_m = nullptr;  // not used where the resistance is 0
+  double rest_length_m = 0;               // of each; not used where the resistance is 0
   std::array<const double*, 3> starts{};  // the coordinates of their starts and ends, m
   std::array<const double*, 3> ends{};
   std::array<double*, 3> pull{};     // result: on the start, N

@@ -1,7 +1,6 @@
 #include "simulation/strain_limit.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,38 +14,44 @@ constexpr double negligible = 0.002;  // of an edge's natural length
 constexpr double published = 0.1;     // the limit of section 5.5
 constexpr double least_aim = 0.02;
 
+// Was any of them beyond its limit by more than is negligible?
+bool tighten_all(const LimitedEdges& edges, const RibbonGrid& grid, Eigen::Matrix3Xd& positions) {
+  const double rest_length_m = edges.kind.rest_length_m;
+  const double shortest_m = (1 - edges.limit) * rest_length_m;
+  const double longest_m = (1 + edges.limit) * rest_length_m;
+  bool any = false;
+  for_each_edge(grid, edges.kind, [&](int a, int b) {
+    const Eigen::Vector3d apart = positions.col(b) - positions.col(a);
+    const double length_m = apart.norm();
+    const double allowed_m = std::clamp(length_m, shortest_m, longest_m);
+    // A collapsed edge has no direction to grow in; its neighbours give it one.
+    if (length_m == allowed_m || length_m == 0) return;
+    any = any || std::abs(length_m - allowed_m) > negligible * rest_length_m;
+    const Eigen::Vector3d way = 0.5 * (length_m - allowed_m) / length_m * apart;
+    positions.col(a) += way;
+    positions.col(b) -= way;
+  });
+  return any;
+}
+
 }  // namespace
 
-StrainLimit::StrainLimit(std::vector<Spring> edges, std::vector<double> limits)
-    : edges_(std::move(edges)), limits_(std::move(limits)) {
-  assert(edges_.size() == limits_.size());
-}
+StrainLimit::StrainLimit(const RibbonGrid& grid, std::vector<LimitedEdges> edges)
+    : grid_(grid), edges_(std::move(edges)) {}
 
 bool StrainLimit::tighten(Eigen::Matrix3Xd& positions) const {
   bool any = false;
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Spring& edge = edges_[i];
-    const Eigen::Vector3d apart = positions.col(edge.b) - positions.col(edge.a);
-    const double length_m = apart.norm();
-    const double allowed_m = std::clamp(length_m, (1 - limits_[i]) * edge.rest_length_m,
-                                        (1 + limits_[i]) * edge.rest_length_m);
-    // A collapsed edge has no direction to grow in; its neighbours give it one.
-    if (length_m == allowed_m || length_m == 0) continue;
-    any = any || std::abs(length_m - allowed_m) > negligible * edge.rest_length_m;
-    const Eigen::Vector3d way = 0.5 * (length_m - allowed_m) / length_m * apart;
-    positions.col(edge.a) += way;
-    positions.col(edge.b) -= way;
-  }
+  for (const LimitedEdges& edges : edges_) any = tighten_all(edges, grid_, positions) || any;
   return any;
 }
 
 double StrainLimit::worst_excess(const Eigen::Matrix3Xd& positions) const {
   double worst = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Spring& edge = edges_[i];
-    const double length_m = (positions.col(edge.b) - positions.col(edge.a)).norm();
-    worst = std::max(worst, std::abs(length_m / edge.rest_length_m - 1) - limits_[i]);
-  }
+  for (const LimitedEdges& edges : edges_)
+    for_each_edge(grid_, edges.kind, [&](int a, int b) {
+      const double length_m = (positions.col(b) - positions.col(a)).norm();
+      worst = std::max(worst, std::abs(length_m / edges.kind.rest_length_m - 1) - edges.limit);
+    });
   return worst;
 }
 

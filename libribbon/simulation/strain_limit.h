@@ -4,20 +4,26 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "ribbon_mesh/springs.h"
+#include "geometry/ribbon_grid.h"
+#include "simulation/band_edges.h"
 
 namespace ribbon {
+
+struct LimitedEdges {
+  EdgeKind kind;
+  double limit = 0;  // of the natural length, in both directions
+};
 
 // The published correction, which is told apart as StrainCorrection, does not know of contact and
 // therefore moves along the smoothed surface. This one takes turns with contact and moves along the
 // edges.
 class StrainLimit {
  public:
-  // One limit per edge, of the natural length, in both directions.
-  StrainLimit(std::vector<Spring> edges, std::vector<double> limits);
+  StrainLimit(const RibbonGrid& grid, std::vector<LimitedEdges> edges);
 
   // One sweep: both particles of each edge beyond the limit move toward or away from each other by
-  // equal parts, in order. Was any beyond it by more than a five-hundredth of its length?
+  // equal parts, one kind after the other. Was any beyond it by more than a five-hundredth of its
+  // length?
   bool tighten(Eigen::Matrix3Xd& positions) const;
 
   // The most by which |length / natural length - 1| of an edge is beyond its limit; below 0 where
@@ -25,8 +31,8 @@ class StrainLimit {
   [[nodiscard]] double worst_excess(const Eigen::Matrix3Xd& positions) const;
 
  private:
-  std::vector<Spring> edges_;
-  std::vector<double> limits_;
+  RibbonGrid grid_;
+  std::vector<LimitedEdges> edges_;
 };
 
 // What smoothing aims at for an edge of natural length rest_m, so that it is still within the

@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "benchmarks/energy_account.h"
-#include "ribbon_mesh/springs.h"
+#include "simulation/band_edges.h"
 #include "simulation/fastening_processor.h"
-#include "simulation/spring_force.h"
 #include "verification/frame_verifier.h"
 
 namespace ribbon {
@@ -15,12 +14,6 @@ namespace ribbon {
 namespace {
 
 using Eigen::Matrix3Xd;
-
-// What the strain limit cares for, whether there are springs or not.
-SpringNetwork limited_edges(const ExtremeScene& extreme) {
-  return spring_network(extreme.mesh.grid, extreme.mesh.length_m, extreme.mesh.width_m,
-                        {.stretch = 1, .shear = extreme.scene.springs.shear > 0 ? 1.0 : 0.0});
-}
 
 // Large ribbons are judged at every tenth step.
 bool is_judged(const ExtremeScene& extreme, int step) {
@@ -31,7 +24,9 @@ Outcome run(const ExtremeScene& extreme, int steps, FasteningProcessor& fastenin
   using Clock = std::chrono::steady_clock;
   const FrameVerifier verifier(extreme.mesh.grid, extreme.mesh.length_m, extreme.mesh.width_m,
                                extreme.obstacle);
-  const SpringNetwork edges = limited_edges(extreme);
+  const NaturalSize size{extreme.mesh.grid, extreme.mesh.length_m, extreme.mesh.width_m};
+  // What the strain limit cares for, whether there are springs or not.
+  const SpringScene limited{.stretch = 1, .shear = extreme.scene.springs.shear};
   Matrix3Xd before = fastening.positions();
   EnergyAccount account(extreme.scene, extreme.mesh, before);
   Outcome outcome;
@@ -43,7 +38,7 @@ Outcome run(const ExtremeScene& extreme, int steps, FasteningProcessor& fastenin
     outcome.steps = step;
     outcome.is_finite = after.allFinite();
     if (!outcome.is_finite) break;
-    outcome.last_strain = worst_strain(edges, after);
+    outcome.last_strain = worst_strain(size, limited, after);
     outcome.worst_strain = std::max(outcome.worst_strain, outcome.last_strain);
     account.add_step(before, after);
     if (is_judged(extreme, step))

@@ -90,6 +90,9 @@ TEST(SpringForce, adds_springs_that_join_the_same_particles) {
   positions(0, 1) = 4;
   // By hand: 10 (4 - 2) + 10 (4 - 3) N.
   EXPECT_EQ(forces_of(network, positions).col(0), Eigen::Vector3d(30, 0, 0));
+  // Of the same length, too: 10 (4 - 2) N more.
+  network.stretch.springs.push_back({0, 1, 2});
+  EXPECT_EQ(forces_of(network, positions).col(0), Eigen::Vector3d(50, 0, 0));
 }
 
 TEST(SpringForce, of_a_spring_too_short_for_squares_is_never_more_than_of_none_left) {
@@ -98,16 +101,6 @@ TEST(SpringForce, of_a_spring_too_short_for_squares_is_never_more_than_of_none_l
     positions(0, 1) = length_m;
     EXPECT_LE(forces_of(one_spring(10, 2), positions).norm(), 20 * std::sqrt(2) * (1 + 1e-15));
   }
-}
-
-TEST(WorstStrain, counts_stretch_and_shear_and_shrinking_too) {
-  SpringNetwork network = one_spring(1, 1);
-  network.shear = {1, {{0, 2, 1}}};
-  network.bend = {1, {{1, 2, 0.01}}};
-  Matrix3Xd positions = Matrix3Xd::Zero(3, 3);
-  positions(0, 1) = 1.1;
-  positions(1, 2) = 0.75;
-  EXPECT_DOUBLE_EQ(worst_strain(network, positions), 0.25);
 }
 
 TEST(FastestFrequency, of_two_particles_on_a_spring_bounds_the_true_one) {

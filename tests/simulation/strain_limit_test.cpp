@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ribbon {
 namespace {
 
 using Eigen::Matrix3Xd;
 
 TEST(StrainLimit, brings_a_long_edge_back_to_the_limit_about_its_middle) {
-  const StrainLimit limit({{0, 1, 1}}, {0.1});
+  const StrainLimit limit({2, 1}, {{{1, 0, 1}, 0.1}});
   Matrix3Xd x(3, 2);
   x << 0, 0, 0, 2, 0, 0;
   EXPECT_DOUBLE_EQ(limit.worst_excess(x), 1 - 0.1);
@@ -20,7 +22,7 @@ TEST(StrainLimit, brings_a_long_edge_back_to_the_limit_about_its_middle) {
 }
 
 TEST(StrainLimit, brings_a_short_edge_back_to_the_limit) {
-  const StrainLimit limit({{0, 1, 1}}, {0.1});
+  const StrainLimit limit({2, 1}, {{{1, 0, 1}, 0.1}});
   Matrix3Xd x(3, 2);
   x << 0, 0.5, 0, 0, 0, 0;
   EXPECT_TRUE(limit.tighten(x));
@@ -28,7 +30,7 @@ TEST(StrainLimit, brings_a_short_edge_back_to_the_limit) {
 }
 
 TEST(StrainLimit, leaves_alone_what_is_within_it) {
-  const StrainLimit limit({{0, 1, 1}, {1, 2, 1}}, {0.1, 0.1});
+  const StrainLimit limit({3, 1}, {{{1, 0, 1}, 0.1}});
   Matrix3Xd x(3, 3);
   x << 0, 1.09, 2, 0, 0, 0, 0, 0, 0;
   const Matrix3Xd before = x;
@@ -37,9 +39,7 @@ TEST(StrainLimit, leaves_alone_what_is_within_it) {
 }
 
 TEST(StrainLimit, repeated_sweeps_share_one_long_edge_among_its_neighbours) {
-  std::vector<Spring> chain(9);
-  for (int i = 0; i < 9; ++i) chain[static_cast<std::size_t>(i)] = {i, i + 1, 1};
-  const StrainLimit limit(chain, std::vector<double>(chain.size(), 0.1));
+  const StrainLimit limit({10, 1}, {{{1, 0, 1}, 0.1}});
   Matrix3Xd x = Matrix3Xd::Zero(3, 10);
   for (int i = 0; i < 10; ++i) x(0, i) = i < 5 ? i : i + 0.6;
   int sweeps = 0;
@@ -48,15 +48,31 @@ TEST(StrainLimit, repeated_sweeps_share_one_long_edge_among_its_neighbours) {
   EXPECT_LT(limit.worst_excess(x), 0.003);
 }
 
-// The first is 0.1 beyond its limit of 0.2, the second 0.15 beyond its own of 0.05.
-TEST(StrainLimit, holds_each_edge_to_its_own_limit) {
-  const StrainLimit limit({{0, 1, 1}, {1, 2, 1}}, {0.2, 0.05});
-  Matrix3Xd x(3, 3);
-  x << 0, 1.3, 2.5, 0, 0, 0, 0, 0, 0;
+// By hand: edges along are 0.1 beyond their limit of 0.2, those across 0.15 beyond their own of
+// 0.05.
+TEST(StrainLimit, holds_each_kind_of_edge_to_its_own_limit) {
+  const StrainLimit limit({2, 2}, {{{1, 0, 1}, 0.2}, {{0, 1, 1}, 0.05}});
+  Matrix3Xd x(3, 4);
+  x << 0, 1.2, 0, 1.2, 0, 0, 1.3, 1.3, 0, 0, 0, 0;
   EXPECT_NEAR(limit.worst_excess(x), 0.15, 1e-12);
   while (limit.tighten(x)) continue;
-  EXPECT_NEAR(x(0, 1) - x(0, 0), 1.2, 0.003);
-  EXPECT_NEAR(x(0, 2) - x(0, 1), 1.05, 0.003);
+  EXPECT_NEAR(x(1, 2) - x(1, 0), 1.2, 0.003);
+  EXPECT_NEAR(x(0, 3) - x(0, 2), 1.05, 0.003);
+}
+
+// By hand: all diagonals of unit quads are sqrt 2 long; then an end is moved until its own is 2
+// sqrt 2.
+TEST(StrainLimit, finds_diagonals_of_both_directions_and_none_over_the_selvage) {
+  const RibbonGrid grid{2, 4};
+  Matrix3Xd x(3, 8);
+  x << 0, 1, 2, 3, 0, 1, 2, 3, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0;
+  for (const int columns : {1, -1}) {
+    const StrainLimit limit(grid, {{{1, columns, std::sqrt(2.0)}, 0.1}});
+    EXPECT_NEAR(limit.worst_excess(x), -0.1, 1e-12);
+    Matrix3Xd stretched = x;
+    stretched(1, columns == 1 ? 7 : 4) = std::sqrt(7.0);
+    EXPECT_NEAR(limit.worst_excess(stretched), 1 - 0.1, 1e-12);
+  }
 }
 
 TEST(StrainLimit, aims_at_what_the_scene_says_where_rounding_leaves_room) {
@@ -75,7 +91,7 @@ TEST(StrainLimit, aims_at_two_percent_where_rounding_leaves_no_room) {
 }
 
 TEST(StrainLimit, an_edge_without_length_has_no_direction_and_stays) {
-  const StrainLimit limit({{0, 1, 1}}, {0.1});
+  const StrainLimit limit({2, 1}, {{{1, 0, 1}, 0.1}});
   Matrix3Xd x = Matrix3Xd::Zero(3, 2);
   EXPECT_FALSE(limit.tighten(x));
   EXPECT_TRUE(x.allFinite());
