@@ -21,23 +21,31 @@ struct ObstacleBody {
   Hierarchy hierarchy;
 };
 
-// The hierarchy over the ribbon exists only where the published method or its schemes detect: it
-// takes some 500 bytes a particle, and the gate does without.
+// The surface of the ribbon and the hierarchy over it exist only where penetrations are looked for,
+// at the start and as published: they take some 600 bytes a particle, and the gate does without.
 class RibbonBody {
  public:
-  explicit RibbonBody(const RibbonGrid& grid) : surface(collision_surface(grid.triangles())) {}
+  explicit RibbonBody(const RibbonGrid& grid) : grid_(grid) {}
 
-  // Built when it is first asked for, over `positions` (3 x at least all particles).
+  // Each is built when it is first asked for.
+  const CollisionSurface& surface() {
+    if (!surface_) surface_ = collision_surface(grid_.triangles());
+    return *surface_;
+  }
+  // Over `positions` (3 x at least all particles).
   Hierarchy& hierarchy(const Eigen::Matrix3Xd& positions) {
-    if (!hierarchy_) hierarchy_.emplace(surface, positions);
+    if (!hierarchy_) hierarchy_.emplace(surface(), positions);
     return *hierarchy_;
   }
-  void forget_hierarchy() { hierarchy_.reset(); }
-  [[nodiscard]] bool has_hierarchy() const { return hierarchy_.has_value(); }
-
-  CollisionSurface surface;
+  [[nodiscard]] bool exists() const { return surface_.has_value(); }
+  void forget() {
+    surface_.reset();
+    hierarchy_.reset();
+  }
 
  private:
+  RibbonGrid grid_;
+  std::optional<CollisionSurface> surface_;
   std::optional<Hierarchy> hierarchy_;
 };
 

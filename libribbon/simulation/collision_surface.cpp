@@ -1,35 +1,77 @@
 #include "simulation/collision_surface.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <tuple>
 #include <utility>
 
 namespace ribbon {
 
+namespace {
+
+// Sides of triangles are numbered three times the triangle plus the corner where they start.
+std::array<int, 2> ends_of(const Eigen::Matrix3Xi& triangles, int side) {
+  const int a = triangles(side % 3, side / 3);
+  const int b = triangles((side + 1) % 3, side / 3);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// For each side the first one that is the same edge.
+std::vector<int> first_sides(const Eigen::Matrix3Xi& triangles) {
+  struct Side {
+    std::array<int, 2> ends;
+    int number;
+  };
+  std::vector<Side> sides(static_cast<std::size_t>(triangles.size()));
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    sides[i] = {ends_of(triangles, static_cast<int>(i)), static_cast<int>(i)};
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.ends, a.number) < std::tie(b.ends, b.number);
+  });
+  std::vector<int> first(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const bool is_new = i == 0 || sides[i].ends != sides[i - 1].ends;
+    first[static_cast<std::size_t>(sides[i].number)] =
+        is_new ? sides[i].number : first[static_cast<std::size_t>(sides[i - 1].number)];
+  }
+  return first;
+}
+
+void number_edges(CollisionSurface& surface) {
+  const std::vector<int> first = first_sides(surface.triangles);
+  std::size_t edges = 0;
+  for (std::size_t side = 0; side < first.size(); ++side)
+    edges += first[side] == static_cast<int>(side) ? 1 : 0;
+  surface.edges.reserve(edges);
+  for (std::size_t side = 0; side < first.size(); ++side) {
+    const auto original = static_cast<std::size_t>(first[side]);
+    int& edge = surface.triangle_edges[side / 3][side % 3];
+    edge = surface.triangle_edges[original / 3][original % 3];
+    if (original != side) continue;
+    edge = static_cast<int>(surface.edges.size());
+    surface.edges.push_back(ends_of(surface.triangles, static_cast<int>(side)));
+    surface.answers_for[side / 3] |= static_cast<std::uint8_t>(8U << (side % 3));
+  }
+}
+
+void share_out_vertices(CollisionSurface& surface) {
+  std::vector<bool> seen(static_cast<std::size_t>(surface.triangles.maxCoeff()) + 1);
+  for (std::size_t side = 0; side < static_cast<std::size_t>(surface.triangles.size()); ++side) {
+    const auto vertex = static_cast<std::size_t>(surface.triangles.reshaped()[side]);
+    if (!seen[vertex]) surface.answers_for[side / 3] |= static_cast<std::uint8_t>(1U << (side % 3));
+    seen[vertex] = true;
+  }
+}
+
+}  // namespace
+
 CollisionSurface collision_surface(Eigen::Matrix3Xi triangles) {
   CollisionSurface surface;
   surface.triangles = std::move(triangles);
-  std::map<std::array<int, 2>, int> edge_of;
-  std::set<int> vertices_seen;
-  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
-    std::array<int, 3> edges{};
-    unsigned answers = 0;
-    for (int corner = 0; corner < 3; ++corner) {
-      const int a = surface.triangles(corner, t);
-      const int b = surface.triangles((corner + 1) % 3, t);
-      if (vertices_seen.insert(a).second) answers |= 1U << corner;
-      const auto [found, is_new] = edge_of.try_emplace(
-          std::array<int, 2>{std::min(a, b), std::max(a, b)}, static_cast<int>(edge_of.size()));
-      if (is_new) {
-        answers |= 1U << (3 + corner);
-        surface.edges.push_back(found->first);
-      }
-      edges[static_cast<std::size_t>(corner)] = found->second;
-    }
-    surface.triangle_edges.push_back(edges);
-    surface.answers_for.push_back(static_cast<std::uint8_t>(answers));
-  }
+  if (surface.triangles.cols() == 0) return surface;
+  surface.triangle_edges.resize(static_cast<std::size_t>(surface.triangles.cols()));
+  surface.answers_for.resize(static_cast<std::size_t>(surface.triangles.cols()));
+  number_edges(surface);
+  share_out_vertices(surface);
   return surface;
 }
 

@@ -22,7 +22,7 @@ Encounter encounter_of(const CollisionSurface& edges, const CollisionSurface& tr
 }  // namespace
 
 std::optional<Encounter> first_piercing(Bodies& bodies, const Matrix3Xd& positions) {
-  const CollisionSurface& ribbon = bodies.ribbon.surface;
+  const CollisionSurface& ribbon = bodies.ribbon.surface();
   Hierarchy hierarchy(ribbon, positions);  // asked for rarely: not worth keeping
   const auto within = self_penetrations(ribbon, hierarchy, Hierarchy::Spare::boxes, positions);
   if (!within.empty()) return encounter_of(ribbon, ribbon, within.front());

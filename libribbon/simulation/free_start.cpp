@@ -102,7 +102,6 @@ class Search {
                                       .step_m = 0.5 * shortest_edge_m(),
                                       .patience = patience};
       report_.recovery_iterations += recover(bodies_, settings, cloth_.positions).iterations;
-      bodies_.ribbon.forget_hierarchy();
       if (is_free()) return true;
     }
     return false;
@@ -193,7 +192,9 @@ std::string_view word_for(StartKind kind) {
 
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies,
                                     Deformation& deformation, Cloth& cloth) {
-  return Search(scene, ribbon, bodies, deformation, cloth).find();
+  Result<StartReport> start = Search(scene, ribbon, bodies, deformation, cloth).find();
+  bodies.ribbon.forget();
+  return start;
 }
 
 }  // namespace ribbon

@@ -6,10 +6,10 @@ namespace ribbon {
 
 namespace {
 
-std::vector<FeaturePair> list_pairs(const Bodies& bodies, std::span<const CandidatePair> within,
+std::vector<FeaturePair> list_pairs(Bodies& bodies, std::span<const CandidatePair> within,
                                     std::span<const CandidatePair> with_obstacle,
                                     std::span<const MovingBox> ranges, double margin_m) {
-  const RangedSurface band{bodies.ribbon.surface, ranges};
+  const RangedSurface band{bodies.ribbon.surface(), ranges};
   std::vector<FeaturePair> pairs = feature_pairs(band, band, within, margin_m);
   if (bodies.obstacle) {
     const ObstacleBody& obstacle = *bodies.obstacle;

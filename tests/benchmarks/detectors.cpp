@@ -62,13 +62,13 @@ class ByTriangles : public AnyDetector {
     RibbonBody& body = bodies().ribbon;
     const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
     std::vector<MovingBox> grown;
-    for (const auto& triangle : body.surface.triangles.colwise()) {
+    for (const auto& triangle : body.surface().triangles.colwise()) {
       grown.push_back(ranges[static_cast<std::size_t>(triangle[0])]);
       grown.back().include(ranges[static_cast<std::size_t>(triangle[1])]);
       grown.back().include(ranges[static_cast<std::size_t>(triangle[2])]);
       grown.back().grow(motion().margin_m / 2);
     }
-    const RangedSurface surface{body.surface, ranges};
+    const RangedSurface surface{body.surface(), ranges};
     return feature_pairs(surface, surface, pairs(grown), motion().margin_m);
   }
 };
@@ -129,7 +129,7 @@ class ByBoxes : public AnyDetector {
     const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
     Hierarchy& hierarchy = body.hierarchy(motion().t0);
     hierarchy.refit(ranges, motion().margin_m / 2);
-    const RangedSurface surface{body.surface, ranges};
+    const RangedSurface surface{body.surface(), ranges};
     return feature_pairs(surface, surface, hierarchy.pairs_within(Hierarchy::Spare::boxes),
                          motion().margin_m);
   }

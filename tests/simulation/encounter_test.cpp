@@ -15,7 +15,6 @@ TEST(Encounter, a_free_ribbon_has_none) {
   Bodies bodies = ribbon_alone(grid);
   EXPECT_FALSE(first_piercing(bodies, positions).has_value());
   EXPECT_FALSE(first_closer_than(0.2, bodies, positions).has_value());
-  EXPECT_FALSE(bodies.ribbon.has_hierarchy()) << "which the gate does without";
 }
 
 TEST(Encounter, of_two_layers_names_a_particle_of_each) {

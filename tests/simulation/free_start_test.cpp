@@ -6,9 +6,11 @@
 
 #include "curve/space_curve.h"
 #include "parallel/parallel.h"
+#include "simulation/encounter.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
+#include "simulation/width_growth.h"
 
 namespace ribbon {
 namespace {
@@ -208,6 +210,19 @@ TEST(FreeStart, is_the_same_to_the_bit_for_any_number_of_threads) {
   set_thread_limit(0);
   EXPECT_EQ(starts[0], starts[1]);
   EXPECT_EQ(starts[0], starts[2]);
+}
+
+TEST(FreeStart, leaves_behind_nothing_that_the_gate_does_without) {
+  const Scene scene = scene_of_crossing(0.2);
+  const RibbonMesh mesh = mesh_of(scene);
+  Bodies bodies{mesh.grid, std::nullopt};
+  Cloth cloth{mesh.positions, Matrix3Xd::Zero(3, mesh.positions.cols()), 0.001};
+  Deformation deformation(scene, natural_size(mesh, 1), cloth.particle_mass_kg, bodies);
+  ASSERT_TRUE(find_free_start(scene, mesh, bodies, deformation, cloth).has_value());
+  deformation.step({3, 0}, cloth);
+  EXPECT_FALSE(bodies.ribbon.exists());
+  EXPECT_FALSE(first_piercing(bodies, cloth.positions).has_value());
+  EXPECT_TRUE(bodies.ribbon.exists());
 }
 
 TEST(FreeStart, as_published_recovers_what_it_can_and_counts_the_rest) {

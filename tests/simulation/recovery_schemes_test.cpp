@@ -19,12 +19,12 @@ TEST(SchemeA, moves_the_erroneous_particle_out_by_its_depth_and_the_gap) {
   planted.positions(1, astray) = -0.8;
   Bodies& bodies = planted.bodies;
   const auto found =
-      mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(planted.positions),
+      mutual_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(planted.positions),
                           bodies.obstacle->surface, bodies.obstacle->hierarchy, planted.positions);
   ASSERT_FALSE(found.edges_of_first.empty());
   Matrix3Xd moved = planted.positions;
-  apply_scheme_a(grid, bodies.ribbon.surface, bodies.obstacle->surface, found.edges_of_first, 0.01,
-                 moved);
+  apply_scheme_a(grid, bodies.ribbon.surface(), bodies.obstacle->surface, found.edges_of_first,
+                 0.01, moved);
   // By hand: 0.3 below the floor, moved up to 0.01 above it; nobody else moves.
   EXPECT_NEAR(moved(1, astray), -0.49, 1e-12);
   Matrix3Xd others = moved - planted.positions;
@@ -38,14 +38,14 @@ TEST(SchemeA, frees_a_border_particle_with_fewer_edges_too) {
   planted.positions(1, 0) = -1;
   Bodies& bodies = planted.bodies;
   const auto detect = [&] {
-    return mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(planted.positions),
+    return mutual_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(planted.positions),
                                bodies.obstacle->surface, bodies.obstacle->hierarchy,
                                planted.positions)
         .edges_of_first;
   };
   const auto found = detect();
   ASSERT_FALSE(found.empty());
-  apply_scheme_a(grid, bodies.ribbon.surface, bodies.obstacle->surface, found, 0.01,
+  apply_scheme_a(grid, bodies.ribbon.surface(), bodies.obstacle->surface, found, 0.01,
                  planted.positions);
   EXPECT_TRUE(detect().empty());
 }
@@ -66,11 +66,11 @@ TEST(SchemeA, brings_a_particle_back_through_a_thin_plate_and_leaves_its_neighbo
   plate.array() += first;
   Bodies bodies{grid, ObstacleBody(collision_surface(plate), positions)};
   const auto found =
-      mutual_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
+      mutual_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(positions),
                           bodies.obstacle->surface, bodies.obstacle->hierarchy, positions);
   Matrix3Xd moved = positions;
-  apply_scheme_a(grid, bodies.ribbon.surface, bodies.obstacle->surface, found.edges_of_first, 0.01,
-                 moved);
+  apply_scheme_a(grid, bodies.ribbon.surface(), bodies.obstacle->surface, found.edges_of_first,
+                 0.01, moved);
   EXPECT_NEAR(moved(1, astray), -0.49, 1e-12);
   moved.col(astray) = positions.col(astray);
   EXPECT_EQ(moved, positions);
@@ -87,11 +87,11 @@ TEST(SchemeB, curls_the_selvage_in_across_the_ribbon) {
   const RibbonGrid grid{21, 5};
   Matrix3Xd positions = selvage_dips_in(grid);
   Bodies bodies = ribbon_alone(grid);
-  const auto found = self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
+  const auto found = self_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(positions),
                                        boxes, positions);
   ASSERT_FALSE(found.empty());
   const Matrix3Xd before = positions;
-  apply_scheme_b(grid, bodies.ribbon.surface, found, 0.5, positions);
+  apply_scheme_b(grid, bodies.ribbon.surface(), found, 0.5, positions);
   const Matrix3Xd moved = positions - before;
   // Row 15's line runs from (y = -0.3) up to the flat rest at y = 2: the mean of its edges is up
   // and across, by hand (0, 2.3, 4) over its length.
@@ -119,10 +119,10 @@ TEST(SchemeB, follows_the_width_only_up_to_the_folding_particle) {
   ASSERT_LT(e0.dot(e1), 0);
   std::vector<Penetration> planted(1);
   const std::array<int, 2> edge = {grid.particle(15, 0), grid.particle(16, 0)};
-  const auto& edges = bodies.ribbon.surface.edges;
+  const auto& edges = bodies.ribbon.surface().edges;
   planted[0].edge = static_cast<int>(std::find(edges.begin(), edges.end(), edge) - edges.begin());
   const Matrix3Xd before = positions;
-  apply_scheme_b(grid, bodies.ribbon.surface, planted, 0.5, positions);
+  apply_scheme_b(grid, bodies.ribbon.surface(), planted, 0.5, positions);
   EXPECT_NEAR((positions - before).col(edge[0]).normalized().dot(e0.normalized()), 1, 1e-9);
 }
 
@@ -141,13 +141,13 @@ TEST(SchemeC, moves_the_particle_that_went_through_back_to_the_majority) {
   const int astray = grid.particle(15, 2);
   positions(1, astray) = -0.02;
   Bodies bodies = ribbon_alone(grid);
-  const auto found = self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions),
+  const auto found = self_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(positions),
                                        boxes, positions);
   ASSERT_FALSE(found.empty());
-  apply_scheme_c(grid, bodies.ribbon.surface, found, 0.01, positions);
-  EXPECT_TRUE(
-      self_penetrations(bodies.ribbon.surface, bodies.ribbon.hierarchy(positions), boxes, positions)
-          .empty());
+  apply_scheme_c(grid, bodies.ribbon.surface(), found, 0.01, positions);
+  EXPECT_TRUE(self_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(positions), boxes,
+                                positions)
+                  .empty());
   EXPECT_GT(positions(1, astray), 0);
 }
 
