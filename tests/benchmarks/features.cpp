@@ -12,7 +12,7 @@
 
 #include "benchmarks/feature_scenes.h"
 #include "benchmarks/sample_ribbon.h"
-#include "benchmarks/step_cost.h"
+#include "benchmarks/step_cost_json.h"
 #include "commandline/tool.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
@@ -77,20 +77,6 @@ void print(const std::string& feature, const StepCost& cost, int particles) {
   std::fflush(stdout);
 }
 
-Json json(const std::string& feature, const StepCost& cost, int particles) {
-  Json stages;
-  for (std::size_t stage = 0; stage < stage_count; ++stage)
-    stages[std::string(word_for(static_cast<Stage>(stage)))] = cost.stage_s[stage];
-  return {{"scene", feature},
-          {"processor_s_per_step", cost.processor_s},
-          {"wall_s_per_step", cost.wall_s},
-          {"stage_s_per_step", stages},
-          {"allocations_per_step", cost.allocations},
-          {"held_bytes_per_particle", cost.held_bytes / particles},
-          {"most_bytes_per_particle", cost.most_bytes / particles},
-          {"start_bytes_per_particle", cost.start_bytes / particles}};
-}
-
 Result<ExitCode> run(const Options& options) {
   set_thread_limit(options.threads);
   auto full = read_scene(options.scene);
@@ -106,7 +92,8 @@ Result<ExitCode> run(const Options& options) {
                                 steps_before, options.steps);
     if (!cost) return tl::unexpected(cost.error());
     print(feature.feature, *cost, particles);
-    report.push_back(json(feature.feature, *cost, particles));
+    report.push_back({{"scene", feature.feature}});
+    report.back().update(json_of(*cost, particles));
   }
   if (!options.json.empty())
     if (auto written = write_file(options.json, report.dump(2) + "\n"); !written)
