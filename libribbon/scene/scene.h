@@ -87,7 +87,7 @@ struct TimeScene {
   double step_s = 0.01;
   double duration_s = 0;  // at most
   RunsUntil until = RunsUntil::duration;
-  IntegrationMethod integrator = IntegrationMethod::rk4;
+  IntegrationMethod integrator = IntegrationMethod::symplectic_euler;
   double tolerance = 0.03;  // of IntegrationMethod::implicit, of the change of the velocities
 };
 

@@ -29,7 +29,7 @@ AccuracyLevel as_fine_as_can_be(double step_s) {
 }
 
 void add_steps(std::vector<AccuracySetting>& settings) {
-  for (const double step_s : {0.04, 0.02, 0.01, 0.005, 0.0025}) {
+  for (const double step_s : {0.04, 0.025, 0.02, 0.01, 0.005, 0.0025}) {
     settings.push_back(stepped("rk4", IntegrationMethod::rk4, step_s));
     settings.push_back(stepped("symplectic_euler", IntegrationMethod::symplectic_euler, step_s));
     settings.push_back(stepped("implicit", IntegrationMethod::implicit, step_s));

@@ -31,6 +31,7 @@ Matrix3Xd pulled_for_half_a_second(const AccuracyLevel& level) {
   Scene scene = scene_of_loop();
   scene.ribbon.along = 60;
   scene.ribbon.across = 3;
+  scene.springs = {.stretch = 50, .shear = 50, .bend = 50};  // k/m as in the samples
   set_accuracy(level, scene);
   const RibbonMesh mesh = generate_ribbon_mesh(arc(60), scene.ribbon, Axis::y);
   auto fastening = FasteningProcessor::create(scene, mesh, std::nullopt).value();

@@ -24,6 +24,7 @@ struct Band {
 
 TEST(Deformation, a_step_moves_with_the_force_and_gains_speed) {
   Band band;
+  band.scene.time.integrator = IntegrationMethod::rk4;
   Deformation deformation = band.deformation(1);
   Matrix3Xd force = Matrix3Xd::Zero(3, band.mesh.positions.cols());
   force.row(1).setConstant(0.01);

@@ -63,7 +63,7 @@ TEST(SceneLimits, a_recording_too_coarse_for_the_gap_is_refused_with_an_error_th
 TEST(SceneLimits, springs_that_would_take_for_ever_are_refused) {
   Scene scene = scene_of_loop();
   scene.springs.stretch = 1e12;
-  expect_part(answer_to(scene, mesh_of_loop(scene)), "more than 20; set smaller resistances");
+  expect_part(answer_to(scene, mesh_of_loop(scene)), "more than 33; set smaller resistances");
 }
 
 TEST(SceneLimits, stiff_bending_without_stretch_is_refused_earlier) {
@@ -71,7 +71,7 @@ TEST(SceneLimits, stiff_bending_without_stretch_is_refused_earlier) {
   scene.springs = {.stretch = 1000, .shear = 0, .bend = 1000};
   EXPECT_EQ(answer_to(scene, mesh_of_loop(scene)), "accepted");
   scene.springs.stretch = 0;
-  expect_part(answer_to(scene, mesh_of_loop(scene)), "more than 12 where bending resists more");
+  expect_part(answer_to(scene, mesh_of_loop(scene)), "more than 20 where bending resists more");
 }
 
 TEST(SceneLimits, springs_that_would_take_for_ever_are_accepted_where_they_do_not_divide_the_step) {
