@@ -29,7 +29,7 @@ Deformation::Deformation(const Scene& scene, const NaturalSize& size, double par
     : integrator_(
           create_integrator(scene.time.integrator,
                             spring_network(size.grid, size.length_m, size.width_m, scene.springs),
-                            {scene.time.step_s, size.grid.particle_count(), particle_mass_kg,
+                            {scene.time.step_s, size.grid, particle_mass_kg,
                              scene.air_resistance_per_s, scene.time.tolerance})),
       post_step_(post_step_of(scene, size, bodies, *clock_)) {}
 

@@ -7,7 +7,7 @@ namespace ribbon {
 
 DividedStep::DividedStep(const SpringNetwork& springs, const MotionProperties& properties,
                          double fastest_rad_s, double stability_limit)
-    : springs_(springs, properties.particle_count), properties_(properties) {
+    : springs_(springs, properties.grid.particle_count()), properties_(properties) {
   // Beyond the largest number that fits no step would come to its end anyway.
   constexpr double most = 1e9;
   substeps_ = static_cast<int>(

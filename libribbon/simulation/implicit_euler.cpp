@@ -39,11 +39,11 @@ void set_mean(const RowVector3d& mean, MatrixX3d& rows) {
 class ImplicitEuler final : public Integrator {
  public:
   ImplicitEuler(const SpringNetwork& springs, const MotionProperties& properties)
-      : springs_(springs, properties.particle_count),
+      : springs_(springs, properties.grid.particle_count()),
         properties_(properties),
         slowed_(1 / (1 + properties.step_s * properties.air_resistance_per_s)),
         inertia_(properties.particle_mass_kg / slowed_ / properties.step_s / properties.step_s) {
-    if (!springs_.empty()) metric_.emplace(springs, properties.particle_count, inertia_);
+    if (!springs_.empty()) metric_.emplace(springs, properties.grid, inertia_);
   }
 
   // v' = v + h (F(x') / m - c v') and x' = x + h v' together: x' - x is the displacement where the

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "geometry/ribbon_grid.h"
 #include "ribbon_mesh/springs.h"
 #include "scene/scene.h"
 #include "simulation/cloth.h"
@@ -13,7 +14,7 @@ namespace ribbon {
 // What an integrator needs to know besides the springs.
 struct MotionProperties {
   double step_s = 0;
-  int particle_count = 0;
+  RibbonGrid grid;
   double particle_mass_kg = 0;
   double air_resistance_per_s = 0;  // deceleration per speed
   // Of the implicit scheme, above 0: the minimum is found when the energy that is left to win is

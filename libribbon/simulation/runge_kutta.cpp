@@ -15,7 +15,7 @@ class RungeKutta final : public DividedStep {
   RungeKutta(const SpringNetwork& springs, const MotionProperties& properties)
       : DividedStep(
             springs, properties,
-            fastest_frequency(springs, properties.particle_count, properties.particle_mass_kg) +
+            fastest_frequency(springs, properties.grid.particle_count(), properties.particle_mass_kg) +
                 properties.air_resistance_per_s,
             stability_limit) {}
 

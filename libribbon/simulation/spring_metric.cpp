@@ -1,115 +1,112 @@
 #include "simulation/spring_metric.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "parallel/parallel.h"
 
 namespace ribbon {
 
 namespace {
 
+using Eigen::ArrayXd;
 using Eigen::MatrixX3d;
-using Eigen::VectorXd;
-using SparseMatrix = Eigen::SparseMatrix<double>;
+using Eigen::MatrixXd;
 
-// Of the largest diagonal element: the factor could not tell less from rounding.
+// Of the springs: the factor could not tell less from rounding.
 constexpr double least_inertia = 1e-12;
 
-// Up to this width the numbering of the particles, row by row, is the best order: no other makes
-// the factor much smaller, and its elements follow each other.
-constexpr int narrow = 32;
-
-int widest(const SpringSet& set) {
-  int most = 0;
-  for (const Spring& spring : set.springs) most = std::max(most, std::abs(spring.b - spring.a));
-  return most;
+// What a path mirrored at both ends has for its modes.
+MatrixXd cosines(int count) {
+  MatrixXd modes(count, count);
+  for (int mode = 0; mode < count; ++mode)
+    for (int place = 0; place < count; ++place)
+      modes(mode, place) = std::sqrt((mode == 0 ? 1.0 : 2.0) / count) *
+                           std::cos(std::numbers::pi * mode * (place + 0.5) / count);
+  return modes;
 }
 
-int width_of_band(const SpringNetwork& network) {
-  return std::max({widest(network.stretch), widest(network.shear), widest(network.bend)});
+// How much each of these modes is changed by springs between places so far apart.
+ArrayXd cost_of_modes(int count, int apart) {
+  ArrayXd cost(count);
+  for (int mode = 0; mode < count; ++mode)
+    cost[mode] = count > apart ? 2 - 2 * std::cos(std::numbers::pi * mode * apart / count) : 0.0;
+  return cost;
 }
 
-// Below and on the diagonal.
-SparseMatrix stiffness(const SpringNetwork& network, int particle_count) {
-  std::vector<Eigen::Triplet<double>> elements;
-  for (const SpringSet* set : {&network.stretch, &network.shear, &network.bend})
-    for (const Spring& spring : set->springs) {
-      const auto [first, last] = std::minmax(spring.a, spring.b);
-      elements.emplace_back(first, first, set->resistance);
-      elements.emplace_back(last, last, set->resistance);
-      elements.emplace_back(last, first, -set->resistance);
-    }
-  SparseMatrix matrix(particle_count, particle_count);
-  matrix.setFromTriplets(elements.begin(), elements.end());
-  return matrix;
-}
-
-SparseMatrix metric(const SpringNetwork& network, int particle_count, double inertia) {
-  SparseMatrix matrix = stiffness(network, particle_count);
-  const double most = VectorXd(matrix.diagonal()).maxCoeff();
-  SparseMatrix identity(particle_count, particle_count);
-  identity.setIdentity();
-  return matrix + std::max(inertia, least_inertia * most) * identity;
-}
-
-struct Factor {
-  SparseMatrix lower;
-  std::vector<int> particle;  // of each column
-};
-
-template <class Order>
-Factor factor(const SparseMatrix& matrix) {
-  const Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Order> factored(matrix);
-  assert(factored.info() == Eigen::Success);
-  Factor result{factored.matrixL().nestedExpression(), {}};
-  result.particle.resize(static_cast<std::size_t>(matrix.cols()));
-  const auto& place = factored.permutationP().indices();
-  for (int particle = 0; particle < static_cast<int>(matrix.cols()); ++particle)
-    result.particle[static_cast<std::size_t>(place.size() > 0 ? place[particle] : particle)] =
-        particle;
-  return result;
+// How many rows there are so far before and behind a row, 0 to 2.
+int neighbours(int row, int apart, int rows) {
+  return (row - apart >= 0 ? 1 : 0) + (row + apart < rows ? 1 : 0);
 }
 
 }  // namespace
 
-SpringMetric::SpringMetric(const SpringNetwork& network, int particle_count, double inertia)
-    : solution_(static_cast<std::size_t>(particle_count), Row::Zero()) {
-  const SparseMatrix matrix = metric(network, particle_count, inertia);
-  Factor factored = width_of_band(network) <= narrow ? factor<Eigen::NaturalOrdering<int>>(matrix)
-                                                     : factor<Eigen::AMDOrdering<int>>(matrix);
-  particle_ = std::move(factored.particle);
-  begin_.push_back(0);
-  for (int column = 0; column < particle_count; ++column) {
-    for (SparseMatrix::InnerIterator element(factored.lower, column); element; ++element) {
-      if (element.row() == column) {
-        inverse_diagonal_.push_back(1 / element.value());
-      } else {
-        row_.push_back(static_cast<int>(element.row()));
-        value_.push_back(element.value());
-      }
+SpringMetric::SpringMetric(const SpringNetwork& network, const RibbonGrid& grid, double inertia)
+    : grid_(grid),
+      modes_(cosines(grid.across)),
+      one_before_(ArrayXd::Zero(grid.across).replicate(1, grid.along)),
+      two_before_(one_before_),
+      inverse_(one_before_) {
+  const double springs =
+      network.stretch.resistance + network.shear.resistance + network.bend.resistance;
+  factor(network, std::max(inertia, 8 * least_inertia * springs));
+}
+
+void SpringMetric::factor(const SpringNetwork& network, double inertia) {
+  const double stretch = network.stretch.resistance;
+  const double shear = network.shear.resistance;
+  const double bend = network.bend.resistance;
+  const ArrayXd next = cost_of_modes(grid_.across, 1);
+  const ArrayXd after_next = cost_of_modes(grid_.across, 2);
+  // Two rows share both diagonals of each quad, whose cost in a mode is
+  // 2 (a^2 + b^2) - 2 (2 - next) a b for its amplitudes a and b in the two.
+  const ArrayXd to_next_row = -stretch - shear * (2 - next);
+  for (int row = 0; row < grid_.along; ++row) {
+    const int beside = neighbours(row, 1, grid_.along);
+    ArrayXd diagonal = inertia + stretch * (beside + next) + 2.0 * shear * beside +
+                       bend * (neighbours(row, 2, grid_.along) + after_next);
+    auto one = one_before_.col(row);
+    auto two = two_before_.col(row);
+    if (row >= 2) {
+      two = -bend * inverse_.col(row - 2);
+      diagonal -= two.square() / inverse_.col(row - 2);
     }
-    begin_.push_back(row_.size());
+    if (row >= 1) {
+      one = to_next_row;
+      if (row >= 2) one += bend * one_before_.col(row - 1);
+      one *= inverse_.col(row - 1);
+      diagonal -= one.square() / inverse_.col(row - 1);
+    }
+    inverse_.col(row) = 1 / diagonal;
   }
 }
 
 void SpringMetric::solve(const MatrixX3d& force, MatrixX3d& displacement) {
-  const std::size_t count = solution_.size();
-  for (std::size_t i = 0; i < count; ++i)
-    solution_[i].head<3>() = force.row(particle_[i]).transpose().array();
-  for (std::size_t column = 0; column < count; ++column) {
-    const Row value = solution_[column] *= inverse_diagonal_[column];
-    for (std::size_t k = begin_[column]; k < begin_[column + 1]; ++k)
-      solution_[static_cast<std::size_t>(row_[k])] -= value_[k] * value;
-  }
-  for (std::size_t column = count; column-- > 0;) {
-    Row value = solution_[column];
-    for (std::size_t k = begin_[column]; k < begin_[column + 1]; ++k)
-      value -= value_[k] * solution_[static_cast<std::size_t>(row_[k])];
-    solution_[column] = value * inverse_diagonal_[column];
-  }
   displacement.resize(force.rows(), 3);
-  for (std::size_t i = 0; i < count; ++i)
-    displacement.row(particle_[i]) = solution_[i].head<3>().matrix().transpose();
+  parallel_ranges(3, 1, [&](std::size_t axis, std::size_t) {
+    const auto column = static_cast<Eigen::Index>(axis);
+    const Eigen::Map<const MatrixXd> forces(force.col(column).data(), grid_.across, grid_.along);
+    Eigen::Map<MatrixXd> displacements(displacement.col(column).data(), grid_.across, grid_.along);
+    MatrixXd& amplitudes = amplitudes_[axis];
+    amplitudes.noalias() = modes_ * forces;
+    solve_along(amplitudes);
+    displacements.noalias() = modes_.transpose() * amplitudes;
+  });
+}
+
+void SpringMetric::solve_along(MatrixXd& amplitudes) const {
+  for (int row = 1; row < grid_.along; ++row) {
+    auto here = amplitudes.col(row).array();
+    here -= one_before_.col(row) * amplitudes.col(row - 1).array();
+    if (row >= 2) here -= two_before_.col(row) * amplitudes.col(row - 2).array();
+  }
+  amplitudes.array() *= inverse_;
+  for (int row = grid_.along - 2; row >= 0; --row) {
+    auto here = amplitudes.col(row).array();
+    here -= one_before_.col(row + 1) * amplitudes.col(row + 1).array();
+    if (row + 2 < grid_.along) here -= two_before_.col(row + 2) * amplitudes.col(row + 2).array();
+  }
 }
 
 }  // namespace ribbon

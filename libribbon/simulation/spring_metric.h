@@ -3,35 +3,41 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include <array>
 
+#include "geometry/ribbon_grid.h"
 #include "ribbon_mesh/springs.h"
 
 namespace ribbon {
 
 // The matrix A = inertia I + sum of resistance (e_a - e_b) (e_a - e_b)^T over the springs, the same
 // for each axis and however the ribbon lies. No second derivative of inertia and springs exceeds it
-// (Liu, Bargteil, O'Brien and Kavan, "Fast simulation of mass-spring systems", 2013). It is
-// factored once; the factor of a ribbon is a narrow band.
+// (Liu, Bargteil, O'Brien and Kavan, "Fast simulation of mass-spring systems", 2013).
+//
+// The ribbon is taken as mirrored in its selvages: only there, and by springs more, never fewer,
+// does A differ from that of the network. Then cosines across the ribbon are its modes, each of
+// which is solved along the ribbon as a band of five diagonals: no factor fills in, however wide
+// the ribbon is.
 class SpringMetric {
  public:
-  // inertia: N/m, above 0, what displacing one particle costs by itself.
-  SpringMetric(const SpringNetwork& network, int particle_count, double inertia);
+  // The network of the grid. inertia: N/m, above 0, what displacing one particle costs by itself.
+  SpringMetric(const SpringNetwork& network, const RibbonGrid& grid, double inertia);
 
   // Overwrites `displacement` with A^-1 force, both particles x 3.
   void solve(const Eigen::MatrixX3d& force, Eigen::MatrixX3d& displacement);
 
  private:
-  // Three axes and a filler, so that a particle fills whole registers.
-  using Row = Eigen::Array4d;
+  void factor(const SpringNetwork& network, double inertia);
+  void solve_along(Eigen::MatrixXd& amplitudes) const;
 
-  // The factor column by column: what lies below its diagonal, and the diagonal.
-  std::vector<std::size_t> begin_;
-  std::vector<int> row_;
-  std::vector<double> value_;
-  std::vector<double> inverse_diagonal_;
-  std::vector<int> particle_;  // of each column
-  std::vector<Row> solution_;
+  RibbonGrid grid_;
+  Eigen::MatrixXd modes_;  // one in each row, orthonormal
+  // One column for each row of the ribbon, one row for each mode: A = L D L^T, what of L lies one
+  // and two rows before the diagonal, and the inverse of D.
+  Eigen::ArrayXXd one_before_;
+  Eigen::ArrayXXd two_before_;
+  Eigen::ArrayXXd inverse_;
+  std::array<Eigen::MatrixXd, 3> amplitudes_;  // of the modes, for each axis
 };
 
 }  // namespace ribbon

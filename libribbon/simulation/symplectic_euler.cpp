@@ -17,7 +17,7 @@ class SymplecticEuler final : public DividedStep {
   SymplecticEuler(const SpringNetwork& springs, const MotionProperties& properties)
       : DividedStep(
             springs, properties,
-            fastest_frequency(springs, properties.particle_count, properties.particle_mass_kg),
+            fastest_frequency(springs, properties.grid.particle_count(), properties.particle_mass_kg),
             stability_limit) {}
 
  private:

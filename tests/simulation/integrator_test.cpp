@@ -79,7 +79,7 @@ struct Band {
                                                        double step_s) const {
     return create_integrator(
         method, springs,
-        {step_s, grid.particle_count(), cloth.particle_mass_kg, air_resistance_per_s});
+        {step_s, grid, cloth.particle_mass_kg, air_resistance_per_s});
   }
 
   void advance(IntegrationMethod method, double step_s, int steps) {

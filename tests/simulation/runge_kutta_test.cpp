@@ -29,8 +29,9 @@ SpringNetwork spring_of_pair() {
 // Moves the cloth `steps` times by step_s.
 void advance(const SpringNetwork& springs, const Matrix3Xd& force, double air_resistance_per_s,
              double step_s, int steps, Cloth& cloth) {
-  const auto integrator = runge_kutta(springs, {step_s, static_cast<int>(cloth.particle_count()),
-                                                cloth.particle_mass_kg, air_resistance_per_s});
+  const auto integrator =
+      runge_kutta(springs, {step_s, RibbonGrid{static_cast<int>(cloth.particle_count()), 1},
+                            cloth.particle_mass_kg, air_resistance_per_s});
   for (int i = 0; i < steps; ++i) integrator->displace(force, cloth);
 }
 
@@ -61,7 +62,7 @@ TEST(RungeKuttaSubsteps, keep_the_stiffest_sample_of_the_paper_bounded) {
   const double mass_kg = 1e-4;
   const SpringNetwork network =
       spring_network(grid, 1.1, 0.7, {.stretch = 100, .shear = 100, .bend = 100});
-  const auto integrator = runge_kutta(network, {0.01, grid.particle_count(), mass_kg, 0});
+  const auto integrator = runge_kutta(network, {0.01, grid, mass_kg, 0});
   EXPECT_GT(integrator->substeps(), 10);
   Cloth cloth;
   cloth.particle_mass_kg = mass_kg;
@@ -81,7 +82,7 @@ TEST(RungeKuttaSubsteps, keep_the_stiffest_sample_of_the_paper_bounded) {
 TEST(RungeKuttaSubsteps, of_the_stiffest_scene_on_the_lightest_ribbon_are_a_number) {
   const RibbonGrid grid{4, 4};
   const SpringNetwork network = spring_network(grid, 1, 1, {.stretch = 1e12, .shear = 1e12});
-  EXPECT_GT(runge_kutta(network, {1e3, grid.particle_count(), 1e-13, 1e12})->substeps(), 1'000'000);
+  EXPECT_GT(runge_kutta(network, {1e3, grid, 1e-13, 1e12})->substeps(), 1'000'000);
 }
 
 }  // namespace
