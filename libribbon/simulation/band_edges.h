@@ -23,17 +23,21 @@ std::array<EdgeKind, 2> edges_along_and_across(const NaturalSize& size);
 // Of each quad both.
 std::array<EdgeKind, 2> diagonals(const NaturalSize& size);
 
-// Calls visit(a, b) with the particles of each edge, row by row.
+// Calls visit(a, b) with the particles of each edge that leads from the row.
+template <class Visit>
+void for_each_edge_of_row(const RibbonGrid& grid, const EdgeKind& kind, int row,
+                          const Visit& visit) {
+  const int first = grid.particle(row, std::max(0, -kind.columns));
+  const int end = grid.particle(row, grid.across - std::max(0, kind.columns));
+  const int offset = grid.particle(kind.rows, kind.columns);
+  for (int a = first; a < end; ++a) visit(a, a + offset);
+}
+
+// Likewise for all of them, row by row.
 template <class Visit>
 void for_each_edge(const RibbonGrid& grid, const EdgeKind& kind, const Visit& visit) {
-  const int first = std::max(0, -kind.columns);
-  const int end = grid.across - std::max(0, kind.columns);
-  const int offset = grid.particle(kind.rows, kind.columns);
   for (int row = 0; row + kind.rows < grid.along; ++row)
-    for (int column = first; column < end; ++column) {
-      const int a = grid.particle(row, column);
-      visit(a, a + offset);
-    }
+    for_each_edge_of_row(grid, kind, row, visit);
 }
 
 // The largest |length / rest length - 1| of the stretch and shear springs, as far as the scene has

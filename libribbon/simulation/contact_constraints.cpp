@@ -45,7 +45,8 @@ std::vector<ContactConstraint> contact_constraints(const Surroundings& surroundi
   return constraints;
 }
 
-bool keep_apart(std::span<const ContactConstraint> constraints, Matrix3Xd& positions) {
+bool keep_apart(std::span<const ContactConstraint> constraints, const RibbonGrid& grid,
+                RowActivity& activity, Matrix3Xd& positions) {
   bool any = false;
   for (const ContactConstraint& constraint : constraints) {
     const auto& v = constraint.vertices;
@@ -56,10 +57,12 @@ bool keep_apart(std::span<const ContactConstraint> constraints, Matrix3Xd& posit
     const double lack_m = constraint.gap_m - distance_m;
     if (lack_m <= 0) continue;
     any = any || lack_m > negligible * constraint.gap_m;
-    for (int k = 0; k < 4; ++k)
-      if (constraint.shares[k] != 0)
-        positions.col(v[static_cast<std::size_t>(k)]) +=
-            constraint.shares[k] * lack_m * constraint.normal;
+    for (int k = 0; k < 4; ++k) {
+      if (constraint.shares[k] == 0) continue;
+      const int particle = v[static_cast<std::size_t>(k)];
+      positions.col(particle) += constraint.shares[k] * lack_m * constraint.normal;
+      activity.move(grid.row(particle));
+    }
   }
   return any;
 }

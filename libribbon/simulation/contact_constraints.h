@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "geometry/ribbon_grid.h"
 #include "simulation/cloth.h"
 #include "simulation/pair_gaps.h"
+#include "simulation/row_activity.h"
 #include "simulation/surroundings.h"
 
 namespace ribbon {
@@ -31,7 +33,8 @@ std::vector<ContactConstraint> contact_constraints(const Surroundings& surroundi
                                                    const Cloth& cloth);
 
 // One sweep: moves apart, in order and by momentum conservation, the pairs that do not keep their
-// gap. Did any lack more than a thousandth of it?
-bool keep_apart(std::span<const ContactConstraint> constraints, Eigen::Matrix3Xd& positions);
+// gap, whose rows become active. Did any lack more than a thousandth of it?
+bool keep_apart(std::span<const ContactConstraint> constraints, const RibbonGrid& grid,
+                RowActivity& activity, Eigen::Matrix3Xd& positions);
 
 }  // namespace ribbon

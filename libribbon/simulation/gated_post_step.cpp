@@ -99,11 +99,12 @@ class GatedPostStep : public PostStep {
   void smooth(Cloth& cloth) const {
     const Matrix3Xd before = cloth.positions;
     const auto contacts = contact_constraints(surroundings_, gaps_, reach_m(), certified_, cloth);
+    RowActivity activity = strain_limit_.activity();
     bool any = true;
     int sweeps = 0;
     for (; sweeps < smoothing_.most_sweeps && any; ++sweeps) {
-      any = keep_apart(contacts, cloth.positions);
-      any = strain_limit_.tighten(cloth.positions) || any;
+      any = keep_apart(contacts, bodies_.grid, activity, cloth.positions);
+      any = strain_limit_.tighten(activity, cloth.positions) || any;
     }
     clock_.count_sweeps(sweeps);
     cloth.velocities += (cloth.positions - before).leftCols(cloth.particle_count()) / step_s_;

@@ -6,6 +6,7 @@
 
 #include "geometry/ribbon_grid.h"
 #include "simulation/band_edges.h"
+#include "simulation/row_activity.h"
 
 namespace ribbon {
 
@@ -22,9 +23,12 @@ class StrainLimit {
   StrainLimit(const RibbonGrid& grid, std::vector<LimitedEdges> edges);
 
   // One sweep: both particles of each edge beyond the limit move toward or away from each other by
-  // equal parts, one kind after the other. Was any beyond it by more than a five-hundredth of its
-  // length?
-  bool tighten(Eigen::Matrix3Xd& positions) const;
+  // equal parts, one kind after the other; rows that rest are passed over. Was any beyond it by
+  // more than a five-hundredth of its length?
+  bool tighten(RowActivity& activity, Eigen::Matrix3Xd& positions) const;
+
+  // Of the rows at the beginning of some sweeps.
+  [[nodiscard]] RowActivity activity() const { return {grid_.along, edges_.size()}; }
 
   // The most by which |length / natural length - 1| of an edge is beyond its limit; below 0 where
   // none is.
