@@ -55,10 +55,12 @@ void number_edges(CollisionSurface& surface) {
 
 void share_out_vertices(CollisionSurface& surface) {
   std::vector<bool> seen(static_cast<std::size_t>(surface.triangles.maxCoeff()) + 1);
-  for (std::size_t side = 0; side < static_cast<std::size_t>(surface.triangles.size()); ++side) {
-    const auto vertex = static_cast<std::size_t>(surface.triangles.reshaped()[side]);
-    if (!seen[vertex]) surface.answers_for[side / 3] |= static_cast<std::uint8_t>(1U << (side % 3));
-    seen[vertex] = true;
+  unsigned side = 0;
+  for (const int vertex : surface.triangles.reshaped()) {
+    if (!seen[static_cast<std::size_t>(vertex)])
+      surface.answers_for[side / 3] |= static_cast<std::uint8_t>(1U << (side % 3));
+    seen[static_cast<std::size_t>(vertex)] = true;
+    ++side;
   }
 }
 

@@ -5,7 +5,9 @@
 #include <array>
 #include <cassert>
 #include <limits>
-#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "simulation/tree_walk.h"
 #include "simulation/vertex_ranges.h"
@@ -19,39 +21,98 @@ using Eigen::Vector3d;
 
 // --- Building: groups of three neighbours with the shortest common contour -----------------------
 
-// The regions of one rank while the next is grouped.
-struct Rank {
-  std::vector<int> nodes;                         // their node numbers
-  std::vector<double> contours_m;                 // length of each region's outline
-  std::vector<std::map<int, double>> neighbours;  // region -> length of the shared outline
+struct Neighbour {
+  int region = 0;
+  double shared_m = 0;  // length of the shared outline
 };
 
-double shared_m(const Rank& rank, int a, int b) {
-  const auto& neighbours = rank.neighbours[static_cast<std::size_t>(a)];
-  const auto found = neighbours.find(b);
-  return found == neighbours.end() ? 0 : found->second;
+// The regions of one rank while the next is grouped.
+struct Rank {
+  std::vector<int> nodes;             // their node numbers
+  std::vector<double> contours_m;     // length of each region's outline
+  std::vector<int> first;             // into neighbours, one more than regions
+  std::vector<Neighbour> neighbours;  // of all regions one after the other, by number in each
+
+  [[nodiscard]] std::span<const Neighbour> neighbours_of(int region) const {
+    const auto begin = static_cast<std::size_t>(first[static_cast<std::size_t>(region)]);
+    const auto end = static_cast<std::size_t>(first[static_cast<std::size_t>(region) + 1]);
+    return std::span(neighbours).subspan(begin, end - begin);
+  }
+};
+
+// A piece of outline that `region` shares with `other`.
+struct SharedPiece {
+  int region = 0;
+  int other = 0;
+  double length_m = 0;
+};
+
+// Joins the pieces that two regions share.
+void set_neighbours(std::vector<SharedPiece> pieces, Rank& rank) {
+  std::stable_sort(pieces.begin(), pieces.end(), [](const SharedPiece& a, const SharedPiece& b) {
+    return std::tie(a.region, a.other) < std::tie(b.region, b.other);
+  });
+  rank.first.assign(rank.contours_m.size() + 1, 0);
+  const SharedPiece* last = nullptr;
+  for (const SharedPiece& piece : pieces) {
+    if (last == nullptr || last->region != piece.region || last->other != piece.other) {
+      rank.neighbours.push_back({piece.other, 0});
+      ++rank.first[static_cast<std::size_t>(piece.region) + 1];
+    }
+    rank.neighbours.back().shared_m += piece.length_m;
+    last = &piece;
+  }
+  std::partial_sum(rank.first.begin(), rank.first.end(), rank.first.begin());
 }
+
+double shared_m(const Rank& rank, int a, int b) {
+  const auto neighbours = rank.neighbours_of(a);
+  const auto found = std::partition_point(neighbours.begin(), neighbours.end(),
+                                          [&](const Neighbour& n) { return n.region < b; });
+  return found == neighbours.end() || found->region != b ? 0 : found->shared_m;
+}
+
+// The triangles at each edge, one edge after the other, in order.
+struct TrianglesAtEdges {
+  explicit TrianglesAtEdges(const CollisionSurface& surface) : first(surface.edges.size() + 1, 0) {
+    for (const auto& edges : surface.triangle_edges)
+      for (const int edge : edges) ++first[static_cast<std::size_t>(edge) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    triangles.resize(static_cast<std::size_t>(first.back()));
+    std::vector<int> next = first;
+    for (std::size_t t = 0; t < surface.triangle_edges.size(); ++t)
+      for (const int edge : surface.triangle_edges[t])
+        triangles[static_cast<std::size_t>(next[static_cast<std::size_t>(edge)]++)] =
+            static_cast<int>(t);
+  }
+
+  [[nodiscard]] std::span<const int> at(std::size_t edge) const {
+    return std::span(triangles).subspan(static_cast<std::size_t>(first[edge]),
+                                        static_cast<std::size_t>(first[edge + 1] - first[edge]));
+  }
+
+  std::vector<int> first;
+  std::vector<int> triangles;
+};
 
 Rank triangle_rank(const CollisionSurface& surface, const Matrix3Xd& positions) {
   Rank rank;
   const auto count = static_cast<std::size_t>(surface.triangles.cols());
   rank.contours_m.assign(count, 0);
-  rank.neighbours.resize(count);
-  std::vector<std::vector<int>> triangles_at(surface.edges.size());
-  for (std::size_t t = 0; t < count; ++t) {
-    rank.nodes.push_back(static_cast<int>(t));
-    for (const int edge : surface.triangle_edges[t])
-      triangles_at[static_cast<std::size_t>(edge)].push_back(static_cast<int>(t));
-  }
+  rank.nodes.resize(count);
+  std::iota(rank.nodes.begin(), rank.nodes.end(), 0);
+  const TrianglesAtEdges triangles(surface);
+  std::vector<SharedPiece> pieces;
   for (std::size_t e = 0; e < surface.edges.size(); ++e) {
     const auto [a, b] = surface.edges[e];
     const double length_m = (positions.col(b) - positions.col(a)).norm();
-    for (const int t : triangles_at[e]) {
+    for (const int t : triangles.at(e)) {
       rank.contours_m[static_cast<std::size_t>(t)] += length_m;
-      for (const int other : triangles_at[e])
-        if (other != t) rank.neighbours[static_cast<std::size_t>(t)][other] += length_m;
+      for (const int other : triangles.at(e))
+        if (other != t) pieces.push_back({t, other, length_m});
     }
   }
+  set_neighbours(std::move(pieces), rank);
   return rank;
 }
 
@@ -63,7 +124,7 @@ std::vector<int> best_partners(const Rank& rank, const std::vector<int>& group_o
   };
   std::vector<int> best;
   double best_m = std::numeric_limits<double>::infinity();
-  for (const auto& [a, ra_m] : rank.neighbours[static_cast<std::size_t>(r)]) {
+  for (const auto& [a, ra_m] : rank.neighbours_of(r)) {
     if (!is_free(a)) continue;
     const double pair_m = contour_m(r) + contour_m(a) - 2 * ra_m;
     if (best.size() < 2 && pair_m < best_m) {
@@ -71,7 +132,7 @@ std::vector<int> best_partners(const Rank& rank, const std::vector<int>& group_o
       best_m = pair_m;
     }
     for (const int middle : {r, a}) {
-      for (const auto& [b, shared] : rank.neighbours[static_cast<std::size_t>(middle)]) {
+      for (const auto& [b, shared] : rank.neighbours_of(middle)) {
         if (b == r || b == a || !is_free(b)) continue;
         const double triple_m =
             pair_m + contour_m(b) - 2 * (shared_m(rank, r, b) + shared_m(rank, a, b));
@@ -98,7 +159,7 @@ int grouped(const Rank& rank, std::vector<int>& group_of) {
       // All neighbours are taken: join the one with the longest shared outline.
       int best = -1;
       double best_m = -1;
-      for (const auto& [a, shared] : rank.neighbours[static_cast<std::size_t>(r)])
+      for (const auto& [a, shared] : rank.neighbours_of(r))
         if (shared > best_m) {
           best = a;
           best_m = shared;
@@ -118,19 +179,42 @@ int grouped(const Rank& rank, std::vector<int>& group_of) {
 Rank next_rank(const Rank& rank, const std::vector<int>& group_of, int groups) {
   Rank next;
   next.contours_m.assign(static_cast<std::size_t>(groups), 0);
-  next.neighbours.resize(static_cast<std::size_t>(groups));
+  std::vector<SharedPiece> pieces;
   for (std::size_t r = 0; r < rank.nodes.size(); ++r) {
     const auto group = static_cast<std::size_t>(group_of[r]);
     next.contours_m[group] += rank.contours_m[r];
-    for (const auto& [other, shared] : rank.neighbours[r]) {
+    for (const auto& [other, shared] : rank.neighbours_of(static_cast<int>(r))) {
       const int other_group = group_of[static_cast<std::size_t>(other)];
       if (other_group == group_of[r])
         next.contours_m[group] -= shared;
       else
-        next.neighbours[group][other_group] += shared;
+        pieces.push_back({group_of[r], other_group, shared});
     }
   }
+  set_neighbours(std::move(pieces), next);
   return next;
+}
+
+// --- Borders -------------------------------------------------------------------------------------
+
+// How many triangles of a region use a vertex of its border.
+struct Use {
+  int vertex = 0;
+  int count = 0;
+};
+
+// One for each vertex, in order, with the counts added up.
+void join(std::vector<Use>& uses) {
+  std::sort(uses.begin(), uses.end(),
+            [](const Use& a, const Use& b) { return a.vertex < b.vertex; });
+  std::size_t joined = 0;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (joined > 0 && uses[joined - 1].vertex == uses[i].vertex)
+      uses[joined - 1].count += uses[i].count;
+    else
+      uses[joined++] = uses[i];
+  }
+  uses.resize(joined);
 }
 
 // --- Curvature -----------------------------------------------------------------------------------
@@ -190,30 +274,36 @@ Hierarchy::Hierarchy(const CollisionSurface& surface, const Matrix3Xd& positions
   const std::size_t nodes = first_child_.size() - 1;
   boxes_.resize(nodes);
 
-  // A vertex lies on a region's border while a triangle outside the region uses it.
-  std::vector<int> uses(static_cast<std::size_t>(positions.cols()), 0);
+  measure_borders(static_cast<std::size_t>(positions.cols()));
+  refit(vertex_ranges(positions, positions), 0);
+}
+
+// A vertex lies on a region's border while a triangle outside the region uses it.
+void Hierarchy::measure_borders(std::size_t vertices) {
+  std::vector<int> uses(vertices, 0);
   for (const int vertex : triangles_.reshaped()) ++uses[static_cast<std::size_t>(vertex)];
-  std::vector<std::map<int, int>> uses_within(nodes);
+  std::vector<int> counts;  // of what is in border_: how many triangles of the region use it
+  std::vector<Use> within;
   first_border_.push_back(0);
-  for (int node = 0; node < static_cast<int>(nodes); ++node) {
-    auto& within = uses_within[static_cast<std::size_t>(node)];
+  for (int node = 0; node < node_count(); ++node) {
+    within.clear();
     if (is_leaf(node)) {
-      for (const int vertex : triangles_.col(node)) ++within[vertex];
+      for (const int vertex : triangles_.col(node)) within.push_back({vertex, 1});
     } else {
-      for (int c = first_child_[static_cast<std::size_t>(node)];
-           c < first_child_[static_cast<std::size_t>(node) + 1]; ++c) {
-        auto& child = uses_within[static_cast<std::size_t>(children_[static_cast<std::size_t>(c)])];
-        for (const auto& [vertex, count] : child) within[vertex] += count;
-        child.clear();
-      }
+      for (const int child : children(node))
+        for (auto i = static_cast<std::size_t>(first_border_[static_cast<std::size_t>(child)]);
+             i < static_cast<std::size_t>(first_border_[static_cast<std::size_t>(child) + 1]); ++i)
+          within.push_back({border_[i], counts[i]});
     }
-    std::erase_if(within, [&](const auto& entry) {
-      return entry.second == uses[static_cast<std::size_t>(entry.first)];
-    });
-    for (const auto& [vertex, count] : within) border_.push_back(vertex);
+    join(within);
+    for (const Use& use : within) {
+      if (use.count == uses[static_cast<std::size_t>(use.vertex)]) continue;
+      border_.push_back(use.vertex);
+      counts.push_back(use.count);
+    }
     first_border_.push_back(static_cast<int>(border_.size()));
   }
-  refit(vertex_ranges(positions, positions), 0);
+  border_.shrink_to_fit();
 }
 
 // Bottom-up: each inner node joins its children.
@@ -310,27 +400,28 @@ void Hierarchy::descend(const Hierarchy& first, const Hierarchy& second, const N
 
 std::vector<CandidatePair> Hierarchy::pairs_within(Spare spare) const {
   return walk<CandidatePair>(NodePair{root(), root()},
-              [this, spare](const NodePair& pair, std::vector<NodePair>& next,
-                            std::vector<CandidatePair>& found) {
-                if (!can_meet(pair, spare)) return;
-                if (is_leaf(pair.a) && is_leaf(pair.b))
-                  found.push_back({pair.a, pair.b});
-                else
-                  descend(pair, next);
-              });
+                             [this, spare](const NodePair& pair, std::vector<NodePair>& next,
+                                           std::vector<CandidatePair>& found) {
+                               if (!can_meet(pair, spare)) return;
+                               if (is_leaf(pair.a) && is_leaf(pair.b))
+                                 found.push_back({pair.a, pair.b});
+                               else
+                                 descend(pair, next);
+                             });
 }
 
 std::vector<CandidatePair> Hierarchy::pairs_with(const Hierarchy& other) const {
-  return walk<CandidatePair>(NodePair{root(), other.root()}, [&](const NodePair& pair, std::vector<NodePair>& next,
-                                                  std::vector<CandidatePair>& found) {
-    if (!boxes_[static_cast<std::size_t>(pair.a)].meets(
-            other.boxes_[static_cast<std::size_t>(pair.b)]))
-      return;
-    if (is_leaf(pair.a) && other.is_leaf(pair.b))
-      found.push_back({pair.a, pair.b});
-    else
-      descend(*this, other, pair, next);
-  });
+  return walk<CandidatePair>(
+      NodePair{root(), other.root()},
+      [&](const NodePair& pair, std::vector<NodePair>& next, std::vector<CandidatePair>& found) {
+        if (!boxes_[static_cast<std::size_t>(pair.a)].meets(
+                other.boxes_[static_cast<std::size_t>(pair.b)]))
+          return;
+        if (is_leaf(pair.a) && other.is_leaf(pair.b))
+          found.push_back({pair.a, pair.b});
+        else
+          descend(*this, other, pair, next);
+      });
 }
 
 }  // namespace ribbon

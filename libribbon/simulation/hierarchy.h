@@ -62,6 +62,7 @@ class Hierarchy {
     int b = 0;
   };
 
+  void measure_borders(std::size_t vertices);
   [[nodiscard]] bool adjacent(int a, int b) const;
   [[nodiscard]] bool can_meet(const NodePair& pair, Spare spare) const;
   void descend(const NodePair& pair, std::vector<NodePair>& next) const;
