@@ -173,7 +173,7 @@ bool tell_beaten(const std::vector<AccuracyFigures>& all) {
 
 Result<ExitCode> run(const Options& options) {
   set_thread_limit(1);
-  std::vector<AccuracySetting> settings = converged_settings(options.finest_step_s);
+  std::vector<AccuracySetting> settings = {converged_setting(options.finest_step_s)};
   for (AccuracySetting& setting : compared_settings())
     if (setting.name.find(options.only) != std::string::npos)
       settings.push_back(std::move(setting));

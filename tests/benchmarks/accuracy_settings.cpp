@@ -21,13 +21,6 @@ AccuracySetting stepped(const char* word, IntegrationMethod integrator, double s
   return {std::string(word) + ", " + digits(step_s) + " s", numbers};
 }
 
-AccuracyLevel as_fine_as_can_be(double step_s) {
-  AccuracyLevel numbers = accuracy_levels.back();
-  numbers.integrator = IntegrationMethod::rk4;
-  numbers.step_s = step_s;
-  return numbers;
-}
-
 void add_steps(std::vector<AccuracySetting>& settings) {
   for (const double step_s : {0.04, 0.025, 0.02, 0.01, 0.005, 0.0025}) {
     settings.push_back(stepped("rk4", IntegrationMethod::rk4, step_s));
@@ -60,13 +53,15 @@ void add_single_numbers(std::vector<AccuracySetting>& settings) {
 
 }  // namespace
 
-std::vector<AccuracySetting> converged_settings(double finest_step_s) {
-  return {{"converged", as_fine_as_can_be(finest_step_s)},
-          {"half as fine", as_fine_as_can_be(2 * finest_step_s)}};
+AccuracySetting converged_setting(double step_s) {
+  AccuracySetting converged{"converged", accuracy_levels.back()};
+  converged.numbers.step_s = step_s;
+  return converged;
 }
 
 std::vector<AccuracySetting> compared_settings() {
   std::vector<AccuracySetting> settings;
+  settings.reserve(accuracy_levels.size());
   for (const AccuracyLevel& level : accuracy_levels)
     settings.push_back({std::string(level.word), level, true});
   add_steps(settings);

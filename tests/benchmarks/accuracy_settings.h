@@ -14,9 +14,8 @@ struct AccuracySetting {
   bool is_level = false;
 };
 
-// The finest step, which all others are compared with, first; second one twice as long: it shows
-// how much is left to converge.
-std::vector<AccuracySetting> converged_settings(double finest_step_s);
+// What all others are compared with: `reference` at a finer step.
+AccuracySetting converged_setting(double step_s);
 
 // The levels first, then each integrator at each step, then `balanced` with one number changed.
 std::vector<AccuracySetting> compared_settings();
