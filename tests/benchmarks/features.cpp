@@ -71,7 +71,7 @@ void print_heading() {
 
 void print(const std::string& feature, const StepCost& cost, int particles) {
   std::printf("| %s | %.2f |", feature.c_str(), 1e3 * cost.processor_s);
-  for (const double stage_s : cost.stage_s) std::printf(" %.2f |", 1e3 * stage_s);
+  for (const double stage_s : cost.stage_s) std::printf(" %.0f %% |", 100 * stage_s / cost.wall_s);
   std::printf(" %.0f | %.0f | %.0f |\n", cost.held_bytes / particles, cost.most_bytes / particles,
               cost.allocations);
   std::fflush(stdout);
