@@ -79,6 +79,12 @@ void list_features(const RangedSurface& on_a, const RangedSurface& on_b, const C
 
 }  // namespace
 
+std::vector<char> flags_of(std::span<const int> named, std::size_t vertices) {
+  std::vector<char> flags(vertices, 0);
+  for (const int vertex : named) flags[static_cast<std::size_t>(vertex)] = 1;
+  return flags;
+}
+
 std::vector<FeaturePair> feature_pairs(const RangedSurface& a, const RangedSurface& b,
                                        std::span<const CandidatePair> pairs, double margin_m) {
   constexpr std::size_t grain = 256;

@@ -30,6 +30,16 @@ inline Eigen::Matrix<double, 3, 4> corners(const FeaturePair& pair,
   return result;
 }
 
+// One flag for each of so many vertices: is it among the named ones?
+std::vector<char> flags_of(std::span<const int> named, std::size_t vertices);
+// Has the pair a flagged vertex?
+inline bool has_any(const FeaturePair& pair, const std::vector<char>& flags) {
+  const auto is_flagged = [&](std::size_t k) {
+    return flags[static_cast<std::size_t>(pair.vertices[k])] != 0;
+  };
+  return is_flagged(0) || is_flagged(1) || is_flagged(2) || is_flagged(3);
+}
+
 // A surface and the ranges of the vertices (one for each vertex that any surface uses).
 struct RangedSurface {
   const CollisionSurface& surface;

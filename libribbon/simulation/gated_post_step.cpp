@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
-#include <span>
 #include <utility>
+#include <vector>
 
 #include "simulation/collision_response.h"
 #include "simulation/contact_constraints.h"
@@ -53,14 +53,14 @@ class GatedPostStep : public PostStep {
 
   PostStepReport correct(const Matrix3Xd& before, Cloth& cloth) override {
     certified_ = before;
-    detect(cloth.positions);
+    detect(cloth);
     clock_.charge(Stage::repulsion);
     repel(cloth);
     PostStepReport report{.is_over_limit = true};
     for (int round = 0; round < smoothing_.most_rounds && report.is_over_limit; ++round) {
       clock_.charge(Stage::smoothing);
       smooth(cloth);
-      survey_again_if_outgrown(round > 0, cloth);
+      detect_if_outgrown(round > 0, cloth);
       clock_.charge(Stage::errors);
       report.held_back = std::max(report.held_back, pass(cloth));
       report.is_over_limit = strain_limit_.worst_excess(cloth.positions) > strain_left_over;
@@ -70,17 +70,25 @@ class GatedPostStep : public PostStep {
 
  private:
   // Around the way from the certified to the wished positions.
-  void detect(const Matrix3Xd& wished, std::span<const int> stragglers = {}) {
+  void detect(const Cloth& cloth) {
     clock_.charge(Stage::detection);
-    surroundings_ = survey(bodies_, survey_lengths_, certified_, wished, stragglers);
+    surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
     clock_.count_detection(surroundings_.pairs.size());
   }
 
-  // A few vertices that wish to leave their ranges are held back, which may strain their edges;
-  // many are worth a new survey, and any when edges are strained.
-  void survey_again_if_outgrown(bool is_strained, const Cloth& cloth) {
-    const Eigen::Index few = is_strained ? 0 : cloth.particle_count() / 100;
-    if (count_outside(surroundings_, cloth.positions) > few) detect(cloth.positions);
+  // Again around some particles.
+  void detect_around(const std::vector<int>& particles, Widening widening, const Cloth& cloth) {
+    clock_.charge(Stage::detection);
+    widen(particles, widening, bodies_, survey_lengths_, cloth.positions, surroundings_);
+    clock_.count_detection(surroundings_.pairs.size());
+  }
+
+  // A few particles that wish to leave their ranges are held back, which may strain their edges;
+  // many are worth another look, and any when edges are strained.
+  void detect_if_outgrown(bool is_strained, const Cloth& cloth) {
+    const std::vector<int> outside = vertices_outside(surroundings_, cloth.positions);
+    const auto few = static_cast<std::size_t>(is_strained ? 0 : cloth.particle_count() / 100);
+    if (outside.size() > few) detect_around(outside, Widening::onward, cloth);
   }
 
   // while ∃ collision: update velocity, displacement.
@@ -123,18 +131,16 @@ class GatedPostStep : public PostStep {
     return passage.held_back;
   }
 
-  // Around stragglers it is surveyed again with all of their way, until none are left: at last with
-  // all particles.
+  // Stragglers get ranges that reach back to where they were, until there are none: at last all
+  // particles do.
   Passage pass_once(const Cloth& cloth) {
     Passage passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
-    std::vector<int> stragglers;
-    for (int again = 0; again <= surveys_of_stragglers && !passage.stragglers.empty(); ++again) {
-      stragglers.insert(stragglers.end(), passage.stragglers.begin(), passage.stragglers.end());
-      if (again == surveys_of_stragglers) {
-        stragglers.resize(static_cast<std::size_t>(cloth.particle_count()));
-        std::iota(stragglers.begin(), stragglers.end(), 0);
+    for (int again = 1; !passage.stragglers.empty(); ++again) {
+      if (again > surveys_of_stragglers) {
+        passage.stragglers.resize(static_cast<std::size_t>(cloth.particle_count()));
+        std::iota(passage.stragglers.begin(), passage.stragglers.end(), 0);
       }
-      detect(cloth.positions, stragglers);
+      detect_around(passage.stragglers, Widening::onward_and_back, cloth);
       clock_.charge(Stage::errors);
       passage = pass_gate(surroundings_, gaps_, cloth.positions, certified_);
     }

@@ -65,6 +65,7 @@ PatchTree::PatchTree(const RibbonGrid& grid)
   share_out();
   tangents_.resize(patches_.size());
   flat_.resize(patches_.size());
+  looked_at_.resize(patches_.size());
   blocks_.resize(static_cast<std::size_t>(block_rows_) * static_cast<std::size_t>(block_columns_));
   widened_.resize(blocks_.size());
 }
@@ -224,6 +225,7 @@ void PatchTree::refit_patch(int patch) {
     boxes_[index].include(boxes_[second]);
   }
   flat_[index] = is_flat(tangents_[index]) ? 1 : 0;
+  looked_at_[index] = 1;
 }
 
 void PatchTree::refit(std::span<const MovingBox> ranges, double reach_m) {
@@ -239,6 +241,26 @@ void PatchTree::refit(std::span<const MovingBox> ranges, double reach_m) {
     }
   });
   for (const int patch : trunk_) refit_patch(patch);
+}
+
+// A particle on the border of a block belongs to its neighbours as well.
+void PatchTree::look_only_at(std::span<const int> particles) {
+  std::vector<char> blocks(blocks_.size(), 0);
+  for (const int particle : particles) {
+    const int row = grid_.row(particle);
+    const int column = grid_.column(particle);
+    for (const int i : {row - 1, row})
+      for (const int j : {column - 1, column})
+        if (i >= 0 && i < grid_.along - 1 && j >= 0 && j < grid_.across - 1)
+          blocks[static_cast<std::size_t>((i / block_side) * block_columns_ + j / block_side)] = 1;
+  }
+  for (int patch = 0; patch <= root(); ++patch) {
+    const bool is_looked =
+        at(patch).is_leaf()
+            ? blocks[static_cast<std::size_t>(block_of(patch))] != 0
+            : is_looked_at(at(patch).first_child) || is_looked_at(at(patch).second_child);
+    looked_at_[static_cast<std::size_t>(patch)] = is_looked ? 1 : 0;
+  }
 }
 
 bool PatchTree::is_flat(const Tangents& tangents) const {
@@ -278,6 +300,7 @@ bool PatchTree::lie_flat(const PatchPair& pair) const {
 }
 
 bool PatchTree::can_meet(const PatchPair& pair) const {
+  if (!is_looked_at(pair.a) && !is_looked_at(pair.b)) return false;
   if (pair.a != pair.b &&
       !boxes_[static_cast<std::size_t>(pair.a)].meets(boxes_[static_cast<std::size_t>(pair.b)]))
     return false;
@@ -332,6 +355,7 @@ std::vector<FeaturePair> PatchTree::pairs_with(const CollisionSurface& surface,
   return walk<FeaturePair>(Pair{root(), hierarchy.root()}, [&](const Pair& pair,
                                                                std::vector<Pair>& next,
                                                                std::vector<FeaturePair>& found) {
+    if (!is_looked_at(pair.patch)) return;
     const PackedBox& box = boxes_[static_cast<std::size_t>(pair.patch)];
     MovingBox grown = hierarchy.box(pair.node);
     grown.grow(reach_m_ / 2);

@@ -40,6 +40,10 @@ class PatchTree {
   [[nodiscard]] std::vector<FeaturePair> pairs_with(const CollisionSurface& surface,
                                                     const Hierarchy& hierarchy) const;
 
+  // Until the next refit the two above leave out pairs of blocks neither of which has one of these
+  // particles.
+  void look_only_at(std::span<const int> particles);
+
  private:
   // Blocks [first_row, end_row) x [first_column, end_column).
   struct Patch {
@@ -88,6 +92,9 @@ class PatchTree {
   void refit_patch(int patch);
   [[nodiscard]] bool is_flat(const Tangents& tangents) const;
   [[nodiscard]] bool lie_flat(const PatchPair& pair) const;
+  [[nodiscard]] bool is_looked_at(int patch) const {
+    return looked_at_[static_cast<std::size_t>(patch)] != 0;
+  }
   [[nodiscard]] bool can_meet(const PatchPair& pair) const;
   void split(const PatchPair& pair, std::vector<PatchPair>& next) const;
   void list(const PatchPair& pair, std::vector<FeaturePair>& found) const;
@@ -106,6 +113,7 @@ class PatchTree {
   std::vector<PackedBox> boxes_;                      // of the patches
   std::vector<Tangents> tangents_;                    // of the patches with their surroundings
   std::vector<char> flat_;                            // is the patch with its surroundings?
+  std::vector<char> looked_at_;                       // has the patch such a particle?
   std::vector<Tangents> blocks_;   // of single blocks, then with their surroundings
   std::vector<Tangents> widened_;  // of blocks and what lies beside them in the same row
 };

@@ -15,21 +15,21 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
+// Where a particle may wish to be: no farther than the longest way.
+Vector3d end_of_way(const SurveyLengths& lengths, const Vector3d& from, const Vector3d& wished) {
+  const Vector3d way = wished - from;
+  const bool is_long = way.squaredNorm() > lengths.longest_way_m * lengths.longest_way_m;
+  return from + (is_long ? lengths.longest_way_m * way.stableNormalized() : way);
+}
+
 std::vector<MovingBox> ranges_of(int particles, const SurveyLengths& lengths, const Matrix3Xd& from,
-                                 const Matrix3Xd& wished, std::span<const int> stragglers) {
+                                 const Matrix3Xd& wished) {
   Matrix3Xd end = from;
-  for (int particle = 0; particle < particles; ++particle) {
-    const Vector3d way = wished.col(particle) - from.col(particle);
-    const bool is_long = way.squaredNorm() > lengths.longest_way_m * lengths.longest_way_m;
-    end.col(particle) += is_long ? lengths.longest_way_m * way.stableNormalized() : way;
-  }
+  for (int particle = 0; particle < particles; ++particle)
+    end.col(particle) = end_of_way(lengths, from.col(particle), wished.col(particle));
   std::vector<MovingBox> ranges = vertex_ranges(from, end);
   for (int particle = 0; particle < particles; ++particle)
     ranges[static_cast<std::size_t>(particle)].end.grow(lengths.slack_m);
-  for (const int particle : stragglers) {
-    MovingBox& range = ranges[static_cast<std::size_t>(particle)];
-    range.end.include(range.start);
-  }
   return ranges;
 }
 
@@ -64,13 +64,12 @@ double largest_difference_m(const FeaturePair& pair, const Matrix3Xd& ways) {
   return std::sqrt(squared);
 }
 
-// Boxes meet long before what is inside them does: measures the pairs and drops those that are too
-// far apart for how differently their vertices can move.
-void keep_near_pairs(double reach_m, Surroundings& surroundings) {
+// Boxes meet long before what is inside them does: measures the pairs and adds those that are not
+// too far apart for how differently their vertices can move.
+void add_near_pairs(const std::vector<FeaturePair>& pairs, double reach_m,
+                    Surroundings& surroundings) {
   const Motion motion = motion_within(surroundings.ranges, surroundings.from);
-  std::vector<FeaturePair>& pairs = surroundings.pairs;
-  std::vector<double>& distances = surroundings.distances_m;
-  distances.resize(pairs.size());
+  std::vector<double> distances(pairs.size());
   std::vector<char> is_near(pairs.size());
   parallel_ranges(pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -89,26 +88,51 @@ void keep_near_pairs(double reach_m, Surroundings& surroundings) {
       is_near[i] = distances[i] <= reach_m + approach_m ? 1 : 0;
     }
   });
-  std::size_t kept = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (is_near[i] == 0) continue;
+    surroundings.pairs.push_back(pairs[i]);
+    surroundings.distances_m.push_back(distances[i]);
+  }
+}
+
+void drop_pairs_of(std::span<const int> particles, Surroundings& surroundings) {
+  const std::vector<char> is_named = flags_of(particles, surroundings.ranges.size());
+  std::vector<FeaturePair>& pairs = surroundings.pairs;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (has_any(pairs[i], is_named)) continue;
     pairs[kept] = pairs[i];
-    distances[kept++] = distances[i];
+    surroundings.distances_m[kept++] = surroundings.distances_m[i];
   }
   pairs.resize(kept);
-  distances.resize(kept);
+  surroundings.distances_m.resize(kept);
 }
 
 }  // namespace
 
 Surroundings survey(Bodies& bodies, const SurveyLengths& lengths, const Matrix3Xd& from,
-                    const Matrix3Xd& wished, std::span<const int> stragglers) {
+                    const Matrix3Xd& wished) {
   Surroundings surroundings;
   surroundings.from = from;
-  surroundings.ranges = ranges_of(bodies.grid.particle_count(), lengths, from, wished, stragglers);
-  surroundings.pairs = pairs_within_ranges(bodies, surroundings.ranges, lengths.reach_m);
-  keep_near_pairs(lengths.reach_m, surroundings);
+  surroundings.ranges = ranges_of(bodies.grid.particle_count(), lengths, from, wished);
+  add_near_pairs(pairs_within_ranges(bodies, surroundings.ranges, lengths.reach_m), lengths.reach_m,
+                 surroundings);
   return surroundings;
+}
+
+void widen(std::span<const int> particles, Widening widening, Bodies& bodies,
+           const SurveyLengths& lengths, const Matrix3Xd& wished, Surroundings& surroundings) {
+  for (const int particle : particles) {
+    MovingBox& range = surroundings.ranges[static_cast<std::size_t>(particle)];
+    Box onward =
+        Box::around(end_of_way(lengths, surroundings.from.col(particle), wished.col(particle)));
+    onward.grow(lengths.slack_m);
+    range.end.include(onward);
+    if (widening == Widening::onward_and_back) range.end.include(range.start);
+  }
+  drop_pairs_of(particles, surroundings);
+  add_near_pairs(pairs_within_ranges_of(particles, bodies, surroundings.ranges, lengths.reach_m),
+                 lengths.reach_m, surroundings);
 }
 
 std::vector<std::size_t> approaching_pairs(const Surroundings& surroundings,
@@ -135,11 +159,12 @@ std::vector<std::size_t> approaching_pairs(const Surroundings& surroundings,
   return all;
 }
 
-int count_outside(const Surroundings& surroundings, const Matrix3Xd& wished) {
-  int outside = 0;
+std::vector<int> vertices_outside(const Surroundings& surroundings, const Matrix3Xd& wished) {
+  std::vector<int> outside;
   for (std::size_t vertex = 0; vertex < surroundings.ranges.size(); ++vertex) {
     const Vector3d wish = wished.col(static_cast<Eigen::Index>(vertex));
-    outside += surroundings.ranges[vertex].end.contains(wish) ? 0 : 1;
+    if (!surroundings.ranges[vertex].end.contains(wish))
+      outside.push_back(static_cast<int>(vertex));
   }
   return outside;
 }

@@ -35,7 +35,15 @@ struct SurveyLengths {
 
 // Detects around the way from `from` to `wished` (3 x vertices each). The obstacle's vertices stay.
 Surroundings survey(Bodies& bodies, const SurveyLengths& lengths, const Eigen::Matrix3Xd& from,
-                    const Eigen::Matrix3Xd& wished, std::span<const int> stragglers = {});
+                    const Eigen::Matrix3Xd& wished);
+
+// Widens the ranges of some particles, wherever they are in theirs, to reach on to where they wish
+// to be now, and, for stragglers, back to where they were at the detection. Pairs with these
+// particles are listed anew; the others stay.
+enum class Widening { onward, onward_and_back };
+void widen(std::span<const int> particles, Widening widening, Bodies& bodies,
+           const SurveyLengths& lengths, const Eigen::Matrix3Xd& wished,
+           Surroundings& surroundings);
 
 // Indices, in order, of the listed pairs that may come within distance_m of each other while all
 // vertices move from `positions` along equal parts of their `way` (3 x vertices each). Pairs whose
@@ -44,7 +52,7 @@ std::vector<std::size_t> approaching_pairs(const Surroundings& surroundings,
                                            const Eigen::Matrix3Xd& positions,
                                            const Eigen::Matrix3Xd& way, double distance_m);
 
-// How many vertices wish to be outside their ranges at the end.
-int count_outside(const Surroundings& surroundings, const Eigen::Matrix3Xd& wished);
+// The vertices that wish to be outside their ranges at the end.
+std::vector<int> vertices_outside(const Surroundings& surroundings, const Eigen::Matrix3Xd& wished);
 
 }  // namespace ribbon

@@ -1,5 +1,7 @@
 #include "simulation/swept_pairs.h"
 
+#include <optional>
+
 #include "simulation/vertex_ranges.h"
 
 namespace ribbon {
@@ -20,17 +22,32 @@ std::vector<FeaturePair> list_pairs(Bodies& bodies, std::span<const CandidatePai
   return pairs;
 }
 
+std::vector<FeaturePair> listed_by(const PatchTree& patches,
+                                   const std::optional<ObstacleBody>& obstacle) {
+  std::vector<FeaturePair> pairs = patches.pairs_within();
+  if (!obstacle) return pairs;
+  const std::vector<FeaturePair> others =
+      patches.pairs_with(obstacle->surface, obstacle->hierarchy);
+  pairs.insert(pairs.end(), others.begin(), others.end());
+  return pairs;
+}
+
 }  // namespace
 
 std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
                                              double margin_m) {
   bodies.patches.refit(ranges, margin_m);
-  std::vector<FeaturePair> pairs = bodies.patches.pairs_within();
-  if (bodies.obstacle) {
-    const std::vector<FeaturePair> others =
-        bodies.patches.pairs_with(bodies.obstacle->surface, bodies.obstacle->hierarchy);
-    pairs.insert(pairs.end(), others.begin(), others.end());
-  }
+  return listed_by(bodies.patches, bodies.obstacle);
+}
+
+std::vector<FeaturePair> pairs_within_ranges_of(std::span<const int> particles, Bodies& bodies,
+                                                std::span<const MovingBox> ranges,
+                                                double margin_m) {
+  bodies.patches.refit(ranges, margin_m);
+  bodies.patches.look_only_at(particles);
+  std::vector<FeaturePair> pairs = listed_by(bodies.patches, bodies.obstacle);
+  const std::vector<char> is_named = flags_of(particles, ranges.size());
+  std::erase_if(pairs, [&](const FeaturePair& pair) { return !has_any(pair, is_named); });
   return pairs;
 }
 

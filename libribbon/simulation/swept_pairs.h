@@ -16,6 +16,10 @@ namespace ribbon {
 std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
                                              double margin_m);
 
+// Those of them that have one of these particles.
+std::vector<FeaturePair> pairs_within_ranges_of(std::span<const int> particles, Bodies& bodies,
+                                                std::span<const MovingBox> ranges, double margin_m);
+
 // As published: the pairs whose boxes over the straight way from t0 to t1 come within margin_m of
 // each other, but for regions that curvature spares (Hierarchy::Spare).
 std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,

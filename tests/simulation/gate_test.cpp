@@ -33,15 +33,14 @@ PairGaps thin(const Bodies& bodies, double hard_m) {
   return {{bodies.grid, 1, 1}, {.hard_m = hard_m, .contact_m = hard_m}};
 }
 
-// Detects, once more for stragglers as long as there are new ones, and passes.
+// Detects, around stragglers again as long as there are any, and passes.
 Passage pass(Bodies& bodies, double min_gap_m, const Matrix3Xd& wished, Matrix3Xd& x) {
   const SurveyLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_way_m = 100};
-  std::vector<int> stragglers;
+  Surroundings surroundings = survey(bodies, lengths, x, wished);
   while (true) {
-    const Surroundings surroundings = survey(bodies, lengths, x, wished, stragglers);
     Passage passage = pass_gate(surroundings, thin(bodies, min_gap_m), wished, x);
     if (passage.stragglers.empty()) return passage;
-    stragglers.insert(stragglers.end(), passage.stragglers.begin(), passage.stragglers.end());
+    widen(passage.stragglers, Widening::onward_and_back, bodies, lengths, wished, surroundings);
   }
 }
 
@@ -108,7 +107,7 @@ TEST(Gate, keeps_the_gap_over_many_passages_within_one_survey) {
   std::mt19937 random(6);
   for (int throw_number = 0; throw_number < 60; ++throw_number) {
     pass_gate(surroundings, thin(bodies, 0.02), thrown(grid, x, random), x);
-    ASSERT_EQ(count_outside(surroundings, x), 0);
+    ASSERT_TRUE(vertices_outside(surroundings, x).empty());
     ASSERT_EQ(count_penetrating_edges(bodies, x), 0) << throw_number;
     ASSERT_GE(smallest_gap_m(bodies, x, 0.05), 0.02 - 1e-12) << throw_number;
   }
