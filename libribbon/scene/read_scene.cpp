@@ -221,6 +221,7 @@ std::vector<Eigen::Vector2d>& drawn_points(Scene& scene) {
 
 std::vector<std::pair<std::string_view, const AccuracyLevel*>> accuracy_words() {
   std::vector<std::pair<std::string_view, const AccuracyLevel*>> words;
+  words.reserve(accuracy_levels.size());
   for (const AccuracyLevel& level : accuracy_levels) words.emplace_back(level.word, &level);
   return words;
 }
