@@ -51,7 +51,7 @@ Result<Options> parse(std::span<char*> arguments) {
     else if (name == "--starts")
       options.starts = std::max(1, std::atoi(arguments[i + 1]));
     else if (name == "--seconds")
-      options.seconds = 0.2 * std::max(1.0, std::round(5 * std::atof(arguments[i + 1])));
+      options.seconds = 0.2 * std::max(2.0, std::round(5 * std::atof(arguments[i + 1])));
     else if (name == "--finest")
       options.finest_step_s = 0.01 / std::max(1.0, std::round(0.01 / std::atof(arguments[i + 1])));
     else
@@ -71,6 +71,7 @@ Result<Scene> jittered_sample(int seed) {
   const auto file = std::filesystem::temp_directory_path() / "jittered-sample.toml";
   if (auto written = write_file(file, *text); !written) return tl::unexpected(written.error());
   auto scene = read_scene(file);
+  std::filesystem::remove(file);
   const auto original = read_scene(sample);
   if (!scene || !original) return scene ? original : scene;
   scene->obstacle = original->obstacle;
