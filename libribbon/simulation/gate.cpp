@@ -1,6 +1,7 @@
 #include "simulation/gate.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "parallel/parallel.h"
@@ -38,25 +39,18 @@ class LeastShares {
   // So first the others are bounded, and then, until no more vertices are held back, those that
   // move together no longer.
   Eigen::VectorXd find() {
-    std::vector<char> is_bounded(surroundings_.pairs.size());
+    is_bounded_.assign(surroundings_.pairs.size(), 0);
     std::vector<std::size_t> next =
         approaching_pairs(surroundings_, positions_, way_, gaps_.largest_hard_m() * (1 + 1e-9));
     while (!next.empty()) {
-      for (const std::size_t i : next) is_bounded[i] = 1;
+      for (const std::size_t i : next) is_bounded_[i] = 1;
       bound(next);
-      next.clear();
-      for (std::size_t i = 0; i < is_bounded.size(); ++i)
-        if (is_bounded[i] == 0 && any_is_held_back(i)) next.push_back(i);
+      next = unbounded_pairs_of_held();
     }
     return shares_;
   }
 
  private:
-  [[nodiscard]] bool any_is_held_back(std::size_t i) const {
-    const auto& v = surroundings_.pairs[i].vertices;
-    return shares_[v[0]] < 1 || shares_[v[1]] < 1 || shares_[v[2]] < 1 || shares_[v[3]] < 1;
-  }
-
   void bound(const std::vector<std::size_t>& indices) {
     std::vector<Vector4d> of_pair(indices.size());
     parallel_ranges(indices.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -67,10 +61,42 @@ class LeastShares {
       }
     });
     for (std::size_t n = 0; n < indices.size(); ++n)
-      for (int k = 0; k < 4; ++k) {
-        const auto vertex = surroundings_.pairs[indices[n]].vertices[static_cast<std::size_t>(k)];
-        shares_[vertex] = std::min(shares_[vertex], of_pair[n][k]);
-      }
+      for (int k = 0; k < 4; ++k)
+        lower(surroundings_.pairs[indices[n]].vertices[static_cast<std::size_t>(k)], of_pair[n][k]);
+  }
+
+  void lower(int vertex, double share) {
+    if (shares_[vertex] == 1 && share < 1) held_.push_back(vertex);
+    shares_[vertex] = std::min(shares_[vertex], share);
+  }
+
+  // Of the vertices held back since the last time.
+  std::vector<std::size_t> unbounded_pairs_of_held() {
+    if (held_.empty()) return {};
+    if (first_.empty()) sort_pairs_by_vertex();
+    std::vector<std::size_t> pairs;
+    for (const int vertex : held_)
+      for (std::size_t n = first_[static_cast<std::size_t>(vertex)];
+           n < first_[static_cast<std::size_t>(vertex) + 1]; ++n)
+        if (char& is_bounded = is_bounded_[of_vertex_[n]]; is_bounded == 0) {
+          is_bounded = 1;
+          pairs.push_back(of_vertex_[n]);
+        }
+    held_.clear();
+    return pairs;
+  }
+
+  // first_[v] ... first_[v + 1] - 1: where the pairs of vertex v stand in of_vertex_.
+  void sort_pairs_by_vertex() {
+    first_.assign(static_cast<std::size_t>(way_.cols()) + 1, 0);
+    for (const FeaturePair& pair : surroundings_.pairs)
+      for (const int vertex : pair.vertices) ++first_[static_cast<std::size_t>(vertex) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    of_vertex_.resize(4 * surroundings_.pairs.size());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < surroundings_.pairs.size(); ++i)
+      for (const int vertex : surroundings_.pairs[i].vertices)
+        of_vertex_[next[static_cast<std::size_t>(vertex)]++] = i;
   }
 
   const Surroundings& surroundings_;
@@ -78,6 +104,10 @@ class LeastShares {
   const Matrix3Xd& positions_;
   const Matrix3Xd& way_;
   Eigen::VectorXd shares_;
+  std::vector<char> is_bounded_;  // of the pairs
+  std::vector<int> held_;         // vertices, since they were last asked for
+  std::vector<std::size_t> first_;
+  std::vector<std::size_t> of_vertex_;
 };
 
 }  // namespace
