@@ -9,9 +9,9 @@ const std::array<AccuracyLevel, 4> accuracy_levels = {{
     {"balanced",
      0.01,
      symplectic_euler,
-     0.03,
+     0.1,
      {.strain = 0.08, .most_rounds = 10, .most_sweeps = 20}},
-    {"fine", 0.005, rk4, 0.01, {.strain = 0.08, .most_rounds = 10, .most_sweeps = 20}},
+    {"fine", 0.005, rk4, 0.03, {.strain = 0.08, .most_rounds = 10, .most_sweeps = 20}},
     {"reference", 0.00125, rk4, 1e-3, {.strain = 0.08, .most_rounds = 20, .most_sweeps = 40}},
 }};
 

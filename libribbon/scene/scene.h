@@ -88,7 +88,7 @@ struct TimeScene {
   double duration_s = 0;  // at most
   RunsUntil until = RunsUntil::duration;
   IntegrationMethod integrator = IntegrationMethod::symplectic_euler;
-  double tolerance = 0.03;  // of IntegrationMethod::implicit, of the change of the velocities
+  double tolerance = 0.1;  // of IntegrationMethod::implicit, of the change of the velocities
 };
 
 // How edges are kept near their natural length where contact is in the way.

@@ -72,6 +72,7 @@ class GatedPostStep : public PostStep {
   // Around the way from the certified to the wished positions.
   void detect(const Cloth& cloth) {
     clock_.charge(Stage::detection);
+    surroundings_ = {};  // not to hold two at a time
     surroundings_ = survey(bodies_, survey_lengths_, certified_, cloth.positions);
     clock_.count_detection(surroundings_.pairs.size());
   }

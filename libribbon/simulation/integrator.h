@@ -20,7 +20,7 @@ struct MotionProperties {
   // Of the implicit scheme, above 0: the minimum is found when the energy that is left to win is
   // less than this squared of what it takes to change the velocities so far. Too large: forces act
   // late and motion is damped; too small: each step takes more iterations.
-  double tolerance = 0.03;
+  double tolerance = 0.1;
 };
 
 // Moves a ribbon by its springs, the air and the fastening force, one step at a time.
