@@ -27,17 +27,20 @@ std::vector<Touches> touched_rows(Bodies& bodies, const PairGaps& gaps,
   const int particles = bodies.grid.particle_count();
   std::vector<Touches> rows(static_cast<std::size_t>(bodies.grid.along), Touches::nothing);
   const double reach_m = touching * gaps.largest_contact_m();
+  const auto row_of = [&](int particle) -> Touches& {
+    return rows[static_cast<std::size_t>(bodies.grid.row(particle))];
+  };
   for (const FeaturePair& pair :
        pairs_within_ranges(bodies, vertex_ranges(positions, positions), reach_m)) {
-    if (!touch(pair, gaps, positions)) continue;
     const bool with_obstacle = std::any_of(pair.vertices.begin(), pair.vertices.end(),
                                            [&](int vertex) { return vertex >= particles; });
     const Touches what = with_obstacle ? Touches::obstacle : Touches::ribbon;
-    for (const int vertex : pair.vertices) {
-      if (vertex >= particles) continue;
-      Touches& row = rows[static_cast<std::size_t>(bodies.grid.row(vertex))];
-      row = std::max(row, what);
-    }
+    const auto is_news = [&](int vertex) { return vertex < particles && row_of(vertex) < what; };
+    // Most pairs of a knot tell nothing new, and distances take time.
+    if (std::none_of(pair.vertices.begin(), pair.vertices.end(), is_news)) continue;
+    if (!touch(pair, gaps, positions)) continue;
+    for (const int vertex : pair.vertices)
+      if (is_news(vertex)) row_of(vertex) = what;
   }
   return rows;
 }
