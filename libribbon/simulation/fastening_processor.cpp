@@ -58,6 +58,8 @@ Result<FasteningProcessor> FasteningProcessor::create(const Scene& scene, const 
   Matrix3Xd vertices = all_vertices(ribbon, obstacle);
   const auto precise = check_precision(scene, natural_size(ribbon, 1), vertices);
   if (!precise) return tl::unexpected(precise.error());
+  const auto narrow = check_width(scene, ribbon.grid);
+  if (!narrow) return tl::unexpected(narrow.error());
   FasteningProcessor processor(scene, ribbon, obstacle, std::move(vertices));
   const auto begun = processor.begin(scene, ribbon);
   if (!begun) return tl::unexpected(begun.error());

@@ -11,6 +11,9 @@ namespace ribbon {
 
 namespace {
 
+// Distances of nearly parallel edges are found up to a millionth of their length too large.
+constexpr double roomy = 1 + 1e-4;
+
 using Eigen::Matrix3Xd;
 using Eigen::Vector4d;
 
@@ -41,7 +44,7 @@ class LeastShares {
   Eigen::VectorXd find() {
     is_bounded_.assign(surroundings_.pairs.size(), 0);
     std::vector<std::size_t> next =
-        approaching_pairs(surroundings_, positions_, way_, gaps_.largest_hard_m() * (1 + 1e-9));
+        approaching_pairs(surroundings_, positions_, way_, gaps_.largest_hard_m() * roomy);
     while (!next.empty()) {
       for (const std::size_t i : next) is_bounded_[i] = 1;
       bound(next);

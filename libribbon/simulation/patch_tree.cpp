@@ -252,7 +252,7 @@ void PatchTree::look_only_at(std::span<const int> particles) {
     for (const int i : {row - 1, row})
       for (const int j : {column - 1, column})
         if (i >= 0 && i < grid_.along - 1 && j >= 0 && j < grid_.across - 1)
-          blocks[static_cast<std::size_t>((i / block_side) * block_columns_ + j / block_side)] = 1;
+          blocks[block_at(i, j)] = 1;
   }
   for (int patch = 0; patch <= root(); ++patch) {
     const bool is_looked =

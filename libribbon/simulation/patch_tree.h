@@ -81,6 +81,11 @@ class PatchTree {
   [[nodiscard]] int block_of(int leaf) const {
     return at(leaf).first_row * block_columns_ + at(leaf).first_column;
   }
+  // Of the block that has this quad.
+  [[nodiscard]] std::size_t block_at(int quad_row, int quad_column) const {
+    const int number = quad_row / block_side * block_columns_ + quad_column / block_side;
+    return static_cast<std::size_t>(number);
+  }
   [[nodiscard]] BlockFeatures features_of(int leaf) const;
 
   void pack(std::span<const MovingBox> ranges);

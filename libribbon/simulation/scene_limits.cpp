@@ -70,6 +70,16 @@ Result<void> check_precision(const Scene& scene, const NaturalSize& size,
   return kept;
 }
 
+Result<void> check_width(const Scene& scene, const RibbonGrid& grid) {
+  constexpr int most_across = 500;
+  if (scene.time.integrator != IntegrationMethod::implicit || grid.across <= most_across) return {};
+  return failure(scene.name,
+                 "the ribbon is " + std::to_string(grid.across) +
+                     " particles wide, more than the " + std::to_string(most_across) +
+                     " that time.integrator = \"implicit\" takes",
+                 "set a smaller ribbon.across or another integrator");
+}
+
 // As many parts as all springs alike need at k/m = 1e6 and a step of 0.01 s. Measured, over 400
 // steps on a post: from 27 (rk4) and 35 parts (symplectic_euler) on some mixtures of springs strain
 // the ribbon without bound; where bending resists alone from 20 and 33, but not with 13 and 21.

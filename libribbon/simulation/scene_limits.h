@@ -19,6 +19,11 @@ namespace ribbon {
 Result<void> check_precision(const Scene& scene, const NaturalSize& size,
                              const Eigen::Matrix3Xd& positions);
 
+// Fails where the ribbon is too wide, in particles, for its integrator: `implicit` solves in as
+// many modes across the ribbon, each over all of its width. Within the limit no cache size of a
+// machine changes the order of its sums.
+Result<void> check_width(const Scene& scene, const RibbonGrid& grid);
+
 // Into how many parts springs and air may divide a step of the scene; any number where its
 // integrator makes only one. Contact acts once a step, the springs in each part: springs that swing
 // many times between two contacts turn what contact strains into motion, without a bound.

@@ -44,6 +44,17 @@ TEST(SceneLimits, an_obstacle_where_double_precision_is_too_coarse_is_refused) {
   expect_part(answer_to(scene, mesh_of_loop(scene), obstacle), "too far");
 }
 
+TEST(SceneLimits, a_ribbon_too_wide_for_the_modes_of_the_implicit_scheme_is_refused) {
+  Scene scene = scene_of_loop();
+  scene.ribbon.along = 30;
+  scene.ribbon.across = 501;
+  scene.recording.max_position_error = 1e-7;
+  scene.time.integrator = IntegrationMethod::implicit;
+  expect_part(answer_to(scene, mesh_of_loop(scene)),
+              "loop: the ribbon is 501 particles wide, more than the 500 that time.integrator = "
+              "\"implicit\" takes; set a smaller ribbon.across");
+}
+
 TEST(SceneLimits, a_recording_too_coarse_for_the_gap_is_refused_with_an_error_that_serves) {
   Scene scene = scene_of_loop();
   const RibbonMesh mesh = mesh_of_loop(scene);
