@@ -6,10 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +15,7 @@
 #include "benchmarks/accuracy_figures.h"
 #include "benchmarks/accuracy_run.h"
 #include "benchmarks/accuracy_settings.h"
-#include "commandline/tool.h"
+#include "benchmarks/benchmark_main.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
 #include "soak/jitter.h"
@@ -39,28 +37,14 @@ struct Options {
   double finest_step_s = 0.000625;  // taken for converged
 };
 
-Result<Options> parse(std::span<char*> arguments) {
-  Options options;
-  std::size_t i = 0;
-  for (; i + 1 < arguments.size(); i += 2) {
-    const std::string name = arguments[i];
-    if (name == "--json")
-      options.json = arguments[i + 1];
-    else if (name == "--only")
-      options.only = arguments[i + 1];
-    else if (name == "--starts")
-      options.starts = std::max(1, std::atoi(arguments[i + 1]));
-    else if (name == "--seconds")
-      options.seconds = 0.2 * std::max(2.0, std::round(5 * std::atof(arguments[i + 1])));
-    else if (name == "--finest")
-      options.finest_step_s = 0.01 / std::max(1.0, std::round(0.01 / std::atof(arguments[i + 1])));
-    else
-      break;
-  }
-  if (i < arguments.size())
-    return failure("", "'" + std::string(arguments[i]) + "' is not understood",
-                   "write --json FILE, --only TEXT, --starts N, --seconds S or --finest S");
-  return options;
+void describe(CLI::App& app, Options& options) {
+  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  app.add_option("--only", options.only, "the settings whose name holds this")->type_name("TEXT");
+  app.add_option("--starts", options.starts, "drawn by a trembling hand")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--seconds", options.seconds, "of each fastening")->check(CLI::Range(0.4, 1e6));
+  app.add_option("--finest", options.finest_step_s, "the step taken for converged, seconds")
+      ->check(CLI::Range(1e-6, 0.01));
 }
 
 // The sample with its drawing moved here and there by less than a tenth of a millimetre, which
@@ -172,7 +156,14 @@ bool tell_beaten(const std::vector<AccuracyFigures>& all) {
   return any;
 }
 
-Result<ExitCode> run(const Options& options) {
+// Ends are compared at every fifth of a second, which has to be a step by any setting.
+void fit_to_fifths(Options& options) {
+  options.seconds = 0.2 * std::round(5 * options.seconds);
+  options.finest_step_s = 0.01 / std::round(0.01 / options.finest_step_s);
+}
+
+Result<ExitCode> run(Options options) {
+  fit_to_fifths(options);
   set_thread_limit(1);
   std::vector<AccuracySetting> settings = {converged_setting(options.finest_step_s)};
   for (AccuracySetting& setting : compared_settings())
@@ -204,9 +195,6 @@ Result<ExitCode> run(const Options& options) {
 }  // namespace ribbon
 
 int main(int argc, char** argv) {
-  return ribbon::run_tool("benchmark_accuracy", [&]() -> ribbon::Result<ribbon::ExitCode> {
-    const auto options = ribbon::parse({argv + 1, static_cast<std::size_t>(argc - 1)});
-    if (!options) return tl::unexpected(options.error());
-    return ribbon::run(*options);
-  });
+  return ribbon::benchmark_main<ribbon::Options>("benchmark_accuracy", argc, argv, ribbon::describe,
+                                                 ribbon::run);
 }

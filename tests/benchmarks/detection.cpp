@@ -8,18 +8,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "benchmarks/benchmark_main.h"
 #include "benchmarks/detector.h"
 #include "benchmarks/measurement.h"
 #include "benchmarks/ribbon_states.h"
-#include "commandline/tool.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
 #include "simulation/closest_weights.h"
@@ -254,24 +252,11 @@ Json print_growth(const std::vector<Row>& rows) {
   return exponents;
 }
 
-Result<Options> parse(std::span<char*> arguments) {
-  Options options;
-  std::size_t i = 0;
-  for (; i + 1 < arguments.size(); i += 2) {
-    const std::string name = arguments[i];
-    if (name == "--tight")
-      options.tight = arguments[i + 1];
-    else if (name == "--json")
-      options.json = arguments[i + 1];
-    else if (name == "--most-particles")
-      options.most_particles = std::atoi(arguments[i + 1]);
-    else
-      break;
-  }
-  if (i < arguments.size())
-    return failure("", "'" + std::string(arguments[i]) + "' is not understood",
-                   "write --tight RECORDING, --json FILE or --most-particles N");
-  return options;
+void describe(CLI::App& app, Options& options) {
+  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  app.add_option("--tight", options.tight, "the recording whose last frame is refined")
+      ->type_name("RECORDING");
+  app.add_option("--most-particles", options.most_particles, "no larger ribbons");
 }
 
 Result<Motion> ribbon_in(const std::string& tight, const Size& size) {
@@ -326,9 +311,6 @@ Result<ExitCode> run(const Options& options) {
 }  // namespace ribbon
 
 int main(int argc, char** argv) {
-  return ribbon::run_tool("benchmark_detection", [&]() -> ribbon::Result<ribbon::ExitCode> {
-    const auto options = ribbon::parse({argv + 1, static_cast<std::size_t>(argc - 1)});
-    if (!options) return tl::unexpected(options.error());
-    return ribbon::run(*options);
-  });
+  return ribbon::benchmark_main<ribbon::Options>("benchmark_detection", argc, argv,
+                                                 ribbon::describe, ribbon::run);
 }

@@ -6,17 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "benchmarks/benchmark_main.h"
 #include "benchmarks/extreme_scenes.h"
 #include "benchmarks/outcome.h"
-#include "commandline/tool.h"
 #include "files/files.h"
 
 namespace ribbon {
@@ -96,26 +94,11 @@ Json json(const Outcome& outcome) {
           {"step_time_s", outcome.time_s}};
 }
 
-Result<Options> parse(std::span<char*> arguments) {
-  Options options;
-  std::size_t i = 0;
-  for (; i + 1 < arguments.size(); i += 2) {
-    const std::string name = arguments[i];
-    if (name == "--json")
-      options.json = arguments[i + 1];
-    else if (name == "--only")
-      options.only = arguments[i + 1];
-    else if (name == "--most-particles")
-      options.most_particles = std::atoi(arguments[i + 1]);
-    else if (name == "--most-steps")
-      options.most_steps = std::atoi(arguments[i + 1]);
-    else
-      break;
-  }
-  if (i < arguments.size())
-    return failure("", "'" + std::string(arguments[i]) + "' is not understood",
-                   "write --json FILE, --only TEXT, --most-particles N or --most-steps N");
-  return options;
+void describe(CLI::App& app, Options& options) {
+  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  app.add_option("--only", options.only, "the extremes whose name holds this")->type_name("TEXT");
+  app.add_option("--most-particles", options.most_particles, "no larger ribbons");
+  app.add_option("--most-steps", options.most_steps, "of each run");
 }
 
 void print_heading() {
@@ -183,9 +166,6 @@ Result<ExitCode> run(const Options& options) {
 }  // namespace ribbon
 
 int main(int argc, char** argv) {
-  return ribbon::run_tool("benchmark_extremes", [&]() -> ribbon::Result<ribbon::ExitCode> {
-    const auto options = ribbon::parse({argv + 1, static_cast<std::size_t>(argc - 1)});
-    if (!options) return tl::unexpected(options.error());
-    return ribbon::run(*options);
-  });
+  return ribbon::benchmark_main<ribbon::Options>("benchmark_extremes", argc, argv, ribbon::describe,
+                                                 ribbon::run);
 }

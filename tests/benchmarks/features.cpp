@@ -4,16 +4,14 @@
 // simulated or written.
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "benchmarks/benchmark_main.h"
 #include "benchmarks/feature_scenes.h"
 #include "benchmarks/sample_ribbon.h"
 #include "benchmarks/step_cost_json.h"
-#include "commandline/tool.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
 
@@ -33,30 +31,12 @@ struct Options {
   int threads = 1;
 };
 
-Result<Options> parse(std::span<char*> arguments) {
-  Options options;
-  std::size_t i = 0;
-  for (; i + 1 < arguments.size(); i += 2) {
-    const std::string name = arguments[i];
-    if (name == "--json")
-      options.json = arguments[i + 1];
-    else if (name == "--scene")
-      options.scene = arguments[i + 1];
-    else if (name == "--across")
-      options.across = std::atoi(arguments[i + 1]);
-    else if (name == "--steps")
-      options.steps = std::atoi(arguments[i + 1]);
-    else if (name == "--threads")
-      options.threads = std::atoi(arguments[i + 1]);
-    else
-      break;
-  }
-  if (i < arguments.size())
-    return failure("", "'" + std::string(arguments[i]) + "' is not understood",
-                   "write --json FILE, --scene FILE, --across N, --steps N or --threads N");
-  if (options.across < 2 || options.steps < 1)
-    return failure("", "nothing would be simulated", "write --across 2 and --steps 1, or more");
-  return options;
+void describe(CLI::App& app, Options& options) {
+  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  app.add_option("--scene", options.scene, "whose ribbon and object are taken")->type_name("FILE");
+  app.add_option("--across", options.across, "particles across")->check(CLI::Range(2, 500));
+  app.add_option("--steps", options.steps, "that are measured")->check(CLI::Range(1, 1'000'000));
+  app.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, 1024));
 }
 
 void print_heading() {
@@ -105,9 +85,6 @@ Result<ExitCode> run(const Options& options) {
 }  // namespace ribbon
 
 int main(int argc, char** argv) {
-  return ribbon::run_tool("benchmark_features", [&]() -> ribbon::Result<ribbon::ExitCode> {
-    const auto options = ribbon::parse({argv + 1, static_cast<std::size_t>(argc - 1)});
-    if (!options) return tl::unexpected(options.error());
-    return ribbon::run(*options);
-  });
+  return ribbon::benchmark_main<ribbon::Options>("benchmark_features", argc, argv, ribbon::describe,
+                                                 ribbon::run);
 }

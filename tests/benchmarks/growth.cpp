@@ -6,19 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "benchmarks/benchmark_main.h"
 #include "benchmarks/measurement.h"
 #include "benchmarks/ribbon_states.h"
 #include "benchmarks/sample_ribbon.h"
 #include "benchmarks/step_cost_json.h"
-#include "commandline/tool.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
 
@@ -46,37 +45,23 @@ struct Size {
 constexpr std::array<Size, 7> sizes = {
     {{8, 400}, {16, 400}, {16, 800}, {32, 800}, {32, 1600}, {64, 1600}, {64, 3200}}};
 
-constexpr std::array<std::pair<const char*, IntegrationMethod>, 3> integrators = {
-    {{"rk4", IntegrationMethod::rk4},
-     {"symplectic_euler", IntegrationMethod::symplectic_euler},
-     {"implicit", IntegrationMethod::implicit}}};
+const std::map<std::string, IntegrationMethod> integrators = {
+    {"rk4", IntegrationMethod::rk4},
+    {"symplectic_euler", IntegrationMethod::symplectic_euler},
+    {"implicit", IntegrationMethod::implicit}};
 
-bool set(const std::string& name, const std::string& value, Options& options) {
-  if (name == "--tight") options.tight = value;
-  if (name == "--json") options.json = value;
-  if (name == "--steps") options.steps = std::atoi(value.c_str());
-  if (name == "--step") options.step_s = std::atof(value.c_str());
-  if (name == "--threads") options.threads = std::atoi(value.c_str());
-  if (name == "--most-particles") options.most_particles = std::atoi(value.c_str());
-  for (const auto& [word, method] : integrators)
-    if (name == "--integrator" && value == word) options.integrator = method;
-  constexpr std::array<const char*, 6> known = {"--tight", "--json",    "--steps",
-                                                "--step",  "--threads", "--most-particles"};
-  return name == "--integrator" ? options.integrator.has_value()
-                                : std::find(known.begin(), known.end(), name) != known.end();
-}
-
-Result<Options> parse(std::span<char*> arguments) {
-  Options options;
-  std::size_t i = 0;
-  while (i + 1 < arguments.size() && set(arguments[i], arguments[i + 1], options)) i += 2;
-  if (i < arguments.size())
-    return failure(
-        "", "'" + std::string(arguments[i]) + "' is not understood",
-        "write --tight RECORDING, --integrator rk4, symplectic_euler or implicit, --step "
-        "S, --steps N, --threads N, --most-particles N or --json FILE");
-  if (options.steps < 1) return failure("", "no step would be measured", "write --steps 1 or more");
-  return options;
+void describe(CLI::App& app, Options& options) {
+  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  app.add_option("--tight", options.tight, "the recording whose last frame is refined")
+      ->type_name("RECORDING");
+  app.add_option("--integrator", options.integrator, "instead of the sample's")
+      ->transform(CLI::CheckedTransformer(integrators))
+      ->option_text("rk4, symplectic_euler or implicit");
+  app.add_option("--step", options.step_s, "seconds, instead of the sample's")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--steps", options.steps, "that are measured")->check(CLI::Range(1, 1'000'000));
+  app.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, 1024));
+  app.add_option("--most-particles", options.most_particles, "no larger ribbons");
 }
 
 // The sample's ribbon, loose as drawn, or tight.
@@ -169,9 +154,6 @@ Result<ExitCode> run(const Options& options) {
 }  // namespace ribbon
 
 int main(int argc, char** argv) {
-  return ribbon::run_tool("benchmark_growth", [&]() -> ribbon::Result<ribbon::ExitCode> {
-    const auto options = ribbon::parse({argv + 1, static_cast<std::size_t>(argc - 1)});
-    if (!options) return tl::unexpected(options.error());
-    return ribbon::run(*options);
-  });
+  return ribbon::benchmark_main<ribbon::Options>("benchmark_growth", argc, argv, ribbon::describe,
+                                                 ribbon::run);
 }
