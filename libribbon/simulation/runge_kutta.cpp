@@ -13,11 +13,11 @@ constexpr double stability_limit = 2.5;
 class RungeKutta final : public DividedStep {
  public:
   RungeKutta(const SpringNetwork& springs, const MotionProperties& properties)
-      : DividedStep(
-            springs, properties,
-            fastest_frequency(springs, properties.grid.particle_count(), properties.particle_mass_kg) +
-                properties.air_resistance_per_s,
-            stability_limit) {}
+      : DividedStep(springs, properties,
+                    fastest_frequency(springs, properties.grid.particle_count(),
+                                      properties.particle_mass_kg) +
+                        properties.air_resistance_per_s,
+                    stability_limit) {}
 
  private:
   // Of one stage, from positions x and velocities v.

@@ -15,10 +15,10 @@ class SymplecticEuler final : public DividedStep {
   // The air's resistance does not count: it is taken at the end of each part, where it can only
   // slow the motion down.
   SymplecticEuler(const SpringNetwork& springs, const MotionProperties& properties)
-      : DividedStep(
-            springs, properties,
-            fastest_frequency(springs, properties.grid.particle_count(), properties.particle_mass_kg),
-            stability_limit) {}
+      : DividedStep(springs, properties,
+                    fastest_frequency(springs, properties.grid.particle_count(),
+                                      properties.particle_mass_kg),
+                    stability_limit) {}
 
  private:
   // v' = v + h (F(x) / m - c v'), then x' = x + h v'.

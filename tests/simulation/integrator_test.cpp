@@ -77,9 +77,8 @@ struct Band {
 
   [[nodiscard]] std::unique_ptr<Integrator> integrator(IntegrationMethod method,
                                                        double step_s) const {
-    return create_integrator(
-        method, springs,
-        {step_s, grid, cloth.particle_mass_kg, air_resistance_per_s});
+    return create_integrator(method, springs,
+                             {step_s, grid, cloth.particle_mass_kg, air_resistance_per_s});
   }
 
   void advance(IntegrationMethod method, double step_s, int steps) {
