@@ -5,14 +5,9 @@
 
 namespace ribbon {
 
-namespace {
-
-// Rounding moves each of two points by at most sqrt 3 roundings.
 double lost_to_rounding_m(double rounding_m) {
   return 2 * std::numbers::sqrt3 * rounding_m;
 }
-
-}  // namespace
 
 GapLengths gap_lengths(double edge_m, double rounding_m, double thickness_m) {
   GapLengths lengths;

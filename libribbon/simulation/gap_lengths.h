@@ -9,6 +9,10 @@ struct GapLengths {
   double thickness_m = 0;  // of the cloth; 0: none
 };
 
+// What rounding may take from, or add to, the distance of two points: it moves each by at most
+// sqrt 3 roundings of a coordinate.
+double lost_to_rounding_m(double rounding_m);
+
 // The lengths for a ribbon whose shortest natural edge is edge_m (> 0) and whose recording may move
 // each coordinate by rounding_m (>= 0). Neighbours in the flat ribbon must not count as too close,
 // so the hard gap is at most a fifth of an edge, however coarse the rounding.

@@ -45,8 +45,8 @@ class LeastShares {
     is_bounded_.assign(surroundings_.pairs.size(), 0);
     std::vector<std::size_t> next =
         approaching_pairs(surroundings_, positions_, way_, gaps_.largest_hard_m() * roomy);
+    for (const std::size_t i : next) is_bounded_[i] = 1;
     while (!next.empty()) {
-      for (const std::size_t i : next) is_bounded_[i] = 1;
       bound(next);
       next = unbounded_pairs_of_held();
     }

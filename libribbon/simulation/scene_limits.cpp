@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "simulation/gap_lengths.h"
@@ -47,7 +46,7 @@ Result<void> recording_tells_positions(const Scene& scene, double rounding_m, do
 Result<void> recording_keeps_the_gap(const Scene& scene, const NaturalSize& size,
                                      const GapLengths& lengths, double rounding_m) {
   if (recorded_gap_m(lengths, rounding_m) > 0) return {};
-  const double most_m = lengths.hard_m / (2 * std::numbers::sqrt3);
+  const double most_m = lengths.hard_m / lost_to_rounding_m(1);
   return failure(scene.name,
                  "recording may move coordinates by " + metres(rounding_m) +
                      ", so that surfaces kept " + metres(lengths.hard_m) + " apart could meet",

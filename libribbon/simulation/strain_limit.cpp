@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
+
+#include "simulation/gap_lengths.h"
 
 namespace ribbon {
 
@@ -76,8 +77,7 @@ double StrainLimit::worst_excess(const Eigen::Matrix3Xd& positions) const {
 }
 
 double aimed_strain(double strain, double rest_m, double rounding_m) {
-  // Rounding moves each end by at most sqrt 3 roundings.
-  const double recorded = 2 * std::numbers::sqrt3 * rounding_m / rest_m;
+  const double recorded = lost_to_rounding_m(rounding_m) / rest_m;
   return std::max(least_aim, std::min(strain, 0.99 * published - recorded - strain_left_over));
 }
 

@@ -38,7 +38,7 @@ struct Options {
 };
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  add_report_option(app, options.json);
   app.add_option("--only", options.only, "the settings whose name holds this")->type_name("TEXT");
   app.add_option("--starts", options.starts, "drawn by a trembling hand")
       ->check(CLI::Range(1, 1000));
@@ -185,10 +185,8 @@ Result<ExitCode> run(Options options) {
   Json report = Json::array();
   for (const AccuracyFigures& figures : all) report.push_back(json(figures));
   const bool is_any_beaten = tell_beaten(all);
-  if (!options.json.empty())
-    if (auto written = write_file(options.json, report.dump(2) + "\n"); !written)
-      return tl::unexpected(written.error());
-  return is_any_beaten ? ExitCode::answer_is_no : ExitCode::done;
+  return write_report(report, options.json,
+                      is_any_beaten ? ExitCode::answer_is_no : ExitCode::done);
 }
 
 }  // namespace

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
 
 #include "commandline/arguments.h"
 #include "commandline/tool.h"
+#include "files/files.h"
 
 namespace ribbon {
 
@@ -20,6 +23,19 @@ int benchmark_main(const char* name, int argc, char** argv, const Describe& desc
     if (!read) return tl::unexpected(read.error());
     return *read ? run(options) : ExitCode::done;
   });
+}
+
+inline void add_report_option(CLI::App& app, std::string& file) {
+  app.add_option("--json", file, "write the figures there")->type_name("FILE");
+}
+
+// The end of a run: writes the report where a file was named, and answers `code`.
+inline Result<ExitCode> write_report(const nlohmann::ordered_json& report, const std::string& file,
+                                     ExitCode code) {
+  if (!file.empty())
+    if (auto written = write_file(file, report.dump(2) + "\n"); !written)
+      return tl::unexpected(written.error());
+  return code;
 }
 
 }  // namespace ribbon

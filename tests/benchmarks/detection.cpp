@@ -18,7 +18,6 @@
 #include "benchmarks/detector.h"
 #include "benchmarks/measurement.h"
 #include "benchmarks/ribbon_states.h"
-#include "files/files.h"
 #include "parallel/parallel.h"
 #include "simulation/closest_weights.h"
 
@@ -253,7 +252,7 @@ Json print_growth(const std::vector<Row>& rows) {
 }
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  add_report_option(app, options.json);
   app.add_option("--tight", options.tight, "the recording whose last frame is refined")
       ->type_name("RECORDING");
   app.add_option("--most-particles", options.most_particles, "no larger ribbons");
@@ -301,10 +300,7 @@ Result<ExitCode> run(const Options& options) {
   std::puts(
       "\n*: extrapolated with the number of pairs of triangles. Tests: boxes against boxes, of\n"
       "triangles, regions and features. One thread but for the last column.");
-  if (!options.json.empty())
-    if (auto written = write_file(options.json, report.dump(2) + "\n"); !written)
-      return tl::unexpected(written.error());
-  return ExitCode::done;
+  return write_report(report, options.json, ExitCode::done);
 }
 
 }  // namespace

@@ -15,7 +15,6 @@
 #include "benchmarks/benchmark_main.h"
 #include "benchmarks/extreme_scenes.h"
 #include "benchmarks/outcome.h"
-#include "files/files.h"
 
 namespace ribbon {
 namespace {
@@ -95,7 +94,7 @@ Json json(const Outcome& outcome) {
 }
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  add_report_option(app, options.json);
   app.add_option("--only", options.only, "the extremes whose name holds this")->type_name("TEXT");
   app.add_option("--most-particles", options.most_particles, "no larger ribbons");
   app.add_option("--most-steps", options.most_steps, "of each run");
@@ -156,10 +155,7 @@ Result<ExitCode> run(const Options& options) {
       "intersecting pairs and no explosion where none are named. Refused, with the first "
       "number:\n");
   notes.print();
-  if (!options.json.empty())
-    if (auto written = write_file(options.json, report.dump(2) + "\n"); !written)
-      return tl::unexpected(written.error());
-  return all_hold ? ExitCode::done : ExitCode::answer_is_no;
+  return write_report(report, options.json, all_hold ? ExitCode::done : ExitCode::answer_is_no);
 }
 
 }  // namespace

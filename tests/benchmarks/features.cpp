@@ -12,7 +12,6 @@
 #include "benchmarks/feature_scenes.h"
 #include "benchmarks/sample_ribbon.h"
 #include "benchmarks/step_cost_json.h"
-#include "files/files.h"
 #include "parallel/parallel.h"
 
 namespace ribbon {
@@ -32,7 +31,7 @@ struct Options {
 };
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  add_report_option(app, options.json);
   app.add_option("--scene", options.scene, "whose ribbon and object are taken")->type_name("FILE");
   app.add_option("--across", options.across, "particles across")->check(CLI::Range(2, 500));
   app.add_option("--steps", options.steps, "that are measured")->check(CLI::Range(1, 1'000'000));
@@ -75,10 +74,7 @@ Result<ExitCode> run(const Options& options) {
     report.push_back({{"scene", feature.feature}});
     report.back().update(json_of(*cost, particles));
   }
-  if (!options.json.empty())
-    if (auto written = write_file(options.json, report.dump(2) + "\n"); !written)
-      return tl::unexpected(written.error());
-  return ExitCode::done;
+  return write_report(report, options.json, ExitCode::done);
 }
 
 }  // namespace

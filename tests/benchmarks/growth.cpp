@@ -18,7 +18,6 @@
 #include "benchmarks/ribbon_states.h"
 #include "benchmarks/sample_ribbon.h"
 #include "benchmarks/step_cost_json.h"
-#include "files/files.h"
 #include "parallel/parallel.h"
 
 namespace ribbon {
@@ -51,7 +50,7 @@ const std::map<std::string, IntegrationMethod> integrators = {
     {"implicit", IntegrationMethod::implicit}};
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("--json", options.json, "write the figures there")->type_name("FILE");
+  add_report_option(app, options.json);
   app.add_option("--tight", options.tight, "the recording whose last frame is refined")
       ->type_name("RECORDING");
   app.add_option("--integrator", options.integrator, "instead of the sample's")
@@ -144,10 +143,7 @@ Result<ExitCode> run(const Options& options) {
     if (!state) return tl::unexpected(state.error());
     report[tight.empty() ? "loose" : "tight"] = std::move(*state);
   }
-  if (!options.json.empty())
-    if (auto written = write_file(options.json, report.dump(2) + "\n"); !written)
-      return tl::unexpected(written.error());
-  return ExitCode::done;
+  return write_report(report, options.json, ExitCode::done);
 }
 
 }  // namespace
