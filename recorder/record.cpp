@@ -35,7 +35,8 @@ std::optional<CentreAxis> centre_axis(const Scene& scene) {
 }
 
 RecordingHeader header_of(const Scene& scene, const std::string& writer, const RibbonMesh& ribbon,
-                          const std::optional<TriangleMesh>& obstacle, double stated_gap_m) {
+                          const std::optional<TriangleMesh>& obstacle,
+                          const FasteningProcessor& fastening) {
   RecordingHeader header;
   header.scene_name = scene.name;
   header.scene_text = scene.text;
@@ -46,8 +47,11 @@ RecordingHeader header_of(const Scene& scene, const std::string& writer, const R
   header.ribbon_width_m = ribbon.width_m;
   header.frames_per_second = scene.recording.frames_per_second;
   header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
+  // From any point of the start the ribbon can be drawn at most its length away.
+  header.lattice_step_m = lattice_step_m(
+      header.max_position_error_m, fastening.positions().cwiseAbs().maxCoeff() + ribbon.length_m);
   header.obstacle = obstacle;
-  header.stated_gap_m = stated_gap_m;
+  header.stated_gap_m = fastening.guaranteed_gap_m();
   header.centre_axis = centre_axis(scene);
   return header;
 }
@@ -157,8 +161,8 @@ Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& re
   if (auto tied = start_is_tied_as_drawn(scene, ribbon, *fastening); !tied)
     return tl::unexpected(tied.error());
   // Not before the start has been found: a scene without one leaves an older recording alone.
-  auto file = RecordingWriter::create(
-      recording, header_of(scene, writer, ribbon, obstacle, fastening->guaranteed_gap_m()));
+  auto file =
+      RecordingWriter::create(recording, header_of(scene, writer, ribbon, obstacle, *fastening));
   if (!file) return tl::unexpected(file.error());
 
   RunStatistics statistics{.scene_name = scene.name,

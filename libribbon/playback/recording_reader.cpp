@@ -1,5 +1,6 @@
 #include "playback/recording_reader.h"
 
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "recording/header_record.h"
 #include "recording/position_decoder.h"
 #include "recording/record.h"
+#include "recording/references.h"
 
 namespace ribbon {
 
@@ -17,7 +19,7 @@ struct RecordingReader::State {
       : path(std::move(source)),
         file(std::move(opened)),
         header(std::move(read_header)),
-        decoder(header.grid) {}
+        decoder(codec_parameters(header)) {}
 
   std::filesystem::path path;
   RandomAccessFile file;
@@ -27,7 +29,8 @@ struct RecordingReader::State {
   FrameTable table;
   bool scanned = false;
   PositionDecoder decoder;
-  int decoded = -1;  // the frame that the decoder holds
+  std::array<LatticeFrame, most_references + 1> recent;  // by frame number, modulo their count
+  int decoded = -1;                                      // the frame decoded last
 
   void scan();
   bool decode_up_to(int index);
@@ -52,7 +55,12 @@ bool RecordingReader::State::decode(int index) {
   const auto record =
       read_frame_record(file, entry, recording_id, static_cast<std::uint32_t>(index), bytes);
   decoded = -1;
-  if (!record || !decoder.decode(record->encoding, record->geometry)) return false;
+  if (!record) return false;
+  std::vector<const LatticeFrame*> references;
+  for (const std::uint32_t reference : live_references(record->frame))
+    references.push_back(&recent[reference % recent.size()]);
+  LatticeFrame& frame = recent[record->frame % recent.size()];
+  if (!decoder.decode(record->encoding, record->geometry, references, frame)) return false;
   decoded = index;
   return true;
 }
@@ -154,7 +162,7 @@ Result<void> RecordingReader::read(int index, Eigen::Matrix3Xf& positions) {
     return failure(state.path.string() + ": frame " + std::to_string(index + 1),
                    "is damaged or builds on a frame that is",
                    "choose another frame or use a copy of the recording that is whole");
-  state.decoder.positions(positions);
+  state.recent[static_cast<std::size_t>(index) % state.recent.size()].positions(positions);
   return {};
 }
 

@@ -32,7 +32,7 @@ std::optional<FrameRecord> parse_frame_payload(std::string_view payload) {
   record.numbers.penetrating_edges = taker.take<std::uint32_t>();
   record.numbers.recovery_iterations = taker.take<std::uint32_t>();
   record.geometry = taker.rest();
-  if (!taker.complete() || encoding > 2) return std::nullopt;
+  if (!taker.complete() || encoding > 1) return std::nullopt;
   return record;
 }
 

@@ -14,7 +14,7 @@ namespace ribbon {
 // Before the geometry.
 inline constexpr std::size_t frame_fields_bytes = 40;
 
-enum class FrameEncoding : std::uint32_t { plain = 0, key = 1, delta = 2 };
+enum class FrameEncoding : std::uint32_t { plain = 0, lattice = 1 };
 
 struct FrameRecord {
   std::uint32_t recording_id = 0;

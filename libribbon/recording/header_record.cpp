@@ -11,9 +11,9 @@ namespace ribbon {
 
 namespace {
 
-constexpr std::uint16_t major_version = 1;
-constexpr std::uint16_t minor_version = 2;
-constexpr std::uint32_t position_codec = 1;
+constexpr std::uint16_t major_version = 2;
+constexpr std::uint16_t minor_version = 0;
+constexpr std::uint32_t position_codec = 2;
 constexpr std::uint64_t largest_grid = std::uint64_t{1} << 24;
 constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;
 
@@ -114,6 +114,10 @@ bool is_positive(double number) {
   return std::isfinite(number) && number > 0;
 }
 
+bool is_bound(double number) {
+  return std::isfinite(number) && number >= 0;
+}
+
 // The counts of the grid, bounded before anything is made of them.
 bool take_grid(ByteTaker& taker, RibbonGrid& grid) {
   const auto along = taker.take<std::uint32_t>();
@@ -143,13 +147,14 @@ std::string header_payload(const RecordingHeader& header) {
   put<std::uint8_t>(bytes, header.obstacle ? 1 : 0);
   if (header.obstacle) put_obstacle(bytes, *header.obstacle);
   put_version_1_1(bytes, header);
+  put<double>(bytes, header.lattice_step_m);
   return bytes;
 }
 
 Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   ByteTaker taker(payload);
   const auto major = taker.take<std::uint16_t>();
-  const auto minor = taker.take<std::uint16_t>();  // a newer one only appends
+  taker.take<std::uint16_t>();  // a newer minor version only appends
   if (taker.complete() && major > major_version)
     return failure("",
                    "was written in format version " + std::to_string(major) +
@@ -170,11 +175,13 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (!taker.complete() || !take_matrix<float>(taker, particles, header.uv)) return damaged();
   if (taker.take<std::uint8_t>() != 0 && !take_obstacle(taker, header.obstacle.emplace()))
     return damaged();
-  if (minor >= 1 && !take_version_1_1(taker, header)) return damaged();
+  if (!take_version_1_1(taker, header)) return damaged();
+  header.lattice_step_m = taker.take<double>();
   const bool valid = taker.complete() && !header.scene_name.empty() &&
                      is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&
                      is_positive(header.frames_per_second) &&
-                     is_positive(header.max_position_error_m) && header.uv.allFinite();
+                     is_bound(header.max_position_error_m) && is_bound(header.lattice_step_m) &&
+                     header.uv.allFinite();
   if (!valid) return damaged();
   return header;
 }

@@ -1,28 +1,28 @@
 // Bytes to the positions of a frame (FORMAT.md, section 8).
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
+#include <span>
 #include <string_view>
 
-#include "geometry/ribbon_grid.h"
+#include "recording/codec_parameters.h"
 #include "recording/frame_record.h"
+#include "recording/lattice_frame.h"
 
 namespace ribbon {
 
+// Keeps working memory between calls and nothing else: equal arguments give equal frames.
 class PositionDecoder {
  public:
-  explicit PositionDecoder(const RibbonGrid& grid);
+  explicit PositionDecoder(CodecParameters parameters);
   PositionDecoder(PositionDecoder&&) noexcept;
   PositionDecoder& operator=(PositionDecoder&&) noexcept;
   ~PositionDecoder();
 
-  // Takes frames in their order, beginning at a plain or key frame. False when the geometry is not
-  // valid; the next frame must then be a plain or key frame.
-  bool decode(FrameEncoding encoding, std::string_view geometry);
-
-  // The frame decoded last, resized to 3 x particles.
-  void positions(Eigen::Matrix3Xf& positions) const;
+  // references: the frames that the encoder had, in its order. False, with `frame` undefined, when
+  // the geometry is not valid. `frame` may have been used before: its memory is used again.
+  bool decode(FrameEncoding encoding, std::string_view geometry,
+              std::span<const LatticeFrame* const> references, LatticeFrame& frame);
 
  private:
   struct State;

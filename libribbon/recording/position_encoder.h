@@ -2,37 +2,39 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
-#include "geometry/ribbon_grid.h"
+#include "recording/codec_parameters.h"
 #include "recording/frame_record.h"
+#include "recording/lattice_frame.h"
 #include "result/result.h"
 
 namespace ribbon {
 
 struct EncodedFrame {
   FrameEncoding encoding{};
-  std::uint32_t frames_since_key = 0;
   std::string geometry;
+  LatticeFrame frame;  // as a decoder will have it
 };
 
+// Keeps working memory between calls and nothing else: equal arguments give equal bytes.
 class PositionEncoder {
  public:
-  // Every decoded coordinate, in single precision, will be within max_error_m of what was encoded.
-  PositionEncoder(const RibbonGrid& grid, double max_error_m);
+  // Every decoded coordinate, in single precision, will be within max_error_m of what was encoded;
+  // 0: equal to it, rounded to single precision.
+  PositionEncoder(CodecParameters parameters, double max_error_m);
   PositionEncoder(PositionEncoder&&) noexcept;
   PositionEncoder& operator=(PositionEncoder&&) noexcept;
   ~PositionEncoder();
 
-  // positions: 3 x particles in metres. Decodes what it encodes and compares, so the bound does not
-  // rest on an argument. Fails, with a place still to be filled in and as if it had not been
-  // called, when a coordinate is not finite or single precision is too coarse for the bound.
-  Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions);
-
-  // Makes the next frame independent of earlier ones, for instance because one did not get written.
-  void restart();
+  // positions: 3 x particles in metres. references: at most most_references decoded frames, in the
+  // order in which the decoder will get them; plain ones are no help. Compares the decoded frame
+  // with the positions, so the bound does not rest on an argument. Fails, with a place still to be
+  // filled in, when a coordinate is not finite or single precision is too coarse for the bound.
+  Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions,
+                              std::span<const LatticeFrame* const> references);
 
  private:
   struct State;

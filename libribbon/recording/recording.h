@@ -7,10 +7,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/centre_axis.h"
 #include "geometry/ribbon_grid.h"
 #include "geometry/triangle_mesh.h"
+#include "recording/codec_parameters.h"
 
 namespace ribbon {
 
@@ -24,7 +26,10 @@ struct RecordingHeader {
   double ribbon_length_m = 0;
   double ribbon_width_m = 0;
   double frames_per_second = 0;
-  double max_position_error_m = 0;  // bound on every recorded coordinate; > 0
+  double max_position_error_m = 0;  // bound on every recorded coordinate; 0: exact to single
+                                    // precision
+  double lattice_step_m = 0;        // see CodecParameters, and lattice_step_m()
+  std::vector<std::string> entropy_tables;  // see CodecParameters
   std::optional<TriangleMesh> obstacle;
   // The writer guarantees that features that share no vertex (ribbon and ribbon, ribbon and
   // obstacle) are nowhere nearer to each other, in frames as they are decoded. 0: nothing is
@@ -32,6 +37,10 @@ struct RecordingHeader {
   double stated_gap_m = 0;
   std::optional<CentreAxis> centre_axis;  // what the ribbon was fastened towards
 };
+
+inline CodecParameters codec_parameters(const RecordingHeader& header) {
+  return {header.grid, header.lattice_step_m, header.entropy_tables};
+}
 
 // How tight a ribbon is that is being fastened.
 struct TightnessNumbers {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cassert>
 #include <utility>
 #include <vector>
@@ -14,13 +15,14 @@
 #include "recording/index_record.h"
 #include "recording/position_encoder.h"
 #include "recording/record.h"
+#include "recording/references.h"
 #include "recording/tightness_record.h"
 
 namespace ribbon {
 
 struct RecordingWriter::State {
   State(std::filesystem::path target, const RecordingHeader& header)
-      : path(std::move(target)), encoder(header.grid, header.max_position_error_m) {}
+      : path(std::move(target)), encoder(codec_parameters(header), header.max_position_error_m) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   State(State&&) = delete;
@@ -35,6 +37,7 @@ struct RecordingWriter::State {
   std::uint64_t frames_begin = 0;
   std::uint64_t bytes = 0;
   PositionEncoder encoder;
+  std::array<LatticeFrame, most_references + 1> recent;  // by frame number, modulo their count
   std::vector<IndexEntry> entries;
 
   Result<void> open();
@@ -92,7 +95,7 @@ RecordingWriter::~RecordingWriter() = default;
 
 Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& path,
                                                 const RecordingHeader& header) {
-  assert(!header.scene_name.empty() && header.max_position_error_m > 0);
+  assert(!header.scene_name.empty() && header.max_position_error_m >= 0);
   assert(header.uv.cols() == header.grid.particle_count());
   auto state = std::make_unique<State>(path, header);
   if (auto opened = state->open(); !opened) return tl::unexpected(std::move(opened.error()));
@@ -109,7 +112,10 @@ Result<void> RecordingWriter::append(const FrameNumbers& numbers,
                                      const Eigen::Matrix3Xd& positions) {
   State& state = *state_;
   assert(state.descriptor >= 0 && "not after finish()");
-  auto encoded = state.encoder.encode(positions);
+  std::vector<const LatticeFrame*> references;
+  for (const std::uint32_t reference : live_references(frames_written()))
+    references.push_back(&state.recent[reference % state.recent.size()]);
+  auto encoded = state.encoder.encode(positions, references);
   if (!encoded) {
     Error error = std::move(encoded.error());
     error.place = state.path.string() + ": frame " + std::to_string(state.entries.size() + 1);
@@ -118,7 +124,7 @@ Result<void> RecordingWriter::append(const FrameNumbers& numbers,
   FrameRecord frame;
   frame.recording_id = state.recording_id;
   frame.frame = frames_written();
-  frame.frames_since_key = encoded->frames_since_key;
+  frame.frames_since_key = frames_written() % live_group_frames;
   frame.encoding = encoded->encoding;
   frame.numbers = numbers;
   frame.geometry = encoded->geometry;
@@ -126,10 +132,8 @@ Result<void> RecordingWriter::append(const FrameNumbers& numbers,
   const std::string tightness = tightness_record(frame);
   const std::uint64_t offset = state.bytes + tightness.size();
   auto written = state.write(tightness + record);
-  if (!written) {
-    state.encoder.restart();
-    return written;
-  }
+  if (!written) return written;
+  state.recent[frames_written() % state.recent.size()] = std::move(encoded->frame);
   state.entries.push_back(
       {offset, static_cast<std::uint32_t>(record.size()), frame.frames_since_key, numbers});
   return {};

@@ -23,8 +23,8 @@
 namespace ribbon {
 namespace {
 
-constexpr int frames = 36;  // a group of 32 and the start of the next
-constexpr int second_group = 32;
+constexpr int frames = 20;  // a group of 16 and the start of the next
+constexpr int second_group = 16;
 
 RecordingHeader small_header() {
   RecordingHeader header = sample_header();
@@ -227,13 +227,13 @@ TEST_F(DamagedRecording, a_hole_in_the_file_loses_the_frames_within) {
 TEST_F(DamagedRecording, zeroed_blocks_keep_the_frames_numbers) {
   std::string bytes = killed_;
   std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(begin_[10]),
-            bytes.begin() + static_cast<std::ptrdiff_t>(begin_[20]), '\0');
+            bytes.begin() + static_cast<std::ptrdiff_t>(begin_[13]), '\0');
   auto reader = open(bytes);
   ASSERT_TRUE(reader.has_value());
   EXPECT_EQ(reader->frame_count(), frames);
   EXPECT_EQ(lost_frames(*reader), group_from(10));
   ASSERT_EQ(reader->damage().size(), 1U);
-  EXPECT_EQ(reader->damage()[0].length, begin_[20] - begin_[10]);
+  EXPECT_EQ(reader->damage()[0].length, begin_[13] - begin_[10]);
 }
 
 TEST_F(DamagedRecording, a_tail_of_zeros_is_damage_and_costs_nothing) {
@@ -335,7 +335,7 @@ TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {
   ASSERT_FALSE(reader.has_value());
   EXPECT_EQ(reader.error().sentence(), path_.string() +
                                            ": was written in format version 7, this program reads "
-                                           "up to version 1; use a newer program");
+                                           "up to version 2; use a newer program");
 }
 
 TEST_F(DamagedRecording, an_error_names_the_frame_as_users_count) {
