@@ -9,6 +9,7 @@
 #include "simulation/collision_surface.h"
 #include "simulation/hierarchy.h"
 #include "simulation/patch_tree.h"
+#include "simulation/state_archive.h"
 
 namespace ribbon {
 
@@ -34,19 +35,38 @@ class RibbonBody {
   }
   // Over `positions` (3 x at least all particles).
   Hierarchy& hierarchy(const Eigen::Matrix3Xd& positions) {
-    if (!hierarchy_) hierarchy_.emplace(surface(), positions);
+    if (!hierarchy_) build(positions.leftCols(grid_.particle_count()));
     return *hierarchy_;
   }
   [[nodiscard]] bool exists() const { return surface_.has_value(); }
   void forget() {
     surface_.reset();
     hierarchy_.reset();
+    built_over_.resize(3, 0);
+  }
+
+  // How the hierarchy groups the triangles depends on where they were when it was built.
+  void visit_state(StateArchive& archive) {
+    auto& [grid, surface_of_grid, hierarchy_refitted_each_time, built_over] = *this;
+    bool exists = hierarchy_refitted_each_time.has_value();
+    archive.visit(exists);
+    if (!exists) return;
+    Eigen::Matrix3Xd positions = built_over;
+    positions.conservativeResize(3, grid.particle_count());
+    archive.visit(positions);
+    if (archive.is_reading() && !archive.is_refused()) build(std::move(positions));
   }
 
  private:
+  void build(Eigen::Matrix3Xd positions) {
+    built_over_ = std::move(positions);
+    hierarchy_.emplace(surface(), built_over_);
+  }
+
   RibbonGrid grid_;
   std::optional<CollisionSurface> surface_;
   std::optional<Hierarchy> hierarchy_;
+  Eigen::Matrix3Xd built_over_ = Eigen::Matrix3Xd(3, 0);
 };
 
 struct Bodies {
@@ -55,6 +75,12 @@ struct Bodies {
         ribbon(ribbon_grid),
         obstacle(std::move(obstacle_body)),
         patches(ribbon_grid) {}
+
+  // The obstacle's hierarchy is the same each time; it and the patches are refitted before use.
+  void visit_state(StateArchive& archive) {
+    auto& [grid_of_scene, ribbon_body, obstacle_of_scene, patches_of_grid] = *this;
+    ribbon_body.visit_state(archive);
+  }
 
   RibbonGrid grid;
   RibbonBody ribbon;

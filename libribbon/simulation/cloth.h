@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "simulation/state_archive.h"
+
 namespace ribbon {
 
 // Where the particles are and how they move. Columns are particles, then, in `positions` only, the
@@ -16,6 +18,12 @@ struct Cloth {
   // 1/m of a vertex: the obstacle's are boundlessly heavy (paper, section 5.1).
   [[nodiscard]] double inverse_mass(int vertex) const {
     return vertex < particle_count() ? 1 / particle_mass_kg : 0.0;
+  }
+
+  void visit_state(StateArchive& archive) {
+    auto& [positions_now, velocities_now, mass_of_the_scene] = *this;
+    archive.visit(positions_now.leftCols(particle_count()));
+    archive.visit(velocities_now);
   }
 };
 

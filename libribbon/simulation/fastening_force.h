@@ -5,6 +5,7 @@
 
 #include "geometry/ribbon_grid.h"
 #include "scene/scene.h"
+#include "simulation/state_archive.h"
 
 namespace ribbon {
 
@@ -29,9 +30,13 @@ class FasteningForce {
   // The force on a particle for each m/s at which the scene wants it to move, N s/m.
   [[nodiscard]] double newton_per_m_s() const { return newton_per_m_s_; }
 
+  void visit_state(StateArchive& archive);
+
  private:
   [[nodiscard]] double distance_from_axis_m(const Eigen::Vector3d& position) const;
   [[nodiscard]] double strength_n(int particle, const Eigen::Vector3d& position) const;
+  // Distributed, on a particle for each metre between it and the axis.
+  [[nodiscard]] double newton_per_m() const;
 
   FasteningPull pull_;
   RibbonGrid grid_;
@@ -39,8 +44,8 @@ class FasteningForce {
   Eigen::Vector3d axis_direction_;
   int held_rows_;  // at each end, when pulled by the ends
   double newton_per_m_s_;
-  double end_newton_ = 0;    // force on a particle of the held rows
-  double newton_per_m_ = 0;  // distributed force on a particle per distance from the axis
+  double speed_m_s_;
+  double mean_distance_m_ = 0;  // from the axis, at the start
 };
 
 }  // namespace ribbon

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
@@ -16,6 +19,7 @@
 #include "simulation/hands.h"
 #include "simulation/natural_size.h"
 #include "simulation/pair_gaps.h"
+#include "simulation/state_archive.h"
 
 namespace ribbon {
 
@@ -26,6 +30,9 @@ struct StepReport {
   int held_back = 0;            // particles that the gate did not let go all of their way
   double pull = 1;              // the share of the fastening force that the hands applied
 };
+
+// Is a run to go on exactly as it would have, or with other settings?
+enum class Settings { as_before, changed };
 
 // How tight the ribbon is now (paper, section 7).
 struct Tightness {
@@ -42,8 +49,21 @@ class FasteningProcessor {
   // schemes recover what they can at the start too, and what is left is counted. Fails, with the
   // scene's name, where there is no free start (free_start.h) and where numbers could not hold what
   // is promised (scene_limits.h).
-  static Result<FasteningProcessor> create(const Scene& scene, const RibbonMesh& ribbon,
+  static Result<FasteningProcessor> create(const Scene& wished, const RibbonMesh& ribbon,
                                            const std::optional<TriangleMesh>& obstacle);
+
+  // Goes on from a state() of the same scene, ribbon size and obstacle to the same bits as the
+  // processor that was asked for it. With changed settings, which may be any but the particles, the
+  // contact, the recording's rounding and whether there are obstacle and fastening, from the same
+  // places and speeds; tightness is then measured anew. Fails where the state is not one of such a
+  // scene, and where springs and air divide each step into too many parts.
+  static Result<FasteningProcessor> restore(const Scene& wished, const NaturalSize& size,
+                                            const std::optional<TriangleMesh>& obstacle,
+                                            std::string_view state,
+                                            Settings settings = Settings::as_before);
+
+  // Everything that the next steps depend on and the scene does not tell (STATE.md).
+  [[nodiscard]] std::string state();
 
   // How the ribbon came to its start.
   [[nodiscard]] const StartReport& start() const { return start_; }
@@ -59,9 +79,15 @@ class FasteningProcessor {
   // Has the ribbon come to a stop although it is pulled (hands.h)? Never without a fastening.
   [[nodiscard]] bool is_tight() const { return hands_ && hands_->are_stopped(); }
 
+  // A recording without loss (max_position_error = 0) keeps the guaranteed gap as long as no
+  // coordinate of a particle is farther from 0 than this: several times as far as at the start.
+  // Otherwise the largest number.
+  [[nodiscard]] double reach_m() const { return reach_m_; }
+
   // No two features that share no vertex, of the ribbon or of ribbon and obstacle, come nearer than
-  // this, even if each coordinate of a particle is moved by the scene's max_position_error. 0 with
-  // contact = "paper", which guarantees nothing.
+  // this, even if each coordinate of a particle is moved by the scene's max_position_error, or
+  // rounded to single precision where that is 0. 0 with contact = "paper", which guarantees
+  // nothing.
   [[nodiscard]] double guaranteed_gap_m() const { return guaranteed_gap_m_; }
 
   // Where the time of all steps went.
@@ -69,18 +95,29 @@ class FasteningProcessor {
 
   // 3 x particles, metres.
   [[nodiscard]] Eigen::Matrix3Xd positions() const;
-  [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * step_s_; }
+  [[nodiscard]] double time_s() const {
+    return before_s_ + static_cast<double>(steps_ - steps_before_) * step_s_;
+  }
+  // Since the start.
+  [[nodiscard]] long steps() const { return steps_; }
+  // How many there are at the first step at or after a time. A time that falls on a step up to
+  // rounding is on it.
+  [[nodiscard]] long steps_at(double time_s) const;
 
  private:
-  FasteningProcessor(const Scene& scene, const RibbonMesh& ribbon,
+  FasteningProcessor(const Scene& scene, const NaturalSize& size,
                      const std::optional<TriangleMesh>& obstacle, Eigen::Matrix3Xd vertices);
 
   Result<void> begin(const Scene& scene, const RibbonMesh& ribbon);
+  void go_on_with_other_steps(double step_s);
+  void visit_state(StateArchive& archive, Settings settings);
   StartReport recover_as_published();
 
   double step_s_;
   SpringScene springs_;
-  long steps_ = 0;
+  std::int64_t steps_ = 0;
+  std::int64_t steps_before_ = 0;  // with another step
+  double before_s_ = 0;            // that they took
   Cloth cloth_;
   std::unique_ptr<Bodies> bodies_;  // at a fixed place: the deformation refers to it
   Deformation deformation_;
@@ -89,6 +126,7 @@ class FasteningProcessor {
   PairGaps gaps_;
   StartReport start_;
   double guaranteed_gap_m_ = 0;
+  double reach_m_ = 0;
 };
 
 }  // namespace ribbon

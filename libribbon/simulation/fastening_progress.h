@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/ribbon_grid.h"
+#include "simulation/state_archive.h"
 
 namespace ribbon {
 
@@ -30,6 +31,8 @@ class FasteningProgress {
 
   // Have two seconds passed since the start?
   [[nodiscard]] bool knows_all() const { return is_full_; }
+
+  void visit_state(StateArchive& archive);
 
  private:
   // Sums of some steps.

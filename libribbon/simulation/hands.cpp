@@ -49,6 +49,13 @@ void Hands::follow(const Cloth& cloth) {
   progress_.add(command_, before_, cloth.positions);
 }
 
+void Hands::visit_state(StateArchive& archive) {
+  auto& [force, yielding, speed_limit, memory, highest, share, command_of_step, before_step] =
+      *this;
+  force.visit_state(archive);
+  archive.visit(share);
+}
+
 bool Hands::are_stopped() const {
   return progress_.knows_all() && std::abs(progress()) < standstill;
 }

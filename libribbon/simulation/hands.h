@@ -10,6 +10,7 @@
 #include "simulation/fastening_force.h"
 #include "simulation/fastening_progress.h"
 #include "simulation/speed_limit.h"
+#include "simulation/state_archive.h"
 #include "simulation/yielding.h"
 
 namespace ribbon {
@@ -35,6 +36,11 @@ class Hands {
 
   // Over the last two seconds the ribbon went less than 3 % of the way that it was told to go.
   [[nodiscard]] bool are_stopped() const;
+
+  // All but what they remember of the last two seconds, which is of use only to hands that go on
+  // pulling in the same way.
+  void visit_state(StateArchive& archive);
+  void visit_memory(StateArchive& archive) { progress_.visit_state(archive); }
 
  private:
   FasteningForce force_;

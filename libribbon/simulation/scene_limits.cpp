@@ -13,6 +13,10 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
+bool is_lossless(const Scene& scene) {
+  return scene.recording.max_position_error == 0;
+}
+
 // The largest coordinate; not a number where one is not.
 double farthest_m(const Eigen::Ref<const Matrix3Xd>& positions) {
   return positions.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
@@ -46,6 +50,11 @@ Result<void> recording_tells_positions(const Scene& scene, double rounding_m, do
 Result<void> recording_keeps_the_gap(const Scene& scene, const NaturalSize& size,
                                      const GapLengths& lengths, double rounding_m) {
   if (recorded_gap_m(lengths, rounding_m) > 0) return {};
+  if (is_lossless(scene))
+    return failure(scene.name,
+                   "recording in single precision may move coordinates by " + metres(rounding_m) +
+                       ", so that surfaces kept " + metres(lengths.hard_m) + " apart could meet",
+                   "move the ribbon to the origin with curve.origin, or set fewer particles");
   const double most_m = lengths.hard_m / lost_to_rounding_m(1);
   return failure(scene.name,
                  "recording may move coordinates by " + metres(rounding_m) +
@@ -57,13 +66,29 @@ Result<void> recording_keeps_the_gap(const Scene& scene, const NaturalSize& size
 
 }  // namespace
 
+double recorded_reach_m(const Scene& scene, const NaturalSize& size, const Matrix3Xd& positions) {
+  if (!is_lossless(scene)) return std::numeric_limits<double>::max();
+  const double far_m = farthest_m(positions.leftCols(size.grid.particle_count())) + size.length_m;
+  return std::exp2(std::ceil(std::log2(2 * far_m)));
+}
+
+Scene with_single_rounding(Scene scene, const NaturalSize& size, double reach_m) {
+  // Half of the spacing of the numbers below the reach, a power of two.
+  if (is_lossless(scene))
+    scene.recording.max_position_error = std::ldexp(reach_m, -25) / size.length_m;
+  return scene;
+}
+
 Result<void> check_precision(const Scene& scene, const NaturalSize& size,
                              const Matrix3Xd& positions) {
-  const double rounding_m = scene.recording.max_position_error_m(size.length_m);
+  const double rounding_m =
+      with_single_rounding(scene, size, recorded_reach_m(scene, size, positions))
+          .recording.max_position_error_m(size.length_m);
   const GapLengths lengths = gap_lengths(size.shortest_edge_m(), rounding_m, 0);
   const auto ribbon = positions.leftCols(size.grid.particle_count());
   Result<void> kept = arithmetic_keeps_the_gap(scene, lengths.hard_m, farthest_m(positions));
-  if (kept) kept = recording_tells_positions(scene, rounding_m, farthest_m(ribbon));
+  if (kept && !is_lossless(scene))
+    kept = recording_tells_positions(scene, rounding_m, farthest_m(ribbon));
   if (kept && scene.contact == ContactMethod::gate)
     kept = recording_keeps_the_gap(scene, size, lengths, rounding_m);
   return kept;

@@ -9,6 +9,16 @@
 
 namespace ribbon {
 
+// How far from 0 recorded coordinates may come without breaking what is promised: where the scene
+// wants positions recorded without loss a power of two, at least twice what the ribbon reaches at
+// its start (3 x vertices) and could reach by its length; the largest number otherwise.
+double recorded_reach_m(const Scene& scene, const NaturalSize& size,
+                        const Eigen::Matrix3Xd& positions);
+
+// A scene that wants no loss knows the rounding to single precision within its reach as its
+// max_position_error; others stay as they are.
+Scene with_single_rounding(Scene scene, const NaturalSize& size, double reach_m);
+
 // positions: 3 x vertices, the ribbon of `size` and then the obstacle. Fails, naming the setting
 // and its limit, where
 // - a position is not finite or so far from the origin that arithmetic would blur the gap that the

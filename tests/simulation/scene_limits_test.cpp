@@ -71,6 +71,33 @@ TEST(SceneLimits, a_recording_too_coarse_for_the_gap_is_refused_with_an_error_th
   EXPECT_EQ(answer_to(scene, mesh), "accepted");
 }
 
+TEST(SceneLimits, without_loss_the_gap_survives_rounding_to_single_precision) {
+  Scene scene = scene_of_loop();
+  scene.recording.max_position_error = 0;
+  auto fastening = FasteningProcessor::create(scene, mesh_of_loop(scene), post(0.3)).value();
+  // The loop reaches 0.5 m and is 4.09 m long.
+  EXPECT_EQ(fastening.reach_m(), 16);
+  scene.recording.max_position_error = 1e-5;
+  const double lossy_gap_m =
+      FasteningProcessor::create(scene, mesh_of_loop(scene), post(0.3))->guaranteed_gap_m();
+  EXPECT_GT(fastening.guaranteed_gap_m(), lossy_gap_m);
+  const double edge_m = 0.06 / 3;
+  EXPECT_NEAR(fastening.guaranteed_gap_m(), 0.05 * edge_m, 1e-5 * edge_m + 4 * 16 * 0x1p-25);
+  EXPECT_LT(fastening.guaranteed_gap_m(), 0.05 * edge_m - 3 * 16 * 0x1p-25);
+}
+
+TEST(SceneLimits, without_loss_a_ribbon_so_far_away_that_single_precision_lets_it_meet_is_refused) {
+  Scene scene = scene_of_loop();
+  scene.recording.max_position_error = 0;
+  RibbonMesh mesh = mesh_of_loop(scene);
+  mesh.positions.row(0).array() += 600;
+  EXPECT_EQ(answer_to(scene, mesh), "accepted");
+  mesh.positions.row(0).array() += 60000;
+  expect_part(answer_to(scene, mesh), "loop: recording in single precision may move");
+  scene.contact = ContactMethod::paper;
+  EXPECT_EQ(answer_to(scene, mesh), "accepted");
+}
+
 TEST(SceneLimits, springs_that_would_take_for_ever_are_refused) {
   Scene scene = scene_of_loop();
   scene.springs.stretch = 1e12;

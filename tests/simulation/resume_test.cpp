@@ -1,0 +1,297 @@
+// A processor that was restored goes on as if it had never stopped, bit for bit.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "parallel/parallel.h"
+#include "simulation/fastening_processor.h"
+#include "simulation/loop_scene.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+constexpr double post_radius_m = 0.3;
+
+struct Case {
+  std::string name;
+  Scene scene;
+  std::optional<TriangleMesh> obstacle = std::nullopt;
+};
+
+// Fast enough to be in contact with the post, and with itself, after some 30 steps.
+Scene fast_loop(IntegrationMethod integrator, ContactMethod contact) {
+  Scene scene = scene_of_loop();
+  scene.fastening->speed_m_s = contact == ContactMethod::paper ? 4 : 2;
+  scene.fastening->yield_strain = 0.05;
+  scene.fastening->max_speed_m_s = 2;
+  scene.friction = 0.2;
+  scene.contact = contact;
+  scene.time.integrator = integrator;
+  return scene;
+}
+
+std::vector<Case> runs() {
+  std::vector<Case> all;
+  for (const auto& [word, integrator] :
+       {std::pair{"rk4", IntegrationMethod::rk4},
+        std::pair{"symplectic_euler", IntegrationMethod::symplectic_euler},
+        std::pair{"implicit", IntegrationMethod::implicit}})
+    for (const auto& [contact_word, contact] :
+         {std::pair{"gate", ContactMethod::gate}, std::pair{"paper", ContactMethod::paper}}) {
+      const std::string name = std::string(word) + " " + contact_word;
+      const Scene scene = fast_loop(integrator, contact);
+      all.push_back({name + " post", scene, post(post_radius_m)});
+      all.push_back({name, scene});
+      all.push_back({name + " not fastened", scene, post(post_radius_m)});
+      all.back().scene.fastening.reset();
+    }
+  all.push_back({"by its ends", all.front().scene, post(post_radius_m)});
+  all.back().scene.fastening->pull = FasteningPull::ends;
+  all.push_back({"without loss", all.front().scene, post(post_radius_m)});
+  all.back().scene.recording.max_position_error = 0;
+  return all;
+}
+
+FasteningProcessor begun(const Case& run) {
+  return FasteningProcessor::create(run.scene, mesh_of_loop(run.scene), run.obstacle).value();
+}
+
+NaturalSize size_of(const Scene& scene) {
+  const RibbonMesh mesh = mesh_of_loop(scene);
+  return {mesh.grid, mesh.length_m, mesh.width_m};
+}
+
+FasteningProcessor restored(const Case& run, const std::string& state) {
+  return FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state).value();
+}
+
+// What there is to know about a processor, in full precision.
+bool are_equal(FasteningProcessor& a, FasteningProcessor& b) {
+  const auto tightness = [](FasteningProcessor& of) {
+    const Tightness now = of.tightness().value_or(Tightness{});
+    return std::vector{now.progress, now.contact_share, now.rope_length,
+                       of.strain(),  of.time_s(),       of.guaranteed_gap_m()};
+  };
+  return a.state() == b.state() && tightness(a) == tightness(b) && a.is_tight() == b.is_tight();
+}
+
+bool are_equal(const StepReport& a, const StepReport& b) {
+  return a.recovery_iterations == b.recovery_iterations &&
+         a.penetrating_edges == b.penetrating_edges && a.held_back == b.held_back &&
+         a.pull == b.pull;
+}
+
+TEST(Resume, goes_on_to_the_same_bits_from_any_step) {
+  constexpr int last = 50;
+  for (const Case& run : runs()) {
+    FasteningProcessor uninterrupted = begun(run);
+    // Each of these was restored at another step, and steps along.
+    std::vector<FasteningProcessor> followers;
+    double contact_share = 0;
+    for (int step = 0; step < last; ++step) {
+      if (step % 10 == 0 || step == 1 || step == last - 1)
+        followers.push_back(restored(run, uninterrupted.state()));
+      const StepReport report = uninterrupted.step();
+      if (step % 20 == 0)
+        contact_share = uninterrupted.tightness().value_or(Tightness{}).contact_share;
+      for (FasteningProcessor& follower : followers)
+        ASSERT_TRUE(are_equal(follower.step(), report)) << run.name << ", step " << step;
+    }
+    for (FasteningProcessor& follower : followers)
+      EXPECT_TRUE(are_equal(follower, uninterrupted)) << run.name;
+    EXPECT_TRUE(contact_share > 0.05 || !run.scene.fastening || !run.obstacle) << run.name;
+  }
+}
+
+// Two seconds of memory come round; the ribbon is tight, and both notice in the same step.
+TEST(Resume, remembers_how_the_ribbon_was_drawn_tight) {
+  Case run{"post", scene_of_loop(), post(post_radius_m)};
+  run.scene.fastening->yield_strain = 0.05;
+  run.scene.fastening->speed_m_s = 1;
+  FasteningProcessor uninterrupted = begun(run);
+  for (int step = 0; step < 230; ++step) uninterrupted.step();
+  FasteningProcessor follower = restored(run, uninterrupted.state());
+  int steps = 0;
+  for (; steps < 1000 && !uninterrupted.is_tight(); ++steps) {
+    uninterrupted.step();
+    follower.step();
+    ASSERT_EQ(uninterrupted.is_tight(), follower.is_tight()) << steps;
+  }
+  EXPECT_LT(steps, 1000);
+  EXPECT_TRUE(are_equal(uninterrupted, follower));
+}
+
+TEST(Resume, does_not_depend_on_the_number_of_threads) {
+  const Case run{"post", fast_loop(IntegrationMethod::implicit, ContactMethod::gate),
+                 post(post_radius_m)};
+  std::vector<std::string> ends;
+  for (const int threads : {1, 2, 5}) {
+    set_thread_limit(threads);
+    FasteningProcessor first = begun(run);
+    for (int step = 0; step < 25; ++step) first.step();
+    set_thread_limit(6 - threads);
+    FasteningProcessor second = restored(run, first.state());
+    for (int step = 0; step < 25; ++step) second.step();
+    ends.push_back(second.state());
+  }
+  set_thread_limit(0);
+  EXPECT_EQ(ends[0], ends[1]);
+  EXPECT_EQ(ends[0], ends[2]);
+}
+
+// What looks at a processor, as measuring a frame or saving its state does, changes nothing.
+TEST(Resume, looking_leaves_no_trace) {
+  for (const Case& run : runs()) {
+    FasteningProcessor watched = begun(run);
+    FasteningProcessor alone = begun(run);
+    for (int step = 0; step < 40; ++step) {
+      (void)watched.tightness();
+      (void)watched.state();
+      watched.step();
+      alone.step();
+    }
+    EXPECT_EQ(watched.state(), alone.state()) << run.name;
+  }
+}
+
+TEST(Resume, a_start_that_was_grown_is_not_searched_again) {
+  Case run{"wide", scene_of_loop(), post(post_radius_m)};
+  run.scene.ribbon.width_m = 0.3;
+  FasteningProcessor grown = begun(run);
+  ASSERT_EQ(grown.start().kind, StartKind::grown);
+  FasteningProcessor again = restored(run, grown.state());
+  EXPECT_EQ(again.start().kind, StartKind::grown);
+  EXPECT_EQ(again.stage_sums().detections, 0);
+  EXPECT_GT(again.guaranteed_gap_m(), 0);
+  grown.step();
+  again.step();
+  EXPECT_TRUE(are_equal(grown, again));
+}
+
+std::string refusal(const Case& run, const std::string& state) {
+  const auto answer =
+      FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state);
+  return answer ? "" : answer.error().sentence();
+}
+
+TEST(Resume, every_cut_state_and_every_other_length_is_refused) {
+  for (const ContactMethod contact : {ContactMethod::gate, ContactMethod::paper}) {
+    Case run{"small", fast_loop(IntegrationMethod::rk4, contact)};
+    run.scene.ribbon.along = 40;
+    FasteningProcessor fastening = begun(run);
+    fastening.step();
+    const std::string state = fastening.state();
+    ASSERT_EQ(refusal(run, state), "");
+    for (std::size_t size = 0; size < state.size(); size += 61)
+      EXPECT_NE(refusal(run, state.substr(0, size)).find("does not fit the scene"),
+                std::string::npos)
+          << size;
+    EXPECT_NE(refusal(run, state + '\0').find("longer than"), std::string::npos);
+  }
+}
+
+// Whatever is read back is either refused or can be gone on from.
+TEST(Resume, every_number_of_a_state_may_be_wrong) {
+  Case run{"small", fast_loop(IntegrationMethod::symplectic_euler, ContactMethod::gate)};
+  run.scene.ribbon.along = 20;
+  run.scene.ribbon.across = 2;
+  FasteningProcessor fastening = begun(run);
+  fastening.step();
+  const std::string state = fastening.state();
+  int refused = 0;
+  for (std::size_t at = 0; at + 8 <= state.size(); at += 8)
+    for (const char filler : {'\x00', '\x7f', '\xff'}) {
+      std::string wrong = state;
+      std::memset(wrong.data() + at, filler, 8);
+      auto answer = FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, wrong);
+      if (!answer) ++refused;
+    }
+  EXPECT_GT(refused, static_cast<int>(state.size() / 8)) << "not finite, each";
+}
+
+TEST(Resume, a_state_of_another_scene_is_refused_and_told_why) {
+  const Case run{"post", scene_of_loop(), post(post_radius_m)};
+  FasteningProcessor fastening = begun(run);
+  const std::string state = fastening.state();
+  Case other = run;
+  other.scene.ribbon.along = 121;
+  EXPECT_NE(refusal(other, state).find("particles along"), std::string::npos);
+  other = run;
+  other.scene.ribbon.across = 5;
+  EXPECT_NE(refusal(other, state).find("particles across"), std::string::npos);
+  other = run;
+  other.scene.fastening.reset();
+  EXPECT_NE(refusal(other, state).find("its ribbon is fastened"), std::string::npos);
+  other = run;
+  other.scene.time.step_s = 0.005;
+  EXPECT_NE(refusal(other, state).find("time.step"), std::string::npos);
+  std::string newer = state;
+  newer[0] = 2;
+  EXPECT_NE(refusal(run, newer).find("another version"), std::string::npos);
+  EXPECT_EQ(refusal(run, state), "");
+}
+
+TEST(Resume, changed_settings_act_from_there_on) {
+  const Case run{"post", scene_of_loop(), post(post_radius_m)};
+  FasteningProcessor before = begun(run);
+  for (int step = 0; step < 20; ++step) before.step();
+  const std::string state = before.state();
+  const auto goes_on = [&](const Scene& scene, int steps) {
+    auto changed =
+        FasteningProcessor::restore(scene, size_of(scene), run.obstacle, state, Settings::changed);
+    EXPECT_TRUE(changed.has_value());
+    EXPECT_EQ(changed->positions(), before.positions());
+    EXPECT_EQ(changed->time_s(), before.time_s());
+    for (int step = 0; step < steps; ++step) changed->step();
+    return changed->positions();
+  };
+  const Matrix3Xd as_it_was = goes_on(run.scene, 20);
+  Scene scene = run.scene;
+  scene.fastening->speed_m_s *= 3;
+  const Matrix3Xd faster = goes_on(scene, 20);
+  const auto way_m = [&](const Matrix3Xd& to) { return (to - before.positions()).norm(); };
+  EXPECT_GT(way_m(faster), 1.5 * way_m(as_it_was));
+  scene = run.scene;
+  scene.springs.stretch *= 4;
+  scene.ribbon.mass_kg *= 2;
+  scene.time.integrator = IntegrationMethod::implicit;
+  EXPECT_NE(goes_on(scene, 20), as_it_was);
+}
+
+TEST(Resume, the_clock_goes_on_with_another_step) {
+  const Case run{"post", scene_of_loop(), post(post_radius_m)};
+  FasteningProcessor before = begun(run);
+  for (int step = 0; step < 20; ++step) before.step();
+  Scene scene = run.scene;
+  scene.time.step_s = 0.004;
+  auto changed = FasteningProcessor::restore(scene, size_of(scene), run.obstacle, before.state(),
+                                             Settings::changed)
+                     .value();
+  EXPECT_DOUBLE_EQ(changed.time_s(), 0.2);
+  EXPECT_EQ(changed.steps(), 20);
+  EXPECT_EQ(changed.steps_at(0.2), 20);
+  EXPECT_EQ(changed.steps_at(0.22), 25);
+  EXPECT_EQ(changed.steps_at(0.2201), 26);
+  for (int step = 0; step < 5; ++step) changed.step();
+  EXPECT_DOUBLE_EQ(changed.time_s(), 0.22);
+  auto again =
+      FasteningProcessor::restore(scene, size_of(scene), run.obstacle, changed.state()).value();
+  EXPECT_EQ(again.time_s(), changed.time_s());
+  again.step();
+  changed.step();
+  EXPECT_TRUE(are_equal(again, changed));
+}
+
+TEST(Resume, springs_too_stiff_for_the_step_are_refused_as_at_the_start) {
+  const Case run{"post", scene_of_loop(), post(post_radius_m)};
+  Case stiff = run;
+  stiff.scene.springs.stretch = 1e6;
+  EXPECT_NE(refusal(stiff, begun(run).state()).find("parts"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ribbon
