@@ -2,6 +2,7 @@
 // The few rules that join two keys follow the table.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -27,6 +28,7 @@ constexpr std::int64_t most_particles = std::int64_t{1} << 27;
 constexpr double most_steps = 1e9;
 constexpr double default_frames_per_second = 50;
 constexpr double default_clearance_of_width = 0.1;
+constexpr double default_frames_per_checkpoint = 5000;
 
 std::string in_quotes(std::string_view text) {
   std::string line = "'";
@@ -87,7 +89,7 @@ constexpr Range any_number{"from -1e12 to 1e12", -1e12, 1e12};
 constexpr Range not_negative{"from 0 to 1e12", 0, 1e12};
 constexpr Range positive{"above 0 (from 1e-12 to 1e12)", 1e-12, 1e12};
 constexpr Range yield_strain{"from 0.001 to 1", 1e-3, 1};
-constexpr Range position_error{"from 1e-7 to 0.01", 1e-7, 0.01};
+constexpr Range lossy{"from 1e-7 to 0.01, or 0", 1e-7, 0.01};
 
 std::optional<double> number_within(const Range& range, const toml::node& node) {
   if (!node.is_number()) return std::nullopt;
@@ -104,6 +106,11 @@ auto number(const Range& range) {
     if (const auto number = number_within(range, value.node)) return *number;
     return wrong(value, value.node, "a number " + std::string(range.words));
   };
+}
+
+Result<double> position_error(const Value& value) {
+  if (number_within({"", 0, 0}, value.node)) return 0.0;
+  return number(lossy)(value);
 }
 
 Result<int> particle_count(const Value& value) {
@@ -341,7 +348,9 @@ std::vector<Key> recording_keys() {
       {"frames_per_second", optional, "50",
        set(in(&Scene::recording, &RecordingScene::frames_per_second), number(positive))},
       {"max_position_error", optional, "1e-5",
-       set(in(&Scene::recording, &RecordingScene::max_position_error), number(position_error))},
+       set(in(&Scene::recording, &RecordingScene::max_position_error), position_error)},
+      {"checkpoint_every", optional, "10",
+       set(in(&Scene::recording, &RecordingScene::checkpoint_every_s), number(not_negative))},
   };
 }
 
@@ -544,6 +553,9 @@ void set_defaults(const Document& document, Scene& scene) {
   const toml::table* recording = document.find("recording");
   if (recording == nullptr || !recording->contains("frames_per_second"))
     scene.recording.frames_per_second = std::min(default_frames_per_second, 1 / scene.time.step_s);
+  if (recording == nullptr || !recording->contains("checkpoint_every"))
+    scene.recording.checkpoint_every_s =
+        default_frames_per_checkpoint / scene.recording.frames_per_second;
 }
 
 Result<Scene> scene_of(const Document& document) {
@@ -557,19 +569,119 @@ Result<Scene> scene_of(const Document& document) {
   return scene;
 }
 
+// ---- Changing a setting in the text
+
+Result<Document> parsed(const std::filesystem::path& file, const std::string& text) {
+  toml::parse_result parsed = toml::parse(text);
+  if (!parsed)
+    return failure(place_of(file, parsed.error().source()),
+                   std::string(parsed.error().description()), "correct the TOML here");
+  return Document{file, std::move(parsed).table()};
+}
+
+struct Setting {
+  std::string table;  // empty: above all tables
+  std::string key;
+  std::string value;  // TOML
+};
+
+bool is_toml(const std::string& value) {
+  const toml::parse_result parsed = toml::parse("it = " + value);
+  return parsed && parsed.table().size() == 1 && value.find('\n') == std::string::npos;
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::optional<Setting> parse_setting(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) return std::nullopt;
+  const std::string name = trimmed(text.substr(0, equals));
+  const auto dot = name.find('.');
+  Setting setting{dot == std::string::npos ? "" : name.substr(0, dot),
+                  dot == std::string::npos ? name : name.substr(dot + 1),
+                  trimmed(text.substr(equals + 1))};
+  const auto is_bare = [](const std::string& word) {
+    return std::all_of(word.begin(), word.end(), [](unsigned char letter) {
+      return std::isalnum(letter) != 0 || letter == '_' || letter == '-';
+    });
+  };
+  if (setting.key.empty() || setting.value.empty() || !is_bare(setting.key) ||
+      !is_bare(setting.table))
+    return std::nullopt;
+  if (!is_toml(setting.value)) setting.value = '"' + setting.value + '"';
+  return is_toml(setting.value) ? std::optional(setting) : std::nullopt;
+}
+
+// Where a line and column, both from 1, stand in the text; columns count code points.
+std::size_t offset_of(const std::string& text, const toml::source_position& position) {
+  std::size_t offset = 0;
+  for (toml::source_index line = 1; line < position.line; ++line)
+    offset = text.find('\n', offset) + 1;
+  const auto is_continued = [&] {
+    return offset < text.size() && (static_cast<unsigned char>(text[offset]) & 0xC0) == 0x80;
+  };
+  for (toml::source_index column = 1; column < position.column; ++column) do {
+      ++offset;
+    } while (is_continued());
+  return offset;
+}
+
+std::string with_line(std::string text, std::size_t at, const std::string& line) {
+  return text.insert(at, line + "\n");
+}
+
+std::string changed_text(const Document& document, std::string text, const Setting& setting) {
+  const toml::table* table = document.find(setting.table);
+  const std::string line = setting.key + " = " + setting.value;
+  if (table == nullptr) {
+    if (!text.empty() && text.back() != '\n') text += '\n';
+    return text + "\n[" + setting.table + "]\n" + line + "\n";
+  }
+  if (const toml::node* old = table->get(setting.key)) {
+    const std::size_t begin = offset_of(text, old->source().begin);
+    return text.replace(begin, offset_of(text, old->source().end) - begin, setting.value);
+  }
+  if (setting.table.empty()) return with_line(std::move(text), 0, line);
+  const std::size_t header = offset_of(text, table->source().begin);
+  const std::size_t end = text.find('\n', header);
+  if (end == std::string::npos) return text + "\n" + line + "\n";
+  return with_line(std::move(text), end + 1, line);
+}
+
 }  // namespace
 
 Result<Scene> read_scene(const std::filesystem::path& file) {
   Result<std::string> text = read_file(file);
   if (!text) return tl::unexpected(text.error());
-  toml::parse_result parsed = toml::parse(*text);
-  if (!parsed)
-    return failure(place_of(file, parsed.error().source()),
-                   std::string(parsed.error().description()), "correct the TOML here");
-  return scene_of({file, std::move(parsed).table()}).map([&](Scene scene) {
-    scene.text = *std::move(text);
+  return read_scene(file, *std::move(text));
+}
+
+Result<Scene> read_scene(const std::filesystem::path& file, std::string text) {
+  return parsed(file, text).and_then(scene_of).map([&](Scene scene) {
+    scene.text = std::move(text);
     return scene;
   });
+}
+
+Result<std::string> with_setting(const std::filesystem::path& file, const std::string& text,
+                                 const std::string& setting) {
+  const auto wanted = parse_setting(setting);
+  if (!wanted)
+    return failure("", in_quotes(setting) + " is not a setting",
+                   "write for example 'fastening.speed=0.3'");
+  const auto before = parsed(file, text);
+  if (!before) return tl::unexpected(before.error());
+  std::string changed = changed_text(*before, text, *wanted);
+  const auto after = parsed(file, changed);
+  const toml::table* table = after ? after->find(wanted->table) : nullptr;
+  if (table == nullptr || !table->contains(wanted->key))
+    return failure(file.string(), "there is no place for " + in_quotes(setting) + " in the scene",
+                   "write the tables of the scene as '[table]' lines");
+  return changed;
 }
 
 }  // namespace ribbon

@@ -100,7 +100,9 @@ struct SmoothingScene {
 
 struct RecordingScene {
   double frames_per_second = 50;
-  double max_position_error = 1e-5;  // of the ribbon's length, per coordinate
+  double max_position_error = 1e-5;  // of the ribbon's length, per coordinate; 0: positions are
+                                     // recorded in single precision as they are
+  double checkpoint_every_s = 100;   // simulated time; 0: none but at the end
 
   [[nodiscard]] double max_position_error_m(double ribbon_length_m) const {
     return max_position_error * ribbon_length_m;
@@ -126,5 +128,15 @@ struct Scene {
 // Reads and checks a scene file. Relative file names in it are taken from its own folder. Fails
 // with file, line and column when a key is unknown, has the wrong type or an impossible value.
 Result<Scene> read_scene(const std::filesystem::path& file);
+
+// Likewise, of the text of a scene; `file` says where it stands and in which folder to look.
+Result<Scene> read_scene(const std::filesystem::path& file, std::string text);
+
+// The text of a scene with one setting, "fastening.speed=0.3" or "accuracy=fine", changed where it
+// stands or else added to its table; everything else stays as it was written. The value is TOML, or
+// a word without quotes. Fails when it is not, and where there is no place for it. Whether the
+// scene knows such a key, and such a value, is for read_scene() to say.
+Result<std::string> with_setting(const std::filesystem::path& file, const std::string& text,
+                                 const std::string& setting);
 
 }  // namespace ribbon

@@ -45,6 +45,7 @@ TEST(ReadScene, defaults_are_as_documented) {
   EXPECT_EQ(scene.time.integrator, IntegrationMethod::symplectic_euler);
   EXPECT_EQ(scene.recording.frames_per_second, 50);
   EXPECT_EQ(scene.recording.max_position_error, 1e-5);
+  EXPECT_EQ(scene.recording.checkpoint_every_s, 100);
 }
 
 TEST(ReadScene, every_key_reaches_its_place) {
@@ -61,7 +62,8 @@ TEST(ReadScene, every_key_reaches_its_place) {
       "[fastening]\nspeed = 18\npull = 'ends'\nmax_speed = 18.5\nyield = 0.25\naxis_point = [19, "
       "20, 21]\naxis = [0, 3, 4]\n"
       "[time]\nstep = 0.5\nduration = 22\nuntil = 'tight'\nintegrator = 'implicit'\n"
-      "[recording]\nframes_per_second = 0.25\nmax_position_error = 1e-4\n";
+      "[recording]\nframes_per_second = 0.25\nmax_position_error = 1e-4\n"
+      "checkpoint_every = 0.5\n";
   const Scene scene = read_text(text).value();
   EXPECT_EQ(scene.name, "my knot");
   EXPECT_EQ(scene.contact, ContactMethod::paper);
@@ -97,6 +99,7 @@ TEST(ReadScene, every_key_reaches_its_place) {
   EXPECT_EQ(scene.time.integrator, IntegrationMethod::implicit);
   EXPECT_EQ(scene.recording.frames_per_second, 0.25);
   EXPECT_EQ(scene.recording.max_position_error, 1e-4);
+  EXPECT_EQ(scene.recording.checkpoint_every_s, 0.5);
 }
 
 TEST(ReadScene, points_are_read_in_order) {
@@ -258,7 +261,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "14:8: 'axis' must be a direction that is not all zeros, not an array of 3; "
                    "write for example 'axis = [0, 1, 0]'"},
         Impossible{"too_coarse_recording", with("[recording]\nmax_position_error = 0.5\n"),
-                   "11:22: 'max_position_error' must be a number from 1e-7 to 0.01, not 0.5; "
+                   "11:22: 'max_position_error' must be a number from 1e-7 to 0.01, or 0, not 0.5; "
                    "write for example 'max_position_error = 1e-5'"},
         Impossible{"too_many_frames", with("[recording]\nframes_per_second = 101\n"),
                    "11:21: 'frames_per_second' is 101, but with a step of 0.01 s there are only "

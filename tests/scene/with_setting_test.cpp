@@ -1,0 +1,98 @@
+// Settings changed in a scene's text.
+#include <gtest/gtest.h>
+
+#include "scene/scene.h"
+#include "scene/scene_files.h"
+
+namespace ribbon {
+namespace {
+
+const std::string commented =
+    "# Über the hourglass\n"
+    "name = \"knot\"\n"
+    "[curve]\npoints = [[0, 0], [100, 50]]\n"
+    "[ribbon]\nwidth = 0.05  # wide\nalong = 40\nacross = 4\n"
+    "[air]  # still\nresistance = 10\n"
+    "[time]\nduration = 4\nuntil = \"duration\"  # ä\n";
+
+std::string changed(const std::string& text, const std::string& setting) {
+  return with_setting("knot.toml", text, setting).value();
+}
+
+std::string refused(const std::string& text, const std::string& setting) {
+  const auto answer = with_setting("knot.toml", text, setting);
+  return answer ? "accepted" : answer.error().sentence();
+}
+
+TEST(WithSetting, changes_a_value_where_it_stands_and_nothing_else) {
+  EXPECT_EQ(changed(commented, "ribbon.width=0.25"), replaced(commented, "0.05", "0.25"));
+  EXPECT_EQ(changed(commented, " time.duration = 400 "), replaced(commented, "= 4\nu", "= 400\nu"));
+  EXPECT_EQ(changed(commented, "name=Überhand"), replaced(commented, "\"knot\"", "\"Überhand\""));
+  EXPECT_EQ(changed(commented, "curve.points=[[1, 2], [3, 4]]"),
+            replaced(commented, "[[0, 0], [100, 50]]", "[[1, 2], [3, 4]]"));
+}
+
+TEST(WithSetting, a_word_needs_no_quotes) {
+  EXPECT_EQ(changed(commented, "time.until=tight"),
+            replaced(commented, "\"duration\"", "\"tight\""));
+  EXPECT_EQ(changed(commented, "time.until=\"tight\""), changed(commented, "time.until=tight"));
+}
+
+TEST(WithSetting, adds_what_is_missing_to_its_table) {
+  EXPECT_EQ(changed(commented, "air.other=1"),
+            replaced(commented, "[air]  # still\n", "[air]  # still\nother = 1\n"));
+  EXPECT_EQ(changed(commented, "accuracy=fine"), "accuracy = \"fine\"\n" + commented);
+  EXPECT_EQ(changed(commented, "springs.stretch=40"), commented + "\n[springs]\nstretch = 40\n");
+  EXPECT_EQ(changed("[ribbon]", "ribbon.width=1"), "[ribbon]\nwidth = 1\n");
+}
+
+TEST(WithSetting, finds_values_however_tables_are_written) {
+  EXPECT_EQ(changed("ribbon.width = 1\n", "ribbon.width=2"), "ribbon.width = 2\n");
+  EXPECT_EQ(changed("ribbon = { width = 1, along = 4 }\n", "ribbon.width=2"),
+            "ribbon = { width = 2, along = 4 }\n");
+}
+
+TEST(WithSetting, the_scene_says_whether_it_knows_the_key_and_the_value) {
+  const auto unknown = read_scene("knot.toml", changed(commented, "ribbon.widht=2"));
+  ASSERT_FALSE(unknown.has_value());
+  EXPECT_NE(unknown.error().sentence().find("did you mean 'width'?"), std::string::npos);
+  const auto impossible = read_scene("knot.toml", changed(commented, "ribbon.width=-2"));
+  ASSERT_FALSE(impossible.has_value());
+  EXPECT_NE(impossible.error().sentence().find("'width' must be"), std::string::npos);
+  EXPECT_EQ(read_scene("knot.toml", changed(commented, "ribbon.width=2"))->ribbon.width_m, 2);
+}
+
+TEST(WithSetting, what_is_not_a_setting_is_refused) {
+  for (const std::string setting :
+       {"", "=", "width", "=3", "ribbon.=3", "ribbon.wi dth=3", "a.b.c=3",
+        "ribbon.width=", "ribbon.width=a\"b", "ribbon.width=3\n[air]"})
+    EXPECT_NE(refused(commented, setting).find("is not a setting"), std::string::npos) << setting;
+}
+
+TEST(WithSetting, a_table_without_a_line_of_its_own_has_no_place_for_more) {
+  EXPECT_NE(refused("ribbon.width = 1\n", "ribbon.along=2").find("there is no place"),
+            std::string::npos)
+      << changed("ribbon.width = 1\n", "ribbon.along=2");
+}
+
+TEST(ReadScene, without_loss_is_zero_alone) {
+  const auto scene = [](const std::string& value) {
+    return read_scene("knot.toml", changed(commented, "recording.max_position_error=" + value));
+  };
+  EXPECT_EQ(scene("0")->recording.max_position_error, 0);
+  EXPECT_EQ(scene("0.0")->recording.max_position_error, 0);
+  EXPECT_FALSE(scene("1e-9").has_value());
+  EXPECT_FALSE(scene("-1e-5").has_value());
+}
+
+TEST(ReadScene, checkpoints_are_as_rare_as_5000_frames_unless_the_scene_says) {
+  const auto every_s = [](const std::string& setting) {
+    return read_scene("knot.toml", changed(commented, setting))->recording.checkpoint_every_s;
+  };
+  EXPECT_EQ(every_s("recording.frames_per_second=25"), 200);
+  EXPECT_EQ(every_s("recording.checkpoint_every=0"), 0);
+  EXPECT_EQ(every_s("recording.checkpoint_every=2.5"), 2.5);
+}
+
+}  // namespace
+}  // namespace ribbon
