@@ -11,8 +11,9 @@ build_packages=(
   nlohmann-json3-dev fonts-dejavu-core
 )
 test_packages=(
-  blender clang clang-format clang-tidy libcgal-dev libclang-14-dev libclang-rt-dev libgmp-dev
-  libgtest-dev libmpfr-dev llvm-14-dev python3 regina-normal-dev shellcheck
+  blender clang clang-format clang-tidy libcgal-dev libclang-14-dev libclang-rt-dev libdraco-dev
+  libgmp-dev libgtest-dev libmeshoptimizer-dev libmpfr-dev libzfp-dev llvm-14-dev python3
+  python3-numpy regina-normal-dev shellcheck
 )
 
 is_installed() {
