@@ -1,45 +1,38 @@
-// Where the frames of a recording lie, found by its index or by scanning.
+// Frames by their number.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "playback/random_access_file.h"
-#include "playback/recording_reader.h"
-#include "recording/frame_record.h"
+#include "recording/index_record.h"
 
 namespace ribbon {
 
-struct FrameEntry {
-  std::uint64_t offset = 0;  // of the record
-  std::uint64_t record_bytes = 0;
-  std::uint32_t frames_since_key = 0;
-  std::optional<FrameNumbers> numbers;  // nothing: the record is lost
-  bool readable = false;                // so are all frames that it needs
+// In pages, so that a table of a long recording of which little is known yet is small, and what
+// has been found in it never moves.
+class FrameTable {
+ public:
+  static constexpr std::uint32_t page_frames = 256;
+
+  // One more than the highest number that is known to exist.
+  [[nodiscard]] std::uint32_t size() const { return size_; }
+  // Frames up to `size` exist, even where nothing else is known of them.
+  void extend(std::uint32_t size);
+
+  // Nothing where the frame is not known; valid as long as the table lives.
+  [[nodiscard]] const IndexedFrame* find(std::uint32_t frame) const;
+
+  // False, changing nothing, where that frame is known already.
+  bool insert(const IndexedFrame& frame);
+
+ private:
+  using Page = std::array<std::optional<IndexedFrame>, page_frames>;
+  std::vector<std::unique_ptr<Page>> pages_;
+  std::uint32_t size_ = 0;
 };
-
-struct FrameTable {
-  std::vector<FrameEntry> frames;
-  std::vector<Damage> damage;
-  bool finished = false;
-  RunEnding ending = RunEnding::unknown;  // of what was finished
-};
-
-// The table that the index gives; nothing where index or footer is missing or not whole. The
-// frames themselves are not looked at.
-std::optional<FrameTable> table_from_index(const RandomAccessFile& file, std::uint32_t recording_id,
-                                           std::uint64_t frames_begin);
-
-// The table of what is really there: reads and checks every record.
-FrameTable table_from_scan(const RandomAccessFile& file, std::uint32_t recording_id,
-                           std::uint64_t frames_begin);
-
-// Reads and checks the record of one frame into `bytes`; nothing where it is not what the table
-// says. The answer borrows from `bytes`.
-std::optional<FrameRecord> read_frame_record(const RandomAccessFile& file, const FrameEntry& entry,
-                                             std::uint32_t recording_id, std::uint32_t frame,
-                                             std::string& bytes);
 
 }  // namespace ribbon

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "files/writer_lock.h"
+
 namespace ribbon {
 
 namespace {
@@ -44,6 +46,17 @@ RandomAccessFile& RandomAccessFile::operator=(RandomAccessFile&& other) noexcept
 
 RandomAccessFile::~RandomAccessFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+bool RandomAccessFile::update_size() {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0) return false;
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  return std::exchange(size_, size) != size;
+}
+
+bool RandomAccessFile::is_being_written() const {
+  return is_locked_for_writing(descriptor_);
 }
 
 std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) const {

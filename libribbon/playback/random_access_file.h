@@ -19,8 +19,14 @@ class RandomAccessFile {
   RandomAccessFile& operator=(const RandomAccessFile&) = delete;
   ~RandomAccessFile();
 
-  // As it was when opened.
+  // As it was when opened or when update_size() was called last.
   [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  // Has the size changed?
+  bool update_size();
+
+  // Does a writer hold the file at this moment?
+  [[nodiscard]] bool is_being_written() const;
 
   // The bytes from `offset` on, `count` of them or as many as there are: fewer at the end, and none
   // where the disk fails.

@@ -1,79 +1,35 @@
 #include "playback/recording_reader.h"
 
-#include <array>
+#include <algorithm>
 #include <cassert>
+#include <string>
 #include <utility>
 
-#include "playback/frame_table.h"
-#include "playback/random_access_file.h"
-#include "recording/checksum.h"
-#include "recording/header_record.h"
-#include "recording/position_decoder.h"
-#include "recording/record.h"
-#include "recording/references.h"
+#include "playback/frame_decoder.h"
+#include "playback/recording_contents.h"
+#include "recording/checkpoint_record.h"
+#include "recording/session_record.h"
 
 namespace ribbon {
 
 struct RecordingReader::State {
-  State(std::filesystem::path source, RandomAccessFile opened, RecordingHeader read_header)
+  State(std::filesystem::path source, RandomAccessFile opened, RecordingStart read)
       : path(std::move(source)),
         file(std::move(opened)),
-        header(std::move(read_header)),
-        decoder(codec_parameters(header)) {}
+        start(std::move(read)),
+        contents(file, start),
+        decoder(file, start, contents) {}
 
   std::filesystem::path path;
   RandomAccessFile file;
-  RecordingHeader header;
-  std::uint32_t recording_id = 0;
-  std::uint64_t frames_begin = 0;
-  FrameTable table;
-  bool scanned = false;
-  PositionDecoder decoder;
-  std::array<LatticeFrame, most_references + 1> recent;  // by frame number, modulo their count
-  int decoded = -1;                                      // the frame decoded last
+  RecordingStart start;
+  RecordingContents contents;
+  FrameDecoder decoder;
 
-  void scan();
-  bool decode_up_to(int index);
-  bool decode(int index);
+  [[nodiscard]] std::string record_of(const IndexedOther& place) const {
+    return file.read(place.offset, place.record_bytes);
+  }
 };
-
-void RecordingReader::State::scan() {
-  // The number of frames that the index promised stays, so that lost ones at the end still count.
-  const std::size_t promised = table.frames.size();
-  std::vector<Damage> header_damage = std::move(table.damage);
-  FrameTable found = table_from_scan(file, recording_id, frames_begin);
-  found.finished = found.finished || table.finished;
-  if (found.frames.size() < promised) found.frames.resize(promised);
-  found.damage.insert(found.damage.begin(), header_damage.begin(), header_damage.end());
-  table = std::move(found);
-  scanned = true;
-}
-
-bool RecordingReader::State::decode(int index) {
-  const FrameEntry& entry = table.frames[static_cast<std::size_t>(index)];
-  std::string bytes;
-  const auto record =
-      read_frame_record(file, entry, recording_id, static_cast<std::uint32_t>(index), bytes);
-  decoded = -1;
-  if (!record) return false;
-  std::vector<const LatticeFrame*> references;
-  for (const std::uint32_t reference : live_references(record->frame))
-    references.push_back(&recent[reference % recent.size()]);
-  LatticeFrame& frame = recent[record->frame % recent.size()];
-  if (!decoder.decode(record->encoding, record->geometry, references, frame)) return false;
-  decoded = index;
-  return true;
-}
-
-// From the frame that the decoder holds where that is on the way, from the key frame otherwise.
-bool RecordingReader::State::decode_up_to(int index) {
-  const auto since_key = table.frames[static_cast<std::size_t>(index)].frames_since_key;
-  const int key = index - static_cast<int>(since_key);
-  int next = decoded >= key && decoded <= index ? decoded + 1 : key;
-  for (; next <= index; ++next)
-    if (!decode(next)) return false;
-  return true;
-}
 
 RecordingReader::RecordingReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
 RecordingReader::RecordingReader(RecordingReader&&) noexcept = default;
@@ -83,86 +39,121 @@ RecordingReader::~RecordingReader() = default;
 Result<RecordingReader> RecordingReader::open(const std::filesystem::path& path) {
   auto file = RandomAccessFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  const bool signed_file = file->read(0, file_signature.size()) == file_signature;
-  const auto head = parse_record_head(file->read(file_signature.size(), record_head_bytes));
-  if (!signed_file && !head)
-    return failure(path.string(), "is not a ribbon recording", "name a file by ribbon-record");
-  const std::uint64_t payload_offset = file_signature.size() + record_head_bytes;
-  const std::string payload = head ? file->read(payload_offset, head->payload_bytes) : "";
-  if (!head || head->type != RecordType::header || payload.size() != head->payload_bytes ||
-      checksum(payload) != head->payload_checksum)
-    return failure(path.string(), "the header is cut off or damaged",
-                   "use a copy of the recording that is whole");
-  auto header = parse_header_payload(payload);
-  if (!header) {
-    header.error().place = path.string();
-    return tl::unexpected(std::move(header.error()));
-  }
-  auto state = std::make_unique<State>(path, std::move(*file), std::move(*header));
-  state->recording_id = head->payload_checksum;
-  state->frames_begin = payload_offset + head->payload_bytes;
-  if (!signed_file)
-    state->table.damage.push_back({0, file_signature.size(), "the file's signature is wrong"});
-  auto indexed = table_from_index(state->file, state->recording_id, state->frames_begin);
-  if (indexed) {
-    indexed->damage = std::move(state->table.damage);
-    state->table = std::move(*indexed);
-  } else {
-    state->scan();
-  }
-  return RecordingReader(std::move(state));
+  auto start = read_start(*file, path);
+  if (!start) return tl::unexpected(std::move(start.error()));
+  return RecordingReader(std::make_unique<State>(path, std::move(*file), std::move(*start)));
 }
 
 const RecordingHeader& RecordingReader::header() const {
-  return state_->header;
+  return state_->start.header;
+}
+
+std::uint32_t RecordingReader::recording_id() const {
+  return state_->start.recording_id;
 }
 
 int RecordingReader::frame_count() const {
-  return static_cast<int>(state_->table.frames.size());
+  return static_cast<int>(state_->contents.frame_count());
 }
 
 bool RecordingReader::readable(int index) const {
-  return state_->table.frames.at(static_cast<std::size_t>(index)).readable;
+  assert(index >= 0 && index < frame_count());
+  return state_->decoder.is_readable(static_cast<std::uint32_t>(index));
 }
 
-const std::optional<FrameNumbers>& RecordingReader::numbers(int index) const {
-  return state_->table.frames.at(static_cast<std::size_t>(index)).numbers;
+std::optional<FrameNumbers> RecordingReader::numbers(int index) const {
+  assert(index >= 0 && index < frame_count());
+  const IndexedFrame* frame = state_->contents.find(static_cast<std::uint32_t>(index));
+  return frame == nullptr ? std::nullopt : std::optional(frame->numbers);
 }
 
 bool RecordingReader::finished() const {
-  return state_->table.finished;
+  return state_->contents.finished();
 }
 
 RunEnding RecordingReader::ending() const {
-  return state_->table.ending;
+  return state_->contents.ending();
 }
 
 const std::vector<Damage>& RecordingReader::damage() const {
-  return state_->table.damage;
+  return state_->contents.damage();
 }
 
 std::uint64_t RecordingReader::file_bytes() const {
   return state_->file.size();
 }
 
+std::vector<std::uint32_t> RecordingReader::checkpoints() const {
+  std::vector<std::uint32_t> frames;
+  for (const IndexedOther& other : state_->contents.others())
+    if (other.type == RecordType::checkpoint) frames.push_back(other.frame);
+  return frames;
+}
+
+Result<Checkpoint> RecordingReader::read_checkpoint(std::uint32_t frame) const {
+  const auto& others = state_->contents.others();
+  const auto place = std::find_if(others.rbegin(), others.rend(), [frame](const auto& other) {
+    return other.type == RecordType::checkpoint && other.frame == frame;
+  });
+  const std::string name = state_->path.string() + ": frame " + std::to_string(frame + 1);
+  if (place == others.rend())
+    return failure(name, "has no checkpoint", "choose a frame that has one; --info lists them");
+  const std::string record = state_->record_of(*place);
+  const auto payload = whole_record(record, RecordType::checkpoint);
+  auto checkpoint = payload ? parse_checkpoint_payload(*payload, state_->start.recording_id,
+                                                       state_->start.header.grid)
+                            : std::nullopt;
+  if (!checkpoint || checkpoint->frame != frame)
+    return failure(name, "the checkpoint is damaged", "choose an earlier one; --info lists them");
+  return std::move(*checkpoint);
+}
+
+std::vector<Session> RecordingReader::sessions() const {
+  std::vector<Session> sessions;
+  for (const IndexedOther& other : state_->contents.others()) {
+    if (other.type != RecordType::session) continue;
+    const std::string record = state_->record_of(other);
+    const auto payload = whole_record(record, RecordType::session);
+    auto session =
+        payload ? parse_session_payload(*payload, state_->start.recording_id) : std::nullopt;
+    if (session) sessions.push_back(std::move(*session));
+  }
+  return sessions;
+}
+
+bool RecordingReader::is_being_written() const {
+  return state_->file.is_being_written();
+}
+
+Result<void> RecordingReader::refresh() {
+  State& state = *state_;
+  if (!state.file.update_size()) return {};
+  if (state.file.size() < state.contents.end())
+    return failure(state.path.string(), "has become shorter while it was read",
+                   "it is another recording now: open it again");
+  state.contents.refresh();
+  return {};
+}
+
 void RecordingReader::check() {
-  if (!state_->scanned) state_->scan();
+  state_->contents.check();
 }
 
 Result<void> RecordingReader::read(int index, Eigen::Matrix3Xf& positions) {
   assert(index >= 0 && index < frame_count());
   State& state = *state_;
-  bool decoded = readable(index) && state.decode_up_to(index);
-  if (!decoded && !state.scanned) {
-    // The index was trusted and something is not as it says.
-    state.scan();
-    decoded = readable(index) && state.decode_up_to(index);
+  const auto frame = static_cast<std::uint32_t>(index);
+  const LatticeFrame* decoded = state.decoder.decode(frame);
+  if (decoded == nullptr && !state.contents.is_checked()) {
+    // The directory was trusted and something is not as it says.
+    state.contents.check();
+    decoded = state.decoder.decode(frame);
   }
-  if (!decoded)
+  if (decoded == nullptr)
     return failure(state.path.string() + ": frame " + std::to_string(index + 1),
                    "is damaged or builds on a frame that is",
                    "choose another frame or use a copy of the recording that is whole");
-  state.recent[static_cast<std::size_t>(index) % state.recent.size()].positions(positions);
+  decoded->positions(positions);
   return {};
 }
 

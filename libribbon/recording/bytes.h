@@ -57,4 +57,14 @@ class ByteTaker {
   bool complete_ = true;
 };
 
+// A byte count of four bytes and that many bytes.
+inline void put_string(std::string& bytes, std::string_view text) {
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(text.size()));
+  bytes += text;
+}
+
+inline std::string take_string(ByteTaker& taker) {
+  return std::string(taker.take_bytes(taker.take<std::uint32_t>()));
+}
+
 }  // namespace ribbon

@@ -1,4 +1,4 @@
-// The payload of a frame record (FORMAT.md, section 5).
+// The payload of a frame record (FORMAT.md, section 5.1).
 #pragma once
 
 #include <cstddef>
@@ -8,27 +8,28 @@
 #include <string_view>
 
 #include "recording/recording.h"
+#include "recording/reference_list.h"
 
 namespace ribbon {
 
-// Before the geometry.
+// Before references and tightness.
 inline constexpr std::size_t frame_fields_bytes = 40;
 
 enum class FrameEncoding : std::uint32_t { plain = 0, lattice = 1 };
 
 struct FrameRecord {
   std::uint32_t recording_id = 0;
-  std::uint32_t frame = 0;             // from 0
-  std::uint32_t frames_since_key = 0;  // how many frames before it are needed
+  std::uint32_t frame = 0;  // from 0
   FrameEncoding encoding{};
-  FrameNumbers numbers;
-  std::string_view geometry;  // borrowed
+  ReferenceList references = {};
+  FrameNumbers numbers = {};
+  std::string_view geometry = {};  // borrowed
 };
 
 std::string frame_payload(const FrameRecord& record);
 
-// Borrows the geometry from `payload`. Nothing where the payload is too short or the encoding is
-// unknown.
+// Borrows the geometry from `payload`. Nothing where the payload is too short, the encoding is
+// unknown or the references are too many.
 std::optional<FrameRecord> parse_frame_payload(std::string_view payload);
 
 }  // namespace ribbon

@@ -1,6 +1,7 @@
 #include "recording/header_record.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -14,17 +15,9 @@ namespace {
 constexpr std::uint16_t major_version = 2;
 constexpr std::uint16_t minor_version = 0;
 constexpr std::uint32_t position_codec = 2;
+constexpr std::uint32_t most_entropy_tables = 64;
 constexpr std::uint64_t largest_grid = std::uint64_t{1} << 24;
 constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;
-
-void put_string(std::string& bytes, std::string_view text) {
-  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(text.size()));
-  bytes += text;
-}
-
-std::string take_string(ByteTaker& taker) {
-  return std::string(taker.take_bytes(taker.take<std::uint32_t>()));
-}
 
 // A matrix column by column, as little-endian numbers in one compressed block.
 template <class Stored, class Matrix>
@@ -86,24 +79,51 @@ bool is_axis(const CentreAxis& axis) {
   return axis.point_m.allFinite() && std::abs(axis.direction.norm() - 1) < 1e-6;
 }
 
-// What version 1.1 appended.
-void put_version_1_1(std::string& bytes, const RecordingHeader& header) {
-  put<double>(bytes, header.stated_gap_m);
-  put<std::uint8_t>(bytes, header.centre_axis ? 1 : 0);
-  if (!header.centre_axis) return;
-  put_vector(bytes, header.centre_axis->point_m);
-  put_vector(bytes, header.centre_axis->direction);
+void put_axis(std::string& bytes, const std::optional<CentreAxis>& axis) {
+  put<std::uint8_t>(bytes, axis ? 1 : 0);
+  if (!axis) return;
+  put_vector(bytes, axis->point_m);
+  put_vector(bytes, axis->direction);
 }
 
-bool take_version_1_1(ByteTaker& taker, RecordingHeader& header) {
-  header.stated_gap_m = taker.take<double>();
-  if (taker.take<std::uint8_t>() != 0) {
-    CentreAxis& axis = header.centre_axis.emplace();
-    axis.point_m = take_vector(taker);
-    axis.direction = take_vector(taker);
-    if (!is_axis(axis)) return false;
-  }
-  return std::isfinite(header.stated_gap_m) && header.stated_gap_m >= 0;
+bool take_axis(ByteTaker& taker, std::optional<CentreAxis>& axis) {
+  if (taker.take<std::uint8_t>() == 0) return taker.complete();
+  axis.emplace();
+  axis->point_m = take_vector(taker);
+  axis->direction = take_vector(taker);
+  return taker.complete() && is_axis(*axis);
+}
+
+void put_tables(std::string& bytes, const std::vector<std::string>& tables) {
+  assert(tables.size() <= most_entropy_tables);
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(tables.size()));
+  for (const std::string& table : tables) put_string(bytes, table);
+}
+
+bool take_tables(ByteTaker& taker, std::vector<std::string>& tables) {
+  const auto count = taker.take<std::uint32_t>();
+  if (count > most_entropy_tables) return false;
+  for (std::uint32_t i = 0; i < count; ++i) tables.push_back(take_string(taker));
+  return taker.complete();
+}
+
+void put_origin(std::string& bytes, const std::optional<Origin>& origin) {
+  put<std::uint8_t>(bytes, origin ? 1 : 0);
+  if (!origin) return;
+  put<std::uint32_t>(bytes, origin->recording_id);
+  put_string(bytes, origin->scene_name);
+  put<std::uint32_t>(bytes, origin->frame);
+  put_string(bytes, origin->changed_settings);
+}
+
+bool take_origin(ByteTaker& taker, std::optional<Origin>& origin) {
+  if (taker.take<std::uint8_t>() == 0) return taker.complete();
+  origin.emplace();
+  origin->recording_id = taker.take<std::uint32_t>();
+  origin->scene_name = take_string(taker);
+  origin->frame = taker.take<std::uint32_t>();
+  origin->changed_settings = take_string(taker);
+  return taker.complete();
 }
 
 tl::unexpected<Error> damaged() {
@@ -114,7 +134,7 @@ bool is_positive(double number) {
   return std::isfinite(number) && number > 0;
 }
 
-bool is_bound(double number) {
+bool is_positive_or_zero(double number) {
   return std::isfinite(number) && number >= 0;
 }
 
@@ -140,14 +160,17 @@ std::string header_payload(const RecordingHeader& header) {
   put<double>(bytes, header.ribbon_width_m);
   put<double>(bytes, header.frames_per_second);
   put<double>(bytes, header.max_position_error_m);
+  put<double>(bytes, header.lattice_step_m);
   put_string(bytes, header.scene_name);
   put_string(bytes, header.writer);
   put_string(bytes, header.scene_text);
   put_matrix<float>(bytes, header.uv);
   put<std::uint8_t>(bytes, header.obstacle ? 1 : 0);
   if (header.obstacle) put_obstacle(bytes, *header.obstacle);
-  put_version_1_1(bytes, header);
-  put<double>(bytes, header.lattice_step_m);
+  put<double>(bytes, header.stated_gap_m);
+  put_axis(bytes, header.centre_axis);
+  put_tables(bytes, header.entropy_tables);
+  put_origin(bytes, header.origin);
   return bytes;
 }
 
@@ -155,19 +178,19 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   ByteTaker taker(payload);
   const auto major = taker.take<std::uint16_t>();
   taker.take<std::uint16_t>();  // a newer minor version only appends
-  if (taker.complete() && major > major_version)
+  if (taker.complete() && major != major_version)
     return failure("",
                    "was written in format version " + std::to_string(major) +
-                       ", this program reads up to version " + std::to_string(major_version),
-                   "use a newer program");
+                       ", this program reads version " + std::to_string(major_version),
+                   major > major_version ? "use a newer program" : "record it again");
   const auto codec = taker.take<std::uint32_t>();
   RecordingHeader header;
-  if (major != major_version || codec != position_codec || !take_grid(taker, header.grid))
-    return damaged();
+  if (codec != position_codec || !take_grid(taker, header.grid)) return damaged();
   header.ribbon_length_m = taker.take<double>();
   header.ribbon_width_m = taker.take<double>();
   header.frames_per_second = taker.take<double>();
   header.max_position_error_m = taker.take<double>();
+  header.lattice_step_m = taker.take<double>();
   header.scene_name = take_string(taker);
   header.writer = take_string(taker);
   header.scene_text = take_string(taker);
@@ -175,13 +198,16 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (!taker.complete() || !take_matrix<float>(taker, particles, header.uv)) return damaged();
   if (taker.take<std::uint8_t>() != 0 && !take_obstacle(taker, header.obstacle.emplace()))
     return damaged();
-  if (!take_version_1_1(taker, header)) return damaged();
-  header.lattice_step_m = taker.take<double>();
+  header.stated_gap_m = taker.take<double>();
+  if (!take_axis(taker, header.centre_axis) || !take_tables(taker, header.entropy_tables) ||
+      !take_origin(taker, header.origin))
+    return damaged();
   const bool valid = taker.complete() && !header.scene_name.empty() &&
                      is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&
                      is_positive(header.frames_per_second) &&
-                     is_bound(header.max_position_error_m) && is_bound(header.lattice_step_m) &&
-                     header.uv.allFinite();
+                     is_positive_or_zero(header.max_position_error_m) &&
+                     is_positive_or_zero(header.lattice_step_m) &&
+                     is_positive_or_zero(header.stated_gap_m) && header.uv.allFinite();
   if (!valid) return damaged();
   return header;
 }

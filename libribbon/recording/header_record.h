@@ -11,8 +11,8 @@ namespace ribbon {
 
 std::string header_payload(const RecordingHeader& header);
 
-// Fails, with a place still to be filled in, when the payload is of a newer major version or not
-// valid in itself.
+// Fails, with a place still to be filled in, when the payload is of another major version or
+// not valid in itself.
 Result<RecordingHeader> parse_header_payload(std::string_view payload);
 
 }  // namespace ribbon

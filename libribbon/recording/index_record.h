@@ -1,4 +1,4 @@
-// The index and the footer: where each frame lies (FORMAT.md, sections 6 and 7).
+// The payload of an index record: where some frames lie, and what they tell (FORMAT.md, section 6).
 #pragma once
 
 #include <cstddef>
@@ -8,38 +8,51 @@
 #include <string_view>
 #include <vector>
 
-#include "recording/recording.h"
+#include "recording/frame_record.h"
+#include "recording/record.h"
 
 namespace ribbon {
 
-struct IndexEntry {
-  std::uint64_t offset = 0;        // of the frame record in the file
+// A writer gathers so many frames in one index record.
+inline constexpr std::size_t frames_in_index = 256;
+
+inline constexpr std::uint64_t smallest_frame_record = record_head_bytes + frame_fields_bytes;
+
+// No frame number n may have fewer than n - frames_ahead frames before it in the file.
+inline constexpr std::uint64_t frames_ahead = 1024;
+
+// How many frames a file may have, at most, whose records end at `bytes`.
+inline std::uint64_t most_frames(std::uint64_t bytes) {
+  return bytes / smallest_frame_record + frames_ahead;
+}
+
+struct IndexedFrame {
+  std::uint32_t frame = 0;         // from 0
   std::uint32_t record_bytes = 0;  // head and payload
-  std::uint32_t frames_since_key = 0;
+  std::uint64_t offset = 0;        // of the record in the file
+  ReferenceList references;
   FrameNumbers numbers;
 };
 
-struct Index {
-  std::vector<IndexEntry> entries;
-  RunEnding ending = RunEnding::unknown;
+// A checkpoint, a session, or what later versions know.
+struct IndexedOther {
+  RecordType type{};
+  std::uint32_t frame = 0;  // a session's first frame
+  std::uint64_t offset = 0;
+  std::uint64_t record_bytes = 0;
 };
 
-// Either all frames have a tightness or none. Frames lie in `entries` in their order; the first of
-// them begins at or after `frames_begin`, the end of the header record.
-std::string index_payload(std::uint32_t recording_id, const Index& index,
-                          std::uint64_t frames_begin);
+struct Index {
+  std::uint64_t previous = 0;        // offset of the index record before this one; 0: none
+  std::vector<IndexedFrame> frames;  // as they lie in the file
+  std::vector<IndexedOther> others;
+};
 
-// Nothing where the payload is malformed, of another recording, or names frames that do not lie
-// between `frames_begin` and `frames_end`.
+std::string index_payload(std::uint32_t recording_id, const Index& index);
+
+// Nothing where the payload is malformed, of another recording, or names records that do not lie
+// before `offset`, where the index record itself begins.
 std::optional<Index> parse_index_payload(std::string_view payload, std::uint32_t recording_id,
-                                         std::uint64_t frames_begin, std::uint64_t frames_end);
-
-inline constexpr std::size_t footer_payload_bytes = 16;
-
-std::string footer_payload(std::uint32_t recording_id, std::uint64_t index_offset);
-
-// The index's offset; nothing where the footer is of another recording.
-std::optional<std::uint64_t> parse_footer_payload(std::string_view payload,
-                                                  std::uint32_t recording_id);
+                                         std::uint64_t offset);
 
 }  // namespace ribbon

@@ -18,7 +18,9 @@ enum class RecordType : std::uint32_t {
   frame = 2,
   index = 3,
   footer = 4,
-  tightness = 5
+  checkpoint = 5,
+  session = 6,
+  directory = 7
 };
 
 struct RecordHead {

@@ -16,6 +16,16 @@
 
 namespace ribbon {
 
+// Where a recording branched off another one.
+struct Origin {
+  std::uint32_t recording_id = 0;
+  std::string scene_name;
+  std::uint32_t frame = 0;       // of that recording, from 0; its checkpoint was the beginning
+  std::string changed_settings;  // "key = value", one a line
+
+  bool operator==(const Origin&) const = default;
+};
+
 // Everything about a recording that does not change from frame to frame.
 struct RecordingHeader {
   std::string scene_name;  // never empty
@@ -26,16 +36,17 @@ struct RecordingHeader {
   double ribbon_length_m = 0;
   double ribbon_width_m = 0;
   double frames_per_second = 0;
-  double max_position_error_m = 0;  // bound on every recorded coordinate; 0: exact to single
-                                    // precision
-  double lattice_step_m = 0;        // see CodecParameters, and lattice_step_m()
-  std::vector<std::string> entropy_tables;  // see CodecParameters
+  // Bound on every recorded coordinate; 0: each is the truth rounded to single precision.
+  double max_position_error_m = 0;
+  double lattice_step_m = 0;                // see CodecParameters, and lattice_step_m()
+  std::vector<std::string> entropy_tables;  // see CodecParameters; at most 64
   std::optional<TriangleMesh> obstacle;
   // The writer guarantees that features that share no vertex (ribbon and ribbon, ribbon and
   // obstacle) are nowhere nearer to each other, in frames as they are decoded. 0: nothing is
   // stated.
   double stated_gap_m = 0;
   std::optional<CentreAxis> centre_axis;  // what the ribbon was fastened towards
+  std::optional<Origin> origin;           // of a branch
 };
 
 inline CodecParameters codec_parameters(const RecordingHeader& header) {
@@ -76,6 +87,40 @@ inline std::string_view word_for(RunEnding ending) {
   constexpr std::array<std::string_view, 4> words = {"unknown", "duration", "tight", "stopped"};
   return words[static_cast<std::size_t>(ending)];
 }
+
+// Why a run was taken up again; the numbers are those of the file.
+enum class SessionReason : std::uint8_t { unknown = 0, resumed = 1, extended = 2 };
+
+// "unknown", "resumed", "extended".
+inline std::string_view word_for(SessionReason reason) {
+  constexpr std::array<std::string_view, 3> words = {"unknown", "resumed", "extended"};
+  return words[static_cast<std::size_t>(reason)];
+}
+
+// What is noted where a run is taken up again.
+struct SessionNote {
+  SessionReason reason = SessionReason::unknown;  // resumed: it had not come to its end
+  std::string program;                            // and version
+  std::string changed_settings;                   // "key = value", one a line; empty: none
+
+  bool operator==(const SessionNote&) const = default;
+};
+
+struct Session {
+  std::uint32_t first_frame = 0;  // from 0: the first that it recorded
+  SessionNote note;
+
+  bool operator==(const Session&) const = default;
+};
+
+// The simulation's whole state, just after a frame was recorded.
+struct Checkpoint {
+  std::uint32_t frame = 0;  // from 0
+  std::uint64_t steps = 0;  // simulation steps done
+  std::string state;        // only the simulation knows what it says
+
+  bool operator==(const Checkpoint&) const = default;
+};
 
 // The numbers of one frame, readable without its geometry.
 struct FrameNumbers {

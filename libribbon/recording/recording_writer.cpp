@@ -1,170 +1,244 @@
 #include "recording/recording_writer.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <array>
+#include <algorithm>
 #include <cassert>
+#include <chrono>
+#include <deque>
 #include <utility>
-#include <vector>
 
-#include "files/descriptor.h"
+#include "recording/checkpoint_record.h"
 #include "recording/checksum.h"
-#include "recording/frame_record.h"
 #include "recording/header_record.h"
-#include "recording/index_record.h"
+#include "recording/index_builder.h"
 #include "recording/position_encoder.h"
 #include "recording/record.h"
 #include "recording/references.h"
-#include "recording/tightness_record.h"
+#include "recording/session_record.h"
 
 namespace ribbon {
 
-struct RecordingWriter::State {
-  State(std::filesystem::path target, const RecordingHeader& header)
-      : path(std::move(target)), encoder(codec_parameters(header), header.max_position_error_m) {}
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  State(State&&) = delete;
-  State& operator=(State&&) = delete;
-  ~State() {
-    if (descriptor >= 0) ::close(descriptor);
-  }
-
-  std::filesystem::path path;
-  int descriptor = -1;
-  std::uint32_t recording_id = 0;
-  std::uint64_t frames_begin = 0;
-  std::uint64_t bytes = 0;
-  PositionEncoder encoder;
-  std::array<LatticeFrame, most_references + 1> recent;  // by frame number, modulo their count
-  std::vector<IndexEntry> entries;
-
-  Result<void> open();
-  Result<void> write(std::string_view record);
-  [[nodiscard]] std::string complete_up_to() const;
-};
-
-Result<void> RecordingWriter::State::open() {
-  std::error_code code;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
-  if (code)
-    return failure(path.parent_path().string(), "cannot be created (" + code.message() + ")",
-                   "choose a folder that you may write to");
-  descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0)
-    return failure(path.string(), "cannot be written (" + last_error_text() + ")",
-                   "choose a file that you may write to");
-  return {};
-}
-
-std::string RecordingWriter::State::complete_up_to() const {
-  return entries.empty()
-             ? "the recording holds no frame"
-             : "the recording is complete up to frame " + std::to_string(entries.size());
-}
-
-// What a failed write left of the record is taken back, so that the file ends with a whole record.
-Result<void> RecordingWriter::State::write(std::string_view record) {
-  if (write_all(descriptor, record)) {
-    bytes += record.size();
-    return {};
-  }
-  const std::string reason = last_error_text();
-  if (::ftruncate(descriptor, static_cast<off_t>(bytes)) == 0)
-    ::lseek(descriptor, static_cast<off_t>(bytes), SEEK_SET);
-  return failure(path.string(), "cannot be written (" + reason + ") and " + complete_up_to(),
-                 "free some space or choose another place");
-}
-
 namespace {
 
-// Empty where the frame has none.
-std::string tightness_record(const FrameRecord& frame) {
-  if (!frame.numbers.tightness) return "";
-  return make_record(RecordType::tightness, tightness_payload({frame.recording_id, frame.frame,
-                                                               *frame.numbers.tightness}));
+// Adds the time until its end to a figure.
+class Timing {
+ public:
+  explicit Timing(double& sum_s) : sum_s_(sum_s) {}
+  Timing(const Timing&) = delete;
+  Timing& operator=(const Timing&) = delete;
+  ~Timing() {
+    sum_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  double& sum_s_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string safe_frames(std::uint32_t frames) {
+  if (frames == 0) return "the recording holds no frame";
+  if (frames == 1) return "frame 1 is safe";
+  return "frames 1 to " + std::to_string(frames) + " are safe";
 }
 
 }  // namespace
 
-RecordingWriter::RecordingWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+struct RecordingWriter::State {
+  State(RecordFile target, RecordedSoFar so_far)
+      : file(std::move(target)),
+        header(std::move(so_far.header)),
+        recording_id(so_far.recording_id),
+        frames(so_far.frames),
+        last_frame(so_far.frames > 0 ? so_far.frames - 1 : 0),
+        synced_frames(so_far.frames),
+        index(std::move(so_far.indices), std::move(so_far.not_indexed)),
+        encoder(codec_parameters(header), header.max_position_error_m),
+        recent(std::make_move_iterator(so_far.recent.begin()),
+               std::make_move_iterator(so_far.recent.end())) {}
+
+  RecordFile file;
+  RecordingHeader header;
+  std::uint32_t recording_id = 0;
+  std::uint32_t frames = 0;         // one more than the highest frame number
+  std::uint32_t last_frame = 0;     // appended last
+  std::uint32_t synced_frames = 0;  // how many are known to be on the disk
+  IndexBuilder index;
+  PositionEncoder encoder;
+  std::deque<DecodedFrame> recent;  // what the next frame may be predicted from
+  WriterFigures figures;
+
+  Result<void> write(std::string_view records);
+  Result<void> write_index();
+  Result<void> write_other(RecordType type, std::uint32_t frame, std::string_view payload);
+  Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions, ReferenceList& references);
+  void remember(LatticeFrame lattice);
+};
+
+Result<void> RecordingWriter::State::write(std::string_view records) {
+  const Timing timing(figures.writing_s);
+  auto written = file.append(records);
+  if (written) return written;
+  Error error = std::move(written.error());
+  error.problem += "; " + safe_frames(frames);
+  return tl::unexpected(std::move(error));
+}
+
+Result<void> RecordingWriter::State::write_index() {
+  const std::string record = index.record(recording_id);
+  const std::uint64_t offset = file.size();
+  auto written = write(record);
+  if (written) index.written(offset, static_cast<std::uint32_t>(record.size()));
+  return written;
+}
+
+Result<void> RecordingWriter::State::write_other(RecordType type, std::uint32_t frame,
+                                                 std::string_view payload) {
+  const std::string record = make_record(type, payload);
+  const std::uint64_t offset = file.size();
+  auto written = write(record);
+  if (written) index.add(IndexedOther{type, frame, offset, record.size()});
+  return written;
+}
+
+// Predicted from those of the frames it should be predicted from that are still at hand; after
+// damage these may be fewer.
+Result<EncodedFrame> RecordingWriter::State::encode(const Eigen::Matrix3Xd& positions,
+                                                    ReferenceList& references) {
+  const Timing timing(figures.encoding_s);
+  std::vector<const LatticeFrame*> lattices;
+  for (const std::uint32_t wanted : live_references(frames)) {
+    const auto found = std::find_if(recent.begin(), recent.end(), [wanted](const auto& decoded) {
+      return decoded.frame == wanted;
+    });
+    if (found == recent.end()) continue;
+    references.push_back(wanted);
+    lattices.push_back(&found->lattice);
+  }
+  auto encoded = encoder.encode(positions, lattices);
+  if (encoded) return encoded;
+  Error error = std::move(encoded.error());
+  error.place = file.path().string() + ": frame " + std::to_string(frames + 1);
+  return tl::unexpected(std::move(error));
+}
+
+void RecordingWriter::State::remember(LatticeFrame lattice) {
+  recent.push_back({last_frame, std::move(lattice)});
+  if (recent.size() > most_references) recent.pop_front();
+}
+
+RecordingWriter::RecordingWriter(RecordFile file, RecordedSoFar so_far)
+    : state_(std::make_unique<State>(std::move(file), std::move(so_far))) {}
 RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
 RecordingWriter& RecordingWriter::operator=(RecordingWriter&&) noexcept = default;
 RecordingWriter::~RecordingWriter() = default;
 
 Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& path,
                                                 const RecordingHeader& header) {
-  assert(!header.scene_name.empty() && header.max_position_error_m >= 0);
-  assert(header.uv.cols() == header.grid.particle_count());
-  auto state = std::make_unique<State>(path, header);
-  if (auto opened = state->open(); !opened) return tl::unexpected(std::move(opened.error()));
+  assert(!header.scene_name.empty() && header.uv.cols() == header.grid.particle_count());
+  auto file = RecordFile::create(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
   const std::string payload = header_payload(header);
-  state->recording_id = checksum(payload);
+  RecordingWriter writer(std::move(*file), {.header = header, .recording_id = checksum(payload)});
   auto written =
-      state->write(std::string(file_signature) + make_record(RecordType::header, payload));
+      writer.state_->write(std::string(file_signature) + make_record(RecordType::header, payload));
   if (!written) return tl::unexpected(std::move(written.error()));
-  state->frames_begin = state->bytes;
-  return RecordingWriter(std::move(state));
+  return writer;
 }
 
 Result<void> RecordingWriter::append(const FrameNumbers& numbers,
                                      const Eigen::Matrix3Xd& positions) {
   State& state = *state_;
-  assert(state.descriptor >= 0 && "not after finish()");
-  std::vector<const LatticeFrame*> references;
-  for (const std::uint32_t reference : live_references(frames_written()))
-    references.push_back(&state.recent[reference % state.recent.size()]);
-  auto encoded = state.encoder.encode(positions, references);
-  if (!encoded) {
-    Error error = std::move(encoded.error());
-    error.place = state.path.string() + ": frame " + std::to_string(state.entries.size() + 1);
-    return tl::unexpected(std::move(error));
-  }
-  FrameRecord frame;
+  ReferenceList references;
+  auto encoded = state.encode(positions, references);
+  if (!encoded) return tl::unexpected(std::move(encoded.error()));
+  const std::uint32_t frame = state.frames;
+  auto appended = append_encoded({.frame = frame,
+                                  .encoding = encoded->encoding,
+                                  .references = references,
+                                  .numbers = numbers,
+                                  .geometry = encoded->geometry});
+  if (state.frames > frame) state.remember(std::move(encoded->frame));
+  return appended;
+}
+
+Result<void> RecordingWriter::append_encoded(FrameRecord frame) {
+  State& state = *state_;
   frame.recording_id = state.recording_id;
-  frame.frame = frames_written();
-  frame.frames_since_key = frames_written() % live_group_frames;
-  frame.encoding = encoded->encoding;
-  frame.numbers = numbers;
-  frame.geometry = encoded->geometry;
   const std::string record = make_record(RecordType::frame, frame_payload(frame));
-  const std::string tightness = tightness_record(frame);
-  const std::uint64_t offset = state.bytes + tightness.size();
-  auto written = state.write(tightness + record);
-  if (!written) return written;
-  state.recent[frames_written() % state.recent.size()] = std::move(encoded->frame);
-  state.entries.push_back(
-      {offset, static_cast<std::uint32_t>(record.size()), frame.frames_since_key, numbers});
-  return {};
+  const std::uint64_t offset = state.file.size();
+  if (auto written = state.write(record); !written) return written;
+  state.index.add(IndexedFrame{frame.frame, static_cast<std::uint32_t>(record.size()), offset,
+                               frame.references, frame.numbers});
+  state.last_frame = frame.frame;
+  state.frames = std::max(state.frames, frame.frame + 1);
+  return state.index.is_due() ? state.write_index() : Result<void>();
+}
+
+Result<void> RecordingWriter::append_checkpoint(std::uint64_t steps, std::string_view state_bytes) {
+  State& state = *state_;
+  assert(state.frames > 0 && "a checkpoint belongs to a frame");
+  if (state_bytes.size() > largest_state_bytes(state.header.grid))
+    return failure(state.file.path().string(),
+                   "cannot hold a checkpoint of " + std::to_string(state_bytes.size()) + " bytes",
+                   "record without checkpoints");
+  std::string payload;
+  {
+    const Timing timing(state.figures.encoding_s);
+    payload = checkpoint_payload(state.recording_id, state.last_frame, steps, state_bytes);
+  }
+  return state.write_other(RecordType::checkpoint, state.last_frame, payload);
+}
+
+Result<void> RecordingWriter::append_session(const SessionNote& note) {
+  return state_->write_other(RecordType::session, state_->frames,
+                             session_payload(state_->recording_id, {state_->frames, note}));
+}
+
+Result<void> RecordingWriter::sync() {
+  State& state = *state_;
+  const Timing timing(state.figures.syncing_s);
+  auto synced = state.file.sync();
+  if (synced) {
+    state.synced_frames = state.frames;
+    return synced;
+  }
+  Error error = std::move(synced.error());
+  error.problem += "; " + safe_frames(state.synced_frames);
+  return tl::unexpected(std::move(error));
 }
 
 Result<void> RecordingWriter::finish(RunEnding ending) {
   State& state = *state_;
-  assert(state.descriptor >= 0 && "only once");
-  const std::uint64_t index_offset = state.bytes;
-  auto written = state.write(
-      make_record(RecordType::index,
-                  index_payload(state.recording_id, {state.entries, ending}, state.frames_begin)) +
-      make_record(RecordType::footer, footer_payload(state.recording_id, index_offset)));
+  if (state.index.is_waiting())
+    if (auto written = state.write_index(); !written) return written;
+  const std::uint64_t offset = state.file.size();
+  auto written =
+      state.write(make_record(RecordType::directory,
+                              directory_payload(state.recording_id,
+                                                {state.frames, ending, state.index.indices()})) +
+                  make_record(RecordType::footer, footer_payload(state.recording_id, offset)));
   if (!written) return written;
-  // Pipes and devices cannot be forced to the disk, and need not be.
-  const bool synced = ::fsync(state.descriptor) == 0 || errno == EINVAL || errno == EROFS;
-  std::string problem = synced ? "" : last_error_text();
-  if (::close(std::exchange(state.descriptor, -1)) != 0 && problem.empty())
-    problem = last_error_text();
-  if (!problem.empty())
-    return failure(state.path.string(), "may not have reached the disk (" + problem + ")",
-                   "check the disk");
-  return {};
+  if (auto synced = sync(); !synced) return synced;
+  return state.file.close();
+}
+
+const RecordingHeader& RecordingWriter::header() const {
+  return state_->header;
+}
+
+std::uint32_t RecordingWriter::recording_id() const {
+  return state_->recording_id;
 }
 
 std::uint64_t RecordingWriter::bytes_written() const {
-  return state_->bytes;
+  return state_->file.size();
 }
 
 std::uint32_t RecordingWriter::frames_written() const {
-  return static_cast<std::uint32_t>(state_->entries.size());
+  return state_->frames;
+}
+
+WriterFigures RecordingWriter::figures() const {
+  return state_->figures;
 }
 
 }  // namespace ribbon

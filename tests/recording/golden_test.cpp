@@ -48,7 +48,6 @@ FrameNumbers golden_numbers(int frame) {
           static_cast<std::uint32_t>(frame)};
 }
 
-// Since version 1.2.
 FrameNumbers golden_numbers_with_tightness(int frame) {
   FrameNumbers numbers = golden_numbers(frame);
   const auto n = static_cast<float>(frame);
@@ -81,16 +80,31 @@ RecordingHeader golden_header() {
   header.obstacle = tetrahedron;
   header.stated_gap_m = 0x1p-12;
   header.centre_axis = CentreAxis{{0.5, -0.25, 2}, {0, 0, -1}};
+  header.origin = Origin{0x12345678, "golden mother", 17, "time.step = 0.5\n"};
   return header;
 }
+
+// Just after frame 25.
+const Checkpoint golden_checkpoint{25, 1600, "state of the solver, state of the solver"};
+
+// Before frame 30.
+const Session golden_session{
+    30, {SessionReason::extended, "ribbon-record 0.2.0", "time.duration = 2\n"}};
 
 void write_golden(const std::filesystem::path& path) {
   std::filesystem::remove(path);
   auto writer = RecordingWriter::create(path, golden_header());
   ASSERT_TRUE(writer.has_value()) << writer.error().sentence();
-  for (int frame = 0; frame < frames; ++frame)
+  for (int frame = 0; frame < frames; ++frame) {
+    if (frame == 30) {
+      ASSERT_TRUE(writer->append_session(golden_session.note).has_value());
+    }
     ASSERT_TRUE(
         writer->append(golden_numbers_with_tightness(frame), golden_positions(frame)).has_value());
+    if (frame == 25) {
+      ASSERT_TRUE(writer->append_checkpoint(golden_checkpoint.steps, golden_checkpoint.state));
+    }
+  }
   ASSERT_TRUE(writer->finish(RunEnding::tight).has_value());
 }
 
@@ -121,10 +135,15 @@ TEST_P(GoldenVersions, it_is_read_as_it_was_written) {
   EXPECT_EQ(reader->header().uv, golden_header().uv);
   ASSERT_EQ(reader->frame_count(), frames);
   EXPECT_TRUE(reader->finished());
+  EXPECT_EQ(reader->ending(), RunEnding::tight);
+  EXPECT_EQ(reader->header().stated_gap_m, 0x1p-12);
+  EXPECT_EQ(reader->header().centre_axis->point_m, Eigen::Vector3d(0.5, -0.25, 2));
+  EXPECT_EQ(reader->header().origin, golden_header().origin);
+  EXPECT_EQ(reader->checkpoints(), std::vector<std::uint32_t>{25});
+  EXPECT_EQ(reader->read_checkpoint(25).value(), golden_checkpoint);
+  EXPECT_EQ(reader->sessions(), std::vector<Session>{golden_session});
   for (int frame = 0; frame < frames; ++frame) {
-    FrameNumbers numbers = *reader->numbers(frame);
-    numbers.tightness.reset();
-    EXPECT_EQ(numbers, golden_numbers(frame));
+    EXPECT_EQ(reader->numbers(frame), golden_numbers_with_tightness(frame));
     Eigen::Matrix3Xf positions;
     ASSERT_TRUE(reader->read(frame, positions).has_value());
     EXPECT_LE((positions.cast<double>() - golden_positions(frame)).cwiseAbs().maxCoeff(), 0x1p-15);

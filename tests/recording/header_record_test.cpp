@@ -67,8 +67,38 @@ TEST(HeaderRecord, a_newer_major_version_is_refused_with_a_sentence) {
   const auto read = parse_header_payload(payload);
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error().sentence(),
-            "was written in format version 3, this program reads up to version 2; use a newer "
-            "program");
+            "was written in format version 3, this program reads version 2; use a newer program");
+}
+
+TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
+  std::string payload = header_payload(sample_header());
+  payload[0] = 1;
+  const auto read = parse_header_payload(payload);
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error().sentence(),
+            "was written in format version 1, this program reads version 2; record it again");
+}
+
+TEST(HeaderRecord, entropy_tables_and_origin_come_back) {
+  RecordingHeader header = sample_header();
+  header.entropy_tables = {std::string("a\0b", 3), "", std::string(3000, 'x')};
+  header.origin = Origin{0xCAFE, "mother", 77, "time.step = 0.01\n"};
+  const auto read = parse_header_payload(header_payload(header));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(read->entropy_tables, header.entropy_tables);
+  EXPECT_EQ(read->origin, header.origin);
+}
+
+TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
+  RecordingHeader header = sample_header();
+  header.entropy_tables.resize(64);
+  std::string payload = header_payload(header);
+  EXPECT_TRUE(parse_header_payload(payload).has_value());
+  // 64 empty tables and no origin stand behind the count.
+  const std::size_t count_at = payload.size() - 64 * 4 - 1 - 4;
+  ASSERT_EQ(payload[count_at], 64);
+  payload[count_at] = 65;
+  EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
 }
 
 // Bytes 8 to 15 are the grid's counts.

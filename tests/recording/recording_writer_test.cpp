@@ -1,7 +1,6 @@
 #include "recording/recording_writer.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,7 +10,9 @@
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
+#include "recording/position_encoder.h"
 #include "recording/sample_recording.h"
+#include "recording/size_limit.h"
 
 namespace ribbon {
 namespace {
@@ -58,30 +59,9 @@ TEST(RecordingWriter, a_full_disk_is_told_before_the_run) {
   const auto writer = RecordingWriter::create("/dev/full", sample_header());
   ASSERT_FALSE(writer.has_value());
   EXPECT_EQ(writer.error().sentence(),
-            "/dev/full: cannot be written (No space left on device) and the recording holds no "
+            "/dev/full: cannot be written (No space left on device); the recording holds no "
             "frame; free some space or choose another place");
 }
-
-// Files end at `bytes` while one of these lives, as on a full disk.
-class SizeLimit {
- public:
-  explicit SizeLimit(std::uint64_t bytes) {
-    previous_handler_ = std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &previous_);
-    const rlimit limit{bytes, previous_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  SizeLimit(const SizeLimit&) = delete;
-  SizeLimit& operator=(const SizeLimit&) = delete;
-  ~SizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &previous_);
-    std::signal(SIGXFSZ, previous_handler_);
-  }
-
- private:
-  rlimit previous_{};
-  void (*previous_handler_)(int) = nullptr;
-};
 
 TEST(RecordingWriter, when_the_disk_fills_up_everything_before_is_intact) {
   const auto path = temporary_file("full.rbn");
@@ -97,8 +77,8 @@ TEST(RecordingWriter, when_the_disk_fills_up_everything_before_is_intact) {
   ASSERT_FALSE(fourth.has_value());
   EXPECT_EQ(fourth.error().sentence(),
             path.string() +
-                ": cannot be written (File too large) and the recording is complete up to frame "
-                "3; free some space or choose another place");
+                ": cannot be written (File too large); frames 1 to 3 are safe; free some space or "
+                "choose another place");
   EXPECT_EQ(std::filesystem::file_size(path), writer->bytes_written())
       << "half a record must not stay behind";
   ASSERT_TRUE(writer->append(sample_numbers(3), sample_positions(3)).has_value())
@@ -147,6 +127,102 @@ TEST(RecordingWriter, a_killed_writer_loses_no_appended_frame) {
   EXPECT_TRUE(reader->damage().empty());
   Eigen::Matrix3Xf positions;
   EXPECT_TRUE(reader->read(36, positions).has_value());
+}
+
+TEST(RecordingWriter, two_writers_on_one_file_are_refused) {
+  const auto path = temporary_file("two writers.rbn");
+  auto first = RecordingWriter::create(path, sample_header());
+  ASSERT_TRUE(first->append(sample_numbers(0), sample_positions(0)).has_value());
+  const auto second = RecordingWriter::create(path, sample_header());
+  ASSERT_FALSE(second.has_value());
+  EXPECT_EQ(second.error().sentence(),
+            path.string() +
+                ": is being written by another program; wait until that has ended, or "
+                "choose another file");
+  EXPECT_EQ(RecordingReader::open(path)->frame_count(), 1) << "nothing was emptied";
+  ASSERT_TRUE(first->finish().has_value());
+  EXPECT_TRUE(RecordingWriter::create(path, sample_header()).has_value());
+}
+
+TEST(RecordingWriter, an_older_file_is_replaced_whole) {
+  const auto path = temporary_file("older.rbn");
+  ASSERT_TRUE(write_file(path, std::string(100'000, 'x')).has_value());
+  write_sample_recording(path, 2);
+  EXPECT_TRUE(RecordingReader::open(path)->finished());
+  EXPECT_LT(std::filesystem::file_size(path), 50'000U);
+}
+
+TEST(RecordingWriter, checkpoints_and_sessions_come_back) {
+  const auto path = temporary_file("checkpoints.rbn");
+  const SessionNote note{SessionReason::resumed, "tests 2.0", "time.step = 1\n"};
+  {
+    auto writer = RecordingWriter::create(path, sample_header());
+    for (int frame = 0; frame < 600; ++frame) {
+      ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
+      if (frame % 100 == 50) {
+        ASSERT_TRUE(writer->append_checkpoint(10 * frame, "state " + std::to_string(frame)));
+      }
+      if (frame == 299) {
+        ASSERT_TRUE(writer->append_session(note).has_value());
+      }
+    }
+    ASSERT_TRUE(writer->finish().has_value());
+  }
+  auto reader = RecordingReader::open(path);
+  for (const bool walked : {false, true}) {
+    if (walked) reader->check();
+    EXPECT_EQ(reader->checkpoints(), (std::vector<std::uint32_t>{50, 150, 250, 350, 450, 550}));
+    EXPECT_EQ(reader->read_checkpoint(350).value(), (Checkpoint{350, 3500, "state 350"}));
+    EXPECT_EQ(reader->read_checkpoint(351).error().sentence(),
+              path.string() +
+                  ": frame 352: has no checkpoint; choose a frame that has one; --info lists them");
+    EXPECT_EQ(reader->sessions(), (std::vector<Session>{{300, note}}));
+  }
+}
+
+TEST(RecordingWriter, a_state_that_no_reader_would_take_is_refused) {
+  const auto path = temporary_file("large state.rbn");
+  auto writer = RecordingWriter::create(path, sample_header());
+  ASSERT_TRUE(writer->append(sample_numbers(0), sample_positions(0)).has_value());
+  EXPECT_FALSE(writer->append_checkpoint(1, std::string(240 * 4096 + (1 << 20) + 1, 'x')));
+  EXPECT_TRUE(writer->append_checkpoint(1, std::string(240 * 4096 + (1 << 20), 'x')));
+}
+
+TEST(RecordingWriter, frames_encoded_by_others_may_come_in_any_order) {
+  const auto path = temporary_file("any order.rbn");
+  const RecordingHeader header = sample_header();
+  PositionEncoder encoder(codec_parameters(header), header.max_position_error_m);
+  std::vector<LatticeFrame> lattices(5);
+  const std::vector<std::vector<std::uint32_t>> references = {{}, {0, 2}, {0, 4}, {2, 4}, {0}};
+  {
+    auto writer = RecordingWriter::create(path, header);
+    for (const std::uint32_t frame : {0U, 4U, 2U, 1U, 3U}) {
+      std::vector<const LatticeFrame*> needed;
+      FrameRecord record{.frame = frame, .numbers = sample_numbers(static_cast<int>(frame))};
+      for (const std::uint32_t reference : references[frame]) {
+        record.references.push_back(reference);
+        needed.push_back(&lattices[reference]);
+      }
+      auto encoded = encoder.encode(sample_positions(static_cast<int>(frame)), needed);
+      record.encoding = encoded->encoding;
+      record.geometry = encoded->geometry;
+      ASSERT_TRUE(writer->append_encoded(record).has_value());
+      lattices[frame] = std::move(encoded->frame);
+    }
+    EXPECT_EQ(writer->frames_written(), 5U);
+    ASSERT_TRUE(writer->finish().has_value());
+  }
+  auto reader = RecordingReader::open(path);
+  ASSERT_EQ(reader->frame_count(), 5);
+  for (const bool walked : {false, true}) {
+    if (walked) reader->check();
+    for (int frame = 0; frame < 5; ++frame) {
+      Eigen::Matrix3Xf positions;
+      ASSERT_TRUE(reader->read(frame, positions).has_value());
+      EXPECT_LE((positions.cast<double>() - sample_positions(frame)).cwiseAbs().maxCoeff(), 1e-5);
+      EXPECT_EQ(reader->numbers(frame), sample_numbers(frame));
+    }
+  }
 }
 
 TEST(RecordingWriter, a_recording_without_frames_can_be_finished) {

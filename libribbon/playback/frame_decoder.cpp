@@ -1,0 +1,119 @@
+#include "playback/frame_decoder.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "recording/frame_record.h"
+
+namespace ribbon {
+
+namespace {
+
+// Enough for playing in order, whichever way frames are predicted from each other.
+constexpr std::size_t slots_kept = 24;
+
+// So many others a frame may need (FORMAT.md, section 5.1).
+constexpr std::size_t most_needed = 256;
+
+}  // namespace
+
+FrameDecoder::FrameDecoder(const RandomAccessFile& file, const RecordingStart& start,
+                           RecordingContents& contents)
+    : file_(file), start_(start), contents_(contents), decoder_(codec_parameters(start.header)) {}
+
+FrameDecoder::Slot* FrameDecoder::at_hand(std::uint32_t frame) {
+  for (const auto& slot : slots_)
+    if (slot->last_use > 0 && slot->frame == frame) return slot.get();
+  return nullptr;
+}
+
+// The frame and what it needs, in the order in which to decode them; nothing where one is lost.
+// With `all` also what is at hand. A reference lies earlier in the file, so there are no circles.
+std::optional<std::vector<std::uint32_t>> FrameDecoder::needed(std::uint32_t frame, bool all) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> found;  // by place in the file
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> open = {{frame, file_.size()}};
+  std::unordered_set<std::uint32_t> seen = {frame};
+  while (!open.empty()) {
+    const auto [next, limit] = open.back();
+    open.pop_back();
+    const IndexedFrame* entry = contents_.find(next);
+    if (entry == nullptr || entry->offset >= limit || undecodable_.contains(next))
+      return std::nullopt;
+    if (Slot* slot = all ? nullptr : at_hand(next)) {
+      slot->last_use = ++uses_;
+      continue;
+    }
+    found.emplace_back(entry->offset, next);
+    if (found.size() > most_needed + 1) return std::nullopt;
+    for (const std::uint32_t reference : entry->references)
+      if (seen.insert(reference).second) open.emplace_back(reference, entry->offset);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::uint32_t> frames;
+  frames.reserve(found.size());
+  for (const auto& [offset, number] : found) frames.push_back(number);
+  return frames;
+}
+
+bool FrameDecoder::is_readable(std::uint32_t frame) {
+  return needed(frame, true).has_value();
+}
+
+const LatticeFrame* FrameDecoder::decode(std::uint32_t frame) {
+  begin_of_call_ = ++uses_;
+  if (slots_.size() > slots_kept) slots_.resize(slots_kept);
+  const auto frames = needed(frame, false);
+  if (!frames) return nullptr;
+  for (const std::uint32_t next : *frames)
+    if (!decode_one(next)) return nullptr;
+  Slot* slot = at_hand(frame);
+  slot->last_use = ++uses_;
+  return &slot->lattice;
+}
+
+// One that this call does not need: the one that has not been used for longest, or a new one.
+FrameDecoder::Slot& FrameDecoder::free_slot() {
+  if (slots_.size() >= slots_kept) {
+    const auto oldest =
+        std::min_element(slots_.begin(), slots_.end(),
+                         [](const auto& a, const auto& b) { return a->last_use < b->last_use; });
+    if ((*oldest)->last_use < begin_of_call_) return **oldest;
+  }
+  return *slots_.emplace_back(std::make_unique<Slot>());
+}
+
+bool FrameDecoder::decode_one(std::uint32_t frame) {
+  const IndexedFrame* entry = contents_.find(frame);
+  if (entry == nullptr) return false;
+  Slot& slot = free_slot();
+  slot.last_use = 0;
+  if (decode_record(*entry, slot)) {
+    slot.frame = frame;
+    slot.last_use = ++uses_;
+    return true;
+  }
+  // What the directory promised may be elsewhere; what was found by walking is there for good.
+  if (contents_.is_checked()) undecodable_.insert(frame);
+  return false;
+}
+
+bool FrameDecoder::decode_record(const IndexedFrame& entry, Slot& slot) {
+  const std::string bytes = file_.read(entry.offset, entry.record_bytes);
+  const auto payload = whole_record(bytes, RecordType::frame);
+  if (!payload) return false;
+  const auto record = parse_frame_payload(*payload);
+  if (!record || record->recording_id != start_.recording_id || record->frame != entry.frame ||
+      record->references != entry.references)
+    return false;
+  std::vector<const LatticeFrame*> references;
+  for (const std::uint32_t reference : entry.references) {
+    Slot* decoded = at_hand(reference);
+    if (decoded == nullptr) return false;
+    decoded->last_use = ++uses_;
+    references.push_back(&decoded->lattice);
+  }
+  return decoder_.decode(record->encoding, record->geometry, references, slot.lattice);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,53 @@
+// Decodes any frame of a recording, with the frames that it needs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <unordered_set>
+#include <vector>
+
+#include "playback/recording_contents.h"
+#include "recording/lattice_frame.h"
+#include "recording/position_decoder.h"
+
+namespace ribbon {
+
+class FrameDecoder {
+ public:
+  // Keeps references to all of them.
+  FrameDecoder(const RandomAccessFile& file, const RecordingStart& start,
+               RecordingContents& contents);
+
+  // Are the frame and all that it needs there? What the contents say, and what decode() found out.
+  bool is_readable(std::uint32_t frame);
+
+  // Nothing where the frame cannot be decoded. Decodes only what is not at hand from earlier calls.
+  // Valid until the next call.
+  const LatticeFrame* decode(std::uint32_t frame);
+
+ private:
+  struct Slot {
+    std::uint32_t frame = 0;
+    std::uint64_t last_use = 0;
+    LatticeFrame lattice;
+  };
+
+  std::optional<std::vector<std::uint32_t>> needed(std::uint32_t frame, bool all);
+  Slot* at_hand(std::uint32_t frame);
+  Slot& free_slot();
+  bool decode_one(std::uint32_t frame);
+  bool decode_record(const IndexedFrame& entry, Slot& slot);
+
+  const RandomAccessFile& file_;
+  const RecordingStart& start_;
+  RecordingContents& contents_;
+  PositionDecoder decoder_;
+  std::vector<std::unique_ptr<Slot>> slots_;  // decoded frames
+  std::uint64_t uses_ = 0;                    // a clock for last_use
+  std::uint64_t begin_of_call_ = 0;           // of that clock: what was used since is still needed
+  std::unordered_set<std::uint32_t> undecodable_;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,67 @@
+#include "playback/record_walk.h"
+
+#include <utility>
+
+#include "recording/checksum.h"
+
+namespace ribbon {
+
+WalkStep RecordWalk::next() {
+  WalkStep step{.offset = at_};
+  if (at_ >= file_.size()) return step;
+  const auto head = parse_record_head(file_.read(at_, record_head_bytes));
+  if (!head) return damage(step, "no record begins here", is_start_of_head(at_));
+  step.type = head->type;
+  step.head_is_whole = true;
+  if (head->payload_bytes > file_.size() - at_ - record_head_bytes)
+    return damage(step, "a record is not complete", true);
+  payload_ = file_.read(at_ + record_head_bytes, head->payload_bytes);
+  if (payload_.size() != head->payload_bytes) return damage(step, "the disk cannot read it", false);
+  if (checksum(payload_) != head->payload_checksum)
+    return damage(step, "a record fails its checksum", false);
+  step.kind = WalkStep::Kind::record;
+  step.length = record_head_bytes + payload_.size();
+  step.payload = payload_;
+  at_ += step.length;
+  return step;
+}
+
+// Up to the next record; where there is none, the rest may merely be cut off, which is no damage.
+WalkStep RecordWalk::damage(WalkStep step, const char* reason, bool may_be_cut) {
+  const auto next = next_head(at_ + 1);
+  if (!next && may_be_cut) return {.offset = at_};
+  step.kind = WalkStep::Kind::damage;
+  step.reason = reason;
+  step.length = next.value_or(file_.size()) - at_;
+  at_ += step.length;
+  return step;
+}
+
+bool RecordWalk::is_start_of_head(std::uint64_t offset) const {
+  const std::string rest = file_.read(offset, record_head_bytes);
+  return rest.size() < record_head_bytes &&
+         record_magic.starts_with(std::string_view(rest).substr(0, record_magic.size()));
+}
+
+// Where the next record with a valid head begins, from `offset` on.
+std::optional<std::uint64_t> RecordWalk::next_head(std::uint64_t offset) const {
+  constexpr std::uint64_t window = 1 << 16;
+  for (; offset + record_head_bytes <= file_.size(); offset += window) {
+    const std::string bytes = file_.read(offset, window + record_head_bytes);
+    for (auto found = bytes.find(record_magic); found != std::string::npos;
+         found = bytes.find(record_magic, found + 1))
+      if (parse_record_head(std::string_view(bytes).substr(found))) return offset + found;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string_view> whole_record(std::string_view bytes, RecordType type) {
+  const auto head = parse_record_head(bytes);
+  if (!head || head->type != type || head->payload_bytes != bytes.size() - record_head_bytes)
+    return std::nullopt;
+  const std::string_view payload = bytes.substr(record_head_bytes);
+  if (checksum(payload) != head->payload_checksum) return std::nullopt;
+  return payload;
+}
+
+}  // namespace ribbon

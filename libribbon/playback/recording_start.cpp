@@ -1,0 +1,32 @@
+#include "playback/recording_start.h"
+
+#include <string>
+#include <utility>
+
+#include "recording/checksum.h"
+#include "recording/header_record.h"
+#include "recording/record.h"
+
+namespace ribbon {
+
+Result<RecordingStart> read_start(const RandomAccessFile& file, const std::filesystem::path& path) {
+  const bool signed_file = file.read(0, file_signature.size()) == file_signature;
+  const auto head = parse_record_head(file.read(file_signature.size(), record_head_bytes));
+  if (!signed_file && !head)
+    return failure(path.string(), "is not a ribbon recording", "name a file by ribbon-record");
+  const std::uint64_t payload_offset = file_signature.size() + record_head_bytes;
+  const std::string payload = head ? file.read(payload_offset, head->payload_bytes) : "";
+  if (!head || head->type != RecordType::header || payload.size() != head->payload_bytes ||
+      checksum(payload) != head->payload_checksum)
+    return failure(path.string(), "the header is cut off or damaged",
+                   "use a copy of the recording that is whole");
+  auto header = parse_header_payload(payload);
+  if (!header) {
+    header.error().place = path.string();
+    return tl::unexpected(std::move(header.error()));
+  }
+  return RecordingStart{std::move(*header), head->payload_checksum,
+                        payload_offset + head->payload_bytes, signed_file};
+}
+
+}  // namespace ribbon

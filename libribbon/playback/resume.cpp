@@ -1,0 +1,68 @@
+#include "playback/resume.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "playback/frame_decoder.h"
+#include "playback/random_access_file.h"
+#include "playback/recording_contents.h"
+#include "playback/recording_start.h"
+#include "recording/references.h"
+
+namespace ribbon {
+
+namespace {
+
+// What no index record tells about: normally the frames since the last one, after damage also
+// those whose index record is lost.
+Index not_indexed(RecordingContents& contents) {
+  std::set<std::uint64_t> indexed;  // by offset
+  for (const IndexPlace& place : contents.indices()) {
+    const auto index = contents.read_index(place);
+    if (!index) continue;
+    for (const IndexedFrame& frame : index->frames) indexed.insert(frame.offset);
+    for (const IndexedOther& other : index->others) indexed.insert(other.offset);
+  }
+  Index rest;
+  for (std::uint32_t number = 0; number < contents.frames_before_end(); ++number) {
+    const IndexedFrame* frame = contents.find(number);
+    if (frame != nullptr && !indexed.contains(frame->offset)) rest.frames.push_back(*frame);
+  }
+  std::sort(rest.frames.begin(), rest.frames.end(),
+            [](const IndexedFrame& a, const IndexedFrame& b) { return a.offset < b.offset; });
+  for (const IndexedOther& other : contents.others())
+    if (!indexed.contains(other.offset)) rest.others.push_back(other);
+  return rest;
+}
+
+}  // namespace
+
+Result<RecordingWriter> resume_recording(const std::filesystem::path& path) {
+  // Read before it is opened for writing, so that what is no recording is told as such.
+  auto source = RandomAccessFile::open(path);
+  if (!source) return tl::unexpected(std::move(source.error()));
+  auto start = read_start(*source, path);
+  if (!start) return tl::unexpected(std::move(start.error()));
+  auto target = RecordFile::open(path);
+  if (!target) return tl::unexpected(std::move(target.error()));
+  source->update_size();  // another writer may have been at it until now
+  RecordingContents contents(*source, *start);
+  contents.check();
+  FrameDecoder decoder(*source, *start, contents);
+
+  RecordedSoFar so_far{.header = start->header,
+                       .recording_id = start->recording_id,
+                       .frames = contents.frames_before_end(),
+                       .indices = contents.indices(),
+                       .not_indexed = not_indexed(contents),
+                       .recent = {}};
+  for (const std::uint32_t reference : live_references(so_far.frames))
+    if (const LatticeFrame* lattice = decoder.decode(reference))
+      so_far.recent.push_back({reference, *lattice});
+  if (auto cut = target->cut(contents.end()); !cut) return tl::unexpected(std::move(cut.error()));
+  return RecordingWriter(std::move(*target), std::move(so_far));
+}
+
+}  // namespace ribbon

@@ -1,0 +1,56 @@
+// The file that records are appended to, by one writer at a time.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+#include "result/result.h"
+
+namespace ribbon {
+
+class RecordFile {
+ public:
+  // Creates `path`, or empties an older file, and locks it; creates missing parent folders. Fails,
+  // and leaves an older file as it is, when it cannot be written or somebody else is writing it.
+  static Result<RecordFile> create(const std::filesystem::path& path);
+
+  // Opens and locks an older file, to append to it. Fails likewise.
+  static Result<RecordFile> open(const std::filesystem::path& path);
+
+  RecordFile(RecordFile&& other) noexcept;
+  RecordFile& operator=(RecordFile&& other) noexcept;
+  RecordFile(const RecordFile&) = delete;
+  RecordFile& operator=(const RecordFile&) = delete;
+  ~RecordFile();
+
+  // Whole records only.
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  // Hands whole records to the operating system, in one write(). What a failed one left of them is
+  // taken back, so that the file always ends with a whole record.
+  Result<void> append(std::string_view records);
+
+  // Cuts off what lies behind `size` bytes, which must be a record's end.
+  Result<void> cut(std::uint64_t size);
+
+  // Waits until everything appended is on the disk.
+  Result<void> sync();
+
+  // Closes and unlocks; nothing can be appended afterwards.
+  Result<void> close();
+
+ private:
+  RecordFile(std::filesystem::path path, int descriptor);
+  static Result<RecordFile> open(const std::filesystem::path& path, int flags);
+  [[nodiscard]] tl::unexpected<Error> cannot_be_written(const std::string& reason) const;
+  [[nodiscard]] tl::unexpected<Error> may_be_lost(const std::string& reason) const;
+
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+  bool name_is_safe_ = false;  // the folder's entry is on the disk, too
+};
+
+}  // namespace ribbon

@@ -1,0 +1,34 @@
+// Which frames another one is predicted from.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+
+#include "recording/references.h"
+
+namespace ribbon {
+
+// Frame numbers, from 0, in the order in which the codec gets them. Holds at most four, in itself:
+// a long recording has one for each frame.
+class ReferenceList {
+ public:
+  void push_back(std::uint32_t frame) {
+    assert(count_ < most_references);
+    frames_[count_++] = frame;
+  }
+
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] const std::uint32_t* begin() const { return frames_.data(); }
+  [[nodiscard]] const std::uint32_t* end() const { return frames_.data() + count_; }
+  [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return frames_[i]; }
+
+  bool operator==(const ReferenceList&) const = default;
+
+ private:
+  std::array<std::uint32_t, most_references> frames_{};  // 0 behind the last
+  std::uint8_t count_ = 0;
+};
+
+}  // namespace ribbon
