@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
-#include <deque>
 #include <utility>
+#include <vector>
 
 #include "recording/checkpoint_record.h"
 #include "recording/checksum.h"
@@ -52,8 +52,7 @@ struct RecordingWriter::State {
         synced_frames(so_far.frames),
         index(std::move(so_far.indices), std::move(so_far.not_indexed)),
         encoder(codec_parameters(header), header.max_position_error_m),
-        recent(std::make_move_iterator(so_far.recent.begin()),
-               std::make_move_iterator(so_far.recent.end())) {}
+        recent(std::move(so_far.recent)) {}
 
   RecordFile file;
   RecordingHeader header;
@@ -63,7 +62,7 @@ struct RecordingWriter::State {
   std::uint32_t synced_frames = 0;  // how many are known to be on the disk
   IndexBuilder index;
   PositionEncoder encoder;
-  std::deque<DecodedFrame> recent;  // what the next frame may be predicted from
+  std::vector<DecodedFrame> recent;  // what the next frame may be predicted from
   WriterFigures figures;
 
   Result<void> write(std::string_view records);
@@ -121,8 +120,14 @@ Result<EncodedFrame> RecordingWriter::State::encode(const Eigen::Matrix3Xd& posi
 }
 
 void RecordingWriter::State::remember(LatticeFrame lattice) {
-  recent.push_back({last_frame, std::move(lattice)});
-  if (recent.size() > most_references) recent.pop_front();
+  if (recent.size() < most_references) {
+    recent.push_back({last_frame, std::move(lattice)});
+    return;
+  }
+  const auto oldest = std::min_element(
+      recent.begin(), recent.end(),
+      [](const DecodedFrame& a, const DecodedFrame& b) { return a.frame < b.frame; });
+  *oldest = {last_frame, std::move(lattice)};
 }
 
 RecordingWriter::RecordingWriter(RecordFile file, RecordedSoFar so_far)
@@ -162,6 +167,8 @@ Result<void> RecordingWriter::append(const FrameNumbers& numbers,
 
 Result<void> RecordingWriter::append_encoded(FrameRecord frame) {
   State& state = *state_;
+  if (state.index.is_due())
+    if (auto written = state.write_index(); !written) return written;
   frame.recording_id = state.recording_id;
   const std::string record = make_record(RecordType::frame, frame_payload(frame));
   const std::uint64_t offset = state.file.size();
@@ -170,7 +177,7 @@ Result<void> RecordingWriter::append_encoded(FrameRecord frame) {
                                frame.references, frame.numbers});
   state.last_frame = frame.frame;
   state.frames = std::max(state.frames, frame.frame + 1);
-  return state.index.is_due() ? state.write_index() : Result<void>();
+  return {};
 }
 
 Result<void> RecordingWriter::append_checkpoint(std::uint64_t steps, std::string_view state_bytes) {

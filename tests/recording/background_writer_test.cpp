@@ -74,8 +74,9 @@ TEST(BackgroundWriter, a_full_disk_is_told_once_and_nothing_is_written_after_it)
   const auto finished = writer.finish(RunEnding::duration);
   ASSERT_FALSE(finished.has_value());
   EXPECT_EQ(finished.error().sentence(),
-            path.string() + ": cannot be written (File too large); frame 1 is safe; free some "
-                            "space or choose another place");
+            path.string() +
+                ": cannot be written (File too large); frame 1 is safe; free some "
+                "space or choose another place");
   EXPECT_EQ(std::filesystem::file_size(path), size);
 }
 

@@ -1,0 +1,272 @@
+// Recordings that go on after their writer has ended, however it ended.
+#include "playback/resume.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "files/files.h"
+#include "playback/recording_reader.h"
+#include "recording/sample_recording.h"
+#include "recording/size_limit.h"
+
+namespace ribbon {
+namespace {
+
+constexpr int frames = 300;  // more than one index record
+const SessionNote note{SessionReason::resumed, "tests", ""};
+
+RecordingHeader small_header() {
+  RecordingHeader header = sample_header();
+  header.grid = {3, 2};
+  header.uv = Eigen::Matrix2Xf::Zero(2, 6);
+  header.obstacle.reset();
+  return header;
+}
+
+Eigen::Matrix3Xd positions(int frame) {
+  Eigen::Matrix3Xd result(3, 6);
+  for (int p = 0; p < 6; ++p)
+    result.col(p) << 0.1 * p + 1e-5 * frame * frame, std::sin(0.1 * frame * (p + 1)), 0.01 * p;
+  return result;
+}
+
+void append(RecordingWriter& writer, int begin, int end) {
+  for (int frame = begin; frame < end; ++frame) {
+    ASSERT_TRUE(writer.append(sample_numbers(frame), positions(frame)).has_value());
+    if (frame % 50 == 7) {
+      ASSERT_TRUE(writer.append_checkpoint(10 * frame, "state " + std::to_string(frame)));
+    }
+  }
+}
+
+void put_file(const std::filesystem::path& path, const std::string& bytes) {
+  std::filesystem::remove(path);
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+// What an uninterrupted run records, and the same with one that ends on the way.
+class ResumedRecording : public testing::Test {
+ protected:
+  ResumedRecording() {
+    auto whole = RecordingWriter::create(whole_path_, small_header()).value();
+    append(whole, 0, frames);
+    EXPECT_TRUE(whole.finish(RunEnding::duration).has_value());
+    whole_ = read_file(whole_path_).value();
+  }
+
+  // As if it had never been interrupted.
+  void expect_all_frames(int count = frames) {
+    auto reader = RecordingReader::open(path_);
+    auto truth = RecordingReader::open(whole_path_);
+    for (const bool walked : {false, true}) {
+      if (walked) reader->check();
+      ASSERT_EQ(reader->frame_count(), count);
+      EXPECT_TRUE(reader->damage().empty());
+      for (int frame = 0; frame < count; ++frame) {
+        Eigen::Matrix3Xf expected;
+        Eigen::Matrix3Xf read;
+        ASSERT_TRUE(reader->read(frame, read).has_value()) << frame;
+        ASSERT_TRUE(truth->read(frame, expected).has_value());
+        ASSERT_EQ(read, expected) << frame;
+        ASSERT_EQ(reader->numbers(frame), sample_numbers(frame));
+      }
+    }
+  }
+
+  std::filesystem::path whole_path_ = temporary_file("whole.rbn");
+  std::filesystem::path path_ = temporary_file("resumed.rbn");
+  std::string whole_;
+};
+
+TEST_F(ResumedRecording, a_killed_one_goes_on_to_the_same_bytes) {
+  // Frame records in the middle, at the first index record, and torn ones.
+  for (const std::size_t size :
+       {whole_.size() / 7, whole_.size() / 2, whole_.size() * 8 / 10, whole_.size() * 9 / 10}) {
+    put_file(path_, whole_.substr(0, size));
+    auto writer = resume_recording(path_);
+    ASSERT_TRUE(writer.has_value()) << writer.error().sentence();
+    const int resumed_at = static_cast<int>(writer->frames_written());
+    EXPECT_GT(resumed_at, 0);
+    EXPECT_LT(resumed_at, frames);
+    append(*writer, resumed_at, frames);
+    ASSERT_TRUE(writer->finish(RunEnding::duration).has_value());
+    EXPECT_TRUE(read_file(path_).value() == whole_) << size;
+  }
+}
+
+TEST_F(ResumedRecording, a_finished_one_is_extended_behind_its_footer) {
+  {
+    auto writer = RecordingWriter::create(path_, small_header()).value();
+    append(writer, 0, 130);
+    ASSERT_TRUE(writer.finish(RunEnding::duration).has_value());
+  }
+  const std::string before = read_file(path_).value();
+  for (const int end : {131, 200, frames}) {
+    auto writer = resume_recording(path_).value();
+    const int resumed_at = static_cast<int>(writer.frames_written());
+    ASSERT_TRUE(writer.append_session({SessionReason::extended, "tests", "a = 1\n"}).has_value());
+    append(writer, resumed_at, end);
+    EXPECT_FALSE(RecordingReader::open(path_)->finished()) << "the older footer counts no more";
+    ASSERT_TRUE(writer.finish(RunEnding::tight).has_value());
+    expect_all_frames(end);
+  }
+  EXPECT_EQ(read_file(path_).value().substr(0, before.size()), before) << "nothing is rewritten";
+  const auto reader = RecordingReader::open(path_);
+  EXPECT_EQ(reader->ending(), RunEnding::tight);
+  ASSERT_EQ(reader->sessions().size(), 3U);
+  EXPECT_EQ(reader->sessions()[1].first_frame, 131U);
+  EXPECT_EQ(reader->checkpoints().size(), 6U);
+  EXPECT_EQ(reader->read_checkpoint(157)->state, "state 157");
+}
+
+TEST_F(ResumedRecording, a_torn_tail_is_cut_and_nothing_else) {
+  const std::string kept = whole_.substr(0, whole_.size() / 2);
+  put_file(path_, kept);
+  const std::uint64_t end = resume_recording(path_)->bytes_written();
+  for (const std::string& torn :
+       {std::string("\xB1REC"), std::string(5000, '\0'), kept.substr(end)}) {
+    put_file(path_, kept.substr(0, end) + torn);
+    auto writer = resume_recording(path_);
+    EXPECT_EQ(writer->bytes_written(), end);
+    EXPECT_EQ(std::filesystem::file_size(path_), end);
+    append(*writer, static_cast<int>(writer->frames_written()), frames);
+    ASSERT_TRUE(writer->finish().has_value());
+    expect_all_frames();
+  }
+}
+
+TEST_F(ResumedRecording, every_prefix_can_go_on) {
+  auto writer = RecordingWriter::create(path_, small_header()).value();
+  const std::size_t header_end = writer.bytes_written();
+  append(writer, 0, 8);
+  ASSERT_TRUE(writer.append_session(note).has_value());
+  append(writer, 8, 10);
+  ASSERT_TRUE(writer.finish().has_value());
+  const std::string bytes = read_file(path_).value();
+  for (std::size_t size = 0; size <= bytes.size(); ++size) {
+    put_file(path_, bytes.substr(0, size));
+    auto resumed = resume_recording(path_);
+    ASSERT_EQ(resumed.has_value(), size >= header_end) << size;
+    if (!resumed) continue;
+    append(*resumed, static_cast<int>(resumed->frames_written()), 11);
+    expect_all_frames(11);
+  }
+}
+
+// Frames, checkpoints, the index record; the last frame before the end would be cut and come again.
+TEST_F(ResumedRecording, after_damage_only_what_was_hit_is_lost) {
+  constexpr int killed_at = 272;  // a group begins here
+  {
+    auto killed = RecordingWriter::create(path_, small_header()).value();
+    append(killed, 0, killed_at);
+  }
+  const std::string bytes = read_file(path_).value();
+  auto truth = RecordingReader::open(whole_path_);
+  for (std::size_t at = 2000; at < bytes.size() - 200; at += 197) {
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x40);
+    put_file(path_, damaged);
+    auto before = RecordingReader::open(path_);
+    auto writer = resume_recording(path_).value();
+    ASSERT_EQ(writer.frames_written(), static_cast<std::uint32_t>(killed_at));
+    append(writer, killed_at, frames);
+    ASSERT_TRUE(writer.finish().has_value());
+    auto reader = RecordingReader::open(path_);
+    ASSERT_EQ(reader->frame_count(), frames);
+    for (int frame = 0; frame < frames; ++frame) {
+      Eigen::Matrix3Xf expected;
+      Eigen::Matrix3Xf read;
+      const bool done = reader->read(frame, read).has_value();
+      ASSERT_EQ(done, frame >= killed_at || before->readable(frame)) << at << ": " << frame;
+      if (!done) continue;
+      ASSERT_TRUE(truth->read(frame, expected).has_value());
+      ASSERT_EQ(read, expected);
+    }
+  }
+}
+
+TEST_F(ResumedRecording, only_one_writer_at_a_time) {
+  put_file(path_, whole_);
+  auto first = resume_recording(path_);
+  ASSERT_TRUE(first.has_value());
+  const auto second = resume_recording(path_);
+  ASSERT_FALSE(second.has_value());
+  EXPECT_EQ(second.error().problem, "is being written by another program");
+  EXPECT_FALSE(RecordingWriter::create(path_, small_header()).has_value());
+  EXPECT_EQ(std::filesystem::file_size(path_), whole_.size());
+  { const RecordingWriter done = std::move(*first); }
+  EXPECT_TRUE(resume_recording(path_).has_value()) << "the lock goes with its writer";
+}
+
+TEST_F(ResumedRecording, what_is_no_recording_is_left_alone) {
+  put_file(path_, "some text that is longer than the head of a record");
+  EXPECT_EQ(resume_recording(path_).error().problem, "is not a ribbon recording");
+  EXPECT_EQ(read_file(path_).value().size(), 50U);
+  EXPECT_FALSE(resume_recording("/no/such.rbn").has_value());
+  put_file(path_, whole_);
+  std::filesystem::permissions(path_, std::filesystem::perms::owner_read);
+  if (::access(path_.c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write anything";
+  EXPECT_NE(resume_recording(path_).error().sentence().find("cannot be written"),
+            std::string::npos);
+}
+
+TEST_F(ResumedRecording, after_a_full_disk_it_goes_on) {
+  std::uint64_t size = 0;
+  {
+    auto writer = RecordingWriter::create(path_, small_header()).value();
+    append(writer, 0, 100);
+    size = writer.bytes_written();
+    const SizeLimit limit(size + 60);
+    EXPECT_FALSE(writer.append(sample_numbers(100), positions(100)).has_value());
+  }
+  EXPECT_EQ(std::filesystem::file_size(path_), size);
+  auto writer = resume_recording(path_).value();
+  append(writer, 100, frames);
+  ASSERT_TRUE(writer.finish(RunEnding::duration).has_value());
+  EXPECT_TRUE(read_file(path_).value() == whole_);
+}
+
+// After a power cut a block of the disk may hold what it held before: here another recording's.
+TEST_F(ResumedRecording, stale_blocks_of_another_recording_are_never_its_frames) {
+  RecordingHeader other = small_header();
+  other.scene_name = "other!";
+  const auto other_path = temporary_file("other.rbn");
+  {
+    auto writer = RecordingWriter::create(other_path, other).value();
+    append(writer, 0, frames);
+    ASSERT_TRUE(writer.finish().has_value());
+  }
+  const std::string stale = read_file(other_path).value();
+  ASSERT_EQ(stale.size(), whole_.size()) << "records must lie at the same places";
+  auto truth = RecordingReader::open(whole_path_);
+  constexpr std::size_t block = 4096;
+  for (std::size_t at = block; at + block < whole_.size(); at += block) {
+    put_file(path_, std::string(whole_).replace(at, block, stale, at, block));
+    auto reader = RecordingReader::open(path_);
+    ASSERT_TRUE(reader.has_value());
+    int lost = 0;
+    for (int frame = 0; frame < reader->frame_count(); ++frame) {
+      Eigen::Matrix3Xf read;
+      Eigen::Matrix3Xf expected;
+      if (!reader->read(frame, read)) {
+        ++lost;
+        continue;
+      }
+      ASSERT_TRUE(truth->read(frame, expected).has_value());
+      ASSERT_EQ(read, expected);
+    }
+    reader->check();
+    EXPECT_FALSE(reader->damage().empty());
+    EXPECT_EQ(reader->frame_count(), frames);
+    EXPECT_LT(lost, 64);
+  }
+}
+
+}  // namespace
+}  // namespace ribbon
