@@ -117,7 +117,7 @@ TEST_F(Record, every_frame_tells_how_tight_the_ribbon_is) {
   EXPECT_EQ(reader.numbers(0)->tightness->progress, 1) << "nothing was commanded yet";
   EXPECT_EQ(reader.numbers(0)->tightness->pull, 1);
   for (int frame = 1; frame < 7; ++frame) {
-    const auto& tightness = reader.numbers(frame)->tightness;
+    const std::optional<TightnessNumbers> tightness = reader.numbers(frame)->tightness;
     ASSERT_TRUE(tightness.has_value());
     EXPECT_GT(tightness->progress, 0.5) << "free";
     EXPECT_LT(tightness->progress, 1.5);
