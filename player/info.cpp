@@ -30,8 +30,54 @@ const FrameNumbers* last_known(const RecordingInfo& info) {
 std::string frames_text(const RecordingInfo& info) {
   std::string text = std::to_string(info.frame_count()) + " in " + decimals(info.duration_s(), 2) +
                      " s, " + short_number(info.header.frames_per_second) + " per second";
-  if (!info.finished) text += "; the recorder was stopped on the way";
+  if (info.finished) return text;
+  return text + (info.being_written ? "; more are being recorded"
+                                    : "; the recorder was stopped on the way");
   return text;
+}
+
+// "key = value" a line, in one line.
+std::string settings_text(const std::string& settings) {
+  std::string text;
+  for (const char letter : settings) text += letter == '\n' ? ' ' : letter;
+  while (text.ends_with(' ')) text.pop_back();
+  return text.empty() ? "" : ", with " + text;
+}
+
+std::string origin_text(const std::optional<Origin>& origin) {
+  if (!origin) return "";
+  return report_line("branch of", origin->scene_name + ", from its frame " +
+                                      std::to_string(origin->frame + 1) +
+                                      settings_text(origin->changed_settings));
+}
+
+std::string sessions_text(const RecordingInfo& info) {
+  std::string text;
+  for (const Session& session : info.sessions)
+    text += report_line(session.note.reason == SessionReason::extended ? "extended" : "resumed",
+                        "at frame " + std::to_string(session.first_frame + 1) + " by " +
+                            session.note.program + settings_text(session.note.changed_settings));
+  return text;
+}
+
+std::string checkpoints_text(const RecordingInfo& info) {
+  constexpr std::size_t told = 3;  // at each end of a long list
+  const std::vector<int>& frames = info.checkpoints;
+  if (frames.empty()) return report_line("checkpoints", "none");
+  std::string text = std::to_string(frames.size()) + ", at frames ";
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (i >= told && i + told < frames.size()) {
+      if (i == told) text += ", ...";
+      continue;
+    }
+    text += (i > 0 ? ", " : "") + std::to_string(frames[i]);
+  }
+  return report_line("checkpoints", text);
+}
+
+std::string error_text(double max_position_error_m) {
+  if (max_position_error_m == 0) return "none beyond rounding to single precision";
+  return "at most " + short_number(1000 * max_position_error_m) + " mm";
 }
 
 std::string obstacle_text(const RecordingInfo& info) {
@@ -144,14 +190,19 @@ double RecordingInfo::bytes_per_vertex_and_frame() const {
 }
 
 RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader& reader) {
-  reader.check();
   RecordingInfo info;
+  info.being_written = reader.is_being_written();  // before what has been written is looked at
+  reader.check();
   info.file = file;
   info.file_bytes = reader.file_bytes();
+  info.recording_id = reader.recording_id();
   info.finished = reader.finished();
   info.ending = reader.ending();
   info.header = reader.header();
   info.damage = reader.damage();
+  info.sessions = reader.sessions();
+  for (const std::uint32_t frame : reader.checkpoints())
+    info.checkpoints.push_back(static_cast<int>(frame) + 1);
   for (int index = 0; index < reader.frame_count(); ++index) {
     info.numbers.push_back(reader.numbers(index));
     if (!reader.readable(index)) info.missing.push_back(index + 1);
@@ -162,8 +213,9 @@ RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader&
 std::string info_text(const RecordingInfo& info) {
   const RecordingHeader& header = info.header;
   return report_line("recording", info.file.string()) + report_line("scene", header.scene_name) +
-         report_line("written by", header.writer) + report_line("frames", frames_text(info)) +
-         ending_text(info.ending) +
+         origin_text(header.origin) + report_line("written by", header.writer) +
+         sessions_text(info) + report_line("frames", frames_text(info)) + ending_text(info.ending) +
+         checkpoints_text(info) +
          report_line("ribbon", std::to_string(header.grid.across) + " x " +
                                    std::to_string(header.grid.along) + " particles, " +
                                    short_number(header.ribbon_width_m) + " m wide, " +
@@ -171,8 +223,7 @@ std::string info_text(const RecordingInfo& info) {
          report_line("obstacle", obstacle_text(info)) +
          report_line("centre axis", axis_text(header.centre_axis)) +
          report_line("gap", gap_text(header)) + numbers_text(info) + tightness_text(info) +
-         report_line("position error",
-                     "at most " + short_number(1000 * header.max_position_error_m) + " mm") +
+         report_line("position error", error_text(header.max_position_error_m)) +
          report_line("size", std::to_string(info.file_bytes) + " bytes, " +
                                  decimals(info.bytes_per_vertex_and_frame(), 2) +
                                  " per vertex and frame") +

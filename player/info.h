@@ -20,12 +20,16 @@ struct WorstFrame {
 struct RecordingInfo {
   std::filesystem::path file;
   std::uint64_t file_bytes = 0;
+  std::uint32_t recording_id = 0;
   bool finished = false;
+  bool being_written = false;  // at this moment
   RunEnding ending = RunEnding::unknown;
   RecordingHeader header;
   std::vector<std::optional<FrameNumbers>> numbers;  // one per frame; nothing where it is lost
   std::vector<int> missing;                          // numbers, from 1, of frames that are lost
   std::vector<Damage> damage;
+  std::vector<int> checkpoints;  // numbers, from 1, of the frames that have one
+  std::vector<Session> sessions;
 
   [[nodiscard]] int frame_count() const { return static_cast<int>(numbers.size()); }
   // From the first to the last frame whose numbers are known; 0 without any.

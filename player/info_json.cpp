@@ -47,6 +47,24 @@ Json ending_json(RunEnding ending) {
   return word_for(ending);
 }
 
+Json origin_json(const std::optional<Origin>& origin) {
+  if (!origin) return nullptr;
+  return {{"recording_id", origin->recording_id},
+          {"scene", origin->scene_name},
+          {"frame", origin->frame + 1},
+          {"changed_settings", origin->changed_settings}};
+}
+
+Json sessions_json(const std::vector<Session>& sessions) {
+  Json list = Json::array();
+  for (const Session& session : sessions)
+    list.push_back({{"first_frame", session.first_frame + 1},
+                    {"reason", word_for(session.note.reason)},
+                    {"program", session.note.program},
+                    {"changed_settings", session.note.changed_settings}});
+  return list;
+}
+
 Json tightness_json(const std::optional<FrameNumbers>& numbers) {
   if (!numbers || !numbers->tightness) return nullptr;
   Json json;
@@ -78,10 +96,14 @@ std::string info_json(const RecordingInfo& info) {
       {"file", info.file.string()},
       {"file_bytes", info.file_bytes},
       {"bytes_per_vertex_and_frame", info.bytes_per_vertex_and_frame()},
+      {"recording_id", info.recording_id},
       {"writer", header.writer},
       {"finished", info.finished},
+      {"being_written", info.being_written},
       {"ending", ending_json(info.ending)},
       {"scene", {{"name", header.scene_name}, {"text", header.scene_text}}},
+      {"origin", origin_json(header.origin)},
+      {"sessions", sessions_json(info.sessions)},
       {"ribbon",
        {{"along", header.grid.along},
         {"across", header.grid.across},
@@ -96,6 +118,7 @@ std::string info_json(const RecordingInfo& info) {
       {"max_position_error_m", header.max_position_error_m},
       {"worst_strain", worst_json(info.worst_strain())},
       {"penetrating_edges", penetrations_json(info)},
+      {"checkpoints", info.checkpoints},
       {"missing_frames", info.missing},
       {"damage", damage_json(info.damage)},
       {"frames", frames_json(info)}};

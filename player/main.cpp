@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "commandline/frame_pattern.h"
 #include "commandline/frame_range.h"
@@ -13,6 +16,7 @@
 #include "parallel/parallel.h"
 #include "player/contact_sheet.h"
 #include "player/film.h"
+#include "player/follow.h"
 #include "player/info.h"
 #include "player/options.h"
 #include "player/png_encoder.h"
@@ -116,6 +120,55 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
   return answer;
 }
 
+// Renders frames as they come, all with the camera that the first look finds.
+class LiveFilm {
+ public:
+  LiveFilm(RecordingReader& reader, const Options& options, FramePattern pattern)
+      : reader_(reader),
+        options_(options),
+        pattern_(std::move(pattern)),
+        film_(reader, options.samples) {}
+
+  Result<void> show(int index) {
+    if (cameras_.empty()) cameras_ = place_cameras(reader_, {{three_quarter_view, options_.size}});
+    if (auto shown = film_.show(index); !shown) return shown;
+    return write_png(pattern_.file(index + 1), film_.picture(cameras_.front(), options_.size));
+  }
+
+ private:
+  RecordingReader& reader_;
+  const Options& options_;
+  FramePattern pattern_;
+  Film film_;
+  std::vector<Camera> cameras_;  // one, once there is a frame
+};
+
+Result<ExitCode> follow_recording(RecordingReader& reader, const Options& options) {
+  std::optional<LiveFilm> film;
+  if (!options.pictures.empty()) {
+    auto pattern = FramePattern::parse(options.pictures);
+    if (!pattern) return tl::unexpected(pattern.error());
+    film.emplace(reader, options, std::move(*pattern));
+  }
+  const Interrupt interrupt;
+  const auto tell_frame = [&](int index) -> Result<void> {
+    if (film)
+      if (auto shown = film->show(index); !shown) return shown;
+    if (options.quiet) return {};
+    std::printf("%s\n", frame_line(index, reader.numbers(index).value_or(FrameNumbers{})).c_str());
+    std::fflush(stdout);
+    return {};
+  };
+  auto followed = follow(reader, {tell_frame, [&] { return interrupt.requested(); }});
+  if (!followed) return tl::unexpected(followed.error());
+  const RecordingInfo info = recording_info(options.recording, reader);
+  if (options.info) std::fputs(info_text(info).c_str(), stdout);
+  if (!info.missing.empty())
+    std::fprintf(stderr, "ribbon-play: %s: lost to damage: frames %s\n", info.file.c_str(),
+                 number_list(info.missing).c_str());
+  return info.missing.empty() && info.damage.empty() ? ExitCode::done : ExitCode::answer_is_no;
+}
+
 // In ascending order, whatever the order asked for.
 Result<std::vector<int>> frames_to_verify(const RecordingReader& reader, const Options& options) {
   auto frames = parse_frame_range(options.frames, reader.frame_count());
@@ -150,6 +203,7 @@ Result<ExitCode> play(const Options& options) {
   auto reader = RecordingReader::open(options.recording);
   if (!reader) return tl::unexpected(reader.error());
   if (options.verify) return verify_recording(*reader, options);
+  if (options.follow) return follow_recording(*reader, options);
   const RecordingInfo info = recording_info(options.recording, *reader);
   if (options.info || options.json)
     std::fputs((options.json ? info_json(info) : info_text(info)).c_str(), stdout);

@@ -21,6 +21,8 @@ constexpr const char* examples = R"(Examples:
       puts frames on one sheet, seen from two sides, with their numbers
   ribbon-play knot.rbn --info
       tells what the recording holds; --json tells it to programs
+  ribbon-play knot.rbn --follow
+      tells of each frame of a recording that is being written, until it ends
   ribbon-play knot.rbn --verify
       proves of every frame that nothing intersects, measures gaps and strain, certifies the knot
 
@@ -52,9 +54,9 @@ void add_options(CLI::App& app, Options& options, std::string& size) {
       app.add_option("-o,--output", options.pictures,
                      "PNG files to write, with {frame} or {frame:04} for the frame's number")
           ->type_name("PATTERN");
-  app.add_option("--frames", options.frames,
-                 "frames A to B, every STEP-th; -1 is the last (default: all)")
-      ->type_name("A:B:STEP");
+  auto* frames = app.add_option("--frames", options.frames,
+                                "frames A to B, every STEP-th; -1 is the last (default: all)")
+                     ->type_name("A:B:STEP");
   app.add_option("--size", size, "size of the pictures in pixels")
       ->type_name("WxH")
       ->capture_default_str();
@@ -71,13 +73,19 @@ void add_options(CLI::App& app, Options& options, std::string& size) {
                      ->excludes(pictures)
                      ->excludes(sheet)
                      ->excludes(info);
+  auto* follow = app.add_flag("--follow", options.follow,
+                              "go on with what is recorded meanwhile, until the recorder ends")
+                     ->excludes(frames)
+                     ->excludes(sheet)
+                     ->excludes(verify);
   app.add_option("--certify-every", options.certify_every,
                  "certify the knot in every N-th frame, the first and the last")
       ->check(CLI::Range(1, 1'000'000'000).description(""))
       ->needs(verify)
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("--json", options.json, "tell it, or report what --verify found, as JSON");
+  app.add_flag("--json", options.json, "tell it, or report what --verify found, as JSON")
+      ->excludes(follow);
   app.add_option("--threads", options.threads, "use at most this many threads (default: all cores)")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N");
@@ -101,8 +109,9 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   if (!parsed) return tl::unexpected(parsed.error());
   options.size = *parsed;
   if (options.pictures.empty() && options.sheet.empty() && !options.info && !options.json &&
-      !options.verify)
-    return failure("", "nothing to do", "ask for pictures (-o), a --sheet, --info or --verify");
+      !options.verify && !options.follow)
+    return failure("", "nothing to do",
+                   "ask for pictures (-o), a --sheet, --info, --follow or --verify");
   return options;
 }
 

@@ -19,6 +19,7 @@ struct Options {
   int samples = 16;  // per pixel
   int threads = 0;   // 0: all cores
   bool info = false;
+  bool follow = false;
   bool verify = false;
   int certify_every = 10;  // frames between certificates of the knot
   bool json = false;

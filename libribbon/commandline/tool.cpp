@@ -1,5 +1,6 @@
 #include "commandline/tool.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -15,6 +16,8 @@ int could_not(const std::string& tool_name, const std::string& sentence) {
 }  // namespace
 
 int run_tool(const std::string& tool_name, const std::function<Result<ExitCode>()>& body) {
+  // A limit on file sizes is a write error like a full disk, with a sentence.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const Result<ExitCode> answer = body();
     if (!answer) return could_not(tool_name, answer.error().sentence());

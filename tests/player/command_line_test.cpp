@@ -3,14 +3,18 @@
 #include <png.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "commandline/tool_run.h"
 #include "files/files.h"
+#include "player/follow.h"
 #include "player/picture.h"
+#include "recording/recording_writer.h"
 #include "recording/sample_recording.h"
 
 namespace ribbon {
@@ -138,6 +142,42 @@ TEST_F(RibbonPlay, damage_costs_frames_and_is_told) {
   EXPECT_NE(outcome.errors.find("frames " + std::to_string(missing[0].get<int>())),
             std::string::npos)
       << outcome.errors;
+}
+
+TEST_F(RibbonPlay, follow_tells_of_every_frame_until_the_recorder_ends) {
+  auto writer = RecordingWriter::create(recording_, sample_header()).value();
+  ASSERT_TRUE(writer.append(sample_numbers(0), sample_positions(0)).has_value());
+  EXPECT_NE(play("knot.rbn --info").output.find("; more are being recorded"), std::string::npos);
+  ToolRun outcome;
+  std::thread follower([&] { outcome = play("knot.rbn --follow --info"); });
+  for (int frame = 1; frame < 20; ++frame) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(writer.append(sample_numbers(frame), sample_positions(frame)).has_value());
+  }
+  { const RecordingWriter killed = std::move(writer); }
+  follower.join();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  for (int frame = 0; frame < 20; ++frame)
+    EXPECT_NE(outcome.output.find(frame_line(frame, sample_numbers(frame)) + "\n"),
+              std::string::npos);
+  EXPECT_NE(outcome.output.find("20 in 0.38 s, 50 per second; the recorder was stopped"),
+            std::string::npos)
+      << outcome.output;
+}
+
+TEST_F(RibbonPlay, follow_renders_what_is_there_and_tells_what_is_lost) {
+  const ToolRun whole = play_small("-o 'frames/{frame}.png' --follow --quiet");
+  EXPECT_EQ(whole.exit_code, 0) << whole.errors;
+  EXPECT_EQ(whole.output, "");
+  EXPECT_EQ(files_in("frames").size(), 7U);
+  std::string bytes = read("knot.rbn");
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
+  ASSERT_TRUE(write_file(recording_, bytes));
+  const ToolRun damaged = play_small("-o 'frames/{frame}.png' --follow");
+  EXPECT_EQ(damaged.exit_code, 1);
+  EXPECT_NE(damaged.errors.find("lost to damage: frames "), std::string::npos) << damaged.errors;
+  expect_refusal(play("knot.rbn --follow --sheet sheet.png"), "--sheet");
+  expect_refusal(play("knot.rbn --follow --frames 2"), "--frames");
 }
 
 TEST_F(RibbonPlay, a_recording_in_order_is_verified) {

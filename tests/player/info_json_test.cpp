@@ -74,6 +74,25 @@ TEST(InfoJson, tightness_and_ending_are_told_or_null) {
   EXPECT_TRUE(json["frames"][1]["tightness"].is_null());
 }
 
+TEST(InfoJson, how_the_recording_came_about_is_told) {
+  RecordingInfo info = two_frames();
+  auto json = nlohmann::json::parse(info_json(info));
+  EXPECT_TRUE(json["origin"].is_null());
+  EXPECT_TRUE(json["sessions"].empty());
+  EXPECT_EQ(json["being_written"], false);
+  info.header.origin = Origin{7, "mother", 77, "a = 1\n"};
+  info.sessions = {{1, {SessionReason::extended, "ribbon-record 0.2.0", "b = 2\n"}}};
+  info.checkpoints = {1, 2};
+  info.being_written = true;
+  json = nlohmann::json::parse(info_json(info));
+  EXPECT_EQ(json["origin"]["frame"], 78);
+  EXPECT_EQ(json["origin"]["scene"], "mother");
+  EXPECT_EQ(json["sessions"][0]["reason"], "extended");
+  EXPECT_EQ(json["sessions"][0]["first_frame"], 2);
+  EXPECT_EQ(json["checkpoints"], nlohmann::json::array({1, 2}));
+  EXPECT_EQ(json["being_written"], true);
+}
+
 TEST(InfoJson, names_that_are_not_utf8_still_give_json) {
   RecordingInfo info = two_frames();
   info.header.scene_name = "\xFFobi";

@@ -52,6 +52,7 @@ TEST(RecordingInfo, the_text_is_readable) {
             "scene           obi\n"
             "written by      ribbon-record 0.1.0\n"
             "frames          3 in 0.08 s, 25 per second\n"
+            "checkpoints     none\n"
             "ribbon          4 x 10 particles, 0.08 m wide, 2 m long\n"
             "obstacle        none\n"
             "centre axis     none\n"
@@ -88,6 +89,40 @@ TEST(RecordingInfo, tightness_and_ending_are_told) {
       << text;
   info.ending = RunEnding::stopped;
   EXPECT_NE(info_text(info).find("ended           early, by the user\n"), std::string::npos);
+}
+
+TEST(RecordingInfo, where_a_run_was_taken_up_again_is_told) {
+  RecordingInfo info = three_frames();
+  info.header.origin = Origin{7, "mother", 77, "a = 1\nb = 2\n"};
+  info.sessions = {{1, {SessionReason::resumed, "ribbon-record 0.1.0", ""}},
+                   {2, {SessionReason::extended, "ribbon-record 0.2.0", "time.duration = 9\n"}}};
+  info.checkpoints = {1, 2, 3};
+  const std::string text = info_text(info);
+  EXPECT_NE(text.find("branch of       mother, from its frame 78, with a = 1 b = 2\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(
+      text.find("resumed         at frame 2 by ribbon-record 0.1.0\n"
+                "extended        at frame 3 by ribbon-record 0.2.0, with time.duration = 9\n"),
+      std::string::npos);
+  EXPECT_NE(text.find("checkpoints     3, at frames 1, 2, 3\n"), std::string::npos);
+  info.checkpoints = {1, 20, 30, 40, 50, 60, 70, 80};
+  EXPECT_NE(info_text(info).find("checkpoints     8, at frames 1, 20, 30, ..., 60, 70, 80\n"),
+            std::string::npos);
+}
+
+TEST(RecordingInfo, exact_positions_are_told) {
+  RecordingInfo info = three_frames();
+  info.header.max_position_error_m = 0;
+  EXPECT_NE(info_text(info).find("position error  none beyond rounding to single precision\n"),
+            std::string::npos);
+}
+
+TEST(RecordingInfo, a_recorder_at_work_is_mentioned) {
+  RecordingInfo info = three_frames();
+  info.finished = false;
+  info.being_written = true;
+  EXPECT_NE(info_text(info).find("25 per second; more are being recorded\n"), std::string::npos);
 }
 
 TEST(RecordingInfo, a_stopped_recorder_is_mentioned) {
