@@ -28,26 +28,29 @@ FrameDecoder::Slot* FrameDecoder::at_hand(std::uint32_t frame) {
   return nullptr;
 }
 
-// The frame and what it needs, in the order in which to decode them; nothing where one is lost.
-// With `all` also what is at hand. A reference lies earlier in the file, so there are no circles.
+// The frame and what it needs, in the order in which to decode them; nothing where one is lost or a
+// reference does not lie earlier in the file, so that there are no circles. With `all` also what is
+// at hand.
 std::optional<std::vector<std::uint32_t>> FrameDecoder::needed(std::uint32_t frame, bool all) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> found;  // by place in the file
-  std::vector<std::pair<std::uint32_t, std::uint64_t>> open = {{frame, file_.size()}};
+  std::vector<std::uint32_t> open = {frame};
   std::unordered_set<std::uint32_t> seen = {frame};
   while (!open.empty()) {
-    const auto [next, limit] = open.back();
+    const std::uint32_t next = open.back();
     open.pop_back();
     const IndexedFrame* entry = contents_.find(next);
-    if (entry == nullptr || entry->offset >= limit || undecodable_.contains(next))
-      return std::nullopt;
+    if (entry == nullptr || undecodable_.contains(next)) return std::nullopt;
     if (Slot* slot = all ? nullptr : at_hand(next)) {
       slot->last_use = ++uses_;
       continue;
     }
     found.emplace_back(entry->offset, next);
     if (found.size() > most_needed + 1) return std::nullopt;
-    for (const std::uint32_t reference : entry->references)
-      if (seen.insert(reference).second) open.emplace_back(reference, entry->offset);
+    for (const std::uint32_t reference : entry->references) {
+      const IndexedFrame* referred = contents_.find(reference);
+      if (referred == nullptr || referred->offset >= entry->offset) return std::nullopt;
+      if (seen.insert(reference).second) open.push_back(reference);
+    }
   }
   std::sort(found.begin(), found.end());
   std::vector<std::uint32_t> frames;

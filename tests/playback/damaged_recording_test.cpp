@@ -338,6 +338,22 @@ TEST_F(DamagedRecording, geometry_that_is_not_valid_makes_its_group_unreadable) 
   EXPECT_EQ(read, truth_[second_group]);
 }
 
+// Nothing that a writer of ours writes, and whole by all checksums.
+TEST_F(DamagedRecording, frames_that_refer_to_later_ones_are_not_readable) {
+  auto writer = RecordingWriter::create(path_, small_header());
+  const std::vector<std::vector<std::uint32_t>> references = {{}, {2}, {1, 0}, {2}};
+  for (std::uint32_t frame = 0; frame < references.size(); ++frame) {
+    FrameRecord record{.frame = frame};
+    for (const std::uint32_t reference : references[frame]) record.references.push_back(reference);
+    ASSERT_TRUE(writer->append_encoded(record).has_value());
+  }
+  ASSERT_TRUE(writer->finish().has_value());
+  auto reader = RecordingReader::open(path_);
+  ASSERT_EQ(reader->frame_count(), 4);
+  EXPECT_TRUE(reader->readable(0));
+  for (int frame = 1; frame < 4; ++frame) EXPECT_FALSE(reader->readable(frame)) << frame;
+}
+
 TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {
   std::string payload = header_payload(small_header());
   payload[0] = 7;
