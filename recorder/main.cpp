@@ -1,5 +1,6 @@
 // ribbon-record: fastens the ribbon of a scene and records every frame.
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "commandline/interrupt.h"
@@ -8,8 +9,10 @@
 #include "commandline/tool.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
+#include "recorder/branch.h"
 #include "recorder/options.h"
 #include "recorder/record.h"
+#include "recorder/resume.h"
 
 namespace ribbon {
 
@@ -20,27 +23,75 @@ std::string remark_on(const FrameNumbers& numbers) {
          std::to_string(numbers.penetrating_edges);
 }
 
-Result<ExitCode> record_scene(const RecorderOptions& options) {
-  set_thread_limit(options.threads);
-  const auto scene = read_scene(options.scene);
+// Draws the progress of a run, and ends it when Ctrl-C is pressed.
+class Watch {
+ public:
+  explicit Watch(bool quiet) : quiet_(quiet) {}
+
+  RunObserver observer() {
+    return {[this](int done, int total, const FrameNumbers& numbers) {
+              line(total, "frame").update(done, remark_on(numbers));
+              return !interrupt_.requested();
+            },
+            [this](int done, int total) {
+              line(total, "frame simulated again").update(done);
+              return !interrupt_.requested();
+            }};
+  }
+  void clear() {
+    if (line_) line_->clear();
+  }
+
+ private:
+  ProgressLine& line(int total, const std::string& unit) {
+    if (!line_ || unit != unit_) {
+      clear();
+      line_.emplace(unit, total, quiet_);
+      unit_ = unit;
+    }
+    return *line_;
+  }
+
+  bool quiet_;
+  std::string unit_;
+  std::optional<ProgressLine> line_;
+  Interrupt interrupt_;
+};
+
+Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
+                                              const RunObserver& observer) {
+  constexpr const char* program = "ribbon-record " RIBBON_VERSION;
+  if (options.task == RecorderTask::resume)
+    return resume(options.recording, program, observer, options.limit);
+  if (options.task == RecorderTask::branch)
+    return branch({options.input, options.from_frame, options.settings, options.recording}, program,
+                  observer, options.limit);
+  const auto scene = read_scene(options.input);
   if (!scene) return tl::unexpected(scene.error());
-
-  ProgressLine progress("frame", frame_count(*scene), options.quiet);
-  const Interrupt interrupt;
-  const RunObserver observer{[&](int done, int /*total*/, const FrameNumbers& numbers) {
-    progress.update(done, remark_on(numbers));
-    return !interrupt.requested();
-  }};
-  const auto statistics =
-      record(*scene, options.recording, "ribbon-record " RIBBON_VERSION, observer);
-  progress.clear();
+  auto statistics = record(*scene, options.recording, program, observer, options.limit);
   if (!statistics) return tl::unexpected(statistics.error());
+  return std::optional(*std::move(statistics));
+}
 
+const char* nothing_done(const RecorderOptions& options) {
+  return options.task == RecorderTask::resume
+             ? "there is nothing to add; extend it with --until or --frames"
+             : "ended by the user before there was anything to record";
+}
+
+Result<ExitCode> do_task(const RecorderOptions& options) {
+  set_thread_limit(options.threads);
+  Watch watch(options.quiet);
+  const auto statistics = run_task(options, watch.observer());
+  watch.clear();
+  if (!statistics) return tl::unexpected(statistics.error());
+  const std::optional<RunStatistics>& run = *statistics;
   if (!options.quiet)
-    std::printf("%s: %s\n", options.recording.c_str(), summary_line(*statistics).c_str());
-  if (options.profile) std::fputs(profile_text(*statistics).c_str(), stdout);
-  if (!options.statistics.empty())
-    if (auto written = write_file(options.statistics, statistics_json(*statistics)); !written)
+    std::printf("%s: %s\n", options.recording.c_str(),
+                run ? summary_line(*run).c_str() : nothing_done(options));
+  if (run && options.profile) std::fputs(profile_text(*run).c_str(), stdout);
+  if (run && !options.statistics.empty())
+    if (auto written = write_file(options.statistics, statistics_json(*run)); !written)
       return tl::unexpected(written.error());
   return ExitCode::done;
 }
@@ -53,6 +104,6 @@ int main(int argc, char** argv) {
   return ribbon::run_tool("ribbon-record", [&]() -> ribbon::Result<ribbon::ExitCode> {
     const auto options = ribbon::parse_options(argc, argv);
     if (!options) return tl::unexpected(options.error());
-    return *options ? ribbon::record_scene(**options) : ribbon::ExitCode::done;
+    return *options ? ribbon::do_task(**options) : ribbon::ExitCode::done;
   });
 }

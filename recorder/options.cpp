@@ -13,9 +13,44 @@ constexpr const char* examples = R"(Examples:
       fastens the ribbon of the scene and records it
   ribbon-record knot.toml -o knot.rbn --quiet --stats knot.json
       without progress and summary; figures of the run go to a file
-Ctrl-C ends the run early and leaves a valid recording of what was done.
+  ribbon-record --resume knot.rbn
+      goes on with a run that was stopped or killed, as if it had not been
+  ribbon-record --resume knot.rbn --until 60
+      extends a recording to one minute of simulated time
+  ribbon-record --from 200 --set fastening.speed=1 -o fast.rbn knot.rbn
+      takes frames 1 to 200 of knot.rbn over and goes on with another speed
+Ctrl-C ends the run early and leaves a valid recording of what was done; --resume goes on with it.
 
 Exit codes: 0 done (also when ended by Ctrl-C), 2 could not.)";
+
+// The words of the command line that were used.
+struct Given {
+  bool input, output, resume, from, set;
+};
+
+Result<void> refuse(const std::string& problem, const std::string& remedy) {
+  return failure("", problem, remedy);
+}
+
+Result<void> goes_together(const Given& given) {
+  if (given.resume && given.from)
+    return refuse("--resume and --from cannot go together",
+                  "--resume goes on in the same file, --from begins another one");
+  if (given.resume && given.output)
+    return refuse("--resume goes on in the recording itself, --output names another one",
+                  "leave --output out, or branch a new take off with --from");
+  if (given.resume && given.input)
+    return refuse("--resume takes the scene from the recording", "leave the scene out");
+  if (given.set && !given.from)
+    return refuse("--set changes a setting where a new take branches off",
+                  "add --from FRAME, or change the scene");
+  if (!given.resume && !given.input)
+    return given.from ? refuse("--from needs a recording to branch off", "name it at the end")
+                      : refuse("there is no scene to record", "name one, or see --help");
+  if (!given.resume && !given.output)
+    return refuse("--output is required", "write for example '-o knot.rbn'");
+  return {};
+}
 
 }  // namespace
 
@@ -24,10 +59,32 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   CLI::App app("Fastens the ribbon of a scene and records every frame.", "ribbon-record");
   app.set_version_flag("--version", "ribbon-record " RIBBON_VERSION);
   app.footer(examples);
-  app.add_option("SCENE", options.scene, "the scene (.toml)")->required();
-  app.add_option("-o,--output", options.recording, "the recording to write (.rbn)")
-      ->required()
-      ->type_name("FILE");
+  const auto* input = app.add_option("SCENE", options.input,
+                                     "the scene (.toml); with --from, the recording (.rbn)");
+  const auto* output =
+      app.add_option("-o,--output", options.recording, "the recording to write (.rbn)")
+          ->type_name("FILE");
+  std::filesystem::path resumed;
+  const auto* resume =
+      app.add_option("--resume", resumed, "go on with the run of this recording, in the same file")
+          ->type_name("FILE");
+  auto* until = app.add_option("--until", options.limit.until_s,
+                               "end at this simulated time, before or beyond the scene's duration")
+                    ->check(CLI::Range(1e-9, 1e9))
+                    ->type_name("SECONDS");
+  app.add_option("--frames", options.limit.frames, "end when the recording holds so many frames")
+      ->check(CLI::Range(2, 1'000'000'000))
+      ->excludes(until)
+      ->type_name("N");
+  int from_frame = 1;
+  const auto* from = app.add_option("--from", from_frame,
+                                    "branch a new take off at this frame of a recording (from 1)")
+                         ->check(CLI::Range(1, 1'000'000'000))
+                         ->type_name("FRAME");
+  const auto* set = app.add_option("--set", options.settings,
+                                   "change this setting of the scene there; may be repeated")
+                        ->allow_extra_args(false)
+                        ->type_name("KEY=VALUE");
   app.add_option("--stats", options.statistics, "JSON file for the figures of the run")
       ->type_name("FILE");
   app.add_option("--threads", options.threads,
@@ -39,6 +96,16 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   const auto read = parse_arguments(app, argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
+  const Given given{input->count() > 0, output->count() > 0, resume->count() > 0, from->count() > 0,
+                    set->count() > 0};
+  if (auto together = goes_together(given); !together) return tl::unexpected(together.error());
+  if (given.resume) {
+    options.task = RecorderTask::resume;
+    options.recording = resumed;
+  } else if (given.from) {
+    options.task = RecorderTask::branch;
+    options.from_frame = from_frame - 1;
+  }
   return options;
 }
 

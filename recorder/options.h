@@ -3,14 +3,27 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "recorder/run.h"
 #include "result/result.h"
 
 namespace ribbon {
 
+enum class RecorderTask {
+  record,  // a scene
+  resume,  // a recording
+  branch,  // a new take off a recording
+};
+
 struct RecorderOptions {
-  std::filesystem::path scene;
-  std::filesystem::path recording;
+  RecorderTask task = RecorderTask::record;
+  std::filesystem::path input;        // the scene or the recording to branch off; not to resume
+  std::filesystem::path recording;    // to write
+  int from_frame = 0;                 // to branch off at, from 0
+  std::vector<std::string> settings;  // that change there: "key=value"
+  RunLimit limit;
   std::filesystem::path statistics;  // JSON file to write at the end; empty: none
   int threads = 0;                   // 0: all cores
   bool profile = false;
@@ -18,7 +31,7 @@ struct RecorderOptions {
 };
 
 // Nothing when --help or --version was asked for: that has been printed to standard output. Fails
-// when the command line cannot be understood.
+// when the command line cannot be understood or asks for things that do not go together.
 Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const* argv);
 
 }  // namespace ribbon

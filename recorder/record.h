@@ -2,24 +2,14 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <string>
 
+#include "recorder/run.h"
 #include "recorder/run_statistics.h"
-#include "recording/recording.h"
 #include "result/result.h"
 #include "scene/scene.h"
 
 namespace ribbon {
-
-// What a run tells while it goes on.
-struct RunObserver {
-  // After each recorded frame: how many of how many, and its numbers. Returns false to end early.
-  std::function<bool(int done, int total, const FrameNumbers& numbers)> frame_recorded;
-};
-
-// How many frames `scene` records at most: one at its start and then one for each frame time up to
-// its duration.
-int frame_count(const Scene& scene);
 
 // Generates the ribbon of `scene`, fastens it and records every frame into `recording`. A frame is
 // recorded at the first step at or after its time; until = "tight" ends with the first frame in
@@ -28,6 +18,7 @@ int frame_count(const Scene& scene);
 // and an older one of that name replaced, only once there is a start; frames written before stay
 // readable.
 Result<RunStatistics> record(const Scene& scene, const std::filesystem::path& recording,
-                             const std::string& writer, const RunObserver& observer);
+                             const std::string& writer, const RunObserver& observer,
+                             const RunLimit& limit = {});
 
 }  // namespace ribbon

@@ -19,7 +19,12 @@ void RunStatistics::add(const FrameNumbers& frame) {
 }
 
 double RunStatistics::steps_per_second() const {
-  return simulation_s > 0 ? static_cast<double>(steps) / simulation_s : 0;
+  return simulation_s > 0 ? static_cast<double>(computed_steps) / simulation_s : 0;
+}
+
+double RunStatistics::share_of_recording() const {
+  const double all_s = simulation_s + measuring_s + recording_s;
+  return all_s > 0 ? recording_s / all_s : 0;
 }
 
 double RunStatistics::bits_per_vertex_and_frame() const {
@@ -59,8 +64,9 @@ std::string profile_line(const std::string& what, double time_s, double of_s, lo
 }
 
 std::string per_step(long count, const RunStatistics& statistics, int digits) {
-  return decimals(static_cast<double>(count) / static_cast<double>(std::max(1L, statistics.steps)),
-                  digits);
+  return decimals(
+      static_cast<double>(count) / static_cast<double>(std::max(1L, statistics.computed_steps)),
+      digits);
 }
 
 nlohmann::ordered_json stages_json(const StageSums& stages) {
@@ -85,13 +91,18 @@ nlohmann::ordered_json tightness_json(const std::optional<TightnessNumbers>& tig
 
 std::string profile_text(const RunStatistics& statistics) {
   const double all_s = statistics.simulation_s + statistics.measuring_s + statistics.recording_s;
-  std::string text = "a step, " + std::to_string(statistics.steps) + " times:\n";
+  const int frames = statistics.frames - statistics.first_frame;
+  std::string text = "a step, " + std::to_string(statistics.computed_steps) + " times:\n";
   for (std::size_t stage = 0; stage < stage_count; ++stage)
     text += profile_line(std::string(word_for(static_cast<Stage>(stage))),
-                         statistics.stages.time_s[stage], all_s, statistics.steps);
-  text += "a frame, " + std::to_string(statistics.frames) + " times:\n" +
-          profile_line("measuring", statistics.measuring_s, all_s, statistics.frames) +
-          profile_line("recording", statistics.recording_s, all_s, statistics.frames);
+                         statistics.stages.time_s[stage], all_s, statistics.computed_steps);
+  text += "a frame, " + std::to_string(frames) + " times:\n" +
+          profile_line("measuring", statistics.measuring_s, all_s, frames) +
+          profile_line("recording", statistics.recording_s, all_s, frames) +
+          "beside these, of the same time:\n" +
+          profile_line("encoding", statistics.writer.encoding_s, all_s, frames) +
+          profile_line("writing", statistics.writer.writing_s, all_s, frames) +
+          profile_line("syncing", statistics.writer.syncing_s, all_s, frames);
   return text + "in a step " + per_step(statistics.stages.detections, statistics, 2) +
          " detections, " + per_step(statistics.stages.listed_pairs, statistics, 0) +
          " pairs of features listed, " + per_step(statistics.stages.sweeps, statistics, 1) +
@@ -118,12 +129,19 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"start", statistics.start},
       {"start_s", statistics.start_s},
       {"steps", statistics.steps},
+      {"computed_steps", statistics.computed_steps},
       {"frames", statistics.frames},
+      {"first_frame", statistics.first_frame},
       {"simulated_s", statistics.simulated_s},
       {"simulation_s", statistics.simulation_s},
       {"stages", stages_json(statistics.stages)},
       {"measuring_s", statistics.measuring_s},
       {"recording_s", statistics.recording_s},
+      {"recording_share", statistics.share_of_recording()},
+      {"encoding_s", statistics.writer.encoding_s},
+      {"writing_s", statistics.writer.writing_s},
+      {"syncing_s", statistics.writer.syncing_s},
+      {"longest_queue", statistics.writer.longest_queue},
       {"steps_per_second", statistics.steps_per_second()},
       {"bytes", statistics.bytes},
       {"bits_per_vertex_and_frame", statistics.bits_per_vertex_and_frame()},

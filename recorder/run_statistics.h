@@ -14,15 +14,24 @@ struct RunStatistics {
   std::string scene_name;
   int along = 0;
   int across = 0;
-  std::string start;   // how it was made: "free", "grown" or "recovered"
-  double start_s = 0;  // wall time that took
-  long steps = 0;
+  std::string start;        // how it was made: "free", "grown" or "recovered"
+  double start_s = 0;       // wall time that took
+  long steps = 0;           // that led to the last frame
+  long computed_steps = 0;  // by this run: others may have been before it
   int frames = 0;
+  int first_frame = 0;  // how many frames were there before this run
   double simulated_s = 0;
   double simulation_s = 0;  // wall time spent in steps
   StageSums stages = {};    // what it was spent for
   double measuring_s = 0;   // wall time spent on the numbers of frames
-  double recording_s = 0;   // wall time spent in encoding and writing them
+  double recording_s = 0;   // wall time for which recording them, and checkpoints, blocked the run
+  // What was done beside it.
+  struct Writer {
+    double encoding_s = 0;
+    double writing_s = 0;
+    double syncing_s = 0;
+    long longest_queue = 0;  // frames that waited at the same time, at most
+  } writer = {};
   std::uint64_t bytes = 0;  // of the recording
   RunEnding ending = RunEnding::unknown;
   bool until_tight = false;  // was the run to end when the ribbon is tight?
@@ -38,6 +47,8 @@ struct RunStatistics {
 
   void add(const FrameNumbers& frame);
   [[nodiscard]] double steps_per_second() const;
+  // Of the wall time of this run.
+  [[nodiscard]] double share_of_recording() const;
   [[nodiscard]] double bits_per_vertex_and_frame() const;
 };
 

@@ -8,6 +8,8 @@ namespace ribbon {
 struct CentreAxis {
   Eigen::Vector3d point_m;    // a point on it
   Eigen::Vector3d direction;  // unit length
+
+  bool operator==(const CentreAxis&) const = default;
 };
 
 }  // namespace ribbon

@@ -18,11 +18,15 @@ enum class Axis { x, y, z };
 
 struct DrawnPoints {
   std::vector<Eigen::Vector2d> points;  // at least 2, in drawing units, y down as in SVG
+
+  bool operator==(const DrawnPoints&) const = default;
 };
 
 struct DrawnSvg {
   std::filesystem::path file;  // absolute, or relative to the working directory
   std::string path_id;         // id of the path to use; empty: the only one
+
+  bool operator==(const DrawnSvg&) const = default;
 };
 
 struct CurveScene {
@@ -32,6 +36,8 @@ struct CurveScene {
   Axis axis = Axis::y;
   bool first_passage_over = true;  // at the first crossing met from the start of the path
   double clearance_m = 0;          // free space between the bands at a crossing
+
+  bool operator==(const CurveScene&) const = default;
 };
 
 struct RibbonScene {
@@ -40,6 +46,8 @@ struct RibbonScene {
   int across = 0;
   double mass_kg = 1;
   double thickness_m = 0;  // at which contact begins; 0: as soon as the mesh needs it
+
+  bool operator==(const RibbonScene&) const = default;
 };
 
 // Spring resistances of the paper's section 5.1, in N/m. A resistance of 0 creates no springs.
@@ -47,12 +55,16 @@ struct SpringScene {
   double stretch = 0;  // k1
   double shear = 0;    // k2
   double bend = 0;     // k3
+
+  bool operator==(const SpringScene&) const = default;
 };
 
 struct ObstacleScene {
   std::filesystem::path file;  // absolute, or relative to the working directory
   double scale = 1;            // metres per unit of the mesh file
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+
+  bool operator==(const ObstacleScene&) const = default;
 };
 
 // How contact is dealt with: `gate` keeps every pair of features apart; `paper` is the published
@@ -78,6 +90,8 @@ struct FasteningScene {
       std::nullopt;  // stretch along at which the hands give way; none: never
   Eigen::Vector3d axis_point_m = Eigen::Vector3d::Zero();     // a point on the centre axis
   Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitY();  // unit length
+
+  bool operator==(const FasteningScene&) const = default;
 };
 
 // What ends a run: its duration alone, or a knot that is tight before.
@@ -89,6 +103,8 @@ struct TimeScene {
   RunsUntil until = RunsUntil::duration;
   IntegrationMethod integrator = IntegrationMethod::symplectic_euler;
   double tolerance = 0.1;  // of IntegrationMethod::implicit, of the change of the velocities
+
+  bool operator==(const TimeScene&) const = default;
 };
 
 // How edges are kept near their natural length where contact is in the way.
@@ -96,6 +112,8 @@ struct SmoothingScene {
   double strain = 0.08;  // that is aimed at, of the natural length
   int most_rounds = 10;  // of sweeps, each followed by the gate
   int most_sweeps = 20;  // over all contacts and edges, in each of them
+
+  bool operator==(const SmoothingScene&) const = default;
 };
 
 struct RecordingScene {
@@ -107,6 +125,8 @@ struct RecordingScene {
   [[nodiscard]] double max_position_error_m(double ribbon_length_m) const {
     return max_position_error * ribbon_length_m;
   }
+
+  bool operator==(const RecordingScene&) const = default;
 };
 
 struct Scene {
@@ -123,6 +143,8 @@ struct Scene {
   TimeScene time;
   SmoothingScene smoothing;
   RecordingScene recording;
+
+  bool operator==(const Scene&) const = default;
 };
 
 // Reads and checks a scene file. Relative file names in it are taken from its own folder. Fails

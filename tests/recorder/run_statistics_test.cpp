@@ -14,6 +14,7 @@ RunStatistics example() {
   statistics.add(
       {.time_s = 1, .worst_strain = 0.1, .penetrating_edges = 2, .recovery_iterations = 7});
   statistics.steps = 100;
+  statistics.computed_steps = 100;
   statistics.simulation_s = 4;
   statistics.bytes = 160;
   return statistics;
@@ -51,6 +52,7 @@ TEST(RunStatistics, tell_where_the_time_went) {
   statistics.stages.sweeps = 1230;
   statistics.measuring_s = 0.75;
   statistics.recording_s = 0.25;
+  statistics.writer = {.encoding_s = 0.5, .writing_s = 0.1, .syncing_s = 0.05, .longest_queue = 3};
   // By hand: 5 s in all, so detection takes 40 % and 20 ms of each of 100 steps.
   EXPECT_EQ(
       profile_text(statistics),
@@ -64,6 +66,10 @@ TEST(RunStatistics, tell_where_the_time_went) {
       "a frame, 2 times:\n"
       "  measuring       15.0 %    375.000 ms\n"
       "  recording        5.0 %    125.000 ms\n"
+      "beside these, of the same time:\n"
+      "  encoding        10.0 %    250.000 ms\n"
+      "  writing          2.0 %     50.000 ms\n"
+      "  syncing          1.0 %     25.000 ms\n"
       "in a step 1.50 detections, 1234 pairs of features listed, 12.3 sweeps over all edges\n");
 }
 
@@ -76,6 +82,25 @@ TEST(RunStatistics, are_told_to_programs_as_json) {
   EXPECT_EQ(json["ending"], "unknown");
   EXPECT_EQ(json["stages"]["detection_s"], 0);
   EXPECT_TRUE(json["tightness"].is_null());
+}
+
+// By hand: 100 of 150 steps in 4 s; 1 s of 5 s for the recording.
+TEST(RunStatistics, of_a_run_that_went_on_tell_what_it_did_itself) {
+  RunStatistics statistics = example();
+  statistics.steps = 150;
+  statistics.first_frame = 1;
+  statistics.recording_s = 1;
+  statistics.writer.longest_queue = 7;
+  EXPECT_EQ(statistics.steps_per_second(), 25);
+  EXPECT_EQ(statistics.share_of_recording(), 0.2);
+  const auto json = nlohmann::json::parse(statistics_json(statistics));
+  EXPECT_EQ(json["steps"], 150);
+  EXPECT_EQ(json["computed_steps"], 100);
+  EXPECT_EQ(json["first_frame"], 1);
+  EXPECT_EQ(json["recording_share"], 0.2);
+  EXPECT_EQ(json["longest_queue"], 7);
+  EXPECT_EQ(profile_text(statistics).rfind("a step, 100 times:", 0), 0U);
+  EXPECT_NE(profile_text(statistics).find("a frame, 1 times:"), std::string::npos);
 }
 
 RunStatistics tight() {

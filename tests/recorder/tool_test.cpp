@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "commandline/tool_run.h"
 #include "playback/recording_reader.h"
+#include "recorder/frames_of.h"
+#include "recorder/process.h"
 #include "recorder/small_scene.h"
 
 namespace ribbon {
@@ -93,6 +97,94 @@ TEST_F(RibbonRecord, what_cannot_be_read_or_written_is_named) {
   expect_refusal(run("missing.toml -o knot.rbn"), "missing.toml");
   expect_refusal(run("small.toml -o /proc/knot.rbn"), "/proc/knot.rbn");
   expect_refusal(run("small.toml"), "--output");
+}
+
+TEST_F(RibbonRecord, what_does_not_go_together_is_told) {
+  ASSERT_EQ(run("small.toml -o knot.rbn --quiet").exit_code, 0);
+  expect_refusal(run(""), "no scene to record");
+  expect_refusal(run("--resume knot.rbn -o other.rbn"), "--output names another one");
+  expect_refusal(run("--resume knot.rbn small.toml"), "takes the scene from the recording");
+  expect_refusal(run("--resume knot.rbn --from 3"), "cannot go together");
+  expect_refusal(run("small.toml -o other.rbn --set fastening.speed=1"), "add --from");
+  expect_refusal(run("--from 3 -o other.rbn"), "name it at the end");
+  expect_refusal(run("--from 3 knot.rbn"), "--output is required");
+  expect_refusal(run("--from 0 -o other.rbn knot.rbn"), "--from");
+  expect_refusal(run("--from 8 -o other.rbn knot.rbn"), "name one from 1 to 7");
+  expect_refusal(run("--from 3 -o knot.rbn knot.rbn"), "its own recording");
+  expect_refusal(run("--resume knot.rbn --until 1 --frames 4"), "--");
+  expect_refusal(run("--resume knot.rbn --frames 4"), "7 frames already");
+  expect_refusal(run("--resume knot.rbn --until -1"), "--until");
+  expect_refusal(run("--from 3 --set fastening.spede=1 -o other.rbn knot.rbn"),
+                 "did you mean 'speed'?");
+  EXPECT_FALSE(fs::exists(folder_ / "other.rbn"));
+}
+
+TEST_F(RibbonRecord, resumes_extends_and_branches) {
+  ASSERT_EQ(run("small.toml -o whole.rbn --quiet").exit_code, 0);
+  ASSERT_EQ(run("small.toml -o knot.rbn --frames 3").exit_code, 0);
+  const ToolRun resumed = run("--resume knot.rbn");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.errors;
+  EXPECT_EQ(resumed.output.rfind("knot.rbn: free start; 7 frames, 0.2 s in 20 steps", 0), 0U)
+      << resumed.output;
+  EXPECT_EQ(first_difference(frames_of(folder_ / "knot.rbn"), frames_of(folder_ / "whole.rbn")),
+            -1);
+  const ToolRun nothing = run("--resume knot.rbn");
+  EXPECT_EQ(nothing.exit_code, 0);
+  EXPECT_NE(nothing.output.find("nothing to add"), std::string::npos);
+  EXPECT_EQ(run("--resume knot.rbn --until 0.3 --quiet").output, "");
+  EXPECT_EQ(RecordingReader::open(folder_ / "knot.rbn")->frame_count(), 10);
+  ASSERT_EQ(run("--from 5 --set fastening.speed=1 --set time.duration=0.5 -o fast.rbn knot.rbn")
+                .exit_code,
+            0);
+  EXPECT_EQ(RecordingReader::open(folder_ / "fast.rbn")->frame_count(), 16);
+}
+
+TEST_F(RibbonRecord, a_recording_is_written_by_one_at_a_time) {
+  std::string text = small_scene_text();
+  text.replace(text.find("duration = 0.2"), 14, "duration = 600");
+  ASSERT_TRUE(write_file(folder_ / "long.toml", text).has_value());
+  const std::string scene = folder_ / "long.toml";
+  const std::string file = folder_ / "knot.rbn";
+  const auto is_being_written = [&] {
+    const auto reader = RecordingReader::open(file);
+    return reader && reader->is_being_written() && reader->frame_count() > 0;
+  };
+  // A new run, and then one that goes on with it.
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{RIBBON_RECORD, scene, "-o", file, "--quiet"},
+        std::vector<std::string>{RIBBON_RECORD, "--resume", file, "--quiet"}}) {
+    const pid_t first = spawned(words);
+    ASSERT_GT(first, 0);
+    while (!is_being_written()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const ToolRun resumed = run("--resume knot.rbn");
+    const ToolRun replaced = run("long.toml -o knot.rbn");
+    ::kill(first, SIGKILL);
+    EXPECT_EQ(waited_for(first), -1);
+    expect_refusal(resumed, "knot.rbn");
+    expect_refusal(replaced, "knot.rbn");
+    EXPECT_GT(RecordingReader::open(file)->frame_count(), 0);
+  }
+}
+
+TEST_F(RibbonRecord, a_disk_that_fills_while_it_resumes_keeps_all_before) {
+  std::string text = small_scene_text();
+  text.replace(text.find("duration = 0.2"), 14, "duration = 2");
+  ASSERT_TRUE(write_file(folder_ / "two.toml", text).has_value());
+  ASSERT_EQ(run("two.toml -o whole.rbn --quiet").exit_code, 0);
+  ASSERT_EQ(run("two.toml -o knot.rbn --quiet --frames 8").exit_code, 0);
+  const auto kilobytes = fs::file_size(folder_ / "knot.rbn") / 1024 + 8;
+  expect_refusal(
+      run("--resume knot.rbn", "ulimit -f " + std::to_string(kilobytes) + "; trap '' XFSZ;"),
+      "knot.rbn");
+  const auto whole = frames_of(folder_ / "whole.rbn");
+  const auto kept = frames_of(folder_ / "knot.rbn");
+  EXPECT_GE(kept.size(), 8U);
+  EXPECT_LT(kept.size(), whole.size());
+  EXPECT_EQ(first_difference(kept, whole), -1);
+  ASSERT_EQ(run("--resume knot.rbn --quiet").exit_code, 0);
+  const auto resumed = frames_of(folder_ / "knot.rbn");
+  EXPECT_EQ(resumed.size(), whole.size());
+  EXPECT_EQ(first_difference(resumed, whole), -1);
 }
 
 TEST_F(RibbonRecord, a_full_disk_keeps_the_frames_before_it) {

@@ -1,0 +1,181 @@
+#include "recorder/branch.h"
+
+#include <array>
+#include <utility>
+
+#include "recorder/recorded_run.h"
+#include "recorder/resume.h"
+#include "recorder/start.h"
+
+namespace ribbon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<Scene> changed_scene(const BranchRequest& request, const Scene& recorded) {
+  Result<std::string> text = recorded.text;
+  for (const std::string& setting : request.settings)
+    if (text) text = with_setting(request.source, *text, setting);
+  if (!text) return tl::unexpected(text.error());
+  return read_scene(request.source, *std::move(text));
+}
+
+std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(const Scene& a,
+                                                                               const Scene& b) {
+  struct Rule {
+    bool is_kept;
+    const char* what;
+    const char* why;
+  };
+  const auto size = [](const Scene& scene) {
+    return std::array{scene.ribbon.along, scene.ribbon.across};
+  };
+  const std::array rules = {
+      Rule{a.curve == b.curve, "[curve]", "the ribbon has left its drawing"},
+      Rule{size(a) == size(b), "the number of particles", "all frames have the same particles"},
+      Rule{a.ribbon.width_m == b.ribbon.width_m, "ribbon.width", "the ribbon has grown to it"},
+      Rule{a.obstacle == b.obstacle, "[obstacle]", "the ribbon lies around it"},
+      Rule{a.contact == b.contact, "contact", "the header tells what gap all frames keep"},
+      Rule{a.fastening.has_value() == b.fastening.has_value(), "whether there is a [fastening]",
+           "all frames tell how tight the ribbon is, or none does"},
+      Rule{centre_axis(a) == centre_axis(b), "the axis of [fastening]",
+           "the header names one axis for all frames"},
+      Rule{a.recording.frames_per_second == b.recording.frames_per_second,
+           "recording.frames_per_second", "all frames are equally far apart"},
+      Rule{a.recording.max_position_error == b.recording.max_position_error,
+           "recording.max_position_error", "frames that are copied are as exact as they are"}};
+  for (const Rule& rule : rules)
+    if (!rule.is_kept) return std::pair(rule.what, rule.why);
+  return std::nullopt;
+}
+
+// Would both go on to the same bits?
+bool act_alike(Scene a, const Scene& b) {
+  a.name = b.name;
+  a.text = b.text;
+  a.time.duration_s = b.time.duration_s;
+  a.time.until = b.time.until;
+  a.recording.checkpoint_every_s = b.recording.checkpoint_every_s;
+  return a == b;
+}
+
+Result<void> check(const BranchRequest& request, const RecordingReader& reader) {
+  std::error_code code;
+  if (fs::equivalent(request.source, request.target, code))
+    return failure(request.target.string(), "a take cannot branch off into its own recording",
+                   "name another file after -o");
+  if (request.frame < 0 || request.frame >= reader.frame_count())
+    return failure(request.source.string(),
+                   "there is no frame " + std::to_string(request.frame + 1),
+                   "name one from 1 to " + std::to_string(reader.frame_count()));
+  return {};
+}
+
+RecordingHeader header_of(const RecordingReader& source, const BranchRequest& request,
+                          const Scene& scene, const std::string& program) {
+  RecordingHeader header = source.header();
+  Origin origin{.recording_id = source.recording_id(),
+                .scene_name = header.scene_name,
+                .frame = static_cast<std::uint32_t>(request.frame),
+                .changed_settings = ""};
+  for (const std::string& setting : request.settings) origin.changed_settings += setting + "\n";
+  header.origin = std::move(origin);
+  header.scene_name = scene.name;
+  header.scene_text = scene.text;
+  header.writer = program;
+  return header;
+}
+
+Result<void> copy_frames(RecordingReader& source, int count, RecordingWriter& target) {
+  Eigen::Matrix3Xf positions;
+  for (int frame = 0; frame < count; ++frame) {
+    if (auto read = source.read(frame, positions); !read) return tl::unexpected(read.error());
+    const auto appended = target.append(*source.numbers(frame), positions.cast<double>());
+    if (!appended) return appended;
+  }
+  return {};
+}
+
+// What was decoded and encoded again is the same.
+Result<void> check_copies(RecordingReader& source, int count, const fs::path& target) {
+  auto copy = RecordingReader::open(target);
+  if (!copy) return tl::unexpected(copy.error());
+  Eigen::Matrix3Xf before;
+  Eigen::Matrix3Xf after;
+  for (int frame = 0; frame < count; ++frame) {
+    if (auto read = source.read(frame, before); !read) return tl::unexpected(read.error());
+    if (auto read = copy->read(frame, after); !read) return tl::unexpected(read.error());
+    if (before != after || source.numbers(frame) != copy->numbers(frame))
+      return failure(target.string() + ": frame " + std::to_string(frame + 1),
+                     "it was not copied as it was", "report this; the source is as it was");
+  }
+  return {};
+}
+
+Result<void> check_whole(const fs::path& path, RecordingReader& reader, int count) {
+  reader.check();
+  for (int frame = 0; frame < count; ++frame)
+    if (!reader.readable(frame) || !reader.numbers(frame))
+      return failure(path.string(), "frame " + std::to_string(frame + 1) + " is lost",
+                     "branch off before it, or repeat the run from its scene");
+  return {};
+}
+
+}  // namespace
+
+Result<std::optional<RunStatistics>> branch(const BranchRequest& request,
+                                            const std::string& program, const RunObserver& observer,
+                                            const RunLimit& limit) {
+  auto source = RecordingReader::open(request.source);
+  if (!source) return tl::unexpected(source.error());
+  const auto recorded = recorded_scene(request.source, *source);
+  if (!recorded) return tl::unexpected(recorded.error());
+  auto scene = changed_scene(request, *recorded);
+  if (scene && limit.is_set()) scene = extended(request.source, *scene, limit);
+  if (!scene) return tl::unexpected(scene.error());
+  if (const auto fixed = common_to_both_that_differs(*recorded, *scene))
+    return failure(request.source.string(),
+                   std::string(fixed->first) + " cannot change in a branch: " + fixed->second,
+                   "record a scene of its own");
+  if (auto sound = check(request, *source); !sound) return tl::unexpected(sound.error());
+  const int count = request.frame + 1;
+  const RunPlan plan = plan_of(*scene, limit);
+  if (plan.frames < count)
+    return failure(request.source.string(),
+                   "frame " + std::to_string(count) +
+                       " lies beyond the end of the branch, which "
+                       "is to have " +
+                       std::to_string(plan.frames) + " frames",
+                   "branch off earlier, or add --until or --set time.duration");
+  if (auto whole = check_whole(request.source, *source, count); !whole)
+    return tl::unexpected(whole.error());
+  auto before = simulated_again(request.source, *source, *recorded, request.frame,
+                                observer.frame_simulated_again);
+  if (!before) return tl::unexpected(before.error());
+  if (!*before) return std::nullopt;
+  const RecordingHeader& header = source->header();
+  auto fastening = FasteningProcessor::restore(
+      *scene, {header.grid, header.ribbon_length_m, header.ribbon_width_m}, header.obstacle,
+      (*before)->fastening().state(),
+      act_alike(*recorded, *scene) ? Settings::as_before : Settings::changed);
+  if (!fastening) return tl::unexpected(fastening.error());
+
+  auto target =
+      RecordingWriter::create(request.target, header_of(*source, request, *scene, program));
+  if (!target) return tl::unexpected(target.error());
+  if (auto copied = copy_frames(*source, count, *target); !copied)
+    return tl::unexpected(copied.error());
+  if (auto same = check_copies(*source, count, request.target); !same)
+    return tl::unexpected(same.error());
+  RunStatistics statistics;
+  if (const auto copy = RecordingReader::open(request.target)) statistics = statistics_of(*copy);
+  statistics.start = std::string(word_for(fastening->start().kind));
+  SimulatedFrames onward(*scene, *std::move(fastening), request.frame);
+  BackgroundWriter file(*std::move(target));
+  file.append_checkpoint(static_cast<std::uint64_t>(onward.fastening().steps()),
+                         onward.fastening().state());
+  return run(onward, plan, true, file, observer, std::move(statistics));
+}
+
+}  // namespace ribbon

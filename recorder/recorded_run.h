@@ -1,0 +1,31 @@
+// A run as its recording tells it, brought back to where it can go on.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "playback/recording_reader.h"
+#include "recorder/simulated_frames.h"
+#include "result/result.h"
+#include "scene/scene.h"
+
+namespace ribbon {
+
+// The scene of the recording, as later sessions of it have extended it. `path` is where the
+// recording lies: only in its folder can a drawing be looked for.
+Result<Scene> recorded_scene(const std::filesystem::path& path, const RecordingReader& reader);
+
+// The run, simulated again up to frame `index` (from 0) from the last checkpoint at or before it
+// that can be used, and else from its start, which is then generated anew from its drawing. Frames
+// on the way are compared with the recorded ones, those that are lost excepted. The obstacle is the
+// recorded one. index -1: the start, before its frame.
+//
+// Fails where the run comes out otherwise than recorded, and where there is neither a checkpoint
+// nor a drawing. Nothing where `go_on`, which is asked after each frame (how many of how many),
+// says no.
+Result<std::optional<SimulatedFrames>> simulated_again(
+    const std::filesystem::path& path, RecordingReader& reader, const Scene& scene, int index,
+    const std::function<bool(int done, int total)>& go_on);
+
+}  // namespace ribbon

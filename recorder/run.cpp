@@ -1,0 +1,130 @@
+#include "recorder/run.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "commandline/number_text.h"
+#include "recorder/stopwatch.h"
+
+namespace ribbon {
+
+namespace {
+
+std::string exact(double number) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  return {digits.data(), end};
+}
+
+// A frame time that falls on the limit up to rounding is within it.
+int frames_within(const Scene& scene, const RunLimit& limit) {
+  if (limit.frames) return *limit.frames;
+  Scene limited = scene;
+  limited.time.duration_s = *limit.until_s;
+  return frame_count(limited);
+}
+
+// Of frames that are at multiples of the interval, or the first after one.
+bool is_due(int frame, double frames_per_second, double every_s) {
+  if (frame == 0) return true;
+  if (every_s == 0) return false;
+  const auto intervals = [&](int index) {
+    return std::floor(index / frames_per_second / every_s * (1 + 1e-12));
+  };
+  return intervals(frame) > intervals(frame - 1);
+}
+
+Result<void> check_reach(const SimulatedFrame& frame, const FasteningProcessor& fastening) {
+  const double far_m = frame.positions.cwiseAbs().maxCoeff();
+  if (!(far_m > fastening.reach_m())) return {};
+  return failure("frame " + std::to_string(frame.index + 1),
+                 "the ribbon has got " + short_number(far_m) + " m from the origin, beyond the " +
+                     short_number(fastening.reach_m()) +
+                     " m within which single precision keeps its gap",
+                 "set recording.max_position_error above 0");
+}
+
+void add_effort(const SimulatedFrames::Effort& effort, const BackgroundFigures& figures,
+                RunStatistics& statistics) {
+  statistics.computed_steps = effort.steps;
+  statistics.simulation_s = effort.simulation_s;
+  statistics.measuring_s = effort.measuring_s;
+  statistics.writer = {.encoding_s = figures.writer.encoding_s,
+                       .writing_s = figures.writer.writing_s,
+                       .syncing_s = figures.writer.syncing_s,
+                       .longest_queue = static_cast<long>(figures.longest_queue)};
+}
+
+}  // namespace
+
+Result<Scene> extended(const std::filesystem::path& file, const Scene& scene,
+                       const RunLimit& limit) {
+  const int frames = frames_within(scene, limit);
+  if (frames <= frame_count(scene)) return scene;
+  const double duration_s =
+      limit.until_s.value_or((frames - 1) / scene.recording.frames_per_second);
+  auto text = with_setting(file, scene.text, "time.duration=" + exact(duration_s));
+  if (!text) return tl::unexpected(text.error());
+  return read_scene(file, *std::move(text));
+}
+
+RunPlan plan_of(const Scene& scene, const RunLimit& limit) {
+  RunPlan plan{.frames = frame_count(scene),
+               .until_tight = scene.time.until == RunsUntil::tight,
+               .checkpoint_every_s = scene.recording.checkpoint_every_s};
+  if (!limit.is_set()) return plan;
+  const int limited = frames_within(scene, limit);
+  plan.is_cut_short = limited < plan.frames;
+  plan.frames = std::min(plan.frames, limited);
+  return plan;
+}
+
+RunEnding ending_at(SimulatedFrames& frames, const RunPlan& plan) {
+  if (frames.index() < 0) return RunEnding::unknown;
+  if (plan.until_tight && frames.fastening().is_tight()) return RunEnding::tight;
+  if (frames.index() + 1 < plan.frames) return RunEnding::unknown;
+  return plan.is_cut_short ? RunEnding::stopped : RunEnding::duration;
+}
+
+Result<RunStatistics> run(SimulatedFrames& frames, const RunPlan& plan, bool has_checkpoint,
+                          BackgroundWriter& file, const RunObserver& observer,
+                          RunStatistics statistics) {
+  Stopwatch stopwatch;
+  FasteningProcessor& fastening = frames.fastening();
+  const auto checkpoint = [&] {
+    file.append_checkpoint(static_cast<std::uint64_t>(fastening.steps()), fastening.state());
+    has_checkpoint = true;
+  };
+  RunEnding ending = ending_at(frames, plan);
+  while (ending == RunEnding::unknown) {
+    const SimulatedFrame frame = frames.next();
+    if (auto near = check_reach(frame, fastening); !near) return tl::unexpected(near.error());
+    stopwatch.lap();
+    file.append(frame.numbers, frame.positions);
+    has_checkpoint = false;
+    if (is_due(frame.index, frames.frames_per_second(), plan.checkpoint_every_s)) checkpoint();
+    if (auto written = file.problem(); !written) return tl::unexpected(written.error());
+    statistics.recording_s += stopwatch.lap();
+    statistics.add(frame.numbers);
+    ending = observer.frame_recorded(frame.index + 1, plan.frames, frame.numbers)
+                 ? ending_at(frames, plan)
+                 : RunEnding::stopped;
+  }
+  stopwatch.lap();
+  if (!has_checkpoint) checkpoint();
+  if (auto finished = file.finish(ending); !finished) return tl::unexpected(finished.error());
+  statistics.recording_s += stopwatch.lap();
+  statistics.ending = ending;
+  statistics.until_tight = plan.until_tight;
+  statistics.steps = fastening.steps();
+  statistics.stages = fastening.stage_sums();
+  statistics.bytes = file.bytes_written();
+  add_effort(frames.effort(), file.figures(), statistics);
+  return statistics;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,57 @@
+// The run itself: frame after frame into a recording.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "recorder/run_statistics.h"
+#include "recorder/simulated_frames.h"
+#include "recording/background_writer.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+// What a run tells while it goes on.
+struct RunObserver {
+  // After each recorded frame: how many of how many, and its numbers. Returns false to end early.
+  std::function<bool(int done, int total, const FrameNumbers& numbers)> frame_recorded;
+  // After each frame that is simulated again to get to where a recording ended: how many of how
+  // many, of these. Returns false to give up. May be empty.
+  std::function<bool(int done, int total)> frame_simulated_again = {};
+};
+
+// Where the user wants a run to end, whatever the scene says; at most one of the two.
+struct RunLimit {
+  std::optional<double> until_s = std::nullopt;  // simulated time, > 0
+  std::optional<int> frames = std::nullopt;      // of the whole recording, at least 2
+
+  [[nodiscard]] bool is_set() const { return until_s || frames; }
+};
+
+struct RunPlan {
+  int frames = 0;             // how many the recording is to hold in the end
+  bool is_cut_short = false;  // are these fewer than the scene wants?
+  bool until_tight = false;
+  double checkpoint_every_s = 0;  // 0: at the first frame and at the end alone
+};
+
+// A scene that lasts until the limit, if that is beyond its duration. The limit must be set.
+Result<Scene> extended(const std::filesystem::path& file, const Scene& scene,
+                       const RunLimit& limit);
+
+// What to do for a scene (with an extended one, of that).
+RunPlan plan_of(const Scene& scene, const RunLimit& limit);
+
+// What has ended a run that has got to where `frames` stands; unknown: nothing yet.
+RunEnding ending_at(SimulatedFrames& frames, const RunPlan& plan);
+
+// Records frames until the plan's end, or the observer's, with a checkpoint at each multiple of the
+// plan's interval, one with the first frame of all and one with the last, and finishes the file.
+// has_checkpoint: is there one of the frame at which `frames` stands? Adds to `statistics`, which
+// know what there was before. Fails where the file does, and where a ribbon that is recorded
+// without loss gets out of the reach in which its gap is guaranteed.
+Result<RunStatistics> run(SimulatedFrames& frames, const RunPlan& plan, bool has_checkpoint,
+                          BackgroundWriter& file, const RunObserver& observer,
+                          RunStatistics statistics);
+
+}  // namespace ribbon

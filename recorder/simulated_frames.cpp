@@ -1,0 +1,91 @@
+#include "recorder/simulated_frames.h"
+
+#include <cmath>
+#include <utility>
+
+#include "recorder/stopwatch.h"
+
+namespace ribbon {
+
+namespace {
+
+// What the steps since the last frame brought about.
+class StepSums {
+ public:
+  void add(const StepReport& report) {
+    ++steps_;
+    recovery_iterations_ += report.recovery_iterations;
+    penetrating_edges_ = report.penetrating_edges;
+    held_back_ += report.held_back;
+    pull_ += report.pull;
+  }
+
+  [[nodiscard]] std::uint32_t recovery_iterations() const {
+    return static_cast<std::uint32_t>(recovery_iterations_);
+  }
+  // After the last step.
+  [[nodiscard]] std::uint32_t penetrating_edges() const {
+    return static_cast<std::uint32_t>(penetrating_edges_);
+  }
+  // Per step; before the first one nothing is held back and nobody has yielded.
+  [[nodiscard]] double mean_held_back() const { return steps_ > 0 ? held_back_ / steps_ : 0; }
+  [[nodiscard]] double mean_pull() const { return steps_ > 0 ? pull_ / steps_ : 1; }
+
+ private:
+  int steps_ = 0;
+  long recovery_iterations_ = 0;
+  int penetrating_edges_ = 0;
+  double held_back_ = 0;
+  double pull_ = 0;
+};
+
+std::optional<TightnessNumbers> tightness_numbers(FasteningProcessor& fastening,
+                                                  const StepSums& sums, Eigen::Index particles) {
+  const auto tightness = fastening.tightness();
+  if (!tightness) return std::nullopt;
+  return TightnessNumbers{
+      .progress = static_cast<float>(tightness->progress),
+      .held_back = static_cast<float>(sums.mean_held_back() / static_cast<double>(particles)),
+      .pull = static_cast<float>(sums.mean_pull()),
+      .contact = static_cast<float>(tightness->contact_share),
+      .rope_length = static_cast<float>(tightness->rope_length)};
+}
+
+FrameNumbers frame_numbers(FasteningProcessor& fastening, const StepSums& sums,
+                           Eigen::Index particles) {
+  return {.time_s = fastening.time_s(),
+          .worst_strain = fastening.strain(),
+          .penetrating_edges = sums.penetrating_edges(),
+          .recovery_iterations = sums.recovery_iterations(),
+          .tightness = tightness_numbers(fastening, sums, particles)};
+}
+
+}  // namespace
+
+SimulatedFrames::SimulatedFrames(const Scene& scene, FasteningProcessor fastening, int index)
+    : fastening_(std::move(fastening)),
+      frames_per_second_(scene.recording.frames_per_second),
+      index_(index) {}
+
+SimulatedFrame SimulatedFrames::next() {
+  Stopwatch stopwatch;
+  StepSums sums;
+  if (++index_ == 0)
+    sums.add({.recovery_iterations = fastening_.start().recovery_iterations,
+              .penetrating_edges = fastening_.start().penetrating_edges});
+  const long last = fastening_.steps_at(index_ / frames_per_second_);
+  for (; fastening_.steps() < last; ++effort_.steps) sums.add(fastening_.step());
+  effort_.simulation_s += stopwatch.lap();
+  SimulatedFrame frame{.index = index_, .numbers = {}, .positions = fastening_.positions()};
+  frame.numbers = frame_numbers(fastening_, sums, frame.positions.cols());
+  effort_.measuring_s += stopwatch.lap();
+  return frame;
+}
+
+int frame_count(const Scene& scene) {
+  return static_cast<int>(
+             std::floor(scene.time.duration_s * scene.recording.frames_per_second * (1 + 1e-12))) +
+         1;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,30 @@
+// From a scene to a ribbon that can be fastened.
+#pragma once
+
+#include <optional>
+
+#include "geometry/centre_axis.h"
+#include "geometry/triangle_mesh.h"
+#include "result/result.h"
+#include "ribbon_mesh/ribbon_mesh.h"
+#include "scene/scene.h"
+#include "simulation/fastening_processor.h"
+
+namespace ribbon {
+
+struct Start {
+  RibbonMesh ribbon;  // as generated
+  FasteningProcessor fastening;
+};
+
+// The obstacle of the scene, read from its file; nothing where it has none.
+Result<std::optional<TriangleMesh>> read_obstacle_of(const Scene& scene);
+
+// Generates the ribbon from its drawing and finds its start. Fails when the drawing or the start
+// does not work.
+Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& obstacle);
+
+// Nothing without a fastening.
+std::optional<CentreAxis> centre_axis(const Scene& scene);
+
+}  // namespace ribbon

@@ -1,0 +1,177 @@
+#include "recorder/branch.h"
+
+#include <gtest/gtest.h>
+
+#include "files/files.h"
+#include "recorder/frames_of.h"
+#include "recorder/record.h"
+#include "recorder/resume.h"
+#include "recorder/small_scene.h"
+
+namespace ribbon {
+namespace {
+
+namespace fs = std::filesystem;
+
+const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
+
+class Branch : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-branch-") + test->name());
+    fs::remove_all(folder_);
+    std::string text = small_scene_text() + "checkpoint_every = 0.5\n";
+    text.replace(text.find("duration = 0.2"), 14, "duration = 2");
+    (void)write_file(folder_ / "knot.toml", text);
+    record_source(read_scene(folder_ / "knot.toml").value());
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void record_source(const Scene& scene) {
+    (void)record(scene, source(), "test", goes_on).value();
+    frames_ = frames_of(source());
+  }
+  [[nodiscard]] fs::path source() const { return folder_ / "source.rbn"; }
+  [[nodiscard]] fs::path target() const { return folder_ / "take.rbn"; }
+
+  [[nodiscard]] Result<std::optional<RunStatistics>> branched(
+      int frame, const std::vector<std::string>& settings, const RunLimit& limit = {}) const {
+    return branch({source(), frame, settings, target()}, "brancher", goes_on, limit);
+  }
+  [[nodiscard]] std::string refusal(int frame, const std::vector<std::string>& settings) const {
+    const auto answer = branched(frame, settings);
+    return answer ? "" : answer.error().sentence();
+  }
+  // How many frames of the take are those of the source.
+  [[nodiscard]] int common_frames() const {
+    const auto take = frames_of(target());
+    const int difference = first_difference(take, frames_);
+    return difference < 0 ? static_cast<int>(take.size()) : difference;
+  }
+
+  fs::path folder_;
+  std::vector<PlayedFrame> frames_;
+};
+
+TEST_F(Branch, without_a_change_it_is_the_same_take) {
+  for (const int frame : {0, 1, 15, 20, 60}) {
+    const auto statistics = branched(frame, {}).value();
+    EXPECT_EQ(statistics->frames, 61);
+    EXPECT_EQ(statistics->first_frame, frame + 1);
+    EXPECT_EQ(common_frames(), 61) << frame;
+  }
+}
+
+TEST_F(Branch, a_changed_setting_acts_from_its_frame_on) {
+  for (const std::string setting :
+       {"fastening.speed=1", "springs.stretch=40", "air.resistance=20", "ribbon.mass=0.5",
+        "time.integrator=implicit", "accuracy=fine", "time.step=0.005"}) {
+    ASSERT_EQ(refusal(20, {setting}), "");
+    EXPECT_EQ(common_frames(), 21) << setting;
+    const auto reader = RecordingReader::open(target()).value();
+    EXPECT_EQ(reader.frame_count(), 61) << setting;
+    for (int frame = 21; frame < 61; ++frame)
+      EXPECT_NEAR(reader.numbers(frame)->time_s, frame / 30.0, 0.0101) << setting;
+  }
+}
+
+TEST_F(Branch, a_faster_take_is_drawn_farther) {
+  ASSERT_EQ(refusal(30, {"fastening.speed=1"}), "");
+  const auto take = frames_of(target());
+  const auto way_m = [](const std::vector<PlayedFrame>& frames) {
+    return (frames[60].positions.col(0) - frames[30].positions.col(0)).norm();
+  };
+  EXPECT_GT(way_m(take), 1.3 * way_m(frames_));
+}
+
+TEST_F(Branch, its_header_tells_where_it_came_from_and_holds_its_own_scene) {
+  ASSERT_EQ(refusal(20, {"fastening.speed=1", "name=fast"}), "");
+  const auto before = RecordingReader::open(source()).value();
+  const auto take = RecordingReader::open(target()).value();
+  const RecordingHeader& header = take.header();
+  EXPECT_EQ(header.origin,
+            (Origin{before.recording_id(), "small loop", 20, "fastening.speed=1\nname=fast\n"}));
+  EXPECT_EQ(header.scene_name, "fast");
+  EXPECT_EQ(header.writer, "brancher");
+  EXPECT_EQ(read_scene(target(), header.scene_text)->fastening->speed_m_s, 1);
+  EXPECT_EQ(header.lattice_step_m, before.header().lattice_step_m);
+  EXPECT_FALSE(before.header().origin.has_value());
+}
+
+TEST_F(Branch, can_be_resumed_and_branched_again) {
+  const std::vector<std::string> settings = {"fastening.speed=1", "time.step=0.004"};
+  ASSERT_TRUE(branched(20, settings).has_value());
+  const auto whole = frames_of(target());
+  ASSERT_TRUE(branched(20, settings, {.frames = 33}).has_value());
+  ASSERT_TRUE(resume(target(), "test", goes_on).has_value());
+  EXPECT_EQ(frames_of(target()).size(), 61U);
+  EXPECT_EQ(first_difference(frames_of(target()), whole), -1);
+  ASSERT_TRUE(branch({target(), 40, {"springs.bend=10"}, folder_ / "third.rbn"}, "test", goes_on)
+                  .has_value());
+  EXPECT_EQ(first_difference(frames_of(folder_ / "third.rbn"), whole), 41);
+  const auto too_early = branch({target(), 10, {}, folder_ / "fourth.rbn"}, "test", goes_on);
+  ASSERT_FALSE(too_early.has_value());
+  EXPECT_NE(too_early.error().sentence().find("branch off from 'small loop'"), std::string::npos);
+}
+
+TEST_F(Branch, goes_on_beyond_the_end_of_its_source) {
+  ASSERT_TRUE(branched(60, {"time.duration=3"}).has_value());
+  EXPECT_EQ(RecordingReader::open(target())->frame_count(), 91);
+  EXPECT_EQ(common_frames(), 61);
+  ASSERT_TRUE(branched(50, {}, {.frames = 70}).has_value());
+  EXPECT_EQ(RecordingReader::open(target())->frame_count(), 70);
+  EXPECT_NE(refusal(50, {"time.duration=1"}).find("beyond the end of the branch"),
+            std::string::npos);
+}
+
+TEST_F(Branch, without_loss_stays_without_loss) {
+  Scene scene = read_scene(folder_ / "knot.toml").value();
+  scene = read_scene(folder_ / "knot.toml",
+                     with_setting("", scene.text, "recording.max_position_error=0").value())
+              .value();
+  record_source(scene);
+  EXPECT_EQ(RecordingReader::open(source())->header().lattice_step_m, 0);
+  EXPECT_GT(RecordingReader::open(source())->header().stated_gap_m, 0);
+  ASSERT_EQ(refusal(20, {}), "");
+  EXPECT_EQ(common_frames(), 61);
+}
+
+TEST_F(Branch, what_all_frames_have_in_common_cannot_change) {
+  for (const std::string setting :
+       {"ribbon.along=61", "ribbon.across=5", "ribbon.width=0.02", "curve.unit=0.002",
+        "curve.clearance=0.01", "contact=paper", "fastening.axis=[1, 0, 0]",
+        "fastening.axis_point=[1, 0, 0]", "recording.frames_per_second=25",
+        "recording.max_position_error=1e-4", "obstacle.mesh=\"post.obj\""}) {
+    const std::string sentence = refusal(20, {setting});
+    EXPECT_NE(sentence.find("cannot change in a branch: "), std::string::npos)
+        << setting << ": " << sentence;
+    EXPECT_FALSE(fs::exists(target()));
+  }
+}
+
+TEST_F(Branch, an_older_recording_is_replaced_only_by_a_take_that_begins) {
+  ASSERT_TRUE(write_file(target(), "older"));
+  EXPECT_NE(refusal(20, {"springs.stretch=-1"}).find("'stretch' must be"), std::string::npos);
+  EXPECT_NE(refusal(20, {"springs.strech=1"}).find("did you mean 'stretch'?"), std::string::npos);
+  EXPECT_NE(refusal(20, {"springs.stretch"}).find("is not a setting"), std::string::npos);
+  EXPECT_NE(refusal(20, {"springs.stretch=1e9"}).find("parts"), std::string::npos);
+  EXPECT_NE(refusal(61, {}).find("there is no frame 62"), std::string::npos);
+  const RunObserver gives_up{[](int, int, const FrameNumbers&) { return true; },
+                             [](int, int) { return false; }};
+  EXPECT_FALSE(branch({source(), 20, {}, target()}, "test", gives_up)->has_value());
+  EXPECT_EQ(read_file(target()).value(), "older");
+}
+
+TEST_F(Branch, frames_that_are_lost_are_not_passed_over) {
+  std::string all = read_file(source()).value();
+  const std::size_t middle = all.size() / 2;
+  for (std::size_t at = middle; at < middle + 4000; ++at)
+    all[at] = static_cast<char>(all[at] ^ 0x55);
+  ASSERT_TRUE(write_file(source(), all));
+  EXPECT_NE(refusal(60, {}).find("is lost"), std::string::npos);
+  EXPECT_FALSE(fs::exists(target()));
+}
+
+}  // namespace
+}  // namespace ribbon

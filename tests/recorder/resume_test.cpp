@@ -1,0 +1,291 @@
+#include "recorder/resume.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "files/files.h"
+#include "recorder/frames_of.h"
+#include "recorder/record.h"
+#include "recorder/small_scene.h"
+#include "recording/recording_writer.h"
+
+namespace ribbon {
+namespace {
+
+namespace fs = std::filesystem;
+
+const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
+
+class ResumeRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-resume-") + test->name());
+    fs::remove_all(folder_);
+    file_ = folder_ / "knot.rbn";
+    std::string text = small_scene_text() + "checkpoint_every = 0.5\n";
+    text.replace(text.find("duration = 0.2"), 14, "duration = 2");
+    (void)write_file(folder_ / "knot.toml", text);
+    scene_ = read_scene(folder_ / "knot.toml").value();
+    (void)record(scene_, folder_ / "whole.rbn", "test", goes_on);
+    whole_ = frames_of(folder_ / "whole.rbn");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // Ends after so many frames.
+  void record_stopped(int frames) {
+    const RunObserver observer{
+        [frames](int done, int, const FrameNumbers&) { return done < frames; }};
+    (void)record(scene_, file_, "test", observer).value();
+  }
+  // Without what lies behind its last frame.
+  void cut_to_frames() {
+    const std::string all = read_file(file_).value();
+    const int frames = RecordingReader::open(file_)->frame_count();
+    for (std::size_t size = all.size();; size -= 97) {
+      ASSERT_TRUE(write_file(file_, std::string_view(all).substr(0, size)));
+      if (RecordingReader::open(file_)->checkpoints().back() + 1U <
+          static_cast<std::uint32_t>(frames))
+        break;
+    }
+  }
+  [[nodiscard]] std::string refusal(const RunLimit& limit = {}) const {
+    const auto answer = resume(file_, "test", goes_on, limit);
+    return answer ? "" : answer.error().sentence();
+  }
+  void expect_whole() {
+    auto reader = RecordingReader::open(file_).value();
+    EXPECT_TRUE(reader.finished());
+    EXPECT_EQ(reader.ending(), RunEnding::duration);
+    EXPECT_EQ(reader.frame_count(), 61);
+    EXPECT_EQ(first_difference(frames_of(reader), whole_), -1);
+  }
+
+  fs::path folder_;
+  fs::path file_;
+  Scene scene_;
+  std::vector<PlayedFrame> whole_;
+};
+
+TEST_F(ResumeRun, a_stopped_run_goes_on_to_the_frames_of_one_that_never_stopped) {
+  for (const int frames : {1, 2, 16, 17, 30, 60}) {
+    record_stopped(frames);
+    EXPECT_EQ(RecordingReader::open(file_)->frame_count(), frames);
+    const auto statistics = resume(file_, "resumer", goes_on).value();
+    ASSERT_TRUE(statistics.has_value());
+    EXPECT_EQ(statistics->frames, 61);
+    EXPECT_EQ(statistics->first_frame, frames);
+    EXPECT_EQ(statistics->steps, 200);
+    expect_whole();
+    const auto sessions = RecordingReader::open(file_)->sessions();
+    ASSERT_EQ(sessions.size(), 1U);
+    EXPECT_EQ(sessions[0].first_frame, static_cast<std::uint32_t>(frames));
+    EXPECT_EQ(sessions[0].note, (SessionNote{SessionReason::resumed, "resumer", ""}));
+  }
+}
+
+TEST_F(ResumeRun, checkpoints_are_at_the_start_at_multiples_of_their_interval_and_at_the_end) {
+  const auto reader = RecordingReader::open(folder_ / "whole.rbn").value();
+  // By hand: 30 frames/s, one each half second; the last frame is at 2 s.
+  EXPECT_EQ(reader.checkpoints(), (std::vector<std::uint32_t>{0, 15, 30, 45, 60}));
+  EXPECT_EQ(reader.read_checkpoint(15)->steps, 50U);
+  scene_.recording.checkpoint_every_s = 0;
+  record_stopped(20);
+  EXPECT_EQ(RecordingReader::open(file_)->checkpoints(), (std::vector<std::uint32_t>{0, 19}));
+}
+
+TEST_F(ResumeRun, a_run_resumed_again_and_again_is_the_same) {
+  record_stopped(3);
+  for (const int frames : {7, 8, 20, 50}) {
+    const RunObserver observer{
+        [frames](int done, int, const FrameNumbers&) { return done < frames; }};
+    ASSERT_TRUE(resume(file_, "test", observer).has_value());
+  }
+  ASSERT_TRUE(resume(file_, "test", goes_on).has_value());
+  expect_whole();
+  EXPECT_EQ(RecordingReader::open(file_)->sessions().size(), 5U);
+}
+
+TEST_F(ResumeRun, from_any_cut_tail_it_goes_on) {
+  record_stopped(23);
+  const std::string all = read_file(file_).value();
+  // Each leaves another part of the last records, then of frames, then of checkpoints before.
+  for (std::size_t bytes = 1; bytes < all.size() - 12000; bytes += 2611) {
+    ASSERT_TRUE(write_file(file_, std::string_view(all).substr(0, all.size() - bytes)));
+    ASSERT_EQ(refusal(), "") << bytes;
+    expect_whole();
+  }
+}
+
+TEST_F(ResumeRun, a_damaged_checkpoint_falls_back_to_the_one_before) {
+  record_stopped(40);
+  std::string all = read_file(file_).value();
+  const auto reader = RecordingReader::open(file_).value();
+  ASSERT_EQ(reader.checkpoints(), (std::vector<std::uint32_t>{0, 15, 30, 39}));
+  all[all.size() - 1500] = static_cast<char>(all[all.size() - 1500] ^ 0x10);  // in the last state
+  ASSERT_TRUE(write_file(file_, all));
+  ASSERT_FALSE(RecordingReader::open(file_)->read_checkpoint(39).has_value());
+  int again = 0;
+  const RunObserver observer{[](int, int, const FrameNumbers&) { return true; },
+                             [&again](int, int total) {
+                               again = total;
+                               return true;
+                             }};
+  ASSERT_TRUE(resume(file_, "test", observer).has_value());
+  EXPECT_EQ(again, 9) << "frames 31 to 39 from the checkpoint of frame 30";
+  expect_whole();
+}
+
+// The writer alone, as if it had been killed before its first checkpoint.
+TEST_F(ResumeRun, without_a_checkpoint_it_begins_at_the_start_again) {
+  const auto header = RecordingReader::open(folder_ / "whole.rbn")->header();
+  for (const int frames : {0, 1, 5}) {
+    {
+      auto writer = RecordingWriter::create(file_, header).value();
+      for (int frame = 0; frame < frames; ++frame)
+        ASSERT_TRUE(
+            writer.append(*whole_[static_cast<std::size_t>(frame)].numbers,
+                          whole_[static_cast<std::size_t>(frame)].positions.cast<double>()));
+    }
+    ASSERT_EQ(refusal(), "") << frames;
+    expect_whole();
+  }
+}
+
+TEST_F(ResumeRun, a_drawing_that_is_gone_is_missed_only_without_a_checkpoint) {
+  const std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\"><path id=\"band\" d=\"M -300 0 L 300 0\"/></svg>";
+  std::string text = scene_.text;
+  const auto points = text.find("points");
+  text.replace(points, text.find("[ribbon]") - points, "svg = 'line.svg'\n");
+  ASSERT_TRUE(write_file(folder_ / "knot.toml", text));
+  ASSERT_TRUE(write_file(folder_ / "line.svg", svg));
+  scene_ = read_scene(folder_ / "knot.toml").value();
+  record_stopped(5);
+  fs::rename(folder_ / "line.svg", folder_ / "away.svg");
+  EXPECT_EQ(refusal(), "");
+  const auto header = RecordingReader::open(file_)->header();
+  (void)RecordingWriter::create(file_, header).value();
+  EXPECT_NE(refusal().find("no usable checkpoint, and the start cannot be made again"),
+            std::string::npos)
+      << refusal();
+  ASSERT_TRUE(write_file(folder_ / "line.svg",
+                         "<svg xmlns=\"http://www.w3.org/2000/svg\"><path id=\"band\" "
+                         "d=\"M -300 0 L 310 0\"/></svg>"));
+  EXPECT_NE(refusal().find("the drawing is not the one"), std::string::npos) << refusal();
+  fs::rename(folder_ / "away.svg", folder_ / "line.svg");
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(ResumeRun, a_finished_run_is_left_alone_unless_it_is_extended) {
+  fs::copy_file(folder_ / "whole.rbn", file_);
+  const std::string before = read_file(file_).value();
+  const auto nothing = resume(file_, "test", goes_on);
+  ASSERT_TRUE(nothing.has_value());
+  EXPECT_FALSE(nothing->has_value());
+  EXPECT_TRUE(read_file(file_).value() == before);
+}
+
+TEST_F(ResumeRun, an_extended_run_is_as_one_that_was_longer_from_the_beginning) {
+  std::string text = scene_.text;
+  text.replace(text.find("duration = 2"), 12, "duration = 3");
+  const Scene longer = read_scene(folder_ / "knot.toml", text).value();
+  (void)record(longer, folder_ / "longer.rbn", "test", goes_on).value();
+  whole_ = frames_of(folder_ / "longer.rbn");
+  ASSERT_EQ(whole_.size(), 91U);
+  for (const RunLimit& limit : {RunLimit{.until_s = 3}, RunLimit{.frames = 91}}) {
+    fs::copy_file(folder_ / "whole.rbn", file_, fs::copy_options::overwrite_existing);
+    ASSERT_EQ(refusal(limit), "");
+    auto reader = RecordingReader::open(file_).value();
+    EXPECT_EQ(reader.ending(), RunEnding::duration);
+    EXPECT_EQ(reader.frame_count(), 91);
+    EXPECT_EQ(first_difference(frames_of(reader), whole_), -1);
+    ASSERT_EQ(reader.sessions().size(), 1U);
+    EXPECT_EQ(reader.sessions()[0].note.reason, SessionReason::extended);
+    EXPECT_EQ(reader.sessions()[0].note.changed_settings, "time.duration = 3\n");
+  }
+}
+
+// The second resume knows from the file how far the run was to be extended.
+TEST_F(ResumeRun, an_extension_that_was_stopped_goes_on_to_its_end) {
+  fs::copy_file(folder_ / "whole.rbn", file_);
+  const RunObserver stops{[](int done, int, const FrameNumbers&) { return done < 70; }};
+  ASSERT_TRUE(resume(file_, "test", stops, {.frames = 91}).has_value());
+  EXPECT_EQ(RecordingReader::open(file_)->frame_count(), 70);
+  ASSERT_TRUE(resume(file_, "test", goes_on).has_value());
+  EXPECT_EQ(RecordingReader::open(file_)->frame_count(), 91);
+  EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::duration);
+}
+
+TEST_F(ResumeRun, a_limit_cuts_a_run_short_and_one_before_what_is_there_is_refused) {
+  (void)record(scene_, file_, "test", goes_on, {.frames = 20}).value();
+  EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::stopped);
+  EXPECT_EQ(RecordingReader::open(file_)->frame_count(), 20);
+  EXPECT_NE(refusal({.frames = 10}).find("holds 20 frames already, more than the 10"),
+            std::string::npos);
+  ASSERT_EQ(refusal({.until_s = 1}), "");
+  EXPECT_EQ(RecordingReader::open(file_)->frame_count(), 31);
+  ASSERT_EQ(refusal(), "");
+  expect_whole();
+}
+
+TEST_F(ResumeRun, a_new_run_may_be_longer_than_its_scene) {
+  (void)record(scene_, file_, "test", goes_on, {.until_s = 3}).value();
+  const auto reader = RecordingReader::open(file_).value();
+  EXPECT_EQ(reader.frame_count(), 91);
+  EXPECT_NE(reader.header().scene_text.find("duration = 3\n"), std::string::npos);
+}
+
+TEST_F(ResumeRun, what_comes_out_otherwise_than_recorded_is_told) {
+  // The scene in the header is not the one that was simulated.
+  auto header = RecordingReader::open(folder_ / "whole.rbn")->header();
+  header.scene_text.replace(header.scene_text.find("stretch = 10"), 12, "stretch = 11");
+  {
+    auto writer = RecordingWriter::create(file_, header).value();
+    for (int frame = 0; frame < 5; ++frame) {
+      const auto& played = whole_[static_cast<std::size_t>(frame)];
+      ASSERT_TRUE(writer.append(*played.numbers, played.positions.cast<double>()));
+    }
+  }
+  const std::string before = read_file(file_).value();
+  EXPECT_NE(refusal().find("knot.rbn: frame 2: simulated again, it comes out otherwise"),
+            std::string::npos)
+      << refusal();
+  EXPECT_TRUE(read_file(file_).value() == before);
+}
+
+TEST_F(ResumeRun, given_up_while_it_is_simulated_again_it_leaves_all_as_it_was) {
+  record_stopped(29);
+  cut_to_frames();
+  const std::string before = read_file(file_).value();
+  const RunObserver gives_up{[](int, int, const FrameNumbers&) { return true; },
+                             [](int done, int) { return done < 3; }};
+  const auto statistics = resume(file_, "test", gives_up).value();
+  EXPECT_EQ(statistics->ending, RunEnding::stopped);
+  const std::string after = read_file(file_).value();
+  EXPECT_TRUE(before.starts_with(after)) << "but for the torn tail";
+  EXPECT_EQ(RecordingReader::open(file_)->frame_count(), 29);
+  EXPECT_EQ(refusal(), "");
+  expect_whole();
+}
+
+TEST_F(ResumeRun, what_somebody_else_writes_is_left_to_them) {
+  record_stopped(5);
+  const auto header = RecordingReader::open(file_)->header();
+  const auto writer = RecordingWriter::create(folder_ / "busy.rbn", header).value();
+  file_ = folder_ / "busy.rbn";
+  EXPECT_NE(refusal().find("busy.rbn"), std::string::npos);
+}
+
+TEST_F(ResumeRun, what_is_no_recording_is_told_and_left_as_it_is) {
+  ASSERT_TRUE(write_file(file_, "a letter"));
+  EXPECT_NE(refusal().find("knot.rbn"), std::string::npos);
+  EXPECT_EQ(read_file(file_).value(), "a letter");
+  file_ = folder_ / "missing.rbn";
+  EXPECT_NE(refusal().find("missing.rbn"), std::string::npos);
+  EXPECT_FALSE(fs::exists(file_));
+}
+
+}  // namespace
+}  // namespace ribbon
