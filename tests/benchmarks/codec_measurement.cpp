@@ -74,14 +74,17 @@ CodecFigures figures_of(const Sums& sums, int particles) {
           gigabytes / sums.decode_s, sums.worst_error_m};
 }
 
-// A first look, at the middle block: settings that keep the bound there, the smallest first.
+// A first look, at a group in the middle: settings that keep the bound there, the smallest first.
 std::vector<const CodecRow::Make*> ranked_settings(const CodecRow& row, const CodecTask& task,
                                                    const std::vector<FrameSpan>& blocks) {
+  const FrameSpan middle = blocks[blocks.size() / 2];
+  const FrameSpan group =
+      middle.first(std::min(middle.size(), static_cast<std::size_t>(row.group_frames)));
   std::vector<std::pair<double, const CodecRow::Make*>> ranked;
   for (const CodecRow::Make& make : row.settings) {
     const auto codec = make(task);
     if (!codec) continue;
-    const Sums sums = sums_of(*codec, {blocks[blocks.size() / 2]}, row.group_frames, 1);
+    const Sums sums = sums_of(*codec, {group}, row.group_frames, 1);
     if (sums.worst_error_m <= task.bound_m) ranked.emplace_back(sums.bytes, &make);
   }
   std::stable_sort(ranked.begin(), ranked.end(),

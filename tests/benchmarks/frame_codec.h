@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/ribbon_grid.h"
+#include "recording/recording.h"
 
 namespace ribbon {
 
@@ -37,7 +38,8 @@ class FrameCodec {
 // What a codec is asked for.
 struct CodecTask {
   RibbonGrid grid;
-  double bound_m = 0;    // on the error of every coordinate; 0: the same floats
+  RecordingHeader header;  // of the recording that the frames are from
+  double bound_m = 0;      // on the error of every coordinate; 0: the same floats
   double largest_m = 0;  // of all coordinates, so that a lattice can leave room for their rounding
   double reach_m = 0;    // what a recorder takes for that beforehand
 };

@@ -19,7 +19,10 @@ struct Profile {
 };
 
 CodecParameters parameters_of(const CodecTask& task) {
-  return {task.grid, lattice_step_m(task.bound_m, task.reach_m), {}};
+  RecordingHeader header = task.header;
+  header.max_position_error_m = task.bound_m;
+  header.lattice_step_m = lattice_step_m(task.bound_m, task.reach_m);
+  return codec_parameters(header);
 }
 
 class OwnCodec : public FrameCodec {

@@ -79,7 +79,8 @@ def table(head, rows):
 
 def own_tables(figures):
     """Every profile of our own at every bound."""
-    names = [recording["name"] for recording in figures.recordings]
+    samples = [recording["name"] for recording in figures.recordings]
+    names = [name.removeprefix("overhand-").removesuffix("-16x400") for name in samples]
     head = ["profile", "bound", *names, "mean", "encode, GB/s", "decode, GB/s", "worst error / bound"]
     rows = []
     for codec in (c for c in figures.codecs if c.startswith("ribbon")):

@@ -13,7 +13,7 @@ namespace ribbon {
 namespace {
 
 constexpr int openings = 15;
-constexpr int jumps = 2000;
+constexpr int jumps = 1000;
 
 // Value `share` of the way from the smallest to the largest.
 double quantile(std::vector<double> values, double share) {
