@@ -90,6 +90,7 @@ std::vector<const CodecRow::Make*> ranked_settings(const CodecRow& row, const Co
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<const CodecRow::Make*> settings;
+  settings.reserve(ranked.size());
   for (const auto& [bytes, make] : ranked) settings.push_back(make);
   return settings;
 }

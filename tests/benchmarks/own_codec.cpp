@@ -34,7 +34,7 @@ class OwnCodec : public FrameCodec {
 
   void take(FrameSpan frames) override {
     positions_.clear();
-    for (const Eigen::Matrix3Xf& frame : frames) positions_.push_back(frame.cast<double>());
+    for (const Eigen::Matrix3Xf& frame : frames) positions_.emplace_back(frame.cast<double>());
     encoded_.resize(frames.size());
     lattice_.resize(frames.size());
     decoded_.assign(frames.begin(), frames.end());

@@ -104,8 +104,8 @@ class EdgebreakerMesh : public Geometry {
       numbers[3 * vertex] = static_cast<std::uint32_t>(vertex);
     std::vector<std::uint32_t> walked(numbers.size());
     draco::EncoderBuffer bytes;
-    encode(numbers, bytes);
-    decode(bytes, walked);
+    EdgebreakerMesh::encode(numbers, bytes);
+    EdgebreakerMesh::decode(bytes, walked);
     for (std::size_t vertex = 0; vertex < order_.size(); ++vertex)
       order_[vertex] = walked[3 * vertex];
   }
@@ -132,7 +132,7 @@ class EdgebreakerMesh : public Geometry {
  private:
   std::unique_ptr<draco::Mesh> mesh_;
   int speed_;  // 0 smallest, 10 quickest
-  std::vector<std::uint32_t> order_;
+  std::vector<std::size_t> order_;
 };
 
 // Each frame, or what it differs from the frames before by, is coded by itself.
@@ -169,7 +169,7 @@ std::vector<CodecRow::Make> settings(const MakeGeometry& make) {
   std::vector<CodecRow::Make> settings;
   for (const TimeDifference difference :
        {TimeDifference::none, TimeDifference::first, TimeDifference::second})
-    settings.push_back([=](const CodecTask& task) -> std::unique_ptr<FrameCodec> {
+    settings.emplace_back([=](const CodecTask& task) -> std::unique_ptr<FrameCodec> {
       const auto step = lattice_step(task);
       if (!step || *step == 0) return nullptr;
       return std::make_unique<Draco>(*step, difference, SignForm::plain, make(task.grid));
