@@ -1,0 +1,50 @@
+// Whatever the bytes, the decoder answers with a whole frame or with none.
+#include <vector>
+
+#include "fuzz/fuzz_input.h"
+#include "fuzz/must.h"
+#include "fuzz/reference_frames.h"
+#include "recording/position_decoder.h"
+#include "recording/position_encoder.h"
+#include "recording/references.h"
+
+namespace ribbon {
+namespace {
+
+constexpr double bound_m = 1e-4;
+
+std::vector<LatticeFrame> reference_frames(const CodecParameters& parameters, int count) {
+  PositionEncoder encoder(parameters, bound_m);
+  std::vector<LatticeFrame> frames;
+  for (int turn = 0; turn < count; ++turn)
+    frames.push_back(encoder.encode(wave(parameters.grid, turn), {}).value().frame);
+  return frames;
+}
+
+void decode(const CodecParameters& parameters, int references, FrameEncoding encoding,
+            std::string_view geometry) {
+  const std::vector<LatticeFrame> frames = reference_frames(parameters, references);
+  std::vector<const LatticeFrame*> pointers;
+  for (const LatticeFrame& frame : frames) pointers.push_back(&frame);
+  LatticeFrame decoded;
+  if (!PositionDecoder(parameters).decode(encoding, geometry, pointers, decoded)) return;
+  Eigen::Matrix3Xf positions;
+  decoded.positions(positions);
+  must(positions.cols() == parameters.grid.particle_count(), "a decoded frame has all particles");
+}
+
+}  // namespace
+}  // namespace ribbon
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ribbon;
+  FuzzInput input(data, size);
+  const int along = input.between(2, 48);
+  const int across = input.between(2, 33);
+  const bool on_lattice = input.between(0, 3) > 0;
+  const auto encoding = static_cast<FrameEncoding>(input.between(0, 1));
+  const int references = input.between(0, static_cast<int>(most_references));
+  const ExactCopy geometry(input.rest());
+  decode(parameters_for({along, across}, on_lattice), references, encoding, geometry.view());
+  return 0;
+}

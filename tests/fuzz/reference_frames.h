@@ -1,0 +1,28 @@
+// What the geometry that a fuzzer makes is decoded with.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "recording/codec_parameters.h"
+
+namespace ribbon {
+
+// The parameters for a grid, on a lattice of 2^-16 m or on that of all single-precision numbers.
+inline CodecParameters parameters_for(const RibbonGrid& grid, bool on_lattice) {
+  CodecParameters parameters;
+  parameters.grid = grid;
+  parameters.step_m = on_lattice ? 0x1p-16F : 0;
+  return parameters;
+}
+
+// A wave that moves on from turn to turn: 3 x particles, metres.
+inline Eigen::Matrix3Xd wave(const RibbonGrid& grid, int turn) {
+  Eigen::Matrix3Xd positions(3, grid.particle_count());
+  for (int p = 0; p < positions.cols(); ++p)
+    positions.col(p) << 0.01 * grid.row(p), 0.01 * grid.column(p),
+        0.1 * std::sin(0.1 * (grid.row(p) + turn));
+  return positions;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,154 @@
+// fuzz_corpus FOLDER: writes what the fuzz targets begin with into folders of their names; run it
+// when the format has changed. What it wrote for this version is kept in tests/fuzz/corpus.
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "files/files.h"
+#include "fuzz/reference_frames.h"
+#include "recording/position_encoder.h"
+#include "recording/recording_writer.h"
+#include "recording/references.h"
+
+namespace ribbon {
+namespace {
+
+// Bytes as FuzzInput takes them.
+std::string bytes(std::initializer_list<int> values) {
+  std::string result;
+  for (const int value : values) result.push_back(static_cast<char>(value));
+  return result;
+}
+
+template <class Number>
+std::string bytes_of(Number number) {
+  return {reinterpret_cast<const char*>(&number), sizeof number};
+}
+
+void write(const std::filesystem::path& file, const std::string& content) {
+  std::filesystem::create_directories(file.parent_path());
+  if (auto written = write_file(file, content); !written) {
+    std::fprintf(stderr, "%s\n", written.error().sentence().c_str());
+    std::exit(2);
+  }
+}
+
+// Frames as round_trip.cpp reads them: grid, bound, reach; then of each frame what changes and,
+// behind what that asks for, its references.
+void write_round_trips(const std::filesystem::path& folder) {
+  const std::string bend = bytes({1, 20});
+  const std::string shake = bytes({8, 7, 12});
+  const std::string move = bytes({2}) + bytes_of(0.001F);
+  const std::string three = bytes({3, 2, 1, 0});
+  const std::string wave = bend + bytes({0}) + move + bytes({1, 0}) + move + bytes({2, 1, 0});
+  write(folder / "smooth", bytes({38, 14, 5, 0}) + wave + move + three);
+  write(folder / "exact", bytes({38, 14, 0, 0}) + wave + shake + three);
+  write(folder / "noise", bytes({21, 5, 4, 0}) + wave + shake + three + shake + bytes({0}));
+  write(folder / "narrow", bytes({60, 0, 5, 0}) + wave + move + three);
+  write(folder / "fine", bytes({9, 9, 2, 0}) + wave + shake + three);
+  const auto with_one = [](double value) {
+    return bytes({16, 0, 3, 0}) + bytes_of(value) + bytes({1, 0});
+  };
+  write(folder / "not_a_number", bytes({5, 5, 5, 0}) + bend + bytes({0}) + with_one(0.0 / 0.0));
+  write(folder / "huge", bytes({5, 5, 5, 0}) + bend + bytes({0}) + with_one(1e300));
+  write(folder / "large", bytes({5, 5, 7, 0}) + bend + bytes({0}) + with_one(1e9));
+  write(folder / "denormal", bytes({5, 5, 0, 0}) + bend + bytes({0}) + with_one(1e-310));
+}
+
+// A frame with `references` before it, as hostile_geometry.cpp reads it.
+std::string geometry(const RibbonGrid& grid, bool on_lattice, int references) {
+  constexpr double bound_m = 1e-4;
+  PositionEncoder encoder(parameters_for(grid, on_lattice), bound_m);
+  std::vector<LatticeFrame> frames;
+  for (int turn = 0; turn < references; ++turn)
+    frames.push_back(encoder.encode(wave(grid, turn), {}).value().frame);
+  std::vector<const LatticeFrame*> pointers;
+  for (const LatticeFrame& frame : frames) pointers.push_back(&frame);
+  const EncodedFrame encoded = encoder.encode(wave(grid, references), pointers).value();
+  return bytes({grid.along - 2, grid.across - 2, on_lattice ? 1 : 0,
+                static_cast<int>(encoded.encoding), references}) +
+         encoded.geometry;
+}
+
+void write_geometries(const std::filesystem::path& folder) {
+  for (const bool on_lattice : {false, true})
+    for (int references = 0; references <= static_cast<int>(most_references); ++references)
+      write(folder / ((on_lattice ? "lattice_" : "exact_") + std::to_string(references)),
+            geometry({17, 6}, on_lattice, references));
+}
+
+RecordingHeader header_of(double max_error_m) {
+  RecordingHeader header;
+  header.scene_name = "fuzz";
+  header.scene_text = "#";
+  header.writer = "fuzz_corpus";
+  header.grid = {5, 3};
+  header.uv.setZero(2, header.grid.particle_count());
+  header.ribbon_length_m = 0.05;
+  header.ribbon_width_m = 0.02;
+  header.frames_per_second = 60;
+  header.max_position_error_m = max_error_m;
+  header.lattice_step_m = lattice_step_m(max_error_m, 1);
+  return header;
+}
+
+// Everything that a header can hold.
+RecordingHeader rich_header() {
+  RecordingHeader header = header_of(1e-4);
+  header.obstacle =
+      TriangleMesh{"stone", Eigen::Matrix3Xf::Identity(3, 3), Eigen::Matrix3Xi{{0}, {1}, {2}}};
+  header.stated_gap_m = 1e-3;
+  header.centre_axis = CentreAxis{{0, 0, 0}, {0, 0, 1}};
+  header.origin = Origin{1, "before", 2, "step = 0.01"};
+  return header;
+}
+
+// Leaves the program where that does not work.
+void demand(const Result<void>& done) {
+  if (done) return;
+  std::fprintf(stderr, "%s\n", done.error().sentence().c_str());
+  std::exit(2);
+}
+
+void append(RecordingWriter& writer, int frame, bool with_tightness) {
+  FrameNumbers numbers{.time_s = frame / 60.0};
+  if (with_tightness) numbers.tightness = TightnessNumbers{.progress = 1};
+  demand(writer.append(numbers, wave(writer.header().grid, frame)));
+}
+
+RecordingWriter writer_of(const std::filesystem::path& file, const RecordingHeader& header) {
+  auto writer = RecordingWriter::create(file, header);
+  if (writer) return std::move(*writer);
+  std::fprintf(stderr, "%s\n", writer.error().sentence().c_str());
+  std::exit(2);
+}
+
+void write_recordings(const std::filesystem::path& folder) {
+  RecordingWriter finished = writer_of(folder / "finished", header_of(1e-4));
+  for (int frame = 0; frame < 4; ++frame) append(finished, frame, false);
+  demand(finished.finish(RunEnding::tight));
+  RecordingWriter rich = writer_of(folder / "rich", rich_header());
+  for (int frame = 0; frame < 3; ++frame) append(rich, frame, true);
+  demand(rich.append_checkpoint(7, "state"));
+  demand(rich.append_session({}));
+  append(rich, 3, true);
+  demand(rich.finish(RunEnding::duration));
+  RecordingWriter exact = writer_of(folder / "exact_and_killed", header_of(0));
+  for (int frame = 0; frame < 18; ++frame) append(exact, frame, false);
+}
+
+}  // namespace
+}  // namespace ribbon
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("usage: fuzz_corpus FOLDER\n", stderr);
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  ribbon::write_round_trips(folder / "round_trip");
+  ribbon::write_geometries(folder / "hostile_geometry");
+  ribbon::write_recordings(folder / "recording_file");
+  return 0;
+}
