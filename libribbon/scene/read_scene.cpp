@@ -28,7 +28,7 @@ constexpr std::int64_t most_particles = std::int64_t{1} << 27;
 constexpr double most_steps = 1e9;
 constexpr double default_frames_per_second = 50;
 constexpr double default_clearance_of_width = 0.1;
-constexpr double default_frames_per_checkpoint = 5000;
+constexpr double default_frames_per_checkpoint = 10'000;
 
 std::string in_quotes(std::string_view text) {
   std::string line = "'";

@@ -8,22 +8,49 @@ namespace ribbon {
 
 namespace {
 
+// What a number is told from: x from the x before, y from y, z from z.
+constexpr std::size_t stride = 3;
 constexpr std::size_t bytes_each = 8;
+
+// Small numbers of both signs to small ones without.
+std::uint64_t folded(std::uint64_t difference) {
+  return difference << 1 ^ (difference >> 63 != 0 ? ~std::uint64_t{0} : 0);
+}
+std::uint64_t unfolded(std::uint64_t number) {
+  return number >> 1 ^ ((number & 1) != 0 ? ~std::uint64_t{0} : 0);
+}
 
 }  // namespace
 
-void StateArchive::visit_bits(std::uint64_t& bits) {
-  if (!is_reading_) {
-    for (std::size_t i = 0; i < bytes_each; ++i)
-      bytes_.push_back(static_cast<char>((bits >> (8 * i)) & 0xFF));
-    return;
+// Neighbours are alike, and so are the high bytes of their differences.
+std::string StateArchive::bytes() const {
+  const std::size_t count = numbers_.size();
+  std::string planes(bytes_each * count, '\0');
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t number =
+        folded(numbers_[i] - (i < stride ? std::uint64_t{0} : numbers_[i - stride]));
+    for (std::size_t byte = 0; byte < bytes_each; ++byte)
+      planes[byte * count + i] = static_cast<char>(number >> (8 * byte) & 0xFF);
   }
-  if (unread_.size() < bytes_each) refuse("it is cut off");
-  if (is_refused()) return;
-  bits = 0;
-  for (std::size_t i = 0; i < bytes_each; ++i)
-    bits |= std::uint64_t{static_cast<unsigned char>(unread_[i])} << (8 * i);
-  unread_.remove_prefix(bytes_each);
+  return planes;
+}
+
+StateArchive::StateArchive(std::string_view bytes)
+    : is_reading_(true), numbers_(bytes.size() / bytes_each) {
+  if (bytes.size() % bytes_each != 0) refuse("it is cut off");
+  const std::size_t count = numbers_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t number = 0;
+    for (std::size_t byte = 0; byte < bytes_each; ++byte)
+      number |= std::uint64_t{static_cast<unsigned char>(bytes[byte * count + i])} << (8 * byte);
+    numbers_[i] = unfolded(number) + (i < stride ? 0 : numbers_[i - stride]);
+  }
+}
+
+void StateArchive::visit_bits(std::uint64_t& bits) {
+  if (!is_reading_) return numbers_.push_back(bits);
+  if (next_ == numbers_.size()) refuse("it is cut off");
+  if (!is_refused()) bits = numbers_[next_++];
 }
 
 void StateArchive::visit(double& number) {
@@ -65,7 +92,7 @@ void StateArchive::refuse(std::string problem) {
 }
 
 Result<void> StateArchive::finish() {
-  if (is_reading_ && !unread_.empty()) refuse("it is longer than what the scene needs");
+  if (is_reading_ && next_ < numbers_.size()) refuse("it is longer than what the scene needs");
   if (!is_refused()) return {};
   return failure("", "the state of the simulation does not fit the scene: " + problem_,
                  "take an earlier one, or record the scene anew");

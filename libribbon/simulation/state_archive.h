@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "result/result.h"
 
@@ -21,8 +22,8 @@ class StateArchive {
  public:
   // Writes.
   StateArchive() = default;
-  // Reads `bytes`, which must outlive the archive.
-  explicit StateArchive(std::string_view bytes) : is_reading_(true), unread_(bytes) {}
+  // Reads what bytes() gave.
+  explicit StateArchive(std::string_view bytes);
 
   [[nodiscard]] bool is_reading() const { return is_reading_; }
 
@@ -40,19 +41,19 @@ class StateArchive {
   [[nodiscard]] bool is_refused() const { return !problem_.empty(); }
 
   // Reading: what follows is not wanted.
-  void ignore_rest() { unread_ = {}; }
+  void ignore_rest() { next_ = numbers_.size(); }
 
   // Reading: was there anything to refuse, or anything left over?
   [[nodiscard]] Result<void> finish();
-  // Writing: what was visited.
-  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+  // Writing: what was visited, in an order that lets it be compressed.
+  [[nodiscard]] std::string bytes() const;
 
  private:
   void visit_bits(std::uint64_t& bits);
 
   bool is_reading_ = false;
-  std::string bytes_;
-  std::string_view unread_;
+  std::vector<std::uint64_t> numbers_;
+  std::size_t next_ = 0;  // to be read
   std::string problem_;
 };
 

@@ -45,7 +45,7 @@ TEST(ReadScene, defaults_are_as_documented) {
   EXPECT_EQ(scene.time.integrator, IntegrationMethod::symplectic_euler);
   EXPECT_EQ(scene.recording.frames_per_second, 50);
   EXPECT_EQ(scene.recording.max_position_error, 1e-5);
-  EXPECT_EQ(scene.recording.checkpoint_every_s, 100);
+  EXPECT_EQ(scene.recording.checkpoint_every_s, 200);
 }
 
 TEST(ReadScene, every_key_reaches_its_place) {

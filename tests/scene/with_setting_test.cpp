@@ -85,11 +85,11 @@ TEST(ReadScene, without_loss_is_zero_alone) {
   EXPECT_FALSE(scene("-1e-5").has_value());
 }
 
-TEST(ReadScene, checkpoints_are_as_rare_as_5000_frames_unless_the_scene_says) {
+TEST(ReadScene, checkpoints_are_as_rare_as_10000_frames_unless_the_scene_says) {
   const auto every_s = [](const std::string& setting) {
     return read_scene("knot.toml", changed(commented, setting))->recording.checkpoint_every_s;
   };
-  EXPECT_EQ(every_s("recording.frames_per_second=25"), 200);
+  EXPECT_EQ(every_s("recording.frames_per_second=25"), 400);
   EXPECT_EQ(every_s("recording.checkpoint_every=0"), 0);
   EXPECT_EQ(every_s("recording.checkpoint_every=2.5"), 2.5);
 }
