@@ -6,15 +6,19 @@
 #     jitter    10 starts of each 8x400 scene, the drawing moved by up to 4 mm, seeds 1 to 10
 #     force     each 8x400 scene with ten times the fastening speed
 #     cost      each 8x400 scene with the gate, without it and as published, alternating
+#     kills     kills the recorder 500 times at random moments of a small run, and ten times of each
+#               8x400 scene; after each, what is left is played and the run is resumed: to the same bits
 #     table     only prints what is there
 #   --results FOLDER     keep results there (default: a folder of its own for each commit in out/soak)
 #   --duration SECONDS   cut the runs short, to try this script
+#   --kills N            kill that often instead of 500 times
 #   --build FOLDER       use the tools built there instead of building
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
 
 seeds=10
+kills=500
 jitter_m=0.004
 results=''
 duration=''
@@ -22,26 +26,27 @@ tools=''
 parts=()
 while [[ $# -gt 0 ]]; do
   case $1 in
-    --results | --duration | --build)
+    --results | --duration | --kills | --build)
       [[ $# -gt 1 ]] || { echo "$1 needs a value" >&2; exit 2; }
       case $1 in
         --results) results=$2 ;;
         --duration) duration=$2 ;;
+        --kills) kills=$2 ;;
         --build) tools=$2 ;;
       esac
       shift 2
       ;;
-    samples | jitter | force | cost | table)
+    samples | jitter | force | cost | kills | table)
       parts+=("$1")
       shift
       ;;
     *)
-      echo "'$1' is not understood; write samples, jitter, force, cost or table" >&2
+      echo "'$1' is not understood; write samples, jitter, force, cost, kills or table" >&2
       exit 2
       ;;
   esac
 done
-[[ ${#parts[@]} -gt 0 ]] || parts=(samples jitter force cost)
+[[ ${#parts[@]} -gt 0 ]] || parts=(samples jitter force cost kills)
 : "${results:=$root/out/soak/$(git -C "$root" rev-parse --short HEAD)${duration:+-$duration-s}}"
 scenes=$results/scenes
 
@@ -49,7 +54,7 @@ prepare() {
   install_missing "${build_packages[@]}" "${test_packages[@]}"
   if [[ -z $tools ]]; then
     build release -DRIBBON_BUILD_TESTS=ON -- ribbon-record ribbon-play record_without_gate \
-      jittered_scene count_strained_springs verify_with_cgal
+      jittered_scene count_strained_springs verify_with_cgal kill_recorder
     tools=$root/build/release
   fi
   mkdir -p "$scenes"
@@ -167,6 +172,29 @@ cost() {
     one cost "$name-gate"
     one cost "$name-open" "$tools/tests/soak/record_without_gate"
     one cost "$name-paper"
+  done
+}
+
+# killed SCENE TIMES   The seed is the number of kills, so that more of them are others.
+killed() {
+  local name
+  name=$(name_of "$1")
+  finished "$results/$name.kills" "$tools/tests/soak/kill_recorder" "$tools/recorder/ribbon-record" "$1" "$2" "$2"
+  cat "$results/$name.kills"
+  grep --quiet '"problem":""' "$results/$name.kills"
+}
+
+kills() {
+  local sample name
+  echo "== Killing the recorder $kills times"
+  mkdir -p "$results/killed"
+  cp "$root"/samples/*.svg "$root"/samples/*.obj "$results/killed"
+  cp "$root/tests/soak/killed.toml" "$results/killed"
+  killed "$results/killed/killed.toml" "$kills"
+  for sample in "$root"/samples/*-8x400.toml; do
+    name=$(name_of "$sample")
+    sed --expression 's/^duration = .*/duration = 2.0/' "$sample" >"$results/killed/$name.toml"
+    killed "$results/killed/$name.toml" 10
   done
 }
 
