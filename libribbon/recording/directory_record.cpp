@@ -38,6 +38,10 @@ bool lies_before(const IndexPlace& index, std::uint64_t offset) {
          index.record_bytes <= offset - index.offset && index.lowest_frame <= index.highest_frame;
 }
 
+bool has_frames_within(const IndexPlace& index, std::uint32_t frames) {
+  return index.frames == 0 || index.highest_frame < frames;
+}
+
 }  // namespace
 
 IndexPlace place_of(const Index& index, std::uint64_t offset, std::uint32_t record_bytes) {
@@ -85,8 +89,9 @@ std::optional<Directory> parse_directory_payload(std::string_view payload,
   directory.indices.resize(count);
   parse_table(*content, directory.indices);
   const bool valid =
-      std::all_of(directory.indices.begin(), directory.indices.end(),
-                  [offset](const IndexPlace& index) { return lies_before(index, offset); });
+      std::all_of(directory.indices.begin(), directory.indices.end(), [&](const IndexPlace& index) {
+        return lies_before(index, offset) && has_frames_within(index, directory.frames);
+      });
   return valid ? std::optional(std::move(directory)) : std::nullopt;
 }
 

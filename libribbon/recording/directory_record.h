@@ -32,8 +32,8 @@ struct Directory {
 
 std::string directory_payload(std::uint32_t recording_id, const Directory& directory);
 
-// Nothing where the payload is malformed, of another recording, or names index records that do not
-// lie before `offset`, where the directory record itself begins.
+// Nothing where the payload is malformed, of another recording, names index records that do not lie
+// before `offset`, where the directory record itself begins, or counts fewer frames than these.
 std::optional<Directory> parse_directory_payload(std::string_view payload,
                                                  std::uint32_t recording_id, std::uint64_t offset);
 

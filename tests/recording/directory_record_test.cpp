@@ -48,6 +48,12 @@ TEST(DirectoryRecord, frames_that_the_file_cannot_hold_are_refused) {
   EXPECT_FALSE(parse_directory_payload(directory_payload(id, large), id, here));
 }
 
+TEST(DirectoryRecord, fewer_frames_than_the_indices_have_are_refused) {
+  Directory small = directory();
+  small.frames = 299;
+  EXPECT_FALSE(parse_directory_payload(directory_payload(id, small), id, here));
+}
+
 TEST(DirectoryRecord, every_prefix_is_refused) {
   const std::string payload = directory_payload(id, directory());
   for (std::size_t size = 0; size < payload.size(); ++size)
