@@ -38,17 +38,18 @@ std::optional<std::vector<std::uint32_t>> FrameDecoder::needed(std::uint32_t fra
   while (!open.empty()) {
     const std::uint32_t next = open.back();
     open.pop_back();
-    const IndexedFrame* entry = contents_.find(next);
-    if (entry == nullptr || undecodable_.contains(next)) return std::nullopt;
+    const IndexedFrame* known = contents_.find(next);
+    if (known == nullptr || undecodable_.contains(next)) return std::nullopt;
     if (Slot* slot = all ? nullptr : at_hand(next)) {
       slot->last_use = ++uses_;
       continue;
     }
-    found.emplace_back(entry->offset, next);
+    const auto [offset, references] = std::pair(known->offset, known->references);
+    found.emplace_back(offset, next);
     if (found.size() > most_needed + 1) return std::nullopt;
-    for (const std::uint32_t reference : entry->references) {
-      const IndexedFrame* referred = contents_.find(reference);
-      if (referred == nullptr || referred->offset >= entry->offset) return std::nullopt;
+    for (const std::uint32_t reference : references) {
+      const IndexedFrame* referred = contents_.find(reference);  // from here on `known` may be gone
+      if (referred == nullptr || referred->offset >= offset) return std::nullopt;
       if (seen.insert(reference).second) open.push_back(reference);
     }
   }

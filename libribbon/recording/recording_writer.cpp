@@ -78,6 +78,7 @@ Result<void> RecordingWriter::State::write(std::string_view records) {
   if (written) return written;
   Error error = std::move(written.error());
   error.problem += "; " + safe_frames(frames);
+  if (frames > 0) error.remedy = "free some space and resume the run";
   return tl::unexpected(std::move(error));
 }
 

@@ -15,6 +15,7 @@
 #include "recording/bytes.h"
 #include "recording/checksum.h"
 #include "recording/header_record.h"
+#include "recording/position_encoder.h"
 #include "recording/record.h"
 #include "recording/recording_writer.h"
 #include "recording/sample_recording.h"
@@ -352,6 +353,42 @@ TEST_F(DamagedRecording, frames_that_refer_to_later_ones_are_not_readable) {
   ASSERT_EQ(reader->frame_count(), 4);
   EXPECT_TRUE(reader->readable(0));
   for (int frame = 1; frame < 4; ++frame) EXPECT_FALSE(reader->readable(frame)) << frame;
+}
+
+// The directory leads to frame 256; the index that tells of the frames before it is found out to be
+// damaged only while looking for those that it needs.
+TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
+  PositionEncoder encoder(codec_parameters(small_header()), small_header().max_position_error_m);
+  std::uint64_t first_index = 0;
+  {
+    auto writer = RecordingWriter::create(path_, small_header());
+    LatticeFrame last;
+    for (std::uint32_t frame = 0; frame < 258; ++frame) {
+      if (frame == 256) first_index = writer->bytes_written();
+      std::vector<const LatticeFrame*> needed;
+      FrameRecord record{.frame = frame, .numbers = sample_numbers(static_cast<int>(frame))};
+      if (frame % 16 != 1) needed.push_back(&last);
+      if (frame == 0) needed.clear();
+      if (!needed.empty()) record.references.push_back(frame - 1);
+      auto encoded = encoder.encode(positions(static_cast<int>(frame)), needed);
+      record.encoding = encoded->encoding;
+      record.geometry = encoded->geometry;
+      ASSERT_TRUE(writer->append_encoded(record).has_value());
+      last = std::move(encoded->frame);
+    }
+    ASSERT_TRUE(writer->finish().has_value());
+  }
+  std::string bytes = read_file(path_).value();
+  bytes[first_index + record_head_bytes + 20] ^= 1;
+  auto reader = open(bytes);
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_TRUE(reader->damage().empty()) << "nobody has needed it";
+  EXPECT_TRUE(reader->readable(256));
+  EXPECT_EQ(reader->damage().size(), 1U);
+  EXPECT_EQ(reader->damage()[0].byte, first_index);
+  Eigen::Matrix3Xf read;
+  ASSERT_TRUE(reader->read(256, read).has_value());
+  EXPECT_LE((read.cast<double>() - positions(256)).cwiseAbs().maxCoeff(), 1e-5);
 }
 
 TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -123,6 +126,38 @@ TEST_F(ResumedRecording, a_finished_one_is_extended_behind_its_footer) {
   EXPECT_EQ(reader->sessions()[1].first_frame, 131U);
   EXPECT_EQ(reader->checkpoints().size(), 6U);
   EXPECT_EQ(reader->read_checkpoint(157)->state, "state 157");
+}
+
+// Whatever happens between two frames, in any order.
+TEST_F(ResumedRecording, any_life_gives_all_frames) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    std::mt19937 random(seed);
+    std::optional<RecordingWriter> writer = RecordingWriter::create(path_, small_header()).value();
+    std::size_t sessions = 0;
+    for (int frame = 0; frame < frames;) {
+      const int end = std::min(frame + static_cast<int>(random() % 90), frames);
+      append(*writer, frame, end);
+      frame = end;
+      if (random() % 2 == 0) {
+        ASSERT_TRUE(writer->finish(RunEnding::stopped).has_value());
+      }
+      writer.reset();
+      if (random() % 2 == 0)
+        std::ofstream(path_, std::ios::binary | std::ios::app) << std::string(random() % 99, 'x');
+      auto resumed = resume_recording(path_);
+      ASSERT_TRUE(resumed.has_value()) << resumed.error().sentence();
+      writer = std::move(*resumed);
+      ASSERT_EQ(writer->frames_written(), static_cast<std::uint32_t>(frame)) << seed;
+      ASSERT_TRUE(writer->append_session(note).has_value());
+      ++sessions;
+    }
+    ASSERT_TRUE(writer->finish(RunEnding::tight).has_value());
+    expect_all_frames();
+    const auto reader = RecordingReader::open(path_);
+    EXPECT_EQ(reader->ending(), RunEnding::tight);
+    EXPECT_EQ(reader->sessions().size(), sessions);
+    EXPECT_EQ(reader->checkpoints(), (std::vector<std::uint32_t>{7, 57, 107, 157, 207, 257}));
+  }
 }
 
 TEST_F(ResumedRecording, a_torn_tail_is_cut_and_nothing_else) {

@@ -56,6 +56,15 @@ TEST(BackgroundWriter, what_was_handed_over_is_written_even_if_nobody_finishes) 
   EXPECT_FALSE(reader->finished());
 }
 
+TEST(BackgroundWriter, what_is_written_reaches_the_disk_while_the_run_goes_on) {
+  BackgroundWriter writer(
+      RecordingWriter::create(temporary_file("synced.rbn"), sample_header()).value());
+  writer.append(sample_numbers(0), sample_positions(0));
+  for (int i = 0; writer.figures().writer.syncing_s == 0 && i < 5000; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_GT(writer.figures().writer.syncing_s, 0);
+}
+
 TEST(BackgroundWriter, a_full_disk_is_told_once_and_nothing_is_written_after_it) {
   const auto path = temporary_file("full background.rbn");
   auto target = RecordingWriter::create(path, sample_header()).value();
@@ -76,7 +85,7 @@ TEST(BackgroundWriter, a_full_disk_is_told_once_and_nothing_is_written_after_it)
   EXPECT_EQ(finished.error().sentence(),
             path.string() +
                 ": cannot be written (File too large); frame 1 is safe; free some "
-                "space or choose another place");
+                "space and resume the run");
   EXPECT_EQ(std::filesystem::file_size(path), size);
 }
 

@@ -77,8 +77,8 @@ TEST(RecordingWriter, when_the_disk_fills_up_everything_before_is_intact) {
   ASSERT_FALSE(fourth.has_value());
   EXPECT_EQ(fourth.error().sentence(),
             path.string() +
-                ": cannot be written (File too large); frames 1 to 3 are safe; free some space or "
-                "choose another place");
+                ": cannot be written (File too large); frames 1 to 3 are safe; free some space and "
+                "resume the run");
   EXPECT_EQ(std::filesystem::file_size(path), writer->bytes_written())
       << "half a record must not stay behind";
   ASSERT_TRUE(writer->append(sample_numbers(3), sample_positions(3)).has_value())
