@@ -91,7 +91,7 @@ Result<void> copy_frames(RecordingReader& source, int count, RecordingWriter& ta
   Eigen::Matrix3Xf positions;
   for (int frame = 0; frame < count; ++frame) {
     if (auto read = source.read(frame, positions); !read) return tl::unexpected(read.error());
-    const auto appended = target.append(*source.numbers(frame), positions.cast<double>());
+    auto appended = target.append(*source.numbers(frame), positions.cast<double>());
     if (!appended) return appended;
   }
   return {};

@@ -82,12 +82,12 @@ Result<SimulatedFrames> nearest_before(const fs::path& path, const RecordingRead
 // Compares frames with recorded ones, as they were decoded.
 class Comparison {
  public:
-  Comparison(const fs::path& path, RecordingReader& reader)
-      : path_(path),
+  Comparison(fs::path path, RecordingReader& reader)
+      : path_(std::move(path)),
         reader_(reader),
         encoder_(codec_parameters(reader.header()), reader.header().max_position_error_m) {}
 
-  Result<void> numbers_agree(const SimulatedFrame& frame) const {
+  [[nodiscard]] Result<void> numbers_agree(const SimulatedFrame& frame) const {
     const auto recorded = reader_.numbers(frame.index);
     if (!recorded || *recorded == frame.numbers) return {};
     return otherwise(frame.index);

@@ -1,0 +1,104 @@
+#include "recorder/run.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <limits>
+
+#include "playback/recording_reader.h"
+#include "recorder/record.h"
+#include "recorder/small_scene.h"
+#include "recorder/start.h"
+
+namespace ribbon {
+namespace {
+
+namespace fs = std::filesystem;
+
+const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
+
+class Run : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-run-") + test->name());
+    fs::remove_all(folder_);
+    scene_ = read_scene(write_small_scene(folder_)).value();
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path folder_;
+  Scene scene_;
+};
+
+// The state (libribbon/simulation/STATE.md) with another speed along x for all particles.
+std::string set_moving(const std::string& state, int particles, double speed_m_s) {
+  constexpr int before_positions = 13;
+  StateArchive from(state);
+  StateArchive to;
+  for (int number = 0; number < static_cast<int>(state.size() / 8); ++number) {
+    std::int64_t value = 0;
+    from.visit(value, std::numeric_limits<std::int64_t>::min(),
+               std::numeric_limits<std::int64_t>::max());
+    const int of_velocities = number - before_positions - 3 * particles;
+    if (of_velocities >= 0 && of_velocities < 3 * particles && of_velocities % 3 == 0)
+      value = std::bit_cast<std::int64_t>(speed_m_s);
+    to.visit(value, std::numeric_limits<std::int64_t>::min(),
+             std::numeric_limits<std::int64_t>::max());
+  }
+  return to.bytes();
+}
+
+TEST_F(Run, without_loss_a_ribbon_that_leaves_its_reach_ends_the_run_with_a_sentence) {
+  scene_.fastening.reset();
+  scene_.air_resistance_per_s = 0;
+  scene_.recording.max_position_error = 0;
+  scene_.time.duration_s = 10;
+  (void)record(scene_, folder_ / "still.rbn", "test", goes_on, {.frames = 2}).value();
+  const auto header = RecordingReader::open(folder_ / "still.rbn")->header();
+  auto start = find_start(scene_, std::nullopt).value();
+  const double reach_m = start.fastening.reach_m();
+  EXPECT_GT(reach_m, 2 * header.ribbon_length_m);
+  EXPECT_LT(reach_m, 8 * header.ribbon_length_m);
+  const std::string state =
+      set_moving(start.fastening.state(), header.grid.particle_count(), 0.9 * reach_m);
+  auto moving = FasteningProcessor::restore(
+      scene_, {header.grid, header.ribbon_length_m, header.ribbon_width_m}, std::nullopt, state);
+  SimulatedFrames frames(scene_, *std::move(moving), -1);
+  BackgroundWriter file(RecordingWriter::create(folder_ / "fast.rbn", header).value());
+  const auto answer = run(frames, plan_of(scene_, {}), false, file, goes_on, {});
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_NE(answer.error().sentence().find("beyond the "), std::string::npos)
+      << answer.error().sentence();
+  EXPECT_NE(answer.error().sentence().find("max_position_error above 0"), std::string::npos);
+}
+
+TEST_F(Run, a_limit_beyond_the_scene_lengthens_it_and_one_within_cuts_it_short) {
+  // 0.2 s at 30 frames/s.
+  EXPECT_EQ(plan_of(scene_, {}).frames, 7);
+  EXPECT_FALSE(plan_of(scene_, {}).is_cut_short);
+  EXPECT_EQ(plan_of(scene_, {.until_s = 0.1}).frames, 4);
+  EXPECT_TRUE(plan_of(scene_, {.until_s = 0.1}).is_cut_short);
+  EXPECT_EQ(plan_of(scene_, {.frames = 5}).frames, 5);
+  for (const RunLimit& limit : {RunLimit{.until_s = 0.5}, RunLimit{.frames = 16}}) {
+    const Scene longer = extended("small.toml", scene_, limit).value();
+    EXPECT_DOUBLE_EQ(longer.time.duration_s, 0.5);
+    EXPECT_EQ(plan_of(longer, limit).frames, 16);
+    EXPECT_FALSE(plan_of(longer, limit).is_cut_short);
+  }
+  EXPECT_EQ(extended("small.toml", scene_, {.frames = 5})->text, scene_.text);
+}
+
+TEST_F(Run, tells_what_recording_took) {
+  const RunStatistics statistics = record(scene_, folder_ / "knot.rbn", "test", goes_on).value();
+  EXPECT_GT(statistics.recording_s, 0);
+  EXPECT_GT(statistics.writer.encoding_s, 0);
+  EXPECT_GT(statistics.writer.writing_s, 0);
+  EXPECT_GT(statistics.writer.syncing_s, 0);
+  EXPECT_GT(statistics.writer.longest_queue, 0);
+  EXPECT_GT(statistics.share_of_recording(), 0);
+  EXPECT_LT(statistics.share_of_recording(), 1);
+}
+
+}  // namespace
+}  // namespace ribbon
