@@ -24,10 +24,9 @@ FasteningProgress::FasteningProgress(const RibbonGrid& grid, double step_s,
       slots_(static_cast<std::size_t>(
           std::max(1.0, std::round(window_s / step_s / steps_per_slot_)))) {}
 
-void FasteningProgress::visit_state(StateArchive& archive) {
+void FasteningProgress::visit_memory(StateArchive& archive) {
   auto& [grid, step, air_resistance, lag, steps_per_slot, steps_in_slot, slot, slots, is_full] =
       *this;
-  archive.visit(lag);
   archive.visit(steps_in_slot, 0, steps_per_slot);
   auto place = static_cast<std::int64_t>(slot);
   archive.visit(place, 0, static_cast<std::int64_t>(slots.size()) - 1);

@@ -32,7 +32,9 @@ class FasteningProgress {
   // Have two seconds passed since the start?
   [[nodiscard]] bool knows_all() const { return is_full_; }
 
-  void visit_state(StateArchive& archive);
+  // How fast the ribbon already is, and then what is remembered of the last two seconds.
+  void visit_state(StateArchive& archive) { archive.visit(lag_); }
+  void visit_memory(StateArchive& archive);
 
  private:
   // Sums of some steps.

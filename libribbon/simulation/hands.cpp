@@ -54,6 +54,7 @@ void Hands::visit_state(StateArchive& archive) {
       *this;
   force.visit_state(archive);
   archive.visit(share);
+  memory.visit_state(archive);
 }
 
 bool Hands::are_stopped() const {

@@ -40,7 +40,7 @@ class Hands {
   // All but what they remember of the last two seconds, which is of use only to hands that go on
   // pulling in the same way.
   void visit_state(StateArchive& archive);
-  void visit_memory(StateArchive& archive) { progress_.visit_state(archive); }
+  void visit_memory(StateArchive& archive) { progress_.visit_memory(archive); }
 
  private:
   FasteningForce force_;

@@ -287,6 +287,24 @@ TEST(Resume, changed_settings_act_from_there_on) {
   EXPECT_NE(goes_on(scene, 20), as_it_was);
 }
 
+// Measured anew, but for a ribbon that moves already: it does not seem to gain on the command.
+TEST(Resume, with_changed_settings_progress_counts_from_there) {
+  Case run{"loop", scene_of_loop()};
+  FasteningProcessor before = begun(run);
+  for (int step = 0; step < 60; ++step) before.step();
+  run.scene.springs.bend *= 1.01;
+  auto changed = FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle,
+                                             before.state(), Settings::changed)
+                     .value();
+  EXPECT_EQ(changed.tightness()->progress, 1) << "nothing was commanded yet";
+  for (int step = 0; step < 10; ++step) {
+    before.step();
+    changed.step();
+  }
+  EXPECT_NE(changed.tightness()->progress, before.tightness()->progress);
+  EXPECT_NEAR(changed.tightness()->progress, before.tightness()->progress, 0.15);
+}
+
 TEST(Resume, the_clock_goes_on_with_another_step) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
   FasteningProcessor before = begun(run);
