@@ -230,6 +230,58 @@ TEST_F(ResumeRun, a_limit_cuts_a_run_short_and_one_before_what_is_there_is_refus
   expect_whole();
 }
 
+class ResumeTight : public ResumeRun {
+ protected:
+  // The loop closes round a square post and stops.
+  void SetUp() override {
+    ResumeRun::SetUp();
+    (void)write_file(folder_ / "post.obj",
+                     "v -0.03 -0.4 -0.14\nv 0.03 -0.4 -0.14\nv 0.03 -0.4 -0.08\n"
+                     "v -0.03 -0.4 -0.08\nv -0.03 0.4 -0.14\nv 0.03 0.4 -0.14\n"
+                     "v 0.03 0.4 -0.08\nv -0.03 0.4 -0.08\n"
+                     "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
+    std::string text = small_scene_text() + "[obstacle]\nmesh = 'post.obj'\n";
+    for (const std::string setting : {"time.duration=60", "time.until=tight", "fastening.speed=0.5",
+                                      "fastening.yield=0.05", "recording.frames_per_second=10"})
+      text = with_setting("", text, setting).value();
+    scene_ = read_scene(folder_ / "knot.toml", text).value();
+    frames_ = record(scene_, file_, "test", goes_on).value().frames;
+    whole_ = frames_of(file_);
+    fs::remove(folder_ / "post.obj");  // the recording has it
+  }
+
+  int frames_ = 0;
+};
+
+TEST_F(ResumeTight, a_tight_knot_is_drawn_on_only_when_asked_to) {
+  EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::tight);
+  EXPECT_FALSE(resume(file_, "test", goes_on)->has_value());
+  const RunObserver stops{
+      [this](int done, int, const FrameNumbers&) { return done < frames_ + 2; }};
+  ASSERT_TRUE(resume(file_, "test", stops, {.frames = frames_ + 5}).has_value());
+  EXPECT_EQ(RecordingReader::open(file_)->frame_count(), frames_ + 2);
+  ASSERT_TRUE(resume(file_, "test", goes_on, {.frames = frames_ + 5}).has_value());
+  const auto reader = RecordingReader::open(file_).value();
+  EXPECT_EQ(reader.frame_count(), frames_ + 5);
+  ASSERT_EQ(reader.sessions().size(), 2U);
+  EXPECT_EQ(reader.sessions()[0].note.reason, SessionReason::extended);
+  EXPECT_EQ(reader.sessions()[0].note.changed_settings, "time.until = \"duration\"\n");
+  EXPECT_EQ(reader.sessions()[1].note.reason, SessionReason::resumed);
+  EXPECT_EQ(first_difference(whole_, frames_of(file_)), -1);
+}
+
+TEST_F(ResumeTight, killed_after_its_last_frame_it_only_needs_its_end) {
+  cut_to_frames();
+  const auto statistics = resume(file_, "test", goes_on).value();
+  EXPECT_EQ(statistics->ending, RunEnding::tight);
+  EXPECT_EQ(statistics->computed_steps, 0);
+  const auto reader = RecordingReader::open(file_).value();
+  EXPECT_EQ(reader.frame_count(), frames_);
+  EXPECT_EQ(reader.ending(), RunEnding::tight);
+  EXPECT_TRUE(reader.sessions().empty());
+  EXPECT_EQ(reader.checkpoints().back(), static_cast<std::uint32_t>(frames_ - 1));
+}
+
 TEST_F(ResumeRun, a_new_run_may_be_longer_than_its_scene) {
   (void)record(scene_, file_, "test", goes_on, {.until_s = 3}).value();
   const auto reader = RecordingReader::open(file_).value();
