@@ -14,6 +14,8 @@
 
 namespace ribbon {
 
+// Loads what it needs when it is asked, also in questions that are const: give each thread its own
+// reader.
 class RecordingReader {
  public:
   // Opens `path` and finds its frames, by the directory where there is one and by walking through
@@ -46,7 +48,7 @@ class RecordingReader {
   // The frames (from 0) that checkpoints belong to, in the order of the file.
   [[nodiscard]] std::vector<std::uint32_t> checkpoints() const;
   // The last checkpoint of a frame. Fails where there is none or it is damaged.
-  Result<Checkpoint> read_checkpoint(std::uint32_t frame) const;
+  [[nodiscard]] Result<Checkpoint> read_checkpoint(std::uint32_t frame) const;
   // Where the run was taken up again, in the order of the file; damaged ones are left out.
   [[nodiscard]] std::vector<Session> sessions() const;
 
@@ -63,8 +65,7 @@ class RecordingReader {
 
   // Decodes frame `index` into `positions` (resized to 3 x particles, metres, single precision).
   // The answer is the same whatever was read before. Cheapest in ascending order, in which every
-  // frame is decoded once. Not thread-safe: give each thread its own reader. Fails when the frame
-  // is not readable.
+  // frame is decoded once. Fails when the frame is not readable.
   Result<void> read(int index, Eigen::Matrix3Xf& positions);
 
  private:

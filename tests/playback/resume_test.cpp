@@ -43,7 +43,7 @@ void append(RecordingWriter& writer, int begin, int end) {
   for (int frame = begin; frame < end; ++frame) {
     ASSERT_TRUE(writer.append(sample_numbers(frame), positions(frame)).has_value());
     if (frame % 50 == 7) {
-      ASSERT_TRUE(writer.append_checkpoint(10 * frame, "state " + std::to_string(frame)));
+      ASSERT_TRUE(writer.append_checkpoint(10UL * frame, "state " + std::to_string(frame)));
     }
   }
 }

@@ -148,6 +148,9 @@ TEST_P(GoldenVersions, it_is_read_as_it_was_written) {
     ASSERT_TRUE(reader->read(frame, positions).has_value());
     EXPECT_LE((positions.cast<double>() - golden_positions(frame)).cwiseAbs().maxCoeff(), 0x1p-15);
   }
+  reader->check();
+  EXPECT_EQ(reader->ending(), RunEnding::tight) << "as its records tell, not only its directory";
+  EXPECT_EQ(reader->numbers(7), golden_numbers_with_tightness(7));
 }
 
 TEST_P(GoldenVersions, every_bit_of_its_positions_is_known) {

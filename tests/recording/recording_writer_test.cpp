@@ -160,7 +160,7 @@ TEST(RecordingWriter, checkpoints_and_sessions_come_back) {
     for (int frame = 0; frame < 600; ++frame) {
       ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
       if (frame % 100 == 50) {
-        ASSERT_TRUE(writer->append_checkpoint(10 * frame, "state " + std::to_string(frame)));
+        ASSERT_TRUE(writer->append_checkpoint(10UL * frame, "state " + std::to_string(frame)));
       }
       if (frame == 299) {
         ASSERT_TRUE(writer->append_session(note).has_value());
