@@ -50,6 +50,19 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
   return std::nullopt;
 }
 
+// The recorded scene with the changes, as far as they are possible.
+Result<Scene> scene_of_branch(const BranchRequest& request, const Scene& recorded,
+                              const RunLimit& limit) {
+  auto scene = changed_scene(request, recorded);
+  if (scene && limit.is_set()) scene = extended(request.source, *scene, limit);
+  if (!scene) return scene;
+  const auto fixed = common_to_both_that_differs(recorded, *scene);
+  if (!fixed) return scene;
+  return failure(request.source.string(),
+                 std::string(fixed->first) + " cannot change in a branch: " + fixed->second,
+                 "record a scene of its own");
+}
+
 // Would both go on to the same bits?
 bool act_alike(Scene a, const Scene& b) {
   a.name = b.name;
@@ -113,13 +126,34 @@ Result<void> check_copies(RecordingReader& source, int count, const fs::path& ta
   return {};
 }
 
-Result<void> check_whole(const fs::path& path, RecordingReader& reader, int count) {
-  reader.check();
+// Is there something to branch off, and somewhere to go?
+Result<void> check_whole(const BranchRequest& request, RecordingReader& source,
+                         const RunPlan& plan) {
+  const int count = request.frame + 1;
+  if (plan.frames < count)
+    return failure(request.source.string(),
+                   "frame " + std::to_string(count) +
+                       " lies beyond the end of the branch, which is to have " +
+                       std::to_string(plan.frames) + " frames",
+                   "branch off earlier, or add --until or --set time.duration");
+  source.check();
   for (int frame = 0; frame < count; ++frame)
-    if (!reader.readable(frame) || !reader.numbers(frame))
-      return failure(path.string(), "frame " + std::to_string(frame + 1) + " is lost",
+    if (!source.readable(frame) || !source.numbers(frame))
+      return failure(request.source.string(), "frame " + std::to_string(frame + 1) + " is lost",
                      "branch off before it, or repeat the run from its scene");
   return {};
+}
+
+Result<RecordingWriter> target_with_copies(const BranchRequest& request, RecordingReader& source,
+                                           const RecordingHeader& header) {
+  auto target = RecordingWriter::create(request.target, header);
+  if (!target) return target;
+  const int count = request.frame + 1;
+  if (auto copied = copy_frames(source, count, *target); !copied)
+    return tl::unexpected(copied.error());
+  if (auto same = check_copies(source, count, request.target); !same)
+    return tl::unexpected(same.error());
+  return target;
 }
 
 }  // namespace
@@ -131,25 +165,13 @@ Result<std::optional<RunStatistics>> branch(const BranchRequest& request,
   if (!source) return tl::unexpected(source.error());
   const auto recorded = recorded_scene(request.source, *source);
   if (!recorded) return tl::unexpected(recorded.error());
-  auto scene = changed_scene(request, *recorded);
-  if (scene && limit.is_set()) scene = extended(request.source, *scene, limit);
+  const auto scene = scene_of_branch(request, *recorded, limit);
   if (!scene) return tl::unexpected(scene.error());
-  if (const auto fixed = common_to_both_that_differs(*recorded, *scene))
-    return failure(request.source.string(),
-                   std::string(fixed->first) + " cannot change in a branch: " + fixed->second,
-                   "record a scene of its own");
-  if (auto sound = check(request, *source); !sound) return tl::unexpected(sound.error());
-  const int count = request.frame + 1;
   const RunPlan plan = plan_of(*scene, limit);
-  if (plan.frames < count)
-    return failure(request.source.string(),
-                   "frame " + std::to_string(count) +
-                       " lies beyond the end of the branch, which "
-                       "is to have " +
-                       std::to_string(plan.frames) + " frames",
-                   "branch off earlier, or add --until or --set time.duration");
-  if (auto whole = check_whole(request.source, *source, count); !whole)
-    return tl::unexpected(whole.error());
+  Result<void> sound = check(request, *source);
+  if (sound) sound = check_whole(request, *source, plan);
+  if (!sound) return tl::unexpected(sound.error());
+
   auto before = simulated_again(request.source, *source, *recorded, request.frame,
                                 observer.frame_simulated_again);
   if (!before) return tl::unexpected(before.error());
@@ -161,13 +183,8 @@ Result<std::optional<RunStatistics>> branch(const BranchRequest& request,
       act_alike(*recorded, *scene) ? Settings::as_before : Settings::changed);
   if (!fastening) return tl::unexpected(fastening.error());
 
-  auto target =
-      RecordingWriter::create(request.target, header_of(*source, request, *scene, program));
+  auto target = target_with_copies(request, *source, header_of(*source, request, *scene, program));
   if (!target) return tl::unexpected(target.error());
-  if (auto copied = copy_frames(*source, count, *target); !copied)
-    return tl::unexpected(copied.error());
-  if (auto same = check_copies(*source, count, request.target); !same)
-    return tl::unexpected(same.error());
   RunStatistics statistics;
   if (const auto copy = RecordingReader::open(request.target)) statistics = statistics_of(*copy);
   statistics.start = std::string(word_for(fastening->start().kind));

@@ -14,6 +14,7 @@ namespace ribbon {
 // The process; -1 where it could not be started.
 inline pid_t spawned(std::vector<std::string> words) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t process = -1;

@@ -154,13 +154,15 @@ TEST_F(ResumeRun, without_a_checkpoint_it_begins_at_the_start_again) {
 }
 
 TEST_F(ResumeRun, a_drawing_that_is_gone_is_missed_only_without_a_checkpoint) {
-  const std::string svg =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\"><path id=\"band\" d=\"M -300 0 L 300 0\"/></svg>";
+  const auto svg = [](const std::string& end) {
+    return "<svg xmlns='http://www.w3.org/2000/svg'><path id='band' d='M -300 0 L " + end +
+           " 0'/></svg>";
+  };
   std::string text = scene_.text;
   const auto points = text.find("points");
   text.replace(points, text.find("[ribbon]") - points, "svg = 'line.svg'\n");
   ASSERT_TRUE(write_file(folder_ / "knot.toml", text));
-  ASSERT_TRUE(write_file(folder_ / "line.svg", svg));
+  ASSERT_TRUE(write_file(folder_ / "line.svg", svg("300")));
   scene_ = read_scene(folder_ / "knot.toml").value();
   record_stopped(5);
   fs::rename(folder_ / "line.svg", folder_ / "away.svg");
@@ -170,9 +172,7 @@ TEST_F(ResumeRun, a_drawing_that_is_gone_is_missed_only_without_a_checkpoint) {
   EXPECT_NE(refusal().find("no usable checkpoint, and the start cannot be made again"),
             std::string::npos)
       << refusal();
-  ASSERT_TRUE(write_file(folder_ / "line.svg",
-                         "<svg xmlns=\"http://www.w3.org/2000/svg\"><path id=\"band\" "
-                         "d=\"M -300 0 L 310 0\"/></svg>"));
+  ASSERT_TRUE(write_file(folder_ / "line.svg", svg("310")));
   EXPECT_NE(refusal().find("the drawing is not the one"), std::string::npos) << refusal();
   fs::rename(folder_ / "away.svg", folder_ / "line.svg");
   EXPECT_EQ(refusal(), "");
