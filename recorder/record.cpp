@@ -4,6 +4,7 @@
 
 #include "recorder/start.h"
 #include "recorder/stopwatch.h"
+#include "recording/entropy_tables.h"
 
 namespace ribbon {
 
@@ -22,6 +23,7 @@ RecordingHeader header_of(const Scene& scene, const std::string& writer, const S
   header.ribbon_width_m = ribbon.width_m;
   header.frames_per_second = scene.recording.frames_per_second;
   header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
+  header.entropy_tables = standard_entropy_tables();
   // From any point of the start the ribbon can be drawn at most its length away.
   header.lattice_step_m =
       lattice_step_m(header.max_position_error_m,

@@ -4,9 +4,12 @@
 
 namespace ribbon {
 
-double lattice_step_m(double max_error_m, double reach_m) {
+float lattice_step_m(double max_error_m, double reach_m) {
+  // Half a unit in the last place, for the product; the step's own rounding is known to the
+  // encoder, which rounds to the lattice as it is.
   const double left_m = max_error_m - std::ldexp(reach_m, -24);
-  return left_m > 0.5 * max_error_m ? 2 * left_m : 0;
+  if (!(left_m > 0.5 * max_error_m)) return 0;
+  return static_cast<float>(2 * left_m * (1 - 0x1p-20));
 }
 
 }  // namespace ribbon

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "recording/bytes.h"
@@ -134,6 +135,11 @@ bool is_positive(double number) {
   return std::isfinite(number) && number > 0;
 }
 
+// Positions must stay within single precision whatever their numbers are.
+bool is_lattice_step(double step_m) {
+  return step_m >= 0 && step_m * 0x1p31 <= static_cast<double>(std::numeric_limits<float>::max());
+}
+
 bool is_positive_or_zero(double number) {
   return std::isfinite(number) && number >= 0;
 }
@@ -202,12 +208,11 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (!take_axis(taker, header.centre_axis) || !take_tables(taker, header.entropy_tables) ||
       !take_origin(taker, header.origin))
     return damaged();
-  const bool valid = taker.complete() && !header.scene_name.empty() &&
-                     is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&
-                     is_positive(header.frames_per_second) &&
-                     is_positive_or_zero(header.max_position_error_m) &&
-                     is_positive_or_zero(header.lattice_step_m) &&
-                     is_positive_or_zero(header.stated_gap_m) && header.uv.allFinite();
+  const bool valid =
+      taker.complete() && !header.scene_name.empty() && is_positive(header.ribbon_length_m) &&
+      is_positive(header.ribbon_width_m) && is_positive(header.frames_per_second) &&
+      is_positive_or_zero(header.max_position_error_m) && is_lattice_step(header.lattice_step_m) &&
+      is_positive_or_zero(header.stated_gap_m) && header.uv.allFinite();
   if (!valid) return damaged();
   return header;
 }

@@ -1,6 +1,31 @@
 #include "recording/lattice_frame.h"
 
+#include <cmath>
+
+#include "recording/component_loops.h"
+
 namespace ribbon {
+
+namespace {
+
+// What lies one beyond the end of a straight line through the last two.
+void continue_over_border(const ParityPlanes& planes, std::vector<float>& values) {
+  const auto [along, across] = planes.grid();
+  const auto continued = [&](int i, int j, int di, int dj) {
+    values[planes.cell_of(i, j)] =
+        2 * values[planes.cell_of(i + di, j + dj)] - values[planes.cell_of(i + 2 * di, j + 2 * dj)];
+  };
+  for (int j = 0; j < across; ++j) {
+    continued(-1, j, 1, 0);
+    continued(along, j, -1, 0);
+  }
+  for (int i = -1; i <= along; ++i) {
+    continued(i, -1, 0, 1);
+    continued(i, across, 0, -1);
+  }
+}
+
+}  // namespace
 
 void LatticeFrame::positions(Eigen::Matrix3Xf& positions) const {
   if (plain) {
@@ -8,12 +33,40 @@ void LatticeFrame::positions(Eigen::Matrix3Xf& positions) const {
     return;
   }
   positions.resize(3, grid.particle_count());
-  for (Eigen::Index c = 0; c < 3; ++c)
-    for (Eigen::Index particle = 0; particle < positions.cols(); ++particle) {
-      const std::int32_t number =
-          numbers[static_cast<std::size_t>(c)][static_cast<std::size_t>(particle)];
-      positions(c, particle) = step_m > 0 ? metres(number, step_m) : from_ordered_number(number);
-    }
+  loops().positions(ParityPlanes(grid), {numbers[0].data(), numbers[1].data(), numbers[2].data()},
+                    step_m, positions.data());
+}
+
+void LatticeFrame::set_values() {
+  for (std::size_t c = 0; c < 3; ++c) {
+    values[c].resize(numbers[c].size());
+    for (std::size_t cell = 0; cell < values[c].size(); ++cell)
+      values[c][cell] =
+          step_m > 0 ? static_cast<float>(numbers[c][cell]) : from_ordered_number(numbers[c][cell]);
+  }
+  continue_values();
+}
+
+void LatticeFrame::continue_values() {
+  const ParityPlanes planes(grid);
+  for (auto& component : values) continue_over_border(planes, component);
+}
+
+bool LatticeFrame::is_finite() const {
+  if (step_m > 0) return true;
+  const ParityPlanes planes(grid);
+  bool finite = true;
+  for (const auto& component : values)
+    for (int i = 0; i < grid.along; ++i)
+      for (int j = 0; j < grid.across; ++j)
+        finite = finite && std::isfinite(component[planes.cell_of(i, j)]);
+  return finite;
+}
+
+std::span<const LatticeFrame* const> usable(std::span<const LatticeFrame* const> references) {
+  std::size_t count = 0;
+  while (count < references.size() && !references[count]->plain) ++count;
+  return references.first(count);
 }
 
 }  // namespace ribbon

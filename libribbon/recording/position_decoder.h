@@ -14,7 +14,7 @@ namespace ribbon {
 // Keeps working memory between calls and nothing else: equal arguments give equal frames.
 class PositionDecoder {
  public:
-  explicit PositionDecoder(CodecParameters parameters);
+  explicit PositionDecoder(const CodecParameters& parameters);
   PositionDecoder(PositionDecoder&&) noexcept;
   PositionDecoder& operator=(PositionDecoder&&) noexcept;
   ~PositionDecoder();

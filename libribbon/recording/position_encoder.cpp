@@ -1,24 +1,56 @@
 #include "recording/position_encoder.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "recording/bytes.h"
 #include "recording/compression.h"
+#include "recording/fit_weights.h"
+#include "recording/frame_prediction.h"
+#include "recording/rank_blocks.h"
+#include "recording/varint.h"
 
 namespace ribbon {
 
+namespace {
+
+void put_weights(RecordedWeights weights, Prediction prediction, std::string& bytes) {
+  put<std::uint8_t>(bytes, static_cast<std::uint8_t>(weights.shift));
+  weights.for_each(prediction, [&](std::int32_t number) { put_varint(bytes, zigzag(number)); });
+}
+
+void put_within_weights(const WithinWeights& weights, std::string& bytes) {
+  for (const MiddleWeights& stage : weights) {
+    put<std::int8_t>(bytes, static_cast<std::int8_t>(64 * stage.pairs));
+    put<std::int8_t>(bytes, static_cast<std::int8_t>(64 * stage.outer));
+  }
+}
+
+}  // namespace
+
 struct PositionEncoder::State {
+  State(const CodecParameters& codec, double error)
+      : parameters(codec),
+        max_error_m(error),
+        frame_prediction(codec),
+        packer(frame_prediction.planes(), codec.entropy_tables) {}
+
   CodecParameters parameters;
   double max_error_m;
   Compressor compressor;
+  FramePrediction frame_prediction;
+  RankPacker packer;
+  Ranks ranks;
 
   [[nodiscard]] std::optional<LatticeFrame> on_lattice(const Eigen::Matrix3Xd& positions) const;
   [[nodiscard]] bool within_bound(const LatticeFrame& frame,
                                   const Eigen::Matrix3Xd& positions) const;
-  std::string lattice_geometry(const LatticeFrame& frame,
+  void set_motion(const LatticeFrame& frame);
+  std::string lattice_geometry(LatticeFrame& frame, Prediction prediction,
                                std::span<const LatticeFrame* const> references);
   std::optional<EncodedFrame> try_plain(const Eigen::Matrix3Xd& positions);
 };
@@ -26,17 +58,28 @@ struct PositionEncoder::State {
 std::optional<LatticeFrame> PositionEncoder::State::on_lattice(
     const Eigen::Matrix3Xd& positions) const {
   constexpr double largest_number = 1 << 30;
-  LatticeFrame frame{parameters.grid, parameters.step_m, {}, false, {}};
-  for (std::size_t c = 0; c < 3; ++c)
-    for (const double coordinate : positions.row(static_cast<Eigen::Index>(c))) {
-      if (parameters.step_m == 0) {
-        frame.numbers[c].push_back(ordered_number(static_cast<float>(coordinate)));
-        continue;
+  const double step_m = parameters.step_m;
+  const ParityPlanes& planes = frame_prediction.planes();
+  LatticeFrame frame;
+  frame.grid = parameters.grid;
+  frame.step_m = parameters.step_m;
+  double worst = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    frame.numbers[c].resize(planes.cells());
+    for (int i = 0, particle = 0; i < parameters.grid.along; ++i)
+      for (int j = 0; j < parameters.grid.across; ++j, ++particle) {
+        const double coordinate = positions(static_cast<Eigen::Index>(c), particle);
+        std::int32_t& number = frame.numbers[c][planes.cell_of(i, j)];
+        if (step_m == 0) {
+          number = ordered_number(static_cast<float>(coordinate));
+          continue;
+        }
+        const double steps = std::floor(coordinate / step_m + 0.5);
+        worst = std::max(worst, std::abs(steps));
+        if (worst < largest_number) number = static_cast<std::int32_t>(steps);
       }
-      const double number = std::floor(coordinate / parameters.step_m + 0.5);
-      if (!(std::abs(number) < largest_number)) return std::nullopt;
-      frame.numbers[c].push_back(static_cast<std::int32_t>(number));
-    }
+  }
+  if (!(worst < largest_number)) return std::nullopt;
   return frame;
 }
 
@@ -49,38 +92,68 @@ bool PositionEncoder::State::within_bound(const LatticeFrame& frame,
   return (decoded.cast<double>() - positions).cwiseAbs().maxCoeff() <= max_error_m;
 }
 
+void PositionEncoder::State::set_motion(const LatticeFrame& frame) {
+  PlaneFields<float>& motion = frame_prediction.motion();
+  const bool within = frame_prediction.prediction() == Prediction::within;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (within)
+      motion[c] = frame.values[c];
+    else
+      loops().subtract(frame.values[c].data(), frame_prediction.past().first().values[c].data(),
+                       motion[c].size(), motion[c].data());
+    for (int plane = 0; plane < ParityPlanes::count; ++plane)
+      (within ? loops().continue_plane : loops().close_plane)(frame_prediction.planes(), plane,
+                                                              motion[c].data());
+  }
+}
+
 std::string PositionEncoder::State::lattice_geometry(
-    const LatticeFrame& frame, std::span<const LatticeFrame* const> references) {
-  std::string content;
-  const bool predicted = !references.empty() && !references[0]->plain;
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t p = 0; p < frame.numbers[c].size(); ++p)
-      put<std::uint32_t>(
-          content, static_cast<std::uint32_t>(frame.numbers[c][p]) -
-                       (predicted ? static_cast<std::uint32_t>(references[0]->numbers[c][p]) : 0));
-  return compressor.compress(std::array{std::string_view(content)});
+    LatticeFrame& frame, Prediction prediction, std::span<const LatticeFrame* const> references) {
+  frame_prediction.begin(prediction, references);
+  set_motion(frame);
+  const ParityPlanes& planes = frame_prediction.planes();
+  std::string bytes;
+  put<std::uint8_t>(bytes, static_cast<std::uint8_t>(frame_prediction.prediction()));
+  if (frame_prediction.prediction() == Prediction::within) {
+    frame_prediction.within_weights = fit_within_weights(planes, frame_prediction.motion());
+    put_within_weights(frame_prediction.within_weights, bytes);
+  } else {
+    const RecordedWeights recorded =
+        fit_weights(planes, frame_prediction.past(), prediction, frame_prediction.motion());
+    frame_prediction.weights = recorded.weights();
+    put_weights(recorded, prediction, bytes);
+  }
+  frame_prediction.rank(frame, ranks);
+  packer.append(ranks, bytes);
+  return bytes;
 }
 
 std::optional<EncodedFrame> PositionEncoder::State::try_plain(const Eigen::Matrix3Xd& positions) {
-  EncodedFrame encoded{
-      FrameEncoding::plain, {}, {parameters.grid, parameters.step_m, {}, true, {}}};
-  std::string content;
-  for (const double coordinate : positions.transpose().reshaped())
-    put<float>(content, static_cast<float>(coordinate));
+  EncodedFrame encoded;
+  encoded.frame.grid = parameters.grid;
+  encoded.frame.plain = true;
   encoded.frame.plain_positions = positions.cast<float>();
   if (!within_bound(encoded.frame, positions)) return std::nullopt;
+  std::string content;
+  for (const float coordinate : encoded.frame.plain_positions.transpose().reshaped())
+    put<float>(content, coordinate);
   encoded.geometry = compressor.compress(std::array{std::string_view(content)});
   return encoded;
 }
 
-PositionEncoder::PositionEncoder(CodecParameters parameters, double max_error_m)
-    : state_(std::make_unique<State>(std::move(parameters), max_error_m, Compressor())) {}
+PositionEncoder::PositionEncoder(const CodecParameters& parameters, double max_error_m)
+    : state_(std::make_unique<State>(parameters, max_error_m)) {}
 PositionEncoder::PositionEncoder(PositionEncoder&&) noexcept = default;
 PositionEncoder& PositionEncoder::operator=(PositionEncoder&&) noexcept = default;
 PositionEncoder::~PositionEncoder() = default;
 
+const SymbolRuns& PositionEncoder::symbol_runs() const {
+  return state_->packer.runs();
+}
+
 Result<EncodedFrame> PositionEncoder::encode(const Eigen::Matrix3Xd& positions,
-                                             std::span<const LatticeFrame* const> references) {
+                                             std::span<const LatticeFrame* const> references,
+                                             Prediction prediction) {
   for (Eigen::Index particle = 0; particle < positions.cols(); ++particle)
     if (!positions.col(particle).allFinite()) {
       const int number = static_cast<int>(particle);
@@ -93,7 +166,8 @@ Result<EncodedFrame> PositionEncoder::encode(const Eigen::Matrix3Xd& positions,
     }
   auto frame = state_->on_lattice(positions);
   if (frame && state_->within_bound(*frame, positions)) {
-    std::string geometry = state_->lattice_geometry(*frame, references);
+    frame->set_values();
+    std::string geometry = state_->lattice_geometry(*frame, prediction, usable(references));
     return EncodedFrame{FrameEncoding::lattice, std::move(geometry), std::move(*frame)};
   }
   if (auto plain = state_->try_plain(positions)) return std::move(*plain);

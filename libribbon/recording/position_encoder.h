@@ -9,6 +9,8 @@
 #include "recording/codec_parameters.h"
 #include "recording/frame_record.h"
 #include "recording/lattice_frame.h"
+#include "recording/prediction.h"
+#include "recording/rank_blocks.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -24,17 +26,22 @@ class PositionEncoder {
  public:
   // Every decoded coordinate, in single precision, will be within max_error_m of what was encoded;
   // 0: equal to it, rounded to single precision.
-  PositionEncoder(CodecParameters parameters, double max_error_m);
+  PositionEncoder(const CodecParameters& parameters, double max_error_m);
   PositionEncoder(PositionEncoder&&) noexcept;
   PositionEncoder& operator=(PositionEncoder&&) noexcept;
   ~PositionEncoder();
 
   // positions: 3 x particles in metres. references: at most most_references decoded frames, in the
-  // order in which the decoder will get them; plain ones are no help. Compares the decoded frame
+  // order in which the decoder will get them; plain ones, and those after one, are no help.
+  // prediction: how they lie around the frame. Compares the decoded frame
   // with the positions, so the bound does not rest on an argument. Fails, with a place still to be
   // filled in, when a coordinate is not finite or single precision is too coarse for the bound.
   Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions,
-                              std::span<const LatticeFrame* const> references);
+                              std::span<const LatticeFrame* const> references,
+                              Prediction prediction = Prediction::forward);
+
+  // What entropy coding was given for the last frame, of which entropy tables can be made.
+  [[nodiscard]] const SymbolRuns& symbol_runs() const;
 
  private:
   struct State;

@@ -50,7 +50,8 @@ struct RecordingHeader {
 };
 
 inline CodecParameters codec_parameters(const RecordingHeader& header) {
-  return {header.grid, header.lattice_step_m, header.entropy_tables};
+  return {header.grid, header.ribbon_length_m, header.ribbon_width_m,
+          static_cast<float>(header.lattice_step_m), header.entropy_tables};
 }
 
 // How tight a ribbon is that is being fastened.

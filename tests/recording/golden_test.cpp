@@ -10,6 +10,7 @@
 #include "playback/recording_reader.h"
 #include "recording/bytes.h"
 #include "recording/checksum.h"
+#include "recording/entropy_tables.h"
 #include "recording/recording_writer.h"
 #include "recording/sample_recording.h"
 
@@ -70,6 +71,7 @@ RecordingHeader golden_header() {
   header.frames_per_second = 64;
   header.max_position_error_m = 0x1p-15;
   header.lattice_step_m = 0x1p-15;
+  header.entropy_tables = standard_entropy_tables();
   TriangleMesh tetrahedron{"tetrahedron", Eigen::Matrix3Xf(3, 4), Eigen::Matrix3Xi(3, 4)};
   tetrahedron.vertices << 0, 1, 0, 0,  //
       0, 0, 1, 0,                      //

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -19,7 +20,7 @@ namespace {
 constexpr double bound_m = 1e-5;
 
 CodecParameters parameters(const RibbonGrid& grid, double max_error_m, double reach_m) {
-  return {grid, lattice_step_m(max_error_m, reach_m), {}};
+  return {grid, 1, 0.1, lattice_step_m(max_error_m, reach_m), {}};
 }
 
 // Encodes and decodes frames as the live profile does.
@@ -186,6 +187,40 @@ TEST(PositionCodec, a_position_that_is_not_finite_is_refused_by_name) {
     const auto encoded = encoder.encode(positions, {});
     ASSERT_FALSE(encoded.has_value());
     EXPECT_NE(encoded.error().problem.find("particle 17 along, 4 across"), std::string::npos);
+  }
+}
+
+// Decoders and encoders that have seen other frames before come to the same bits.
+TEST(PositionCodec, what_was_coded_before_does_not_matter) {
+  for (const RibbonGrid grid : {sample_grid, RibbonGrid{5, 9}, {2, 2}, {33, 17}}) {
+    const CodecParameters codec = parameters(grid, bound_m, 1);
+    PositionEncoder encoder(codec, bound_m);
+    PositionDecoder decoder(codec);
+    std::vector<EncodedFrame> frames;
+    std::vector<std::array<const LatticeFrame*, 2>> references;
+    frames.reserve(12);
+    for (unsigned seed = 0; seed < 12; ++seed) {
+      const bool first = seed < 2;
+      references.push_back(
+          {first ? nullptr : &frames[seed - 1].frame, first ? nullptr : &frames[seed - 2].frame});
+      frames.push_back(
+          std::move(*encoder.encode(noise(grid.particle_count(), 1, seed),
+                                    std::span(references.back()).first(first ? 0 : 2))));
+    }
+    for (std::size_t k : {11U, 2U, 7U, 0U, 3U, 9U, 1U}) {
+      LatticeFrame decoded;
+      const auto used = std::span(references[k]).first(k < 2 ? 0 : 2);
+      ASSERT_TRUE(decoder.decode(frames[k].encoding, frames[k].geometry, used, decoded));
+      Eigen::Matrix3Xf positions;
+      Eigen::Matrix3Xf expected;
+      decoded.positions(positions);
+      frames[k].frame.positions(expected);
+      EXPECT_EQ(positions, expected) << grid.along << " x " << grid.across << ", frame " << k;
+      const auto again =
+          PositionEncoder(codec, bound_m)
+              .encode(noise(grid.particle_count(), 1, static_cast<unsigned>(k)), used);
+      EXPECT_EQ(again->geometry, frames[k].geometry);
+    }
   }
 }
 

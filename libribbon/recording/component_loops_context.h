@@ -1,0 +1,12 @@
+// Everything that component_loops.inc needs, to be included before an instruction set is chosen:
+// what is defined in headers must stay as it is for all processors.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "recording/component_loops.h"
+#include "recording/lattice_frame.h"

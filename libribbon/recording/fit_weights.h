@@ -1,0 +1,18 @@
+// Finds the weights that predict a frame best. Only the encoder needs it: what it finds is
+// recorded, so decoders do not depend on how it was found.
+#pragma once
+
+#include "recording/prediction.h"
+
+namespace ribbon {
+
+// Least squares over some of the particles, the same weights for x, y and z; restless ones count
+// less. motion: of all particles since the first frame referred to, borders closed. The same bits
+// on any IEEE machine: plain double arithmetic in a fixed order.
+RecordedWeights fit_weights(const ParityPlanes& planes, const Past& past, Prediction prediction,
+                            const PlaneFields<float>& motion);
+
+// Likewise within a frame; values: of all particles, borders continued plane by plane.
+WithinWeights fit_within_weights(const ParityPlanes& planes, const PlaneFields<float>& values);
+
+}  // namespace ribbon
