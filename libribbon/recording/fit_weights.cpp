@@ -47,6 +47,9 @@ class NormalEquations {
       for (std::size_t b = a + 1; b < taps_; ++b) sum -= sums_[a][b] * solved[b];
       solved[a] = sum / sums_[a][a];
     }
+    // Numbers whose squares do not fit, or infinite differences: then there are no weights.
+    if (!std::all_of(solved.begin(), solved.end(), [](double w) { return std::isfinite(w); }))
+      solved.fill(0);
     return solved;
   }
 
@@ -106,7 +109,7 @@ class Fit {
   void choose_shift(const NormalEquations& equations) {
     const double ratio =
         std::sqrt(equations.mean_square_wanted() / std::max(equations.mean_square_left(), 1e-30));
-    fitted_.shift = std::clamp(static_cast<int>(std::ilogb(std::max(ratio, 1.0))) + 6, 6, 20);
+    fitted_.shift = std::clamp(static_cast<int>(std::ilogb(ratio > 1 ? std::min(ratio, 1e9) : 1.0)) + 6, 6, 20);
   }
 
   // Evenly spread over the rows of the stage's planes, and over all columns.

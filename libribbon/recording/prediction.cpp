@@ -19,7 +19,8 @@ Past::Past(const CodecParameters& parameters) : planes_(parameters.grid) {
   const double unit_m = parameters.step_m > 0 ? static_cast<double>(parameters.step_m) : 1;
   along_rest_squared_ = squared(parameters.ribbon_length_m / (parameters.grid.along - 1) / unit_m);
   across_rest_squared_ = squared(parameters.ribbon_width_m / (parameters.grid.across - 1) / unit_m);
-  for (auto& plane : edge_pull_) plane.assign(planes_.cells(), 0);
+  for (auto* edge_pull : {&along_edge_pull_, &across_edge_pull_})
+    for (auto& component : *edge_pull) component.assign(planes_.cells(), 0);
 }
 
 void Past::set(Prediction prediction, std::span<const LatticeFrame* const> references) {
@@ -53,18 +54,19 @@ void Past::set_motion(Field field, const LatticeFrame* to, const LatticeFrame* f
 }
 
 void Past::set_pulls(Field along, Field across, const LatticeFrame& frame) {
-  set_pull(along, 1, 0, along_rest_squared_, frame);
-  set_pull(across, 0, 1, across_rest_squared_, frame);
+  set_pull(along, 1, 0, along_rest_squared_, along_edge_pull_, frame);
+  set_pull(across, 0, 1, across_rest_squared_, across_edge_pull_, frame);
 }
 
-void Past::set_pull(Field field, int di, int dj, float rest_squared, const LatticeFrame& frame) {
+void Past::set_pull(Field field, int di, int dj, float rest_squared,
+                    PlaneFields<float>& edge_pulls, const LatticeFrame& frame) {
   std::array<const float*, 3> values{};
   std::array<float*, 3> edge_pull{};
   std::array<float*, 3> pull{};
   for (std::size_t c = 0; c < 3; ++c) {
     (fields_[c].*field).resize(planes_.cells());
     values[c] = frame.values[c].data();
-    edge_pull[c] = edge_pull_[c].data();
+    edge_pull[c] = edge_pulls[c].data();
     pull[c] = (fields_[c].*field).data();
   }
   loops().pull(planes_, di, dj, rest_squared, values, edge_pull, pull);

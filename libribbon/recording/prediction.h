@@ -41,14 +41,17 @@ class Past {
   using Field = std::vector<float> PastFields::*;
   void set_motion(Field field, const LatticeFrame* to, const LatticeFrame* from);
   void set_pulls(Field along, Field across, const LatticeFrame& frame);
-  void set_pull(Field field, int di, int dj, float rest_squared, const LatticeFrame& frame);
+  void set_pull(Field field, int di, int dj, float rest_squared, PlaneFields<float>& edge_pulls,
+                const LatticeFrame& frame);
 
   ParityPlanes planes_;
   float along_rest_squared_ = 0;  // natural distance of neighbours, in the unit of the values
   float across_rest_squared_ = 0;
   const LatticeFrame* first_ = nullptr;
   std::array<PastFields, 3> fields_;
-  PlaneFields<float> edge_pull_;
+  // Working memory, each zero where no edge of its direction begins.
+  PlaneFields<float> along_edge_pull_;
+  PlaneFields<float> across_edge_pull_;
 };
 
 }  // namespace ribbon
