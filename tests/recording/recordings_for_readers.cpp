@@ -1,0 +1,178 @@
+// recordings_for_readers FOLDER: writes small recordings of all kinds into the folder, and beside
+// each NAME.rbn the frames that our own reader decodes from it: NAME.frames, of each frame that is
+// readable its number, u32, and f32 x, y, z of each particle. recordings_for_readers FOLDER
+// RECORDING...: does so for these.
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "commandline/tool.h"
+#include "playback/recording_reader.h"
+#include "recording/entropy_tables.h"
+#include "recording/recording_writer.h"
+
+namespace ribbon {
+namespace {
+
+// What one of the recordings is like.
+struct Kind {
+  std::string name;
+  RibbonGrid grid;
+  double max_error_m = 0;
+  int frames = 0;
+  double largest_m = 1;
+  bool rich = false;  // all that a header and the records beside frames can hold
+  bool finished = true;
+  bool damaged = false;  // here and there
+};
+
+const std::vector<Kind> kinds = {
+    {.name = "usual", .grid = {40, 16}, .max_error_m = 1e-5, .frames = 36, .rich = true},
+    {.name = "killed", .grid = {21, 6}, .max_error_m = 1e-4, .frames = 19, .finished = false},
+    {.name = "damaged", .grid = {21, 6}, .max_error_m = 1e-4, .frames = 60, .damaged = true},
+    {.name = "odd", .grid = {33, 7}, .max_error_m = 1e-5, .frames = 20},
+    {.name = "narrow", .grid = {50, 2}, .max_error_m = 1e-5, .frames = 20},
+    {.name = "short", .grid = {2, 9}, .max_error_m = 1e-6, .frames = 20},
+    {.name = "coarse", .grid = {40, 16}, .max_error_m = 1e-2, .frames = 20},
+    {.name = "exact", .grid = {40, 16}, .max_error_m = 0, .frames = 20},
+    {.name = "beyond_the_lattice",
+     .grid = {20, 5},
+     .max_error_m = 1e-5,
+     .frames = 12,
+     .largest_m = 1e9},
+    {.name = "long", .grid = {3, 3}, .max_error_m = 1e-3, .frames = 530}};
+
+RecordingHeader header_of(const Kind& kind) {
+  RecordingHeader header;
+  header.scene_name = kind.name;
+  header.scene_text = "name = \"" + kind.name + "\"\n";
+  header.writer = "recordings_for_readers";
+  header.grid = kind.grid;
+  header.uv.setRandom(2, kind.grid.particle_count());
+  header.ribbon_length_m = 0.01 * (kind.grid.along - 1);
+  header.ribbon_width_m = 0.006 * (kind.grid.across - 1);
+  header.frames_per_second = 60;
+  header.max_position_error_m = kind.max_error_m;
+  header.lattice_step_m = lattice_step_m(kind.max_error_m, 2);
+  if (kind.rich) header.entropy_tables = standard_entropy_tables();
+  if (!kind.rich) return header;
+  header.obstacle =
+      TriangleMesh{"stone", Eigen::Matrix3Xf::Identity(3, 3), Eigen::Matrix3Xi{{0}, {1}, {2}}};
+  header.stated_gap_m = 1e-3;
+  header.centre_axis = CentreAxis{{1, 2, 3}, {0, 0.6, 0.8}};
+  header.origin = Origin{77, "before", 2, "step = 0.01"};
+  return header;
+}
+
+// A wave that goes over the ribbon, shaken from frame 10 on; every fifth frame of what reaches
+// beyond the lattice does so.
+Eigen::Matrix3Xd positions_at(const Kind& kind, int frame) {
+  std::mt19937 random(static_cast<unsigned>(frame));
+  const double shake = frame < 10 ? 1e-6 : 1e-4;
+  Eigen::Matrix3Xd positions(3, kind.grid.particle_count());
+  for (int p = 0; p < positions.cols(); ++p) {
+    const double phase = 0.2 * kind.grid.row(p) + 0.1 * kind.grid.column(p) - 0.3 * frame;
+    positions.col(p) << 0.01 * kind.grid.row(p), 0.1 + 0.006 * kind.grid.column(p),
+        0.05 * std::sin(phase);
+    positions(2, p) += shake * (static_cast<double>(random()) / 0x1p32 - 0.5);
+  }
+  if (frame % 5 == 3) positions(0, 0) = kind.largest_m;
+  return positions;
+}
+
+Result<void> append(RecordingWriter& writer, const Kind& kind, int frame) {
+  FrameNumbers numbers{.time_s = frame / 60.0,
+                       .worst_strain = 0.001 * frame,
+                       .penetrating_edges = 3,
+                       .recovery_iterations = static_cast<std::uint32_t>(frame)};
+  if (kind.rich)
+    numbers.tightness =
+        TightnessNumbers{.progress = 1, .contact = 0.01F * static_cast<float>(frame)};
+  return writer.append(numbers, positions_at(kind, frame));
+}
+
+Result<void> append_all(RecordingWriter& writer, const Kind& kind) {
+  for (int frame = 0; frame < kind.frames; ++frame) {
+    if (auto done = append(writer, kind, frame); !done) return done;
+    if (!kind.rich || frame % 10 != 9) continue;
+    if (auto done = writer.append_checkpoint(3, "state " + std::to_string(frame)); !done)
+      return done;
+    if (auto done = writer.append_session({SessionReason::resumed, "program", "step = 0.02"});
+        !done)
+      return done;
+  }
+  return {};
+}
+
+// Behind the header, which nothing can be read without.
+void damage(const std::filesystem::path& path) {
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  for (const double share : {0.3, 0.55, 0.8}) {
+    const auto at =
+        static_cast<std::streamoff>(share * static_cast<double>(std::filesystem::file_size(path)));
+    file.seekp(at);
+    file.write("damage", 6);
+  }
+}
+
+Result<void> write_recording(const std::filesystem::path& path, const Kind& kind) {
+  auto writer = RecordingWriter::create(path, header_of(kind));
+  if (!writer) return tl::unexpected(writer.error());
+  if (auto done = append_all(*writer, kind); !done) return done;
+  if (kind.finished)
+    if (auto done = writer->finish(RunEnding::tight); !done) return done;
+  if (kind.damaged) damage(path);
+  return {};
+}
+
+Result<void> write_frames(const std::filesystem::path& recording,
+                          const std::filesystem::path& frames) {
+  auto reader = RecordingReader::open(recording);
+  if (!reader) return tl::unexpected(reader.error());
+  reader->check();
+  std::ofstream out(frames, std::ios::binary);
+  Eigen::Matrix3Xf positions;
+  for (int i = 0; i < reader->frame_count(); ++i) {
+    if (!reader->read(i, positions)) continue;
+    const auto number = static_cast<std::uint32_t>(i);
+    out.write(reinterpret_cast<const char*>(&number), sizeof number);
+    out.write(reinterpret_cast<const char*>(positions.data()),
+              static_cast<std::streamsize>(positions.size() * sizeof(float)));
+  }
+  if (!out.flush()) return failure(frames.string(), "could not be written", "free some space");
+  return {};
+}
+
+Result<void> write_all(const std::filesystem::path& folder,
+                       const std::vector<std::filesystem::path>& others) {
+  std::filesystem::create_directories(folder);
+  std::vector<std::filesystem::path> recordings = others;
+  if (others.empty())
+    for (const Kind& kind : kinds) {
+      recordings.push_back(folder / (kind.name + ".rbn"));
+      if (auto done = write_recording(recordings.back(), kind); !done) return done;
+    }
+  for (const std::filesystem::path& recording : recordings)
+    if (auto done = write_frames(recording, folder / (recording.stem().string() + ".frames"));
+        !done)
+      return done;
+  return {};
+}
+
+}  // namespace
+}  // namespace ribbon
+
+int main(int argc, char** argv) {
+  using namespace ribbon;
+  return run_tool("recordings_for_readers", [&]() -> Result<ExitCode> {
+    if (argc < 2) return failure("command line", "names no folder", "write FOLDER [RECORDING...]");
+    if (auto done = write_all(argv[1], {argv + 2, argv + argc}); !done)
+      return tl::unexpected(done.error());
+    return ExitCode::done;
+  });
+}
