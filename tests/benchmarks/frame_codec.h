@@ -11,6 +11,7 @@
 
 #include "geometry/ribbon_grid.h"
 #include "recording/recording.h"
+#include "recording/references.h"
 
 namespace ribbon {
 
@@ -45,7 +46,7 @@ struct CodecTask {
 };
 
 // Frames are measured in blocks of so many, which codecs cut into groups.
-constexpr int block_frames = 64;
+constexpr int block_frames = 4 * static_cast<int>(live_group_frames);
 
 // One row of the table. Nothing is made where a codec cannot do the task at all.
 struct CodecRow {
@@ -54,7 +55,7 @@ struct CodecRow {
   std::string name;
   // Settings that are tried: the one that needs fewest bytes and keeps the bound is measured.
   std::vector<Make> settings = {};
-  int group_frames = 16;  // at most block_frames
+  int group_frames = live_group_frames;  // at most block_frames
 };
 
 }  // namespace ribbon

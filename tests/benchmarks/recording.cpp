@@ -39,7 +39,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("RECORDING", options.recordings, "whose frames are measured")->required();
   app.add_option("--bounds", options.bounds, "on the error, of the ribbon's length; 0: exact")
       ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--every", options.every, "compare codecs on each n-th block of 64 frames")
+  app.add_option("--every", options.every, "compare codecs on each n-th block of 80 frames")
       ->check(CLI::Range(1, 1'000'000));
   app.add_option("--long", options.long_frames, "frames of the long file that is opened")
       ->check(CLI::Range(1, 10'000'000));
