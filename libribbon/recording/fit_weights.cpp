@@ -109,7 +109,8 @@ class Fit {
   void choose_shift(const NormalEquations& equations) {
     const double ratio =
         std::sqrt(equations.mean_square_wanted() / std::max(equations.mean_square_left(), 1e-30));
-    fitted_.shift = std::clamp(static_cast<int>(std::ilogb(ratio > 1 ? std::min(ratio, 1e9) : 1.0)) + 6, 6, 20);
+    fitted_.shift =
+        std::clamp(static_cast<int>(std::ilogb(ratio > 1 ? std::min(ratio, 1e9) : 1.0)) + 6, 6, 20);
   }
 
   // Evenly spread over the rows of the stage's planes, and over all columns.

@@ -58,8 +58,8 @@ void Past::set_pulls(Field along, Field across, const LatticeFrame& frame) {
   set_pull(across, 0, 1, across_rest_squared_, across_edge_pull_, frame);
 }
 
-void Past::set_pull(Field field, int di, int dj, float rest_squared,
-                    PlaneFields<float>& edge_pulls, const LatticeFrame& frame) {
+void Past::set_pull(Field field, int di, int dj, float rest_squared, PlaneFields<float>& edge_pulls,
+                    const LatticeFrame& frame) {
   std::array<const float*, 3> values{};
   std::array<float*, 3> edge_pull{};
   std::array<float*, 3> pull{};
