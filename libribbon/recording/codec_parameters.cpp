@@ -12,4 +12,9 @@ float lattice_step_m(double max_error_m, double reach_m) {
   return static_cast<float>(2 * left_m * (1 - 0x1p-20));
 }
 
+float lattice_step_m(double max_error_m, double start_m, double length_m) {
+  const float step_m = lattice_step_m(max_error_m, start_m + length_m);
+  return step_m > 0 ? step_m : lattice_step_m(max_error_m, 1.5 * start_m);
+}
+
 }  // namespace ribbon

@@ -25,4 +25,9 @@ struct CodecParameters {
 // single-precision numbers, where that rounding takes half of the bound, and for a bound of 0.
 float lattice_step_m(double max_error_m, double reach_m);
 
+// Likewise for a ribbon that starts with coordinates up to `start_m`: it can be drawn its length
+// further. Where rounding so far away takes too much of the bound, half as far again as the start
+// must do: frames that go beyond are plain.
+float lattice_step_m(double max_error_m, double start_m, double length_m);
+
 }  // namespace ribbon

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "recording/compression.h"
 #include "recording/parity_planes.h"
-#include "recording/symbol_compression.h"
 
 namespace ribbon {
 

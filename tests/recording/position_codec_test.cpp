@@ -159,6 +159,14 @@ TEST(PositionCodec, frames_beyond_the_reach_of_the_lattice_are_plain) {
   EXPECT_EQ(encodings[3], FrameEncoding::lattice);
 }
 
+TEST(PositionCodec, a_ribbon_is_expected_to_be_drawn_its_length_away_where_the_bound_allows) {
+  EXPECT_EQ(lattice_step_m(1e-5, 2, 4), lattice_step_m(1e-5, 6));
+  EXPECT_EQ(lattice_step_m(4e-7, 6), 0);
+  EXPECT_EQ(lattice_step_m(4e-7, 2, 4), lattice_step_m(4e-7, 3));
+  EXPECT_GT(lattice_step_m(4e-7, 2, 4), 0);
+  EXPECT_EQ(lattice_step_m(0, 2, 4), 0);
+}
+
 TEST(PositionCodec, where_rounding_uses_up_the_bound_the_lattice_is_that_of_single_precision) {
   EXPECT_EQ(lattice_step_m(bound_m, 100), 0);
   EXPECT_EQ(lattice_step_m(0, 1), 0);

@@ -325,18 +325,24 @@ def extended(field, axis, count):
     return np.concatenate(cells, axis=axis)
 
 
-def weighted(weights, terms):
+def sum_of(weights, terms):
     total = weights[0] * terms[0]
     for weight, term in zip(weights[1:], terms[1:], strict=True):
         total = total + weight * term
     return total
 
 
+def weighted(weights, terms):
+    motion, more_motion, bend, pull = (
+        sum_of(weights[begin:end], terms[begin:end]) for begin, end in [(0, 4), (4, 7), (7, 10), (10, None)]
+    )
+    return (motion + more_motion) + (bend + pull)
+
+
 def summed(start, weights, terms):
-    total = start
-    for weight, term in zip(weights, terms, strict=True):
-        total = total + weight * term
-    return total
+    if len(weights) == 0:
+        return start
+    return start + (sum_of(weights[:2], terms[:2]) + sum_of(weights[2:], terms[2:]))
 
 
 def take_weights(content, prediction):
