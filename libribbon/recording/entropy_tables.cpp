@@ -67,6 +67,7 @@ std::string from_hex(std::string_view hex) {
 
 std::vector<std::string> standard_entropy_tables() {
   std::vector<std::string> tables;
+  tables.reserve(tables_in_hex.size());
   for (const std::string_view hex : tables_in_hex) tables.push_back(from_hex(hex));
   return tables;
 }

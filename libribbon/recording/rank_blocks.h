@@ -19,7 +19,7 @@ namespace ribbon {
 // there is room for one more row quantum.
 using Ranks = std::array<std::vector<std::uint32_t>, 3>;
 inline std::size_t room_for_ranks(const RibbonGrid& grid) {
-  return static_cast<std::size_t>(grid.particle_count() + ParityPlanes::row_quantum);
+  return static_cast<std::size_t>(grid.particle_count()) + ParityPlanes::row_quantum;
 }
 
 // Kinds of runs of symbols: the forms of the blocks, and one for each of seven forms.

@@ -42,7 +42,7 @@ struct CodecTask {
   RecordingHeader header;  // of the recording that the frames are from
   double bound_m = 0;      // on the error of every coordinate; 0: the same floats
   double largest_m = 0;  // of all coordinates, so that a lattice can leave room for their rounding
-  double reach_m = 0;    // what a recorder takes for that beforehand
+  double start_m = 0;    // likewise in the first frame
 };
 
 // Frames are measured in blocks of so many, which codecs cut into groups.

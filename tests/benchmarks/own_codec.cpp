@@ -21,7 +21,7 @@ struct Profile {
 CodecParameters parameters_of(const CodecTask& task) {
   RecordingHeader header = task.header;
   header.max_position_error_m = task.bound_m;
-  header.lattice_step_m = lattice_step_m(task.bound_m, task.reach_m);
+  header.lattice_step_m = lattice_step_m(task.bound_m, task.start_m, header.ribbon_length_m);
   return codec_parameters(header);
 }
 

@@ -56,6 +56,7 @@ Outcome run(const RibbonGrid& grid, double step_m, double max_error_m) {
   const auto take = [&](std::size_t frame, const std::vector<std::size_t>& references,
                         Prediction prediction) {
     std::vector<const LatticeFrame*> pointers;
+    pointers.reserve(references.size());
     for (const std::size_t reference : references) pointers.push_back(&decoded[reference]);
     const auto encoded = encoder.encode(frames[frame], pointers, prediction);
     ASSERT_TRUE(encoded.has_value()) << encoded.error().sentence();
