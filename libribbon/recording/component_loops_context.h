@@ -2,6 +2,7 @@
 // what is defined in headers must stay as it is for all processors.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

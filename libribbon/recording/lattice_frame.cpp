@@ -1,6 +1,7 @@
 #include "recording/lattice_frame.h"
 
 #include <cmath>
+#include <utility>
 
 #include "recording/component_loops.h"
 
@@ -10,7 +11,8 @@ namespace {
 
 // What lies one beyond the end of a straight line through the last two.
 void continue_over_border(const ParityPlanes& planes, std::vector<float>& values) {
-  const auto [along, across] = planes.grid();
+  const int along = planes.grid().along;
+  const int across = planes.grid().across;
   const auto continued = [&](int i, int j, int di, int dj) {
     values[planes.cell_of(i, j)] =
         2 * values[planes.cell_of(i + di, j + dj)] - values[planes.cell_of(i + 2 * di, j + 2 * dj)];
@@ -19,10 +21,16 @@ void continue_over_border(const ParityPlanes& planes, std::vector<float>& values
     continued(-1, j, 1, 0);
     continued(along, j, -1, 0);
   }
-  for (int i = -1; i <= along; ++i) {
-    continued(i, -1, 0, 1);
-    continued(i, across, 0, -1);
-  }
+  // Every second row lies one stride further on.
+  const auto stride = static_cast<std::size_t>(planes.stride());
+  for (const int first : {-1, 0})
+    for (const auto& [j, dj] : {std::pair{-1, 1}, {across, -1}}) {
+      std::size_t to = planes.cell_of(first, j);
+      std::size_t near = planes.cell_of(first, j + dj);
+      std::size_t far = planes.cell_of(first, j + 2 * dj);
+      for (int i = first; i <= along; i += 2, to += stride, near += stride, far += stride)
+        values[to] = 2 * values[near] - values[far];
+    }
 }
 
 }  // namespace
