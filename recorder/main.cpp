@@ -10,6 +10,7 @@
 #include "files/files.h"
 #include "parallel/parallel.h"
 #include "recorder/branch.h"
+#include "recorder/compact.h"
 #include "recorder/options.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
@@ -37,6 +38,15 @@ class Watch {
               line(total, "frame simulated again").update(done);
               return !interrupt_.requested();
             }};
+  }
+  CompactionObserver compaction_observer() {
+    const auto drawn_as = [this](const char* unit) {
+      return [this, unit](int done, int total) {
+        line(total, unit).update(done);
+        return !interrupt_.requested();
+      };
+    };
+    return {drawn_as("frame written"), drawn_as("frame compared")};
   }
   void clear() {
     if (line_) line_->clear();
@@ -79,16 +89,49 @@ const char* nothing_done(const RecorderOptions& options) {
              : "ended by the user before there was anything to record";
 }
 
+std::string summary_line(const Compaction& compaction) {
+  const auto megabytes = [](std::uint64_t bytes) {
+    return decimals(static_cast<double>(bytes) / 1e6, 1) + " MB";
+  };
+  if (compaction.bytes_after == compaction.bytes_before)
+    return "it stays as it is, " + megabytes(compaction.bytes_before) + " are as small as it gets";
+  return "compacted, " + std::to_string(compaction.frames) + " frames as they were; " +
+         megabytes(compaction.bytes_before) + " before, " + megabytes(compaction.bytes_after) +
+         " now";
+}
+
+// Nothing where the user ended it.
+Result<std::optional<Compaction>> do_compaction(const RecorderOptions& options, Watch& watch) {
+  auto compaction = compact(options.recording, watch.compaction_observer());
+  watch.clear();
+  if (compaction && !options.quiet)
+    std::printf("%s: %s\n", options.recording.c_str(),
+                *compaction ? summary_line(**compaction).c_str()
+                            : "not compacted, ended by the user; it is as it was");
+  return compaction;
+}
+
 Result<ExitCode> do_task(const RecorderOptions& options) {
   set_thread_limit(options.threads);
   Watch watch(options.quiet);
-  const auto statistics = run_task(options, watch.observer());
+  if (options.task == RecorderTask::compact) {
+    const auto compaction = do_compaction(options, watch);
+    if (!compaction) return tl::unexpected(compaction.error());
+    return ExitCode::done;
+  }
+  auto statistics = run_task(options, watch.observer());
   watch.clear();
   if (!statistics) return tl::unexpected(statistics.error());
-  const std::optional<RunStatistics>& run = *statistics;
+  std::optional<RunStatistics>& run = *statistics;
   if (!options.quiet)
     std::printf("%s: %s\n", options.recording.c_str(),
                 run ? summary_line(*run).c_str() : nothing_done(options));
+  // A branch that was given up has not even begun its recording.
+  if (options.compact && (run || options.task == RecorderTask::resume)) {
+    const auto compaction = do_compaction(options, watch);
+    if (!compaction) return tl::unexpected(compaction.error());
+    if (run && *compaction) run->bytes = (*compaction)->bytes_after;
+  }
   if (run && options.profile) std::fputs(profile_text(*run).c_str(), stdout);
   if (run && !options.statistics.empty())
     if (auto written = write_file(options.statistics, statistics_json(*run)); !written)

@@ -1,6 +1,7 @@
 #include "recorder/options.h"
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "commandline/arguments.h"
 
@@ -19,13 +20,18 @@ constexpr const char* examples = R"(Examples:
       extends a recording to one minute of simulated time
   ribbon-record --from 200 --set fastening.speed=1 -o fast.rbn knot.rbn
       takes frames 1 to 200 of knot.rbn over and goes on with another speed
+  ribbon-record --compact knot.rbn
+      rewrites a recording to be smaller, every frame bit for bit as it was
 Ctrl-C ends the run early and leaves a valid recording of what was done; --resume goes on with it.
 
 Exit codes: 0 done (also when ended by Ctrl-C), 2 could not.)";
 
 // The words of the command line that were used.
 struct Given {
-  bool input, output, resume, from, set;
+  bool input, output, resume, from, set, compact, of_runs;
+
+  // Not at the end of a run.
+  [[nodiscard]] bool compact_alone() const { return compact && !resume && !from && !output; }
 };
 
 Result<void> refuse(const std::string& problem, const std::string& remedy) {
@@ -41,6 +47,12 @@ Result<void> goes_together(const Given& given) {
                   "leave --output out, or branch a new take off with --from");
   if (given.resume && given.input)
     return refuse("--resume takes the scene from the recording", "leave the scene out");
+  if (given.compact_alone() && !given.input)
+    return refuse("there is nothing to compact", "name a recording");
+  if (given.compact_alone() && (given.of_runs || given.set))
+    return refuse("--compact alone runs nothing that settings, a limit or figures could be of",
+                  "name the recording and nothing else, or add --resume before it");
+  if (given.compact_alone()) return {};
   if (given.set && !given.from)
     return refuse("--set changes a setting where a new take branches off",
                   "add --from FRAME, or change the scene");
@@ -60,7 +72,8 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   app.set_version_flag("--version", "ribbon-record " RIBBON_VERSION);
   app.footer(examples);
   const auto* input = app.add_option("SCENE", options.input,
-                                     "the scene (.toml); with --from, the recording (.rbn)");
+                                     "the scene (.toml); with --from and --compact, the recording "
+                                     "(.rbn)");
   const auto* output =
       app.add_option("-o,--output", options.recording, "the recording to write (.rbn)")
           ->type_name("FILE");
@@ -72,10 +85,11 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
                                "end at this simulated time, before or beyond the scene's duration")
                     ->check(CLI::Range(1e-9, 1e9))
                     ->type_name("SECONDS");
-  app.add_option("--frames", options.limit.frames, "end when the recording holds so many frames")
-      ->check(CLI::Range(2, 1'000'000'000))
-      ->excludes(until)
-      ->type_name("N");
+  const auto* frames = app.add_option("--frames", options.limit.frames,
+                                      "end when the recording holds so many frames")
+                           ->check(CLI::Range(2, 1'000'000'000))
+                           ->excludes(until)
+                           ->type_name("N");
   int from_frame = 1;
   const auto* from = app.add_option("--from", from_frame,
                                     "branch a new take off at this frame of a recording (from 1)")
@@ -85,19 +99,29 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
                                    "change this setting of the scene there; may be repeated")
                         ->allow_extra_args(false)
                         ->type_name("KEY=VALUE");
-  app.add_option("--stats", options.statistics, "JSON file for the figures of the run")
-      ->type_name("FILE");
+  const auto* compact = app.add_flag(
+      "--compact", options.compact,
+      "rewrite the recording to be smaller, without any loss; also at the end of a run");
+  const auto* statistics =
+      app.add_option("--stats", options.statistics, "JSON file for the figures of the run")
+          ->type_name("FILE");
   app.add_option("--threads", options.threads,
                  "use at most this many threads (default: all cores); the recording is the same")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  app.add_flag("--profile", options.profile, "print where the time of the run went");
+  const auto* profile =
+      app.add_flag("--profile", options.profile, "print where the time of the run went");
   app.add_flag("--quiet", options.quiet, "no progress and no summary");
   const auto read = parse_arguments(app, argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
-  const Given given{input->count() > 0, output->count() > 0, resume->count() > 0, from->count() > 0,
-                    set->count() > 0};
+  const Given given{input->count() > 0,
+                    output->count() > 0,
+                    resume->count() > 0,
+                    from->count() > 0,
+                    set->count() > 0,
+                    compact->count() > 0,
+                    until->count() + frames->count() + statistics->count() + profile->count() > 0};
   if (auto together = goes_together(given); !together) return tl::unexpected(together.error());
   if (given.resume) {
     options.task = RecorderTask::resume;
@@ -105,6 +129,9 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   } else if (given.from) {
     options.task = RecorderTask::branch;
     options.from_frame = from_frame - 1;
+  } else if (given.compact_alone()) {
+    options.task = RecorderTask::compact;
+    options.recording = std::exchange(options.input, {});
   }
   return options;
 }

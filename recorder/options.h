@@ -15,17 +15,19 @@ enum class RecorderTask {
   record,  // a scene
   resume,  // a recording
   branch,  // a new take off a recording
+  compact  // a recording, and nothing else
 };
 
 struct RecorderOptions {
   RecorderTask task = RecorderTask::record;
-  std::filesystem::path input;        // the scene or the recording to branch off; not to resume
+  std::filesystem::path input;        // the scene or the recording to branch off; else empty
   std::filesystem::path recording;    // to write
   int from_frame = 0;                 // to branch off at, from 0
   std::vector<std::string> settings;  // that change there: "key=value"
   RunLimit limit;
   std::filesystem::path statistics;  // JSON file to write at the end; empty: none
   int threads = 0;                   // 0: all cores
+  bool compact = false;              // also at the end of a run
   bool profile = false;
   bool quiet = false;
 };

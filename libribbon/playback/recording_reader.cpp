@@ -140,6 +140,13 @@ void RecordingReader::check() {
 }
 
 Result<void> RecordingReader::read(int index, Eigen::Matrix3Xf& positions) {
+  const auto decoded = read_lattice(index);
+  if (!decoded) return tl::unexpected(decoded.error());
+  (*decoded)->positions(positions);
+  return {};
+}
+
+Result<const LatticeFrame*> RecordingReader::read_lattice(int index) {
   assert(index >= 0 && index < frame_count());
   State& state = *state_;
   const auto frame = static_cast<std::uint32_t>(index);
@@ -153,8 +160,7 @@ Result<void> RecordingReader::read(int index, Eigen::Matrix3Xf& positions) {
     return failure(state.path.string() + ": frame " + std::to_string(index + 1),
                    "is damaged or builds on a frame that is",
                    "choose another frame or use a copy of the recording that is whole");
-  decoded->positions(positions);
-  return {};
+  return decoded;
 }
 
 }  // namespace ribbon

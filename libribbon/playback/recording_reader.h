@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "playback/damage.h"
+#include "recording/lattice_frame.h"
 #include "recording/recording.h"
 #include "result/result.h"
 
@@ -67,6 +68,9 @@ class RecordingReader {
   // The answer is the same whatever was read before. Cheapest in ascending order, in which every
   // frame is decoded once. Fails when the frame is not readable.
   Result<void> read(int index, Eigen::Matrix3Xf& positions);
+
+  // The same frame as other frames are predicted from it. Valid until the next call.
+  Result<const LatticeFrame*> read_lattice(int index);
 
  private:
   struct State;

@@ -37,23 +37,36 @@ Index not_indexed(RecordingContents& contents) {
   return rest;
 }
 
+struct Source {
+  RandomAccessFile file;
+  RecordingStart start;
+};
+
+Result<Source> open_source(const std::filesystem::path& path) {
+  auto file = RandomAccessFile::open(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  auto start = read_start(*file, path);
+  if (!start) return tl::unexpected(std::move(start.error()));
+  return Source{*std::move(file), *std::move(start)};
+}
+
 }  // namespace
 
 Result<RecordingWriter> resume_recording(const std::filesystem::path& path) {
-  // Read before it is opened for writing, so that what is no recording is told as such.
-  auto source = RandomAccessFile::open(path);
-  if (!source) return tl::unexpected(std::move(source.error()));
-  auto start = read_start(*source, path);
-  if (!start) return tl::unexpected(std::move(start.error()));
+  // Read before it is opened for writing, so that what is no recording is told as such,
+  if (auto opened = open_source(path); !opened) return tl::unexpected(std::move(opened.error()));
   auto target = RecordFile::open(path);
   if (!target) return tl::unexpected(std::move(target.error()));
-  source->update_size();  // another writer may have been at it until now
-  RecordingContents contents(*source, *start);
+  // and again now that nobody else can write it, or put another file in its place.
+  auto opened = open_source(path);
+  if (!opened) return tl::unexpected(std::move(opened.error()));
+  auto& [source, start] = *opened;
+  RecordingContents contents(source, start);
   contents.check();
-  FrameDecoder decoder(*source, *start, contents);
+  FrameDecoder decoder(source, start, contents);
 
-  RecordedSoFar so_far{.header = start->header,
-                       .recording_id = start->recording_id,
+  RecordedSoFar so_far{.header = start.header,
+                       .recording_id = start.recording_id,
                        .frames = contents.frames_before_end(),
                        .indices = contents.indices(),
                        .not_indexed = not_indexed(contents),

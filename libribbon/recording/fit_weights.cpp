@@ -11,7 +11,7 @@ namespace ribbon {
 
 namespace {
 
-constexpr std::size_t samples_per_stage = 800;
+constexpr std::size_t quick_samples_per_stage = 800;
 
 // Sums of products of taps, and of taps with the wanted value, which comes last.
 class NormalEquations {
@@ -73,11 +73,15 @@ class NormalEquations {
 
 using Row = std::array<double, most_taps + 1>;
 
-class Fit {
+class WeightFit {
  public:
-  Fit(const ParityPlanes& planes, const Past& past, Prediction prediction,
-      const PlaneFields<float>& motion)
-      : planes_(planes), past_(past), prediction_(prediction), motion_(motion) {
+  WeightFit(const ParityPlanes& planes, const Past& past, Prediction prediction,
+            const PlaneFields<float>& motion, Fit fit)
+      : planes_(planes),
+        past_(past),
+        prediction_(prediction),
+        motion_(motion),
+        samples_per_stage_(fit == Fit::quick ? quick_samples_per_stage : planes.cells()) {
     if (past.first().step_m == 0) unit_ = mean_change();
   }
 
@@ -116,13 +120,13 @@ class Fit {
   // Evenly spread over the rows of the stage's planes, and over all columns.
   template <class Visit>
   void for_each_sample(std::size_t stage, Visit visit) const {
-    if (stage == diagonal) return for_each_sample_of(3, samples_per_stage, visit);
+    if (stage == diagonal) return for_each_sample_of(3, samples_per_stage_, visit);
     if (stage == cross) {
-      for_each_sample_of(1, samples_per_stage / 2, visit);
-      return for_each_sample_of(2, samples_per_stage / 2, visit);
+      for_each_sample_of(1, samples_per_stage_ / 2, visit);
+      return for_each_sample_of(2, samples_per_stage_ / 2, visit);
     }
-    if (stage == coarse_past) return for_each_sample_of(0, samples_per_stage, visit);
-    for_each_sample_of(0, 2 * samples_per_stage, [&](int plane, std::size_t cell, int a, int b) {
+    if (stage == coarse_past) return for_each_sample_of(0, samples_per_stage_, visit);
+    for_each_sample_of(0, 2 * samples_per_stage_, [&](int plane, std::size_t cell, int a, int b) {
       const bool is_diagonal = a % 2 == 1 && b % 2 == 1;
       const bool is_cross = (a + b) % 2 == 1;
       if (stage == coarse_diagonal ? is_diagonal : is_cross) visit(plane, cell);
@@ -247,6 +251,7 @@ class Fit {
   const Past& past_;
   Prediction prediction_;
   const PlaneFields<float>& motion_;
+  std::size_t samples_per_stage_;
   double unit_ = 1;
   RecordedWeights fitted_;
   Weights weights_{};
@@ -297,8 +302,8 @@ WithinWeights fit_within_weights(const ParityPlanes& planes, const PlaneFields<f
 }
 
 RecordedWeights fit_weights(const ParityPlanes& planes, const Past& past, Prediction prediction,
-                            const PlaneFields<float>& motion) {
-  return Fit(planes, past, prediction, motion).run();
+                            const PlaneFields<float>& motion, Fit fit) {
+  return WeightFit(planes, past, prediction, motion, fit).run();
 }
 
 }  // namespace ribbon

@@ -2,15 +2,21 @@
 // recorded, so decoders do not depend on how it was found.
 #pragma once
 
+#include <cstdint>
+
 #include "recording/prediction.h"
 
 namespace ribbon {
 
-// Least squares over some of the particles, the same weights for x, y and z; restless ones count
+// How many particles the weights are made from: some, or all of them. Frames get a hundredth
+// smaller for several times the work.
+enum class Fit : std::uint8_t { quick, thorough };
+
+// Least squares over particles, the same weights for x, y and z; restless ones count
 // less. motion: of all particles since the first frame referred to, borders closed. The same bits
 // on any IEEE machine: plain double arithmetic in a fixed order.
 RecordedWeights fit_weights(const ParityPlanes& planes, const Past& past, Prediction prediction,
-                            const PlaneFields<float>& motion);
+                            const PlaneFields<float>& motion, Fit fit);
 
 // Likewise within a frame; values: of all particles, borders continued plane by plane.
 WithinWeights fit_within_weights(const ParityPlanes& planes, const PlaneFields<float>& values);

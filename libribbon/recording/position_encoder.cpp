@@ -9,7 +9,6 @@
 
 #include "recording/bytes.h"
 #include "recording/compression.h"
-#include "recording/fit_weights.h"
 #include "recording/frame_prediction.h"
 #include "recording/rank_blocks.h"
 #include "recording/varint.h"
@@ -51,7 +50,10 @@ struct PositionEncoder::State {
                                   const Eigen::Matrix3Xd& positions) const;
   void set_motion(const LatticeFrame& frame);
   std::string lattice_geometry(LatticeFrame& frame, Prediction prediction,
-                               std::span<const LatticeFrame* const> references);
+                               std::span<const LatticeFrame* const> references, Fit fit);
+  EncodedFrame predicted(LatticeFrame frame, Prediction prediction,
+                         std::span<const LatticeFrame* const> references, Fit fit);
+  EncodedFrame plain(Eigen::Matrix3Xf positions);
   std::optional<EncodedFrame> try_plain(const Eigen::Matrix3Xd& positions);
 };
 
@@ -108,7 +110,8 @@ void PositionEncoder::State::set_motion(const LatticeFrame& frame) {
 }
 
 std::string PositionEncoder::State::lattice_geometry(
-    LatticeFrame& frame, Prediction prediction, std::span<const LatticeFrame* const> references) {
+    LatticeFrame& frame, Prediction prediction, std::span<const LatticeFrame* const> references,
+    Fit fit) {
   frame_prediction.begin(prediction, references);
   set_motion(frame);
   const ParityPlanes& planes = frame_prediction.planes();
@@ -119,7 +122,7 @@ std::string PositionEncoder::State::lattice_geometry(
     put_within_weights(frame_prediction.within_weights, bytes);
   } else {
     const RecordedWeights recorded =
-        fit_weights(planes, frame_prediction.past(), prediction, frame_prediction.motion());
+        fit_weights(planes, frame_prediction.past(), prediction, frame_prediction.motion(), fit);
     frame_prediction.weights = recorded.weights();
     put_weights(recorded, prediction, bytes);
   }
@@ -128,16 +131,28 @@ std::string PositionEncoder::State::lattice_geometry(
   return bytes;
 }
 
-std::optional<EncodedFrame> PositionEncoder::State::try_plain(const Eigen::Matrix3Xd& positions) {
+EncodedFrame PositionEncoder::State::predicted(LatticeFrame frame, Prediction prediction,
+                                               std::span<const LatticeFrame* const> references,
+                                               Fit fit) {
+  std::string geometry = lattice_geometry(frame, prediction, usable(references), fit);
+  return {FrameEncoding::lattice, std::move(geometry), std::move(frame)};
+}
+
+EncodedFrame PositionEncoder::State::plain(Eigen::Matrix3Xf positions) {
   EncodedFrame encoded;
   encoded.frame.grid = parameters.grid;
   encoded.frame.plain = true;
-  encoded.frame.plain_positions = positions.cast<float>();
-  if (!within_bound(encoded.frame, positions)) return std::nullopt;
+  encoded.frame.plain_positions = std::move(positions);
   std::string content;
   for (const float coordinate : encoded.frame.plain_positions.transpose().reshaped())
     put<float>(content, coordinate);
   encoded.geometry = compressor.compress(std::array{std::string_view(content)});
+  return encoded;
+}
+
+std::optional<EncodedFrame> PositionEncoder::State::try_plain(const Eigen::Matrix3Xd& positions) {
+  EncodedFrame encoded = plain(positions.cast<float>());
+  if (!within_bound(encoded.frame, positions)) return std::nullopt;
   return encoded;
 }
 
@@ -149,6 +164,13 @@ PositionEncoder::~PositionEncoder() = default;
 
 const SymbolRuns& PositionEncoder::symbol_runs() const {
   return state_->packer.runs();
+}
+
+EncodedFrame PositionEncoder::encode_again(const LatticeFrame& frame,
+                                           std::span<const LatticeFrame* const> references,
+                                           Prediction prediction, Fit fit) {
+  return frame.plain ? state_->plain(frame.plain_positions)
+                     : state_->predicted(frame, prediction, references, fit);
 }
 
 Result<EncodedFrame> PositionEncoder::encode(const Eigen::Matrix3Xd& positions,
@@ -167,8 +189,7 @@ Result<EncodedFrame> PositionEncoder::encode(const Eigen::Matrix3Xd& positions,
   auto frame = state_->on_lattice(positions);
   if (frame && state_->within_bound(*frame, positions)) {
     frame->set_values();
-    std::string geometry = state_->lattice_geometry(*frame, prediction, usable(references));
-    return EncodedFrame{FrameEncoding::lattice, std::move(geometry), std::move(*frame)};
+    return state_->predicted(*std::move(frame), prediction, references, Fit::quick);
   }
   if (auto plain = state_->try_plain(positions)) return std::move(*plain);
   return failure("",

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "recording/codec_parameters.h"
+#include "recording/fit_weights.h"
 #include "recording/frame_record.h"
 #include "recording/lattice_frame.h"
 #include "recording/prediction.h"
@@ -39,6 +40,12 @@ class PositionEncoder {
   Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions,
                               std::span<const LatticeFrame* const> references,
                               Prediction prediction = Prediction::forward);
+
+  // A decoded frame once more, with other references: it decodes to the same bits. Plain ones stay
+  // plain.
+  EncodedFrame encode_again(const LatticeFrame& frame,
+                            std::span<const LatticeFrame* const> references, Prediction prediction,
+                            Fit fit);
 
   // What entropy coding was given for the last frame, of which entropy tables can be made.
   [[nodiscard]] const SymbolRuns& symbol_runs() const;

@@ -30,12 +30,12 @@ bool is_on_disk(int answer) {
   return answer == 0 || errno == EINVAL || errno == EROFS;
 }
 
-void sync_folder_of(const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
+// Another file may have taken its name before it was locked.
+bool is_still_at(const std::filesystem::path& path, int descriptor) {
+  struct stat opened {};
+  struct stat named {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ Result<RecordFile> RecordFile::open(const std::filesystem::path& path, int flags
     return failure(path.string(), "cannot be written (" + last_error_text() + ")",
                    "choose a file that you may write to");
   RecordFile file(path, descriptor);
-  if (!lock_for_writing(descriptor))
+  if (!lock_for_writing(descriptor) || !is_still_at(path, descriptor))
     return failure(path.string(), "is being written by another program",
                    "wait until that has ended, or choose another file");
   return file;

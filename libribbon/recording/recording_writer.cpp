@@ -197,8 +197,12 @@ Result<void> RecordingWriter::append_checkpoint(std::uint64_t steps, std::string
 }
 
 Result<void> RecordingWriter::append_session(const SessionNote& note) {
-  return state_->write_other(RecordType::session, state_->frames,
-                             session_payload(state_->recording_id, {state_->frames, note}));
+  return append_session(Session{state_->frames, note});
+}
+
+Result<void> RecordingWriter::append_session(const Session& session) {
+  return state_->write_other(RecordType::session, session.first_frame,
+                             session_payload(state_->recording_id, session));
 }
 
 Result<void> RecordingWriter::sync() {

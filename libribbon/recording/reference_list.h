@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "recording/references.h"
-
 namespace ribbon {
+
+inline constexpr std::size_t most_references = 4;
 
 // Frame numbers, from 0, in the order in which the codec gets them. Holds at most four, in itself:
 // a long recording has one for each frame.

@@ -1,0 +1,264 @@
+#include "recorder/compact.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "files/files.h"
+#include "playback/recording_reader.h"
+#include "recording/header_record.h"
+#include "recording/position_encoder.h"
+#include "recording/record_file.h"
+#include "recording/recording_writer.h"
+#include "recording/references.h"
+
+namespace ribbon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file that goes unless it has taken the place of another one. A kill may leave it behind.
+class PartFile {
+ public:
+  explicit PartFile(const fs::path& whole)
+      : path_(whole.string() + ".part" + std::to_string(::getpid())) {}
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  ~PartFile() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// What a frame may be predicted from, and how.
+struct Way {
+  Prediction prediction = Prediction::within;
+  ReferenceList references = {};
+};
+
+ReferenceList first_of(const ReferenceList& references, std::size_t count) {
+  ReferenceList first;
+  for (std::size_t k = 0; k < std::min(count, references.size()); ++k)
+    first.push_back(references[k]);
+  return first;
+}
+
+// Writes the frames of one recording into another, in the order of the archive.
+class Archiver {
+ public:
+  Archiver(RecordingReader& source, RecordingWriter& target)
+      : source_(source),
+        target_(target),
+        encoder_(codec_parameters(source.header()), source.header().max_position_error_m),
+        checkpoints_(kept_checkpoints(source.checkpoints())) {}
+
+  Result<void> take(const PlannedFrame& planned) {
+    const std::uint32_t frame = planned.frame;
+    if (planned.references.size() == 0) forget_group();
+    const auto lattice = source_.read_lattice(static_cast<int>(frame));
+    if (!lattice) return tl::unexpected(lattice.error());
+    const LatticeFrame& decoded = coded_[frame] = **lattice;
+    const Way way = smallest(decoded, planned.references);
+    const EncodedFrame encoded = encode(decoded, way, Fit::thorough);
+    auto written = target_.append_encoded({.frame = frame,
+                                           .encoding = encoded.encoding,
+                                           .references = way.references,
+                                           .numbers = *source_.numbers(static_cast<int>(frame)),
+                                           .geometry = encoded.geometry});
+    return written && has_checkpoint(frame) ? take_checkpoint(frame) : written;
+  }
+
+ private:
+  // Only the last frame of a group is also the first of the next one.
+  void forget_group() {
+    if (!coded_.empty()) coded_.erase(coded_.begin(), std::prev(coded_.end()));
+  }
+
+  [[nodiscard]] bool has_checkpoint(std::uint32_t frame) const {
+    return std::find(checkpoints_.begin(), checkpoints_.end(), frame) != checkpoints_.end();
+  }
+  Result<void> take_checkpoint(std::uint32_t frame) {
+    const auto checkpoint = source_.read_checkpoint(frame);
+    if (!checkpoint) return tl::unexpected(checkpoint.error());
+    return target_.append_checkpoint(checkpoint->steps, checkpoint->state);
+  }
+
+  // Where the motion is not smooth, fewer references or none may do better.
+  Way smallest(const LatticeFrame& frame, const ReferenceList& planned) {
+    Way best;
+    const ReferenceList all = usable_of(planned);
+    if (frame.plain || all.size() == 0) return best;
+    std::size_t fewest_bytes = encode(frame, best, Fit::quick).geometry.size();
+    for (const Way& way :
+         {Way{Prediction::between, all}, Way{Prediction::between, first_of(all, 2)},
+          Way{Prediction::forward, first_of(all, 3)}}) {
+      const std::size_t bytes = encode(frame, way, Fit::quick).geometry.size() +
+                                sizeof(std::uint32_t) * way.references.size();
+      if (bytes >= fewest_bytes) continue;
+      fewest_bytes = bytes;
+      best = way;
+    }
+    return best;
+  }
+
+  EncodedFrame encode(const LatticeFrame& frame, const Way& way, Fit fit) {
+    return encoder_.encode_again(frame, lattices_of(way.references), way.prediction, fit);
+  }
+
+  [[nodiscard]] std::vector<const LatticeFrame*> lattices_of(
+      const ReferenceList& references) const {
+    std::vector<const LatticeFrame*> lattices;
+    for (const std::uint32_t reference : references) lattices.push_back(&coded_.at(reference));
+    return lattices;
+  }
+  [[nodiscard]] ReferenceList usable_of(const ReferenceList& references) const {
+    return first_of(references, usable(lattices_of(references)).size());
+  }
+
+  RecordingReader& source_;
+  RecordingWriter& target_;
+  PositionEncoder encoder_;
+  std::vector<std::uint32_t> checkpoints_;
+  std::map<std::uint32_t, LatticeFrame> coded_;  // of this group, by number
+};
+
+// Nothing is left out of a recording without its owner's knowing.
+Result<void> check_whole(const fs::path& path, RecordingReader& source) {
+  source.check();
+  bool whole = source.damage().empty();
+  for (int frame = 0; whole && frame < source.frame_count(); ++frame)
+    whole = source.readable(frame) && source.numbers(frame).has_value();
+  if (whole) return {};
+  return failure(path.string(), "is damaged, and compacting it would make that final",
+                 "compact a copy that is whole, or leave it: it plays as far as it can be read");
+}
+
+// Whether all frames have been taken: not where the observer gives up.
+Result<bool> copy(RecordingReader& source, RecordingWriter& target,
+                  const std::function<bool(int done, int total)>& go_on) {
+  Archiver archiver(source, target);
+  int done = 0;
+  for (const PlannedFrame& planned :
+       archive_plan(static_cast<std::uint32_t>(source.frame_count()))) {
+    if (auto taken = archiver.take(planned); !taken) return tl::unexpected(taken.error());
+    if (go_on && !go_on(++done, source.frame_count())) return false;
+  }
+  for (const Session& session : source.sessions())
+    if (auto taken = target.append_session(session); !taken) return tl::unexpected(taken.error());
+  // What a run was not allowed to finish stays as that: it can be resumed likewise.
+  auto ended = source.finished() ? target.finish(source.ending()) : target.sync();
+  if (!ended) return tl::unexpected(ended.error());
+  return true;
+}
+
+bool same_bits(const Eigen::Matrix3Xf& a, const Eigen::Matrix3Xf& b) {
+  return a.cols() == b.cols() &&
+         std::memcmp(a.data(), b.data(), sizeof(float) * static_cast<std::size_t>(a.size())) == 0;
+}
+
+bool same_frame(RecordingReader& a, RecordingReader& b, int frame) {
+  Eigen::Matrix3Xf in_a;
+  Eigen::Matrix3Xf in_b;
+  return a.read(frame, in_a) && b.read(frame, in_b) && same_bits(in_a, in_b) &&
+         a.numbers(frame) == b.numbers(frame);
+}
+
+// All but the frames.
+bool same_rest(const RecordingReader& a, const RecordingReader& b) {
+  const auto same_checkpoint = [&](std::uint32_t frame) {
+    const auto in_a = a.read_checkpoint(frame);
+    const auto in_b = b.read_checkpoint(frame);
+    return in_a && in_b && *in_a == *in_b;
+  };
+  const auto checkpoints = kept_checkpoints(a.checkpoints());
+  return header_payload(a.header()) == header_payload(b.header()) &&
+         a.frame_count() == b.frame_count() && a.sessions() == b.sessions() &&
+         a.finished() == b.finished() && a.ending() == b.ending() &&
+         checkpoints == kept_checkpoints(b.checkpoints()) &&
+         std::all_of(checkpoints.begin(), checkpoints.end(), same_checkpoint);
+}
+
+// Whether all frames have been compared: not where the observer gives up.
+Result<bool> compare(const fs::path& path, const fs::path& part,
+                     const std::function<bool(int done, int total)>& go_on) {
+  const auto otherwise = [&](const std::string& what) {
+    return failure(path.string() + what, "it would not come out as it was",
+                   "report this; the recording is as it was");
+  };
+  auto before = RecordingReader::open(path);
+  if (!before) return tl::unexpected(before.error());
+  auto after = RecordingReader::open(part);
+  if (!after) return tl::unexpected(after.error());
+  if (!same_rest(*before, *after)) return otherwise("");
+  const int frames = before->frame_count();
+  for (int frame = 0; frame < frames; ++frame) {
+    if (!same_frame(*before, *after, frame))
+      return otherwise(": frame " + std::to_string(frame + 1));
+    if (go_on && !go_on(frame + 1, frames)) return false;
+  }
+  return true;
+}
+
+// The writer says what is safe in its own file; that is of no interest here.
+tl::unexpected<Error> not_compacted(const fs::path& path, const Error& error) {
+  return failure(path.string(),
+                 "cannot be compacted: the smaller one beside it " +
+                     error.problem.substr(0, error.problem.find(';')),
+                 "free some space or check the folder; the recording is as it was");
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> kept_checkpoints(std::vector<std::uint32_t> frames) {
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  if (frames.size() > 3) frames.erase(frames.begin() + 1, frames.end() - 2);
+  return frames;
+}
+
+Result<std::optional<Compaction>> compact(const fs::path& recording,
+                                          const CompactionObserver& observer) {
+  std::error_code code;
+  const fs::path named = fs::canonical(recording, code);  // what links lead to is replaced
+  const fs::path path = code ? recording : named;
+  // Read before it is opened for writing, so that what is no recording is told as such,
+  if (auto opened = RecordingReader::open(path); !opened) return tl::unexpected(opened.error());
+  const auto lock = RecordFile::open(path);
+  if (!lock) return tl::unexpected(lock.error());
+  // and again now that nobody else can write it.
+  auto source = RecordingReader::open(path);
+  if (!source) return tl::unexpected(source.error());
+  if (auto whole = check_whole(path, *source); !whole) return tl::unexpected(whole.error());
+
+  const PartFile part(path);
+  Compaction compaction{source->frame_count(), source->file_bytes(), source->file_bytes()};
+  {
+    auto target = RecordingWriter::create(part.path(), source->header());
+    if (!target) return not_compacted(path, target.error());
+    const auto copied = copy(*source, *target, observer.frame_written);
+    if (!copied) return not_compacted(path, copied.error());
+    if (!*copied) return std::nullopt;
+    if (target->bytes_written() >= compaction.bytes_before) return compaction;
+    compaction.bytes_after = target->bytes_written();
+  }
+  const auto same = compare(path, part.path(), observer.frame_compared);
+  if (!same) return tl::unexpected(same.error());
+  if (!*same) return std::nullopt;
+  fs::permissions(part.path(), fs::status(path, code).permissions(), code);
+  if (auto replaced = replace_file(path, part.path()); !replaced)
+    return tl::unexpected(replaced.error());
+  return compaction;
+}
+
+}  // namespace ribbon

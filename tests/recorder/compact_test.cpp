@@ -1,0 +1,354 @@
+#include "recorder/compact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "commandline/tool_run.h"
+#include "playback/resume.h"
+#include "recorder/frames_of.h"
+#include "recorder/process.h"
+#include "recorder/record.h"
+#include "recorder/resume.h"
+#include "recorder/small_scene.h"
+#include "recording/entropy_tables.h"
+#include "recording/recording_writer.h"
+#include "recording/sample_recording.h"
+#include "recording/size_limit.h"
+
+namespace ribbon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int frames = 150;  // some groups, the last one not full
+const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
+
+// The sample's ribbon in waves, so that there is something to predict.
+Eigen::Matrix3Xd waves(int frame) {
+  Eigen::Matrix3Xd positions = sample_positions(frame / 4);
+  for (Eigen::Index p = 0; p < positions.cols(); ++p)
+    positions(1, p) += 0.02 * std::sin(0.11 * frame + 0.05 * static_cast<double>(p));
+  return positions;
+}
+
+class Compacted : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-compact-") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    file_ = folder_ / "knot.rbn";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void record_waves(const RecordingHeader& header, Ending ending = Ending::finished) {
+    auto writer = RecordingWriter::create(file_, header).value();
+    for (int frame = 0; frame < frames; ++frame) {
+      ASSERT_TRUE(writer.append(sample_numbers(frame), waves(frame)).has_value());
+      if (frame % 20 == 0) {
+        ASSERT_TRUE(writer.append_checkpoint(10UL * static_cast<unsigned>(frame),
+                                             "state " + std::to_string(frame)));
+      }
+      if (frame == 70) {
+        ASSERT_TRUE(writer.append_session({SessionReason::resumed, "tests", "a = 1\n"}));
+      }
+    }
+    if (ending == Ending::finished) {
+      ASSERT_TRUE(writer.finish(RunEnding::tight).has_value());
+    }
+  }
+  void record_waves() {
+    RecordingHeader header = sample_header();
+    header.entropy_tables = standard_entropy_tables();
+    record_waves(header);
+  }
+
+  [[nodiscard]] std::string refusal() const {
+    const auto answer = compact(file_);
+    return answer ? "" : answer.error().sentence();
+  }
+  [[nodiscard]] std::string bytes() const { return read_file(file_).value(); }
+  [[nodiscard]] std::ptrdiff_t files_in_folder() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
+
+  fs::path folder_;
+  fs::path file_;
+};
+
+TEST_F(Compacted, every_frame_has_the_same_bits_and_the_file_is_smaller) {
+  for (const double bound_m : {1e-5, 0.0}) {
+    RecordingHeader header = sample_header();
+    header.max_position_error_m = bound_m;
+    header.lattice_step_m = lattice_step_m(bound_m, 1);
+    record_waves(header);
+    const auto before = frames_of(file_);
+    const std::uintmax_t bytes_before = fs::file_size(file_);
+    const auto id = RecordingReader::open(file_)->recording_id();
+    const auto compaction = compact(file_).value();
+    EXPECT_EQ(compaction, (Compaction{frames, bytes_before, fs::file_size(file_)}));
+    EXPECT_LT(fs::file_size(file_), bytes_before * 96 / 100);
+    auto reader = RecordingReader::open(file_).value();
+    EXPECT_EQ(frames_of(reader), before);
+    reader.check();
+    EXPECT_TRUE(reader.damage().empty());
+    EXPECT_EQ(frames_of(reader), before);
+    EXPECT_EQ(reader.recording_id(), id) << "branches know it by that";
+    EXPECT_EQ(files_in_folder(), 1);
+  }
+}
+
+TEST_F(Compacted, sessions_ending_and_the_checkpoints_that_are_needed_stay) {
+  record_waves();
+  const auto sessions = RecordingReader::open(file_)->sessions();
+  ASSERT_EQ(sessions.size(), 1U);
+  ASSERT_EQ(refusal(), "");
+  const auto reader = RecordingReader::open(file_).value();
+  EXPECT_EQ(reader.sessions(), sessions);
+  EXPECT_TRUE(reader.finished());
+  EXPECT_EQ(reader.ending(), RunEnding::tight);
+  EXPECT_EQ(reader.frame_count(), frames);
+  auto checkpoints = reader.checkpoints();
+  std::sort(checkpoints.begin(), checkpoints.end());
+  EXPECT_EQ(checkpoints, (std::vector<std::uint32_t>{0, 120, 140}));
+  EXPECT_EQ(*reader.read_checkpoint(140), (Checkpoint{140, 1400, "state 140"}));
+}
+
+TEST_F(Compacted, a_jump_shows_what_playing_shows) {
+  record_waves();
+  const auto truth = frames_of(file_);
+  ASSERT_EQ(refusal(), "");
+  std::mt19937 random(7);
+  auto reader = RecordingReader::open(file_).value();
+  Eigen::Matrix3Xf positions;
+  for (int jump = 0; jump < 400; ++jump) {
+    const int frame = static_cast<int>(random() % frames);
+    if (jump % 10 == 0) reader = RecordingReader::open(file_).value();
+    ASSERT_TRUE(reader.read(frame, positions).has_value());
+    ASSERT_EQ(positions, truth[static_cast<std::size_t>(frame)].positions) << frame;
+  }
+}
+
+// Plain frames help no others; those around them must do without.
+TEST_F(Compacted, frames_beyond_the_lattice_stay_as_they_are) {
+  {
+    auto writer = RecordingWriter::create(file_, sample_header()).value();
+    for (int frame = 0; frame < frames; ++frame) {
+      const double scale = frame % 16 == 3 || frame == 64 ? 1e30 : 1;
+      Eigen::Matrix3Xd positions = waves(frame);
+      if (scale > 1) positions = (scale * positions).cast<float>().cast<double>();
+      ASSERT_TRUE(writer.append(sample_numbers(frame), positions).has_value()) << frame;
+    }
+    ASSERT_TRUE(writer.finish().has_value());
+  }
+  const auto before = frames_of(file_);
+  ASSERT_EQ(refusal(), "");
+  EXPECT_EQ(frames_of(file_), before);
+}
+
+TEST_F(Compacted, recordings_of_few_frames_work) {
+  for (int count = 0; count < 6; ++count) {
+    write_sample_recording(file_, count);
+    const auto before = frames_of(file_);
+    ASSERT_EQ(refusal(), "") << count;
+    EXPECT_EQ(frames_of(file_), before);
+  }
+}
+
+TEST_F(Compacted, what_is_compact_stays_byte_for_byte) {
+  record_waves();
+  ASSERT_EQ(refusal(), "");
+  const std::string once = bytes();
+  const auto again = compact(file_).value();
+  ASSERT_TRUE(again.has_value());
+  EXPECT_EQ(again->bytes_after, again->bytes_before);
+  EXPECT_TRUE(bytes() == once);
+  EXPECT_EQ(files_in_folder(), 1);
+}
+
+TEST_F(Compacted, one_that_a_kill_left_behind_stays_one_that_can_be_resumed) {
+  record_waves(sample_header(), Ending::killed);
+  std::ofstream(file_, std::ios::binary | std::ios::app) << "\xB1REC torn";
+  const auto before = frames_of(file_);
+  ASSERT_EQ(refusal(), "");
+  EXPECT_EQ(frames_of(file_), before);
+  EXPECT_FALSE(RecordingReader::open(file_)->finished());
+}
+
+TEST_F(Compacted, it_grows_again_and_is_compacted_again) {
+  record_waves();
+  ASSERT_EQ(refusal(), "");
+  {
+    auto writer = resume_recording(file_).value();
+    EXPECT_EQ(writer.frames_written(), static_cast<std::uint32_t>(frames));
+    ASSERT_TRUE(writer.append_session({SessionReason::extended, "tests", ""}).has_value());
+    for (int frame = frames; frame < 2 * frames; ++frame)
+      ASSERT_TRUE(writer.append(sample_numbers(frame), waves(frame)).has_value());
+    ASSERT_TRUE(writer.finish(RunEnding::duration).has_value());
+  }
+  const auto grown = frames_of(file_);
+  const auto bytes_grown = fs::file_size(file_);
+  EXPECT_EQ(grown.size(), 2U * frames);
+  ASSERT_EQ(refusal(), "");
+  EXPECT_LT(fs::file_size(file_), bytes_grown);
+  EXPECT_EQ(frames_of(file_), grown);
+  EXPECT_EQ(RecordingReader::open(file_)->sessions().size(), 2U);
+}
+
+TEST_F(Compacted, a_run_goes_on_behind_it_to_the_same_bits) {
+  write_small_scene(folder_);
+  const Scene scene = read_scene(folder_ / "small.toml").value();
+  ASSERT_TRUE(record(scene, folder_ / "whole.rbn", "test", goes_on, {.frames = 61}).has_value());
+  const auto whole = frames_of(folder_ / "whole.rbn");
+  ASSERT_TRUE(record(scene, file_, "test", goes_on, {.frames = 40}).has_value());
+  ASSERT_LT(compact(file_).value()->bytes_after, fs::file_size(folder_ / "whole.rbn"));
+  ASSERT_TRUE(resume(file_, "test", goes_on, {.frames = 61}).has_value());
+  const auto resumed = frames_of(file_);
+  EXPECT_EQ(resumed.size(), 61U);
+  EXPECT_EQ(first_difference(resumed, whole), -1);
+}
+
+// Wherever the disk is full: in the header, in frames, at the end.
+TEST_F(Compacted, a_full_disk_leaves_the_recording_as_it_was) {
+  record_waves();
+  const std::string before = bytes();
+  const fs::path copy = folder_ / "small.rbn";
+  fs::copy_file(file_, copy);
+  const std::uint64_t needed = compact(copy).value()->bytes_after;
+  fs::remove(copy);
+  for (const std::uint64_t room : {std::uint64_t{100}, needed / 3, needed - 100, needed - 1}) {
+    const SizeLimit limit(room);
+    EXPECT_NE(refusal().find("cannot be compacted"), std::string::npos) << room;
+    EXPECT_TRUE(bytes() == before) << room;
+    EXPECT_EQ(files_in_folder(), 1) << room;
+  }
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(Compacted, given_up_it_leaves_the_recording_as_it_was) {
+  record_waves();
+  const std::string before = bytes();
+  const auto gives_up = [](int done, int) { return done < 30; };
+  for (const CompactionObserver& observer :
+       {CompactionObserver{gives_up, {}}, CompactionObserver{{}, gives_up}}) {
+    const auto answer = compact(file_, observer);
+    ASSERT_TRUE(answer.has_value()) << answer.error().sentence();
+    EXPECT_FALSE(answer->has_value());
+    EXPECT_TRUE(bytes() == before);
+    EXPECT_EQ(files_in_folder(), 1);
+  }
+}
+
+// In a process of its own, at moments that fall into writing, comparing and putting in place.
+TEST_F(Compacted, a_kill_leaves_a_whole_recording) {
+  record_waves();
+  const auto before = frames_of(file_);
+  const std::string original = bytes();
+  std::mt19937 random(3);
+  for (unsigned kill = 0; kill < 15; ++kill) {
+    ASSERT_TRUE(write_file(file_, original).has_value());
+    const pid_t tool = spawned({RIBBON_RECORD, "--compact", file_.string(), "--quiet"});
+    ASSERT_GT(tool, 0);
+    std::this_thread::sleep_for(std::chrono::microseconds(2000U * kill + random() % 2000));
+    ::kill(tool, SIGKILL);
+    (void)waited_for(tool);
+    ASSERT_EQ(frames_of(file_), before);
+    EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::tight);
+  }
+  ASSERT_TRUE(write_file(file_, original).has_value());
+  ASSERT_EQ(refusal(), "") << "what kills have left beside it is in nobody's way";
+  EXPECT_LT(fs::file_size(file_), original.size());
+}
+
+TEST_F(Compacted, no_writer_can_have_it_meanwhile) {
+  record_waves();
+  int refused = 0;
+  const auto try_to_write = [&](int, int) {
+    refused += resume_recording(file_) ? 0 : 1;
+    return true;
+  };
+  ASSERT_TRUE(compact(file_, {try_to_write, try_to_write}).has_value());
+  EXPECT_EQ(refused, 2 * frames);
+  const auto writer = resume_recording(file_);
+  ASSERT_TRUE(writer.has_value());
+  const std::string busy = bytes();
+  EXPECT_NE(refusal().find("is being written by another program"), std::string::npos) << refusal();
+  EXPECT_TRUE(bytes() == busy);
+}
+
+TEST_F(Compacted, a_damaged_one_is_refused) {
+  record_waves();
+  const std::string whole = bytes();
+  for (const std::size_t at : {std::size_t{2}, whole.size() / 3, whole.size() / 2}) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x20);
+    ASSERT_TRUE(write_file(file_, damaged).has_value());
+    EXPECT_NE(refusal().find("knot.rbn: is damaged"), std::string::npos) << refusal();
+    EXPECT_TRUE(bytes() == damaged);
+  }
+}
+
+TEST_F(Compacted, what_is_no_recording_is_told_and_left_as_it_is) {
+  ASSERT_TRUE(write_file(file_, "a letter").has_value());
+  EXPECT_NE(refusal().find("is not a ribbon recording"), std::string::npos);
+  EXPECT_EQ(bytes(), "a letter");
+  file_ = folder_ / "missing.rbn";
+  EXPECT_NE(refusal().find("missing.rbn"), std::string::npos);
+  EXPECT_FALSE(fs::exists(file_));
+}
+
+TEST_F(Compacted, links_and_permissions_stay) {
+  record_waves();
+  fs::permissions(file_, fs::perms::owner_read | fs::perms::owner_write);
+  const fs::path link = folder_ / "link.rbn";
+  fs::create_symlink("knot.rbn", link);
+  const auto before = fs::file_size(file_);
+  ASSERT_TRUE(compact(link).has_value());
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_LT(fs::file_size(file_), before);
+  EXPECT_EQ(fs::status(file_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(Compacted, the_tool_compacts_alone_and_behind_a_run) {
+  write_small_scene(folder_);
+  const auto run = [this](const std::string& words) {
+    return run_in(folder_, RIBBON_RECORD, words);
+  };
+  ASSERT_EQ(run("small.toml -o one.rbn --frames 40 --quiet").exit_code, 0);
+  const auto before = frames_of(folder_ / "one.rbn");
+  const ToolRun alone = run("--compact one.rbn");
+  EXPECT_EQ(alone.exit_code, 0) << alone.errors;
+  EXPECT_EQ(alone.output.rfind("one.rbn: compacted, 40 frames as they were", 0), 0U)
+      << alone.output;
+  EXPECT_EQ(frames_of(folder_ / "one.rbn"), before);
+  const ToolRun behind = run("small.toml -o two.rbn --frames 40 --compact");
+  EXPECT_EQ(behind.exit_code, 0) << behind.errors;
+  EXPECT_EQ(fs::file_size(folder_ / "two.rbn"), fs::file_size(folder_ / "one.rbn"));
+  EXPECT_EQ(run("--resume two.rbn --frames 61 --compact").exit_code, 0);
+  EXPECT_EQ(first_difference(before, frames_of(folder_ / "two.rbn")), -1);
+}
+
+TEST_F(Compacted, what_does_not_go_with_it_is_told) {
+  const auto refusal_of = [this](const std::string& words) {
+    const ToolRun run = run_in(folder_, RIBBON_RECORD, words);
+    EXPECT_EQ(run.exit_code, 2) << words;
+    return run.errors;
+  };
+  EXPECT_NE(refusal_of("--compact").find("nothing to compact"), std::string::npos);
+  for (const char* const more :
+       {"--until 3", "--frames 9", "--stats x.json", "--profile", "--set fastening.speed=1"})
+    EXPECT_NE(refusal_of("--compact knot.rbn " + std::string(more)).find("--compact alone"),
+              std::string::npos)
+        << more;
+  EXPECT_NE(refusal_of("--compact missing.rbn").find("missing.rbn"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ribbon
