@@ -12,8 +12,8 @@
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
+#include "recording/archive_encoder.h"
 #include "recording/header_record.h"
-#include "recording/position_encoder.h"
 #include "recording/record_file.h"
 #include "recording/recording_writer.h"
 #include "recording/references.h"
@@ -41,19 +41,6 @@ class PartFile {
   fs::path path_;
 };
 
-// What a frame may be predicted from, and how.
-struct Way {
-  Prediction prediction = Prediction::within;
-  ReferenceList references = {};
-};
-
-ReferenceList first_of(const ReferenceList& references, std::size_t count) {
-  ReferenceList first;
-  for (std::size_t k = 0; k < std::min(count, references.size()); ++k)
-    first.push_back(references[k]);
-  return first;
-}
-
 // Writes the frames of one recording into another, in the order of the archive.
 class Archiver {
  public:
@@ -69,13 +56,14 @@ class Archiver {
     const auto lattice = source_.read_lattice(static_cast<int>(frame));
     if (!lattice) return tl::unexpected(lattice.error());
     const LatticeFrame& decoded = coded_[frame] = **lattice;
-    const Way way = smallest(decoded, planned.references);
-    const EncodedFrame encoded = encode(decoded, way, Fit::thorough);
+    const ArchivedFrame archived = encoder_.encode(
+        decoded, planned.references,
+        [this](std::uint32_t reference) -> const LatticeFrame& { return coded_.at(reference); });
     auto written = target_.append_encoded({.frame = frame,
-                                           .encoding = encoded.encoding,
-                                           .references = way.references,
+                                           .encoding = archived.encoded.encoding,
+                                           .references = archived.references,
                                            .numbers = *source_.numbers(static_cast<int>(frame)),
-                                           .geometry = encoded.geometry});
+                                           .geometry = archived.encoded.geometry});
     return written && has_checkpoint(frame) ? take_checkpoint(frame) : written;
   }
 
@@ -94,41 +82,9 @@ class Archiver {
     return target_.append_checkpoint(checkpoint->steps, checkpoint->state);
   }
 
-  // Where the motion is not smooth, fewer references or none may do better.
-  Way smallest(const LatticeFrame& frame, const ReferenceList& planned) {
-    Way best;
-    const ReferenceList all = usable_of(planned);
-    if (frame.plain || all.size() == 0) return best;
-    std::size_t fewest_bytes = encode(frame, best, Fit::quick).geometry.size();
-    for (const Way& way :
-         {Way{Prediction::between, all}, Way{Prediction::between, first_of(all, 2)},
-          Way{Prediction::forward, first_of(all, 3)}}) {
-      const std::size_t bytes = encode(frame, way, Fit::quick).geometry.size() +
-                                sizeof(std::uint32_t) * way.references.size();
-      if (bytes >= fewest_bytes) continue;
-      fewest_bytes = bytes;
-      best = way;
-    }
-    return best;
-  }
-
-  EncodedFrame encode(const LatticeFrame& frame, const Way& way, Fit fit) {
-    return encoder_.encode_again(frame, lattices_of(way.references), way.prediction, fit);
-  }
-
-  [[nodiscard]] std::vector<const LatticeFrame*> lattices_of(
-      const ReferenceList& references) const {
-    std::vector<const LatticeFrame*> lattices;
-    for (const std::uint32_t reference : references) lattices.push_back(&coded_.at(reference));
-    return lattices;
-  }
-  [[nodiscard]] ReferenceList usable_of(const ReferenceList& references) const {
-    return first_of(references, usable(lattices_of(references)).size());
-  }
-
   RecordingReader& source_;
   RecordingWriter& target_;
-  PositionEncoder encoder_;
+  ArchiveEncoder encoder_;
   std::vector<std::uint32_t> checkpoints_;
   std::map<std::uint32_t, LatticeFrame> coded_;  // of this group, by number
 };

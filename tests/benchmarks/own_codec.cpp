@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cstdint>
 
+#include "recording/archive_encoder.h"
 #include "recording/position_decoder.h"
 #include "recording/position_encoder.h"
 #include "recording/references.h"
@@ -13,9 +14,8 @@ namespace {
 
 // In which order the frames of a group are encoded, and from which others each is predicted.
 struct Profile {
-  // The frame of the group that is encoded at `turn`, for a group of `frames`.
-  std::uint32_t (*frame_at)(std::uint32_t turn, std::uint32_t frames);
-  std::vector<std::uint32_t> (*references)(std::uint32_t frame);
+  std::vector<PlannedFrame> (*plan)(std::uint32_t frames);
+  bool archives = false;  // frames that were recorded before, in the smallest of several ways
 };
 
 CodecParameters parameters_of(const CodecTask& task) {
@@ -30,11 +30,17 @@ class OwnCodec : public FrameCodec {
   OwnCodec(const CodecTask& task, const Profile& profile)
       : profile_(profile),
         encoder_(parameters_of(task), task.bound_m),
+        archive_encoder_(parameters_of(task), task.bound_m),
         decoder_(parameters_of(task)) {}
 
   void take(FrameSpan frames) override {
     positions_.clear();
+    recorded_.clear();
     for (const Eigen::Matrix3Xf& frame : frames) positions_.emplace_back(frame.cast<double>());
+    if (profile_.archives)
+      for (const Eigen::Matrix3Xd& frame : positions_)
+        recorded_.push_back(encoder_.encode(frame, {}).value().frame);
+    plan_ = profile_.plan(static_cast<std::uint32_t>(frames.size()));
     encoded_.resize(frames.size());
     lattice_.resize(frames.size());
     decoded_.assign(frames.begin(), frames.end());
@@ -43,25 +49,24 @@ class OwnCodec : public FrameCodec {
 
   std::size_t encode() override {
     std::size_t bytes = 0;
-    for (std::uint32_t turn = 0; turn < count(); ++turn) {
-      const std::uint32_t frame = profile_.frame_at(turn, count());
-      const auto references = references_of(
-          frame, [this](std::uint32_t reference) { return &encoded_[reference].frame; });
-      encoded_[frame] = encoder_.encode(positions_[frame], references).value();
-      bytes += encoded_[frame].geometry.size();
+    for (const PlannedFrame& planned : plan_) {
+      ArchivedFrame& encoded = encoded_[planned.frame];
+      encoded = profile_.archives ? archived(planned) : live(planned);
+      bytes += encoded.encoded.geometry.size();
     }
     return bytes;
   }
 
   void decode() override {
-    for (std::uint32_t turn = 0; turn < count(); ++turn) {
-      const std::uint32_t frame = profile_.frame_at(turn, count());
-      const auto references =
-          references_of(frame, [this](std::uint32_t reference) { return &lattice_[reference]; });
-      [[maybe_unused]] const bool is_valid = decoder_.decode(
-          encoded_[frame].encoding, encoded_[frame].geometry, references, lattice_[frame]);
+    for (const PlannedFrame& planned : plan_) {
+      const auto& [encoded, needed] = encoded_[planned.frame];
+      LatticeFrame& frame = lattice_[planned.frame];
+      std::vector<const LatticeFrame*> references;
+      for (const std::uint32_t reference : needed) references.push_back(&lattice_[reference]);
+      [[maybe_unused]] const bool is_valid =
+          decoder_.decode(encoded.encoding, encoded.geometry, references, frame);
       assert(is_valid);
-      lattice_[frame].positions(decoded_[frame]);
+      frame.positions(decoded_[planned.frame]);
     }
   }
 
@@ -70,24 +75,27 @@ class OwnCodec : public FrameCodec {
   }
 
  private:
-  [[nodiscard]] std::uint32_t count() const {
-    return static_cast<std::uint32_t>(positions_.size());
+  ArchivedFrame live(const PlannedFrame& planned) {
+    std::vector<const LatticeFrame*> references;
+    for (const std::uint32_t reference : planned.references)
+      references.push_back(&encoded_[reference].encoded.frame);
+    return {encoder_.encode(positions_[planned.frame], references).value(), planned.references};
   }
 
-  template <class Lattice>
-  [[nodiscard]] std::vector<const LatticeFrame*> references_of(std::uint32_t frame,
-                                                               const Lattice& lattice) const {
-    std::vector<const LatticeFrame*> references;
-    for (const std::uint32_t reference : profile_.references(frame))
-      references.push_back(lattice(reference));
-    return references;
+  ArchivedFrame archived(const PlannedFrame& planned) {
+    return archive_encoder_.encode(
+        recorded_[planned.frame], planned.references,
+        [this](std::uint32_t reference) -> const LatticeFrame& { return recorded_[reference]; });
   }
 
   Profile profile_;
   PositionEncoder encoder_;
+  ArchiveEncoder archive_encoder_;
   PositionDecoder decoder_;
   std::vector<Eigen::Matrix3Xd> positions_;
-  std::vector<EncodedFrame> encoded_;
+  std::vector<LatticeFrame> recorded_;  // to be archived
+  std::vector<PlannedFrame> plan_;
+  std::vector<ArchivedFrame> encoded_;
   std::vector<LatticeFrame> lattice_;
   std::vector<Eigen::Matrix3Xf> decoded_;
 };
@@ -100,14 +108,22 @@ CodecRow row(const std::string& name, const Profile& profile, std::uint32_t grou
           .group_frames = static_cast<int>(group_frames)};
 }
 
-std::uint32_t in_time(std::uint32_t turn, std::uint32_t /*frames*/) {
-  return turn;
+std::vector<PlannedFrame> live_plan(std::uint32_t frames) {
+  std::vector<PlannedFrame> plan(frames);
+  for (std::uint32_t frame = 0; frame < frames; ++frame) {
+    plan[frame].frame = frame;
+    for (const std::uint32_t reference : live_references(frame))
+      plan[frame].references.push_back(reference);
+  }
+  return plan;
 }
 
 }  // namespace
 
 std::vector<CodecRow> own_rows() {
-  return {row("ribbon, live", {in_time, live_references}, live_group_frames)};
+  return {row("ribbon, live", {live_plan}, live_group_frames),
+          // A block is two of its groups, which share the frame between them.
+          row("ribbon, compacted", {archive_plan, true}, block_frames)};
 }
 
 }  // namespace ribbon
