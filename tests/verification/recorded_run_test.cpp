@@ -67,7 +67,8 @@ TEST_F(RecordedRun, all_oracles_find_the_same_pairs_when_one_half_moves_through_
 
 TEST_F(RecordedRun, all_oracles_find_the_same_pairs_when_particles_are_swapped) {
   const RibbonGrid grid = reader_.header().grid;
-  for (const int row : {0, 20, 40}) {
+  // Not at the free end, where cloth lies in one plane and rounding alone would tell.
+  for (int row = 5; row <= 45; row += 5) {
     Eigen::Matrix3Xf swapped = frame(3);
     swapped.col(grid.particle(row, 1)).swap(swapped.col(grid.particle(row + 1, 1)));
     EXPECT_GT(agreed_pairs(swapped), 0U) << "row " << row;
