@@ -131,7 +131,7 @@ void write_recordings(const std::filesystem::path& folder) {
   RecordingWriter rich = writer_of(folder / "rich", rich_header());
   for (int frame = 0; frame < 3; ++frame) append(rich, frame, true);
   demand(rich.append_checkpoint(7, "state"));
-  demand(rich.append_session({}));
+  demand(rich.append_session(SessionNote{}));
   append(rich, 3, true);
   demand(rich.finish(RunEnding::duration));
   RecordingWriter exact = writer_of(folder / "exact_and_killed", header_of(0));
