@@ -1,8 +1,6 @@
 #include "recorder/resume.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <utility>
 
 #include "playback/resume.h"
@@ -50,12 +48,8 @@ Result<Continuation> continuation(const fs::path& path, const RecordingReader& r
   if (!limit.is_set()) return Continuation{*recorded, plan_of(*recorded, limit), ""};
   auto scene = extended(path, *recorded, limit);
   std::string changed;
-  if (scene && frame_count(*scene) > frame_count(*recorded)) {
-    std::array<char, 32> digits{};
-    const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), scene->time.duration_s).ptr;
-    changed = "time.duration = " + std::string(digits.data(), end) + "\n";
-  }
+  if (scene && frame_count(*scene) > frame_count(*recorded))
+    changed = setting_of("time.duration", scene->time.duration_s) + "\n";
   const bool was_tight = reader.ending() == RunEnding::tight;
   if (scene && was_tight && scene->time.until == RunsUntil::tight) {
     changed += "time.until = \"duration\"\n";

@@ -1,8 +1,6 @@
 #include "recorder/run.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -13,12 +11,6 @@
 namespace ribbon {
 
 namespace {
-
-std::string exact(double number) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  return {digits.data(), end};
-}
 
 // A frame time that falls on the limit up to rounding is within it.
 int frames_within(const Scene& scene, const RunLimit& limit) {
@@ -67,7 +59,7 @@ Result<Scene> extended(const std::filesystem::path& file, const Scene& scene,
   if (frames <= frame_count(scene)) return scene;
   const double duration_s =
       limit.until_s.value_or((frames - 1) / scene.recording.frames_per_second);
-  auto text = with_setting(file, scene.text, "time.duration=" + exact(duration_s));
+  auto text = with_setting(file, scene.text, setting_of("time.duration", duration_s));
   if (!text) return tl::unexpected(text.error());
   return read_scene(file, *std::move(text));
 }

@@ -667,6 +667,10 @@ Result<Scene> read_scene(const std::filesystem::path& file, std::string text) {
   });
 }
 
+std::string setting_of(const std::string& key, double value) {
+  return key + " = " + shortest(value);
+}
+
 Result<std::string> with_setting(const std::filesystem::path& file, const std::string& text,
                                  const std::string& setting) {
   const auto wanted = parse_setting(setting);

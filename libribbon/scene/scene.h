@@ -154,6 +154,10 @@ Result<Scene> read_scene(const std::filesystem::path& file);
 // Likewise, of the text of a scene; `file` says where it stands and in which folder to look.
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text);
 
+// A setting as with_setting() takes it: "time.duration = 6.5", with as many digits as the number
+// needs.
+std::string setting_of(const std::string& key, double value);
+
 // The text of a scene with one setting, "fastening.speed=0.3" or "accuracy=fine", changed where it
 // stands or else added to its table; everything else stays as it was written. The value is TOML, or
 // a word without quotes. Fails when it is not, and where there is no place for it. Whether the
