@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "recorder/recorded_frames.h"
 #include "recorder/recorded_run.h"
 #include "recorder/resume.h"
 #include "recorder/start.h"
@@ -101,28 +102,23 @@ RecordingHeader header_of(const RecordingReader& source, const BranchRequest& re
 }
 
 Result<void> copy_frames(RecordingReader& source, int count, RecordingWriter& target) {
-  Eigen::Matrix3Xf positions;
   for (int frame = 0; frame < count; ++frame) {
-    if (auto read = source.read(frame, positions); !read) return tl::unexpected(read.error());
-    auto appended = target.append(*source.numbers(frame), positions.cast<double>());
-    if (!appended) return appended;
+    const auto lattice = source.read_lattice(frame);
+    if (!lattice) return tl::unexpected(lattice.error());
+    if (auto appended = target.append(*source.numbers(frame), **lattice); !appended)
+      return appended;
   }
   return {};
 }
 
-// What was decoded and encoded again is the same.
+// They must decode to what they were.
 Result<void> check_copies(RecordingReader& source, int count, const fs::path& target) {
   auto copy = RecordingReader::open(target);
   if (!copy) return tl::unexpected(copy.error());
-  Eigen::Matrix3Xf before;
-  Eigen::Matrix3Xf after;
-  for (int frame = 0; frame < count; ++frame) {
-    if (auto read = source.read(frame, before); !read) return tl::unexpected(read.error());
-    if (auto read = copy->read(frame, after); !read) return tl::unexpected(read.error());
-    if (before != after || source.numbers(frame) != copy->numbers(frame))
+  for (int frame = 0; frame < count; ++frame)
+    if (!same_frame(source, *copy, frame))
       return failure(target.string() + ": frame " + std::to_string(frame + 1),
                      "it was not copied as it was", "report this; the source is as it was");
-  }
   return {};
 }
 
@@ -136,12 +132,10 @@ Result<void> check_whole(const BranchRequest& request, RecordingReader& source,
                        " lies beyond the end of the branch, which is to have " +
                        std::to_string(plan.frames) + " frames",
                    "branch off earlier, or add --until or --set time.duration");
-  source.check();
-  for (int frame = 0; frame < count; ++frame)
-    if (!source.readable(frame) || !source.numbers(frame))
-      return failure(request.source.string(), "frame " + std::to_string(frame + 1) + " is lost",
-                     "branch off before it, or repeat the run from its scene");
-  return {};
+  const auto lost = first_lost_frame(source, count);
+  if (!lost) return {};
+  return failure(request.source.string(), "frame " + std::to_string(*lost + 1) + " is lost",
+                 "branch off before it, or repeat the run from its scene");
 }
 
 Result<RecordingWriter> target_with_copies(const BranchRequest& request, RecordingReader& source,

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <map>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
+#include "recorder/recorded_frames.h"
 #include "recording/archive_encoder.h"
 #include "recording/header_record.h"
 #include "recording/record_file.h"
@@ -91,11 +91,7 @@ class Archiver {
 
 // Nothing is left out of a recording without its owner's knowing.
 Result<void> check_whole(const fs::path& path, RecordingReader& source) {
-  source.check();
-  bool whole = source.damage().empty();
-  for (int frame = 0; whole && frame < source.frame_count(); ++frame)
-    whole = source.readable(frame) && source.numbers(frame).has_value();
-  if (whole) return {};
+  if (!first_lost_frame(source, source.frame_count()) && source.damage().empty()) return {};
   return failure(path.string(), "is damaged, and compacting it would make that final",
                  "compact a copy that is whole, or leave it: it plays as far as it can be read");
 }
@@ -116,18 +112,6 @@ Result<bool> copy(RecordingReader& source, RecordingWriter& target,
   auto ended = source.finished() ? target.finish(source.ending()) : target.sync();
   if (!ended) return tl::unexpected(ended.error());
   return true;
-}
-
-bool same_bits(const Eigen::Matrix3Xf& a, const Eigen::Matrix3Xf& b) {
-  return a.cols() == b.cols() &&
-         std::memcmp(a.data(), b.data(), sizeof(float) * static_cast<std::size_t>(a.size())) == 0;
-}
-
-bool same_frame(RecordingReader& a, RecordingReader& b, int frame) {
-  Eigen::Matrix3Xf in_a;
-  Eigen::Matrix3Xf in_b;
-  return a.read(frame, in_a) && b.read(frame, in_b) && same_bits(in_a, in_b) &&
-         a.numbers(frame) == b.numbers(frame);
 }
 
 // All but the frames.

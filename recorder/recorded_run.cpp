@@ -95,9 +95,9 @@ class Comparison {
 
   Result<void> positions_agree(int index, const Eigen::Matrix3Xd& positions) {
     if (!reader_.readable(index) || !reader_.read(index, recorded_)) return {};
-    const auto encoded = encoder_.encode(positions, {});
-    if (!encoded) return otherwise(index);
-    encoded->frame.positions(simulated_);
+    const auto rounded = encoder_.rounded(positions);
+    if (!rounded) return otherwise(index);
+    rounded->positions(simulated_);
     return simulated_ == recorded_ ? Result<void>() : otherwise(index);
   }
 

@@ -50,7 +50,7 @@ ArchiveEncoder::Way ArchiveEncoder::smallest(const LatticeFrame& frame,
 
 EncodedFrame ArchiveEncoder::encode(const LatticeFrame& frame, const Way& way,
                                     const Decoded& decoded, Fit fit) {
-  return encoder_.encode_again(frame, lattices_of(way.references, decoded), way.prediction, fit);
+  return encoder_.encode_rounded(frame, lattices_of(way.references, decoded), way.prediction, fit);
 }
 
 ArchivedFrame ArchiveEncoder::encode(const LatticeFrame& frame, const ReferenceList& planned,

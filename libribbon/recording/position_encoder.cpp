@@ -51,10 +51,7 @@ struct PositionEncoder::State {
   void set_motion(const LatticeFrame& frame);
   std::string lattice_geometry(LatticeFrame& frame, Prediction prediction,
                                std::span<const LatticeFrame* const> references, Fit fit);
-  EncodedFrame predicted(LatticeFrame frame, Prediction prediction,
-                         std::span<const LatticeFrame* const> references, Fit fit);
-  EncodedFrame plain(Eigen::Matrix3Xf positions);
-  std::optional<EncodedFrame> try_plain(const Eigen::Matrix3Xd& positions);
+  std::string plain_geometry(const LatticeFrame& frame);
 };
 
 std::optional<LatticeFrame> PositionEncoder::State::on_lattice(
@@ -131,29 +128,11 @@ std::string PositionEncoder::State::lattice_geometry(
   return bytes;
 }
 
-EncodedFrame PositionEncoder::State::predicted(LatticeFrame frame, Prediction prediction,
-                                               std::span<const LatticeFrame* const> references,
-                                               Fit fit) {
-  std::string geometry = lattice_geometry(frame, prediction, usable(references), fit);
-  return {FrameEncoding::lattice, std::move(geometry), std::move(frame)};
-}
-
-EncodedFrame PositionEncoder::State::plain(Eigen::Matrix3Xf positions) {
-  EncodedFrame encoded;
-  encoded.frame.grid = parameters.grid;
-  encoded.frame.plain = true;
-  encoded.frame.plain_positions = std::move(positions);
+std::string PositionEncoder::State::plain_geometry(const LatticeFrame& frame) {
   std::string content;
-  for (const float coordinate : encoded.frame.plain_positions.transpose().reshaped())
+  for (const float coordinate : frame.plain_positions.transpose().reshaped())
     put<float>(content, coordinate);
-  encoded.geometry = compressor.compress(std::array{std::string_view(content)});
-  return encoded;
-}
-
-std::optional<EncodedFrame> PositionEncoder::State::try_plain(const Eigen::Matrix3Xd& positions) {
-  EncodedFrame encoded = plain(positions.cast<float>());
-  if (!within_bound(encoded.frame, positions)) return std::nullopt;
-  return encoded;
+  return compressor.compress(std::array{std::string_view(content)});
 }
 
 PositionEncoder::PositionEncoder(const CodecParameters& parameters, double max_error_m)
@@ -166,36 +145,47 @@ const SymbolRuns& PositionEncoder::symbol_runs() const {
   return state_->packer.runs();
 }
 
-EncodedFrame PositionEncoder::encode_again(const LatticeFrame& frame,
-                                           std::span<const LatticeFrame* const> references,
-                                           Prediction prediction, Fit fit) {
-  return frame.plain ? state_->plain(frame.plain_positions)
-                     : state_->predicted(frame, prediction, references, fit);
+Result<LatticeFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions) const {
+  const RibbonGrid& grid = state_->parameters.grid;
+  for (int particle = 0; particle < grid.particle_count(); ++particle)
+    if (!positions.col(particle).allFinite())
+      return failure("",
+                     "particle " + std::to_string(grid.row(particle)) + " along, " +
+                         std::to_string(grid.column(particle)) +
+                         " across has a position that is not finite",
+                     "the simulation has become unstable: choose a smaller time step");
+  auto frame = state_->on_lattice(positions);
+  if (frame && state_->within_bound(*frame, positions)) {
+    frame->set_values();
+    return *std::move(frame);
+  }
+  LatticeFrame plain;
+  plain.grid = grid;
+  plain.plain = true;
+  plain.plain_positions = positions.cast<float>();
+  if (state_->within_bound(plain, positions)) return plain;
+  return failure("",
+                 "positions as large as " + std::to_string(positions.cwiseAbs().maxCoeff()) +
+                     " m cannot be recorded in single precision within max_position_error",
+                 "allow a larger max_position_error or move the scene towards the origin");
+}
+
+EncodedFrame PositionEncoder::encode_rounded(LatticeFrame frame,
+                                             std::span<const LatticeFrame* const> references,
+                                             Prediction prediction, Fit fit) {
+  const FrameEncoding encoding = frame.plain ? FrameEncoding::plain : FrameEncoding::lattice;
+  std::string geometry = frame.plain
+                             ? state_->plain_geometry(frame)
+                             : state_->lattice_geometry(frame, prediction, usable(references), fit);
+  return {encoding, std::move(geometry), std::move(frame)};
 }
 
 Result<EncodedFrame> PositionEncoder::encode(const Eigen::Matrix3Xd& positions,
                                              std::span<const LatticeFrame* const> references,
                                              Prediction prediction) {
-  for (Eigen::Index particle = 0; particle < positions.cols(); ++particle)
-    if (!positions.col(particle).allFinite()) {
-      const int number = static_cast<int>(particle);
-      const RibbonGrid& grid = state_->parameters.grid;
-      return failure("",
-                     "particle " + std::to_string(grid.row(number)) + " along, " +
-                         std::to_string(grid.column(number)) +
-                         " across has a position that is not finite",
-                     "the simulation has become unstable: choose a smaller time step");
-    }
-  auto frame = state_->on_lattice(positions);
-  if (frame && state_->within_bound(*frame, positions)) {
-    frame->set_values();
-    return state_->predicted(*std::move(frame), prediction, references, Fit::quick);
-  }
-  if (auto plain = state_->try_plain(positions)) return std::move(*plain);
-  return failure("",
-                 "positions as large as " + std::to_string(positions.cwiseAbs().maxCoeff()) +
-                     " m cannot be recorded in single precision within max_position_error",
-                 "allow a larger max_position_error or move the scene towards the origin");
+  auto frame = rounded(positions);
+  if (!frame) return tl::unexpected(std::move(frame.error()));
+  return encode_rounded(*std::move(frame), references, prediction, Fit::quick);
 }
 
 }  // namespace ribbon

@@ -32,20 +32,21 @@ class PositionEncoder {
   PositionEncoder& operator=(PositionEncoder&&) noexcept;
   ~PositionEncoder();
 
-  // positions: 3 x particles in metres. references: at most most_references decoded frames, in the
+  // What a decoder will make of positions (3 x particles in metres), however they are encoded.
+  // Compares it with them, so the bound does not rest on an argument. Fails, with a place still to
+  // be filled in, when a coordinate is not finite or single precision is too coarse for the bound.
+  [[nodiscard]] Result<LatticeFrame> rounded(const Eigen::Matrix3Xd& positions) const;
+
+  // Positions, rounded and encoded. references: at most most_references decoded frames, in the
   // order in which the decoder will get them; plain ones, and those after one, are no help.
-  // prediction: how they lie around the frame. Compares the decoded frame
-  // with the positions, so the bound does not rest on an argument. Fails, with a place still to be
-  // filled in, when a coordinate is not finite or single precision is too coarse for the bound.
+  // prediction: how they lie around the frame. Fails where rounded() does.
   Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions,
                               std::span<const LatticeFrame* const> references,
                               Prediction prediction = Prediction::forward);
 
-  // A decoded frame once more, with other references: it decodes to the same bits. Plain ones stay
-  // plain.
-  EncodedFrame encode_again(const LatticeFrame& frame,
-                            std::span<const LatticeFrame* const> references, Prediction prediction,
-                            Fit fit);
+  // A rounded or a decoded frame: it decodes to the same bits. Plain ones stay plain.
+  EncodedFrame encode_rounded(LatticeFrame frame, std::span<const LatticeFrame* const> references,
+                              Prediction prediction, Fit fit);
 
   // What entropy coding was given for the last frame, of which entropy tables can be made.
   [[nodiscard]] const SymbolRuns& symbol_runs() const;

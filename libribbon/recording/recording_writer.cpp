@@ -68,7 +68,8 @@ struct RecordingWriter::State {
   Result<void> write(std::string_view records);
   Result<void> write_index();
   Result<void> write_other(RecordType type, std::uint32_t frame, std::string_view payload);
-  Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions, ReferenceList& references);
+  Result<LatticeFrame> rounded(const Eigen::Matrix3Xd& positions);
+  EncodedFrame encode(LatticeFrame lattice, ReferenceList& references);
   void remember(LatticeFrame lattice);
 };
 
@@ -99,10 +100,17 @@ Result<void> RecordingWriter::State::write_other(RecordType type, std::uint32_t 
   return written;
 }
 
+Result<LatticeFrame> RecordingWriter::State::rounded(const Eigen::Matrix3Xd& positions) {
+  const Timing timing(figures.encoding_s);
+  auto lattice = encoder.rounded(positions);
+  if (!lattice)
+    lattice.error().place = file.path().string() + ": frame " + std::to_string(frames + 1);
+  return lattice;
+}
+
 // Predicted from those of the frames it should be predicted from that are still at hand; after
 // damage these may be fewer.
-Result<EncodedFrame> RecordingWriter::State::encode(const Eigen::Matrix3Xd& positions,
-                                                    ReferenceList& references) {
+EncodedFrame RecordingWriter::State::encode(LatticeFrame lattice, ReferenceList& references) {
   const Timing timing(figures.encoding_s);
   std::vector<const LatticeFrame*> lattices;
   for (const std::uint32_t wanted : live_references(frames)) {
@@ -113,11 +121,7 @@ Result<EncodedFrame> RecordingWriter::State::encode(const Eigen::Matrix3Xd& posi
     references.push_back(wanted);
     lattices.push_back(&found->lattice);
   }
-  auto encoded = encoder.encode(positions, lattices);
-  if (encoded) return encoded;
-  Error error = std::move(encoded.error());
-  error.place = file.path().string() + ": frame " + std::to_string(frames + 1);
-  return tl::unexpected(std::move(error));
+  return encoder.encode_rounded(std::move(lattice), lattices, Prediction::forward, Fit::quick);
 }
 
 void RecordingWriter::State::remember(LatticeFrame lattice) {
@@ -152,17 +156,22 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& pat
 
 Result<void> RecordingWriter::append(const FrameNumbers& numbers,
                                      const Eigen::Matrix3Xd& positions) {
+  auto lattice = state_->rounded(positions);
+  if (!lattice) return tl::unexpected(std::move(lattice.error()));
+  return append(numbers, *std::move(lattice));
+}
+
+Result<void> RecordingWriter::append(const FrameNumbers& numbers, LatticeFrame lattice) {
   State& state = *state_;
   ReferenceList references;
-  auto encoded = state.encode(positions, references);
-  if (!encoded) return tl::unexpected(std::move(encoded.error()));
+  EncodedFrame encoded = state.encode(std::move(lattice), references);
   const std::uint32_t frame = state.frames;
   auto appended = append_encoded({.frame = frame,
-                                  .encoding = encoded->encoding,
+                                  .encoding = encoded.encoding,
                                   .references = references,
                                   .numbers = numbers,
-                                  .geometry = encoded->geometry});
-  if (state.frames > frame) state.remember(std::move(encoded->frame));
+                                  .geometry = encoded.geometry});
+  if (state.frames > frame) state.remember(std::move(encoded.frame));
   return appended;
 }
 

@@ -60,6 +60,8 @@ class RecordingWriter {
   // The next frame. positions: 3 x particles in metres. Fails as well where they cannot be encoded
   // within the bound, and can then be called again.
   Result<void> append(const FrameNumbers& numbers, const Eigen::Matrix3Xd& positions);
+  // The next frame as it was decoded from a recording on the same lattice.
+  Result<void> append(const FrameNumbers& numbers, LatticeFrame lattice);
 
   // A frame of any number that was encoded by others; its references were appended before. The
   // recording id is that of this recording whatever `frame` says.
