@@ -13,6 +13,7 @@
 #include "files/files.h"
 #include "scene/accuracy.h"
 #include "scene/nearest_word.h"
+#include "scene/outside_quotes.h"
 #include "scene/scene.h"
 
 #define TOML_EXCEPTIONS 0
@@ -571,7 +572,19 @@ Result<Scene> scene_of(const Document& document) {
 
 // ---- Changing a setting in the text
 
+// A place as place_of() writes it.
+std::string place_of(const std::filesystem::path& file, std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const auto line = std::ranges::count(before, '\n') + 1;
+  const std::size_t begin = before.rfind('\n') + 1;  // 0 where there is none
+  return file.string() + ":" + std::to_string(line) + ":" + std::to_string(offset - begin + 1);
+}
+
 Result<Document> parsed(const std::filesystem::path& file, const std::string& text) {
+  if (const auto letter = first_outside_quotes(text))
+    return failure(place_of(file, text, *letter),
+                   "a letter that is not plain ASCII stands outside of quotes",
+                   "put the text that it belongs to in quotes");
   toml::parse_result parsed = toml::parse(text);
   if (!parsed)
     return failure(place_of(file, parsed.error().source()),
@@ -586,6 +599,7 @@ struct Setting {
 };
 
 bool is_toml(const std::string& value) {
+  if (first_outside_quotes(value)) return false;
   const toml::parse_result parsed = toml::parse("it = " + value);
   return parsed && parsed.table().size() == 1 && value.find('\n') == std::string::npos;
 }

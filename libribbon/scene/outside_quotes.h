@@ -1,0 +1,14 @@
+// Letters where TOML has none.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace ribbon {
+
+// Where in a TOML text the first byte beyond ASCII stands that is in no string and no comment; a
+// byte order mark at the start does not count. The parser's behaviour is undefined for it.
+std::optional<std::size_t> first_outside_quotes(std::string_view toml);
+
+}  // namespace ribbon

@@ -1,0 +1,38 @@
+#include "scene/outside_quotes.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/scene.h"
+
+namespace ribbon {
+namespace {
+
+TEST(OutsideQuotes, strings_and_comments_may_hold_any_letter) {
+  for (const char* toml :
+       {"", "a = 1", "a = \"\u00fc\" # \u00fc", "a = '\u00fc'", "a = \"\\\"\u00fc\"",
+        "a = '\\'  # \u00fc", "a = \"\"\"\n\u00fc \"\u00fc\"\n\"\"\"", "a = '''\n\u00fc\n'''",
+        "\uFEFFa = 1"})
+    EXPECT_FALSE(first_outside_quotes(toml)) << toml;
+}
+
+TEST(OutsideQuotes, a_letter_anywhere_else_is_found) {
+  EXPECT_EQ(first_outside_quotes("a = \u00fc"), 4U);
+  EXPECT_EQ(first_outside_quotes("\u00fc = 1"), 0U);
+  EXPECT_EQ(first_outside_quotes("a = \"b\" \u00fc"), 8U);
+  EXPECT_EQ(first_outside_quotes("# \u00fc\na = \u00fc"), 9U);
+  // A string that does not end goes no further than its line.
+  EXPECT_EQ(first_outside_quotes("a = \"b\nc = \u00fc"), 11U);
+  EXPECT_FALSE(first_outside_quotes("a = \"\u00fc"));
+}
+
+TEST(OutsideQuotes, a_scene_says_where) {
+  const auto scene = read_scene("knot.toml", "[ribbon]\nwidth = \u00bd\n");
+  ASSERT_FALSE(scene.has_value());
+  EXPECT_EQ(
+      scene.error().sentence(),
+      "knot.toml:2:9: a letter that is not plain ASCII stands outside of quotes; put the text "
+      "that it belongs to in quotes");
+}
+
+}  // namespace
+}  // namespace ribbon
