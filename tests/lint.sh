@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # tests/lint.sh format | shell | tidy [FILE...]: one check over all files that git knows, or those
-# given. tidy needs the compile commands of build/release. Prints what is wrong, fails when anything is.
+# given. tidy needs the compile commands of build/release, and for all files those of build/sanitize.
+# Prints what is wrong, fails when anything is.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -25,6 +26,11 @@ tidy() {
   "clang-tidy-$llvm" --load="$plugin" --quiet "$@" 2> >(grep --invert-match 'warnings generated' >&2)
 }
 
+# By the compile commands of a build.
+tidy_by() {
+  on_all_cores bash -c "tidy -p build/$1 \"\$@\"" tidy
+}
+
 # A lint that finds nothing anywhere would look just like clean code.
 find_planted() {
   local finding found
@@ -41,15 +47,19 @@ find_planted() {
 case ${1-} in
   format) git ls-files -z '*.h' '*.cpp' | on_all_cores clang-format --dry-run --Werror ;;
   shell) git ls-files -z '*.sh' .ci | on_all_cores shellcheck --external-sources ;;
-  # Headers are looked at through the sources that include them.
+  # Headers are looked at through the sources that include them. Fuzz targets are built with the
+  # sanitizers only.
   tidy)
     build_plugin
     find_planted
     export -f tidy
     export llvm plugin
-    if [[ $# -gt 1 ]]; then printf '%s\0' "${@:2}"; else
-      git ls-files -z '*.cpp' ':!tests/lint'
-    fi | on_all_cores bash -c 'tidy -p build/release "$@"' tidy
+    if [[ $# -gt 1 ]]; then printf '%s\0' "${@:2}" | tidy_by release; else
+      status=0
+      git ls-files -z '*.cpp' ':!tests/lint' ':!tests/fuzz' | tidy_by release || status=$?
+      git ls-files -z 'tests/fuzz/*.cpp' | tidy_by sanitize || status=$?
+      exit "$status"
+    fi
     ;;
   *)
     echo "unknown check '${1-}'; write format, shell or tidy" >&2

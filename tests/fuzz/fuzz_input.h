@@ -5,8 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace ribbon {
 
@@ -47,15 +48,11 @@ class FuzzInput {
 // it.
 class ExactCopy {
  public:
-  explicit ExactCopy(std::string_view bytes)
-      : bytes_(std::make_unique<char[]>(bytes.size())), size_(bytes.size()) {
-    std::copy(bytes.begin(), bytes.end(), bytes_.get());
-  }
-  [[nodiscard]] std::string_view view() const { return {bytes_.get(), size_}; }
+  explicit ExactCopy(std::string_view bytes) : bytes_(bytes.begin(), bytes.end()) {}
+  [[nodiscard]] std::string_view view() const { return {bytes_.data(), bytes_.size()}; }
 
  private:
-  std::unique_ptr<char[]> bytes_;
-  std::size_t size_;
+  std::vector<char> bytes_;
 };
 
 }  // namespace ribbon

@@ -16,6 +16,7 @@ constexpr double bound_m = 1e-4;
 std::vector<LatticeFrame> reference_frames(const CodecParameters& parameters, int count) {
   PositionEncoder encoder(parameters, bound_m);
   std::vector<LatticeFrame> frames;
+  frames.reserve(static_cast<std::size_t>(count));
   for (int turn = 0; turn < count; ++turn)
     frames.push_back(encoder.encode(wave(parameters.grid, turn), {}).value().frame);
   return frames;
@@ -25,6 +26,7 @@ void decode(const CodecParameters& parameters, int references, FrameEncoding enc
             std::string_view geometry) {
   const std::vector<LatticeFrame> frames = reference_frames(parameters, references);
   std::vector<const LatticeFrame*> pointers;
+  pointers.reserve(frames.size());
   for (const LatticeFrame& frame : frames) pointers.push_back(&frame);
   LatticeFrame decoded;
   if (!PositionDecoder(parameters).decode(encoding, geometry, pointers, decoded)) return;
@@ -36,6 +38,7 @@ void decode(const CodecParameters& parameters, int references, FrameEncoding enc
 }  // namespace
 }  // namespace ribbon
 
+// libFuzzer gives the name. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ribbon;
   FuzzInput input(data, size);

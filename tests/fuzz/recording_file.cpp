@@ -14,6 +14,7 @@
 #include "playback/recording_reader.h"
 #include "playback/resume.h"
 
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
 namespace ribbon {
@@ -124,6 +125,7 @@ void check_resuming(std::span<const std::uint8_t> data, const RibbonGrid& grid,
 }  // namespace
 }  // namespace ribbon
 
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned int seed) {
   const std::size_t mutated = LLVMFuzzerMutate(data, size, max_size);
@@ -132,6 +134,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   return mutated;
 }
 
+// libFuzzer gives the name. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ribbon;
   const MemoryFile file;

@@ -46,7 +46,7 @@ void repair(std::span<std::uint8_t> record, std::uint32_t recording_id, bool is_
 void repair_checksums(std::span<std::uint8_t> file) {
   std::uint32_t recording_id = 0;
   bool is_header = true;
-  auto begin = file.begin() + std::min(file.size(), signature_bytes);
+  auto begin = file.begin() + static_cast<std::ptrdiff_t>(std::min(file.size(), signature_bytes));
   while (true) {
     begin = std::search(begin, file.end(), magic.begin(), magic.end());
     if (file.end() - begin < static_cast<std::ptrdiff_t>(head_bytes)) return;

@@ -126,6 +126,7 @@ void check_frame(const Task& task, const Eigen::Matrix3Xd& positions, PositionEn
 }  // namespace
 }  // namespace ribbon
 
+// libFuzzer gives the name. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ribbon;
   FuzzInput input(data, size);

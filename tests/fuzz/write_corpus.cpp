@@ -61,9 +61,11 @@ std::string geometry(const RibbonGrid& grid, bool on_lattice, int references) {
   constexpr double bound_m = 1e-4;
   PositionEncoder encoder(parameters_for(grid, on_lattice), bound_m);
   std::vector<LatticeFrame> frames;
+  frames.reserve(static_cast<std::size_t>(references));
   for (int turn = 0; turn < references; ++turn)
     frames.push_back(encoder.encode(wave(grid, turn), {}).value().frame);
   std::vector<const LatticeFrame*> pointers;
+  pointers.reserve(frames.size());
   for (const LatticeFrame& frame : frames) pointers.push_back(&frame);
   const EncodedFrame encoded = encoder.encode(wave(grid, references), pointers).value();
   return bytes({grid.along - 2, grid.across - 2, on_lattice ? 1 : 0,

@@ -54,6 +54,7 @@ TEST(Verify, the_frame_with_the_largest_strain_is_named) {
   exact.max_position_error_m = 0;
   exact.lattice_step_m = 0;
   std::vector<Eigen::Matrix3Xd> frames;
+  frames.reserve(7);
   for (int frame = 0; frame < 7; ++frame) frames.push_back(sample_positions(frame));
   // Twisted most in the last frame, where its selvages are longest.
   EXPECT_EQ(verify_frames(exact, frames).largest_strain->frame, 7);

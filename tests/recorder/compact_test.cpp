@@ -256,7 +256,8 @@ TEST_F(Compacted, a_kill_leaves_a_whole_recording) {
     ASSERT_TRUE(write_file(file_, original).has_value());
     const pid_t tool = spawned({RIBBON_RECORD, "--compact", file_.string(), "--quiet"});
     ASSERT_GT(tool, 0);
-    std::this_thread::sleep_for(std::chrono::microseconds(2000U * kill + random() % 2000));
+    std::this_thread::sleep_for(std::chrono::microseconds(2000) * kill +
+                                std::chrono::microseconds(random() % 2000));
     ::kill(tool, SIGKILL);
     (void)waited_for(tool);
     ASSERT_EQ(frames_of(file_), before);

@@ -95,7 +95,7 @@ TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
   std::string payload = header_payload(header);
   EXPECT_TRUE(parse_header_payload(payload).has_value());
   // 64 empty tables and no origin stand behind the count.
-  const std::size_t count_at = payload.size() - 64 * 4 - 1 - 4;
+  const std::size_t count_at = payload.size() - std::size_t{64} * 4 - 1 - 4;
   ASSERT_EQ(payload[count_at], 64);
   payload[count_at] = 65;
   EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());

@@ -1,0 +1,14 @@
+// Everything that frame_loops.inc needs, to be included before an instruction set is chosen:
+// what is defined in headers must stay as it is for all processors.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <span>
+
+#include "recording/frame_loops.h"
+#include "recording/lattice_frame.h"
