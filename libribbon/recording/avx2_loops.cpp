@@ -1,9 +1,10 @@
-#include "recording/component_loops_context.h"
+#include "recording/frame_loops_context.h"
 
 namespace ribbon {
-extern const Loops avx2_loops;
+extern const FrameLoops avx2_loops;
 }
 
+#define RIBBON_LANES 8
 #define RIBBON_LOOPS avx2_loops
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
@@ -11,7 +12,7 @@ extern const Loops avx2_loops;
 #pragma GCC push_options
 #pragma GCC target("avx2")
 #endif
-#include "recording/component_loops.inc"
+#include "recording/frame_loops.inc"
 #ifdef __clang__
 #pragma clang attribute pop
 #else

@@ -1,8 +1,9 @@
-#include "recording/component_loops_context.h"
+#include "recording/frame_loops_context.h"
 
 namespace ribbon {
-extern const Loops baseline_loops;
+extern const FrameLoops baseline_loops;
 }
 
+#define RIBBON_LANES 4
 #define RIBBON_LOOPS baseline_loops
-#include "recording/component_loops.inc"
+#include "recording/frame_loops.inc"

@@ -1,5 +1,6 @@
 #include "recording/compression.h"
 
+#define ZSTD_STATIC_LINKING_ONLY  // for ZSTD_c_literalCompressionMode; zstd is linked statically
 #include <zstd.h>
 
 #include <algorithm>
@@ -119,10 +120,11 @@ SymbolCompressor::SymbolCompressor(std::span<const std::string> tables)
   for (std::size_t kind = 0; kind <= tables.size(); ++kind) {
     state_->contexts.emplace_back(ZSTD_createCCtx());
     ZSTD_CCtx* context = state_->contexts.back().get();
-    ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, level);
+    // Entropy coding alone: this level looks for no repetitions, which it takes for a reason not to
+    // code literals either, unless told.
+    ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, ZSTD_minCLevel());
+    ZSTD_CCtx_setParameter(context, ZSTD_c_literalCompressionMode, ZSTD_ps_enable);
     ZSTD_CCtx_setParameter(context, ZSTD_c_windowLog, window_log);
-    ZSTD_CCtx_setParameter(context, ZSTD_c_minMatch, shortest_match);
-    ZSTD_CCtx_setParameter(context, ZSTD_c_hashLog, match_table_log);
     ZSTD_CCtx_setParameter(context, ZSTD_c_contentSizeFlag, 0);
     ZSTD_CCtx_setParameter(context, ZSTD_c_dictIDFlag, 0);
     if (kind < tables.size())

@@ -1,30 +1,35 @@
 #include "recording/fit_weights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
-#include <limits>
-#include <type_traits>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace ribbon {
 
 namespace {
 
-constexpr std::size_t quick_samples_per_stage = 800;
+constexpr std::size_t quick_groups_per_stage = 40;
 
 // Sums of products of taps, and of taps with the wanted value, which comes last.
 class NormalEquations {
  public:
+  using Row = std::array<double, most_taps + 1>;
+
   explicit NormalEquations(std::size_t taps) : taps_(taps) {}
+  NormalEquations(std::size_t taps, const NormalSums& sums) : taps_(taps), weight_(sums.weight) {
+    for (std::size_t a = 0; a <= taps; ++a)
+      for (std::size_t b = a; b <= taps; ++b)
+        sums_[a][b] = std::accumulate(sums.products[a][b].begin(), sums.products[a][b].end(), 0.0);
+  }
 
   // row: the taps, then the wanted value.
-  void add(const std::array<double, most_taps + 1>& row, double weight) {
-    for (std::size_t a = 0; a <= taps_; ++a) {
-      const double weighted = weight * row[a];
-      for (std::size_t b = 0; b <= taps_; ++b) sums_[a][b] += weighted * row[b];
-    }
-    total_ += weight;
+  void add(const Row& row) {
+    for (std::size_t a = 0; a <= taps_; ++a)
+      for (std::size_t b = a; b <= taps_; ++b) sums_[a][b] += row[a] * row[b];
+    ++weight_;
   }
 
   // The weights of the taps, by Cholesky's factorisation. Taps that are all zero, or copies of
@@ -48,8 +53,7 @@ class NormalEquations {
       solved[a] = sum / sums_[a][a];
     }
     // Numbers whose squares do not fit, or infinite differences: then there are no weights.
-    if (!std::all_of(solved.begin(), solved.end(), [](double w) { return std::isfinite(w); }))
-      solved.fill(0);
+    if (!std::ranges::all_of(solved, [](double w) { return std::isfinite(w); })) solved.fill(0);
     return solved;
   }
 
@@ -57,215 +61,133 @@ class NormalEquations {
   [[nodiscard]] double mean_square_left() const {
     double left = sums_[taps_][taps_];
     for (std::size_t a = 0; a < taps_; ++a) left -= sums_[a][taps_] * sums_[a][taps_];
-    return std::max(left, 0.0) / std::max(total_, 1e-300);
+    return std::max(left, 0.0) / std::max(weight_, 1e-300);
   }
   [[nodiscard]] double mean_square_wanted() const {
-    return sums_[taps_][taps_] / std::max(total_, 1e-300);
+    return sums_[taps_][taps_] / std::max(weight_, 1e-300);
   }
 
  private:
   [[nodiscard]] double noise() const { return 1e-9 * sums_[taps_][taps_] + 1e-30; }
 
   std::size_t taps_;
-  double total_ = 0;
-  std::array<std::array<double, most_taps + 1>, most_taps + 1> sums_{};
+  double weight_ = 0;
+  std::array<Row, most_taps + 1> sums_{};
 };
 
-using Row = std::array<double, most_taps + 1>;
+// Fine enough that rounded weights add a tenth to what the prediction misses.
+int shift_for(const NormalEquations& solved) {
+  const double ratio =
+      std::sqrt(solved.mean_square_wanted() / std::max(solved.mean_square_left(), 1e-30));
+  return std::clamp(static_cast<int>(std::ilogb(ratio > 1 ? std::min(ratio, 1e9) : 1.0)) + 6, 6,
+                    20);
+}
+
+std::vector<CellGroup> groups_of(const ParityPlanes& planes, int plane, int begin, int end) {
+  std::vector<CellGroup> groups;
+  for (int b = begin; b < end; ++b)
+    for (int a = 0; a < planes.rows(plane); a += ParityPlanes::lane_quantum)
+      groups.push_back({plane, planes.cell(plane, a, b),
+                        std::min(ParityPlanes::lane_quantum, planes.rows(plane) - a)});
+  return groups;
+}
+
+std::vector<CellGroup> groups_of(const ParityPlanes& planes, std::size_t stage) {
+  if (stage == first_column) return groups_of(planes, 0, 0, 1);
+  if (stage == coarse) return groups_of(planes, 0, 1, planes.columns(0));
+  if (stage == diagonal) return groups_of(planes, 3, 0, planes.columns(3));
+  auto groups = groups_of(planes, 1, 0, planes.columns(1));
+  const auto others = groups_of(planes, 2, 0, planes.columns(2));
+  groups.insert(groups.end(), others.begin(), others.end());
+  return groups;
+}
+
+// Evenly spread.
+void thin_out(std::vector<CellGroup>& groups, std::size_t wanted) {
+  if (groups.size() <= wanted) return;
+  for (std::size_t k = 0; k < wanted; ++k) groups[k] = groups[k * groups.size() / wanted];
+  groups.resize(wanted);
+}
 
 class WeightFit {
  public:
-  WeightFit(const ParityPlanes& planes, const Past& past, Prediction prediction,
-            const PlaneFields<float>& motion, Fit fit)
-      : planes_(planes),
-        past_(past),
-        prediction_(prediction),
-        motion_(motion),
-        samples_per_stage_(fit == Fit::quick ? quick_samples_per_stage : planes.cells()) {
-    if (past.first().step_m == 0) unit_ = mean_change();
+  WeightFit(const PredictedFrame& frame, Fit fit) : frame_(frame), fit_(fit) {
+    if (!frame.on_lattice) unit_ = mean_change();
   }
 
-  RecordedWeights run() {
-    for (std::size_t stage = 0; stage < prediction_stage_count; ++stage) fit_stage(stage);
-    return fitted_;
+  [[nodiscard]] RecordedWeights run() const {
+    std::array<std::array<double, most_taps>, prediction_stage_count> solved{};
+    RecordedWeights fitted;
+    for (std::size_t stage = 0; stage < prediction_stage_count; ++stage) {
+      NormalEquations equations = equations_of(stage);
+      solved[stage] = equations.solution();
+      if (stage == cross) fitted.shift = shift_for(equations);
+    }
+    for (std::size_t stage = 0; stage < prediction_stage_count; ++stage)
+      round(stage, solved[stage], fitted);
+    return fitted;
   }
 
  private:
-  void fit_stage(std::size_t stage) {
-    const std::size_t taps = (has_near_taps(stage) ? near_taps : 0) +
-                             (has_past_taps(stage) ? past_taps_of(prediction_) : 0);
-    NormalEquations equations(taps);
-    for_each_sample(stage, [&](int plane, std::size_t cell) {
-      const double weight = calmness(plane, cell);
-      for (std::size_t c = 0; c < 3; ++c) equations.add(row_of(stage, plane, cell, c), weight);
-    });
-    const std::size_t first = has_near_taps(stage) ? 0 : near_taps;
-    const auto solved = equations.solution();
-    if (stage == coarse_past) choose_shift(equations);
-    constexpr double limit = 1 << 24;
-    for (std::size_t tap = 0; tap < taps; ++tap)
-      fitted_.numbers[stage][first + tap] = static_cast<std::int32_t>(
-          std::clamp(std::floor(std::ldexp(solved[tap], fitted_.shift) + 0.5), -limit, limit));
-    if (stage == coarse_past) weights_ = fitted_.weights();
+  [[nodiscard]] NormalEquations equations_of(std::size_t stage) const {
+    auto groups = groups_of(*frame_.planes, stage);
+    if (fit_ == Fit::quick) thin_out(groups, quick_groups_per_stage);
+    NormalSums sums;
+    loops().fit(frame_, stage, groups, unit_, sums);
+    return {near_taps_of(stage) + past_taps_of(frame_.prediction), sums};
   }
 
-  // Fine enough that rounded weights add a tenth to what the prediction misses.
-  void choose_shift(const NormalEquations& equations) {
-    const double ratio =
-        std::sqrt(equations.mean_square_wanted() / std::max(equations.mean_square_left(), 1e-30));
-    fitted_.shift =
-        std::clamp(static_cast<int>(std::ilogb(ratio > 1 ? std::min(ratio, 1e9) : 1.0)) + 6, 6, 20);
-  }
-
-  // Evenly spread over the rows of the stage's planes, and over all columns.
-  template <class Visit>
-  void for_each_sample(std::size_t stage, Visit visit) const {
-    if (stage == diagonal) return for_each_sample_of(3, samples_per_stage_, visit);
-    if (stage == cross) {
-      for_each_sample_of(1, samples_per_stage_ / 2, visit);
-      return for_each_sample_of(2, samples_per_stage_ / 2, visit);
-    }
-    if (stage == coarse_past) return for_each_sample_of(0, samples_per_stage_, visit);
-    for_each_sample_of(0, 2 * samples_per_stage_, [&](int plane, std::size_t cell, int a, int b) {
-      const bool is_diagonal = a % 2 == 1 && b % 2 == 1;
-      const bool is_cross = (a + b) % 2 == 1;
-      if (stage == coarse_diagonal ? is_diagonal : is_cross) visit(plane, cell);
-    });
-  }
-
-  template <class Visit>
-  void for_each_sample_of(int plane, std::size_t wanted, Visit visit) const {
-    const std::size_t count = planes_.particles(plane);
-    const auto columns = static_cast<std::size_t>(planes_.columns(plane));
-    std::size_t spacing = std::max<std::size_t>(1, count / wanted);
-    while (spacing > 1 && spacing % 2 == 0) ++spacing;
-    for (std::size_t at = 0; at < count; at += spacing) {
-      const int a = static_cast<int>(at / columns);
-      const int b = static_cast<int>(at % columns);
-      if constexpr (std::is_invocable_v<Visit, int, std::size_t, int, int>)
-        visit(plane, planes_.cell(plane, a, b), a, b);
-      else
-        visit(plane, planes_.cell(plane, a, b));
-    }
-  }
-
-  // Restless particles are hard to predict whatever the weights are.
-  [[nodiscard]] double calmness(int plane, std::size_t cell) const {
-    const double restless = (2 * change_at(cell) + change_at(cell + planes_.step(plane, -1, 0)) +
-                             change_at(cell + planes_.step(plane, 1, 0)) +
-                             change_at(cell + planes_.step(plane, 0, -1)) +
-                             change_at(cell + planes_.step(plane, 0, 1))) /
-                            unit_;
-    return 1 / ((1 + restless) * (1 + restless));
+  void round(std::size_t stage, const std::array<double, most_taps>& solved,
+             RecordedWeights& fitted) const {
+    const auto rounded = [&](double weight) {
+      constexpr double limit = 1 << 24;
+      return static_cast<std::int32_t>(
+          std::clamp(std::floor(std::ldexp(weight, fitted.shift) + 0.5), -limit, limit));
+    };
+    const auto* past = solved.begin() + near_taps_of(stage);
+    std::transform(solved.begin(), past, fitted.stages[stage].near.begin(), rounded);
+    std::transform(past, past + past_taps_of(frame_.prediction), fitted.stages[stage].past.begin(),
+                   rounded);
   }
 
   // Without a lattice there is no step that would tell what restless is.
-  [[nodiscard]] double mean_change() const {
+  [[nodiscard]] float mean_change() const {
     double sum = 0;
     double count = 0;
-    for_each_sample(coarse_past, [&](int, std::size_t cell) {
-      sum += change_at(cell);
-      ++count;
-    });
-    return sum / count + 1e-30;
+    for (const CellGroup& group : groups_of(*frame_.planes, diagonal))
+      for (std::size_t cell = group.cell; cell < group.cell + static_cast<std::size_t>(group.count);
+           ++cell, ++count)
+        sum += change_at(cell);
+    return static_cast<float>(sum / count + 1e-30);
   }
 
   [[nodiscard]] double change_at(std::size_t cell) const {
     double sum = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-      const PastFields& past = past_.fields(c);
-      const float other =
-          prediction_ == Prediction::between ? past.third_motion[cell] : past.motion[cell];
-      sum += std::abs(static_cast<double>(other) - static_cast<double>(past.second_motion[cell]));
+      const auto value = [&](std::size_t k) {
+        return static_cast<double>(frame_.reference_values[k][c][cell]);
+      };
+      const bool between = frame_.prediction == Prediction::between;
+      sum += between ? std::abs((value(3) - value(1)) - (value(0) - value(2)))
+                     : std::abs((value(0) - value(1)) - (value(1) - value(2)));
     }
     return sum / 3;
   }
 
-  [[nodiscard]] Row row_of(std::size_t stage, int plane, std::size_t cell, std::size_t c) const {
-    Row row{};
-    std::size_t taps = 0;
-    const float* motion = motion_[c].data() + cell;
-    if (stage == coarse_diagonal || stage == coarse_cross) {
-      const std::ptrdiff_t down = planes_.stride();
-      const std::array<std::ptrdiff_t, near_taps> steps =
-          stage == coarse_diagonal ? std::array{-down - 1, -down + 1, down - 1, down + 1}
-                                   : std::array{-down, down, std::ptrdiff_t{-1}, std::ptrdiff_t{1}};
-      for (const std::ptrdiff_t step : steps) row[taps++] = missed(cell + step, c);
-      row[taps] = missed(cell, c);
-      return row;
-    }
-    if (stage == diagonal)
-      for (const auto& [di, dj] : {std::pair{-1, -1}, {-1, 1}, {1, -1}, {1, 1}})
-        row[taps++] = motion[planes_.step(plane, di, dj)];
-    if (stage == cross)
-      for (const auto& [di, dj] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
-        row[taps++] = motion[planes_.step(plane, di, dj)];
-    put_past(plane, cell, c, &row[taps]);
-    row[taps + past_taps_of(prediction_)] = *motion;
-    return row;
-  }
-
-  void put_past(int plane, std::size_t cell, std::size_t c, double* taps) const {
-    const PastFields& past = past_.fields(c);
-    const float* v = past.motion.data() + cell;
-    const float* p = past_.first().values[c].data() + cell;
-    const auto at = [&](const float* field, int di, int dj) {
-      return static_cast<double>(field[planes_.step(plane, di, dj)]);
-    };
-    const double twice = 2 * static_cast<double>(*p);
-    *taps++ = *v;
-    *taps++ = at(v, -1, 0);
-    *taps++ = at(v, 1, 0);
-    *taps++ = at(v, 0, -1);
-    *taps++ = at(v, 0, 1);
-    *taps++ = at(v, -1, -1) + at(v, -1, 1) + at(v, 1, -1) + at(v, 1, 1);
-    *taps++ = past.second_motion[cell];
-    *taps++ = at(p, -1, 0) + at(p, 1, 0) - twice;
-    *taps++ = at(p, 0, -1) + at(p, 0, 1) - twice;
-    *taps++ = at(p, -1, -1) + at(p, -1, 1) + at(p, 1, -1) + at(p, 1, 1) - 2 * twice;
-    *taps++ = past.along_pull[cell];
-    *taps++ = past.across_pull[cell];
-    if (prediction_ != Prediction::between) return;
-    *taps++ = past.third_motion[cell];
-    *taps++ = past.second_along_pull[cell];
-    *taps++ = past.second_across_pull[cell];
-  }
-
-  // How far the past alone is off in plane 0; nothing outside of it.
-  [[nodiscard]] double missed(std::size_t cell, std::size_t c) const {
-    const std::size_t within = cell - planes_.cell(0, 0, 0);
-    const auto stride = static_cast<std::size_t>(planes_.stride());
-    if (cell < planes_.cell(0, 0, 0) ||
-        within % stride >= static_cast<std::size_t>(planes_.columns(0)) ||
-        within / stride >= static_cast<std::size_t>(planes_.rows(0)))
-      return 0;
-    std::array<double, past_taps> taps{};
-    put_past(0, cell, c, taps.data());
-    double left = motion_[c][cell];
-    for (std::size_t tap = 0; tap < past_taps_of(prediction_); ++tap)
-      left -= static_cast<double>(weights_[coarse_past][near_taps + tap]) * taps[tap];
-    return left;
-  }
-
-  const ParityPlanes& planes_;
-  const Past& past_;
-  Prediction prediction_;
-  const PlaneFields<float>& motion_;
-  std::size_t samples_per_stage_;
-  double unit_ = 1;
-  RecordedWeights fitted_;
-  Weights weights_{};
+  const PredictedFrame& frame_;
+  Fit fit_;
+  float unit_ = 1;
 };
-
-}  // namespace
-
-namespace {
 
 float rounded_middle_weight(double weight) {
   return static_cast<float>(std::clamp(std::floor(64 * weight + 0.5), -127.0, 127.0) / 64);
 }
 
 }  // namespace
+
+RecordedWeights fit_weights(const PredictedFrame& frame, Fit fit) {
+  return WeightFit(frame, fit).run();
+}
 
 WithinWeights fit_within_weights(const ParityPlanes& planes, const PlaneFields<float>& values) {
   WithinWeights weights;
@@ -288,22 +210,13 @@ WithinWeights fit_within_weights(const ParityPlanes& planes, const PlaneFields<f
           const double middle =
               stage == 0 ? mean_of({{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}) : (along + across) / 2;
           const double outer = mean_of({{-reach, -1}, {-reach, 1}, {reach, -1}, {reach, 1}});
-          Row row{};
-          row[0] = along - across;
-          row[1] = outer - middle;
-          row[2] = static_cast<double>(*x) - middle;
-          equations.add(row, 1);
+          equations.add({along - across, outer - middle, static_cast<double>(*x) - middle});
         }
     const auto solved = equations.solution();
     weights[stage] = {stage == 0 ? 0.0F : rounded_middle_weight(solved[0]),
                       rounded_middle_weight(solved[1])};
   }
   return weights;
-}
-
-RecordedWeights fit_weights(const ParityPlanes& planes, const Past& past, Prediction prediction,
-                            const PlaneFields<float>& motion, Fit fit) {
-  return WeightFit(planes, past, prediction, motion, fit).run();
 }
 
 }  // namespace ribbon

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "recording/prediction.h"
+#include "recording/frame_loops.h"
 
 namespace ribbon {
 
@@ -12,11 +12,10 @@ namespace ribbon {
 // smaller for several times the work.
 enum class Fit : std::uint8_t { quick, thorough };
 
-// Least squares over particles, the same weights for x, y and z; restless ones count
-// less. motion: of all particles since the first frame referred to, borders closed. The same bits
-// on any IEEE machine: plain double arithmetic in a fixed order.
-RecordedWeights fit_weights(const ParityPlanes& planes, const Past& past, Prediction prediction,
-                            const PlaneFields<float>& motion, Fit fit);
+// Least squares over particles, the same weights for x, y and z; restless ones count less. frame:
+// with values and motion, its borders closed. The same bits on any IEEE machine: plain
+// arithmetic in a fixed order.
+RecordedWeights fit_weights(const PredictedFrame& frame, Fit fit);
 
 // Likewise within a frame; values: of all particles, borders continued plane by plane.
 WithinWeights fit_within_weights(const ParityPlanes& planes, const PlaneFields<float>& values);

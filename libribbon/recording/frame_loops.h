@@ -14,25 +14,26 @@
 
 namespace ribbon {
 
+// So large and no larger are numbers on a lattice: single precision holds them exactly.
+inline constexpr std::int32_t largest_lattice_number = 1 << 24;
+
 // A frame while it is predicted, and the frames that it is predicted from; fields by cell.
 struct PredictedFrame {
   const ParityPlanes* planes = nullptr;
   Prediction prediction = Prediction::within;
-  bool on_lattice = true;  // false: numbers are ordered_number() of the values
+  bool on_lattice = true;  // false: a number is the place of its value among all values there are
   // None of these within a frame. Where frames are missing others stand for them, so that the
   // differences that a prediction takes are 0.
   std::array<Triple<const float*>, 4> reference_values{};
-  Triple<const std::int32_t*> reference_numbers{};
   // One over the squared natural distance of neighbours, in the unit of the values.
   float over_along_rest_squared = 0;
   float over_across_rest_squared = 0;
   const Weights* weights = nullptr;
   const WithinWeights* within_weights = nullptr;
   // Of this frame.
-  Triple<std::int32_t*> numbers{};
-  Triple<float*> values{};  // the numbers in single precision; borders are not set
+  Triple<float*> values{};  // borders are not set
   Triple<float*> motion{};  // its values less those of the first frame referred to
-  // How far the numbers are from their prediction: 0 for the number nearest to it, 1 for the second
+  // How far numbers are from their prediction: 0 for the number nearest to it, 1 for the second
   // nearest, ...
   Triple<std::uint32_t*> ranks{};
 };
@@ -59,18 +60,19 @@ struct FrameLoops {
   // or within a frame what continues straight lines.
   void (*close_plane)(const ParityPlanes& planes, int plane, float* field);
   void (*continue_plane)(const ParityPlanes& planes, int plane, float* field);
-  // Numbers, values and motion from ranks.
+  // Values and motion from ranks.
   void (*decode)(const PredictedFrame& frame);
-  // Ranks from numbers and motion.
+  // Ranks from values and motion.
   void (*rank)(const PredictedFrame& frame);
-  // From numbers, values and motion, not within a frame. unit: what change of motion is restless.
+  // From values and motion, not within a frame. unit: what change of motion is restless.
   void (*fit)(const PredictedFrame& frame, std::size_t stage, std::span<const CellGroup> groups,
               float unit, NormalSums& sums);
-  // Spreads symbols of so many bits (2, 4 or 8; the first in the lowest bits of the first byte) over
-  // the ranks of stretches of columns, each of which begins a byte; true where the largest symbol is
-  // among them. Reads and writes whole vectors, up to 15 bytes and 15 ranks beyond the end.
-  bool (*spread)(int bits, const unsigned char* symbols, std::size_t columns, std::size_t length,
-                 std::size_t stride, std::uint32_t* ranks);
+  // Spreads symbols of so many bits (2, 4 or 8; the first in the lowest bits of the first byte)
+  // over the ranks of stretches of columns, each of which begins a byte; true where one as large as
+  // `escape` is among them. Reads and writes whole vectors, up to 15 bytes and ranks beyond the
+  // end.
+  bool (*spread)(int bits, std::uint32_t escape, const unsigned char* symbols, std::size_t columns,
+                 std::size_t length, std::size_t stride, std::uint32_t* ranks);
   // Interleaves the coordinates: positions is 3 x particles, column by column.
   void (*positions)(const ParityPlanes& planes, const Triple<const float*>& values, float scale,
                     float* positions);

@@ -1,54 +1,84 @@
 #include "recording/frame_prediction.h"
 
+#include <cassert>
+
 namespace ribbon {
 
-FramePrediction::FramePrediction(const CodecParameters& parameters)
-    : planes_(parameters.grid), step_m_(parameters.step_m), past_(parameters) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    nothing_.numbers[c].assign(planes_.cells(), 0);
-    nothing_.values[c].assign(planes_.cells(), 0);
-    motion_[c].assign(planes_.cells(), 0);
-  }
-  missed_.assign(planes_.cells(), 0);
-  predicted_.assign(planes_.cells(), 0);
+namespace {
+
+float over_squared(double length) {
+  return 1.0F / static_cast<float>(length * length);
+}
+
+template <class Number>
+Triple<Number*> pointers(PlaneFields<Number>& fields) {
+  return {fields[0].data(), fields[1].data(), fields[2].data()};
+}
+template <class Number>
+Triple<const Number*> pointers(const PlaneFields<Number>& fields) {
+  return {fields[0].data(), fields[1].data(), fields[2].data()};
+}
+
+}  // namespace
+
+FramePrediction::FramePrediction(const CodecParameters& parameters) : planes_(parameters.grid) {
+  for (auto& component : motion_) component.assign(planes_.cells(), 0);
+  const bool on_lattice = parameters.step_m > 0;
+  const double unit_m = on_lattice ? static_cast<double>(parameters.step_m) : 1;
+  frame_.planes = &planes_;
+  frame_.on_lattice = on_lattice;
+  frame_.over_along_rest_squared =
+      over_squared(parameters.ribbon_length_m / (parameters.grid.along - 1) / unit_m);
+  frame_.over_across_rest_squared =
+      over_squared(parameters.ribbon_width_m / (parameters.grid.across - 1) / unit_m);
 }
 
 void FramePrediction::begin(Prediction prediction,
                             std::span<const LatticeFrame* const> references) {
-  prediction_ = references.empty() ? Prediction::within : prediction;
-  if (prediction_ != Prediction::within) past_.set(prediction_, references);
+  assert(references.empty() || prediction != Prediction::within);
+  frame_.prediction = references.empty() ? Prediction::within : prediction;
+  if (references.empty()) return;
+  // For want of a second frame the first, of a third what the second or, between, the first is, of
+  // a fourth the second.
+  const std::array<std::size_t, 4> instead = {0, 0, prediction == Prediction::forward ? 1U : 0U, 1};
+  for (std::size_t k = 0; k < frame_.reference_values.size(); ++k)
+    frame_.reference_values[k] = k < references.size() ? pointers(references[k]->values)
+                                                       : frame_.reference_values[instead[k]];
 }
 
-Component FramePrediction::component(std::size_t c, LatticeFrame& frame, Ranks& ranks) {
-  const LatticeFrame& reference = prediction_ == Prediction::within ? nothing_ : past_.first();
-  return {.planes = &planes_,
-          .prediction = prediction_,
-          .on_lattice = step_m_ > 0,
-          .reference_values = reference.values[c].data(),
-          .reference_numbers = reference.numbers[c].data(),
-          .past = &past_.fields(c),
-          .weights = &weights,
-          .within_weights = &within_weights,
-          .numbers = frame.numbers[c].data(),
-          .values = frame.values[c].data(),
-          .motion = motion_[c].data(),
-          .missed = missed_.data(),
-          .predicted = predicted_.data(),
-          .ranks = ranks[c].data()};
+void FramePrediction::set_fields(LatticeFrame& frame) {
+  frame_.weights = &weights;
+  frame_.within_weights = &within_weights;
+  frame_.values = pointers(frame.values);
+  frame_.motion = pointers(motion_);
 }
 
 void FramePrediction::decode(Ranks& ranks, LatticeFrame& frame) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    frame.numbers[c].resize(planes_.cells());
-    frame.values[c].resize(planes_.cells());
-  }
-  for (std::size_t c = 0; c < 3; ++c) loops().decode(component(c, frame, ranks));
+  for (auto& component : frame.values) component.resize(planes_.cells());
+  set_fields(frame);
+  frame_.ranks = pointers(ranks);
+  loops().decode(frame_);
   frame.continue_values();
 }
 
-void FramePrediction::rank(LatticeFrame& frame, Ranks& ranks) {
-  for (auto& component_ranks : ranks) component_ranks.resize(room_for_ranks(planes_.grid()));
-  for (std::size_t c = 0; c < 3; ++c) loops().rank(component(c, frame, ranks));
+void FramePrediction::set(LatticeFrame& frame) {
+  set_fields(frame);
+  const bool within = prediction() == Prediction::within;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (within)
+      motion_[c] = frame.values[c];
+    else
+      loops().subtract(frame.values[c].data(), frame_.reference_values[0][c], planes_.cells(),
+                       motion_[c].data());
+    for (int plane = 0; plane < ParityPlanes::count; ++plane)
+      (within ? loops().continue_plane : loops().close_plane)(planes_, plane, motion_[c].data());
+  }
+}
+
+void FramePrediction::rank(Ranks& ranks) {
+  for (auto& component : ranks) component.resize(planes_.cells());
+  frame_.ranks = pointers(ranks);
+  loops().rank(frame_);
 }
 
 }  // namespace ribbon

@@ -1,10 +1,11 @@
-// A frame between its numbers and its ranks: what the encoder and the decoder have in common.
+// A frame between its values and its ranks: what the encoder and the decoder have in common.
 #pragma once
 
 #include <span>
 
-#include "recording/component_loops.h"
-#include "recording/prediction.h"
+#include "recording/codec_parameters.h"
+#include "recording/frame_loops.h"
+#include "recording/lattice_frame.h"
 #include "recording/rank_blocks.h"
 
 namespace ribbon {
@@ -14,34 +15,33 @@ class FramePrediction {
  public:
   explicit FramePrediction(const CodecParameters& parameters);
 
-  // Begins a frame. references: none of them plain; none at all: it is predicted within itself.
+  // Begins a frame. references: none of them plain, and they must live until it ends; none at all:
+  // it is predicted within itself.
   void begin(Prediction prediction, std::span<const LatticeFrame* const> references);
 
-  [[nodiscard]] Prediction prediction() const { return prediction_; }
+  [[nodiscard]] Prediction prediction() const { return frame_.prediction; }
   [[nodiscard]] const ParityPlanes& planes() const { return planes_; }
-  [[nodiscard]] const Past& past() const { return past_; }
-  // Values less those of the first frame referred to, by cell.
-  PlaneFields<float>& motion() { return motion_; }
 
   Weights weights{};               // used unless the frame is predicted within itself
   WithinWeights within_weights{};  // used if it is
 
-  // Makes the numbers and values of `frame` from ranks.
+  // Makes the values of `frame` from ranks.
   void decode(Ranks& ranks, LatticeFrame& frame);
-  // Makes the ranks of `frame`; before, motion() must be set, its borders included.
-  void rank(LatticeFrame& frame, Ranks& ranks);
+
+  // Takes the frame that is to be fitted and ranked.
+  void set(LatticeFrame& frame);
+  // What it is fitted to, its motion included, borders closed.
+  [[nodiscard]] const PredictedFrame& predicted() const { return frame_; }
+  [[nodiscard]] const PlaneFields<float>& motion() const { return motion_; }
+  // Makes the ranks of the frame.
+  void rank(Ranks& ranks);
 
  private:
-  Component component(std::size_t c, LatticeFrame& frame, Ranks& ranks);
+  void set_fields(LatticeFrame& frame);
 
   ParityPlanes planes_;
-  float step_m_;
-  Prediction prediction_ = Prediction::within;
-  Past past_;
-  LatticeFrame nothing_;  // all numbers and values 0
   PlaneFields<float> motion_;
-  std::vector<float> missed_;
-  std::vector<float> predicted_;
+  PredictedFrame frame_;
 };
 
 }  // namespace ribbon

@@ -1,16 +1,16 @@
 #include <cassert>
 
-#include "recording/component_loops.h"
+#include "recording/frame_loops.h"
 
 namespace ribbon {
 
-extern const Loops baseline_loops;
+extern const FrameLoops baseline_loops;
 #ifdef RIBBON_X86_LOOPS
-extern const Loops avx2_loops;
-extern const Loops avx512_loops;
+extern const FrameLoops avx2_loops;
+extern const FrameLoops avx512_loops;
 #endif
 
-const Loops* loops_for(InstructionSet set) {
+const FrameLoops* loops_for(InstructionSet set) {
 #ifdef RIBBON_X86_LOOPS
   if (set == InstructionSet::avx2)
     return __builtin_cpu_supports("avx2") != 0 ? &avx2_loops : nullptr;
@@ -32,14 +32,14 @@ InstructionSet best_instruction_set() {
 
 namespace {
 
-const Loops*& chosen_loops() {
-  static const Loops* chosen = loops_for(best_instruction_set());
+const FrameLoops*& chosen_loops() {
+  static const FrameLoops* chosen = loops_for(best_instruction_set());
   return chosen;
 }
 
 }  // namespace
 
-const Loops& loops() {
+const FrameLoops& loops() {
   return *chosen_loops();
 }
 

@@ -1,9 +1,10 @@
 #include "recording/lattice_frame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "recording/component_loops.h"
+#include "recording/frame_loops.h"
 
 namespace ribbon {
 
@@ -21,15 +22,12 @@ void continue_over_border(const ParityPlanes& planes, std::vector<float>& values
     continued(-1, j, 1, 0);
     continued(along, j, -1, 0);
   }
-  // Every second row lies one stride further on.
-  const auto stride = static_cast<std::size_t>(planes.stride());
-  for (const int first : {-1, 0})
+  for (const int first : {0, 1})
     for (const auto& [j, dj] : {std::pair{-1, 1}, {across, -1}}) {
-      std::size_t to = planes.cell_of(first, j);
-      std::size_t near = planes.cell_of(first, j + dj);
-      std::size_t far = planes.cell_of(first, j + 2 * dj);
-      for (int i = first; i <= along; i += 2, to += stride, near += stride, far += stride)
-        values[to] = 2 * values[near] - values[far];
+      float* to = &values[planes.cell_of(first, j)];
+      const float* near = &values[planes.cell_of(first, j + dj)];
+      const float* far = &values[planes.cell_of(first, j + 2 * dj)];
+      for (int a = 0; a < planes.rows(2 * first); ++a) to[a] = 2 * near[a] - far[a];
     }
 }
 
@@ -41,18 +39,8 @@ void LatticeFrame::positions(Eigen::Matrix3Xf& positions) const {
     return;
   }
   positions.resize(3, grid.particle_count());
-  loops().positions(ParityPlanes(grid), {numbers[0].data(), numbers[1].data(), numbers[2].data()},
-                    step_m, positions.data());
-}
-
-void LatticeFrame::set_values() {
-  for (std::size_t c = 0; c < 3; ++c) {
-    values[c].resize(numbers[c].size());
-    for (std::size_t cell = 0; cell < values[c].size(); ++cell)
-      values[c][cell] =
-          step_m > 0 ? static_cast<float>(numbers[c][cell]) : from_ordered_number(numbers[c][cell]);
-  }
-  continue_values();
+  loops().positions(ParityPlanes(grid), {values[0].data(), values[1].data(), values[2].data()},
+                    step_m > 0 ? step_m : 1, positions.data());
 }
 
 void LatticeFrame::continue_values() {

@@ -10,36 +10,38 @@
 
 namespace ribbon {
 
-// Particle (i, j) lies in plane 2 (i mod 2) + (j mod 2), row i div 2, column j div 2. All planes
-// have the same size and a border, so that the neighbours of a whole plane lie at
-// constant distances in other planes: what is predicted from them is predicted side by side.
+// Particle (i, j) lies in plane 2 (i mod 2) + (j mod 2), in its row i div 2 and column j div 2. In
+// memory columns come one behind the other, for ribbons are much longer than wide. All planes have
+// the same size and a border, so that the neighbours of a whole column lie at constant distances:
+// what is predicted from them is predicted side by side.
 class ParityPlanes {
  public:
   static constexpr int count = 4;
-  // Rows have room for a multiple of so many particles, and their border.
-  static constexpr int row_quantum = 8;
+  // Whole vectors of so many particles may be read and written in a column; what lies beyond its
+  // last particle must be made good afterwards where it belongs to the border.
+  static constexpr int lane_quantum = 16;
 
   explicit ParityPlanes(const RibbonGrid& grid)
       : grid_(grid),
-        stride_(((grid.across + 1) / 2 + row_quantum - 1) / row_quantum * row_quantum + 2),
-        plane_cells_(static_cast<std::size_t>(((grid.along + 1) / 2 + 4) * stride_)) {}
+        stride_(std::ptrdiff_t{lane_quantum} *
+                (((grid.along + 1) / 2 + 2 * border + lane_quantum - 1) / lane_quantum)),
+        plane_cells_(stride_ * ((grid.across + 1) / 2 + 2)) {}
 
   [[nodiscard]] const RibbonGrid& grid() const { return grid_; }
   // Cells of all planes with their borders.
-  [[nodiscard]] std::size_t cells() const { return count * plane_cells_ + row_quantum; }
+  [[nodiscard]] std::size_t cells() const {
+    return static_cast<std::size_t>(count * plane_cells_ + std::ptrdiff_t{2} * lane_quantum);
+  }
+  // From a cell to that of the next column.
   [[nodiscard]] std::ptrdiff_t stride() const { return stride_; }
 
   // Rows and columns of a plane that hold particles.
   [[nodiscard]] int rows(int plane) const { return (grid_.along + 1 - plane / 2) / 2; }
   [[nodiscard]] int columns(int plane) const { return (grid_.across + 1 - plane % 2) / 2; }
-  [[nodiscard]] std::size_t particles(int plane) const {
-    return static_cast<std::size_t>(rows(plane)) * static_cast<std::size_t>(columns(plane));
-  }
 
   // The cell of row a and column b of a plane; its border is two rows and one column wide.
   [[nodiscard]] std::size_t cell(int plane, int a, int b) const {
-    return static_cast<std::size_t>(plane) * plane_cells_ +
-           static_cast<std::size_t>((a + 2) * stride_ + b + 1);
+    return static_cast<std::size_t>(lane_quantum + plane * plane_cells_ + (b + 1) * stride_ + a);
   }
   // The cell of particle (i, j); i from -1 to along, j from -1 to across: the border of the ribbon.
   [[nodiscard]] std::size_t cell_of(int i, int j) const {
@@ -55,13 +57,20 @@ class ParityPlanes {
   }
 
  private:
+  // Rows of border at each end of a column.
+  static constexpr int border = 2;
+
   RibbonGrid grid_;
-  int stride_;
-  std::size_t plane_cells_;
+  std::ptrdiff_t stride_;
+  std::ptrdiff_t plane_cells_;
 };
+
+// x, y and z.
+template <class T>
+using Triple = std::array<T, 3>;
 
 // One number for each cell, for x, y and z.
 template <class Number>
-using PlaneFields = std::array<std::vector<Number>, 3>;
+using PlaneFields = Triple<std::vector<Number>>;
 
 }  // namespace ribbon

@@ -29,6 +29,12 @@ void put_within_weights(const WithinWeights& weights, std::string& bytes) {
   }
 }
 
+// Of fewer than 2^51 steps; without a call where the processor has no instruction for it.
+double nearest(double steps) {
+  constexpr double units_begin = 0x1.8p52;  // numbers so large are 1 apart
+  return (steps + units_begin) - units_begin;
+}
+
 }  // namespace
 
 struct PositionEncoder::State {
@@ -45,40 +51,45 @@ struct PositionEncoder::State {
   RankPacker packer;
   Ranks ranks;
 
+  void set_column(const Eigen::Matrix3Xd& positions, int plane, int b, LatticeFrame& frame) const;
   [[nodiscard]] std::optional<LatticeFrame> on_lattice(const Eigen::Matrix3Xd& positions) const;
   [[nodiscard]] bool within_bound(const LatticeFrame& frame,
                                   const Eigen::Matrix3Xd& positions) const;
-  void set_motion(const LatticeFrame& frame);
   std::string lattice_geometry(LatticeFrame& frame, Prediction prediction,
                                std::span<const LatticeFrame* const> references, Fit fit);
   std::string plain_geometry(const LatticeFrame& frame);
 };
 
+void PositionEncoder::State::set_column(const Eigen::Matrix3Xd& positions, int plane, int b,
+                                        LatticeFrame& frame) const {
+  const ParityPlanes& planes = frame_prediction.planes();
+  const double over_step = 1 / static_cast<double>(parameters.step_m);
+  const std::size_t cell = planes.cell(plane, 0, b);
+  const Triple<float*> values = {&frame.values[0][cell], &frame.values[1][cell],
+                                 &frame.values[2][cell]};
+  const double* position =
+      positions.data() + std::ptrdiff_t{3} * parameters.grid.particle(plane / 2, 2 * b + plane % 2);
+  for (int a = 0; a < planes.rows(plane);
+       ++a, position += std::ptrdiff_t{6} * parameters.grid.across)
+    for (std::size_t c = 0; c < 3; ++c)
+      values[c][a] = static_cast<float>(parameters.step_m > 0 ? nearest(position[c] * over_step)
+                                                              : position[c]);
+}
+
 std::optional<LatticeFrame> PositionEncoder::State::on_lattice(
     const Eigen::Matrix3Xd& positions) const {
-  constexpr double largest_number = 1 << 30;
-  const double step_m = parameters.step_m;
   const ParityPlanes& planes = frame_prediction.planes();
   LatticeFrame frame;
   frame.grid = parameters.grid;
   frame.step_m = parameters.step_m;
-  double worst = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    frame.numbers[c].resize(planes.cells());
-    for (int i = 0, particle = 0; i < parameters.grid.along; ++i)
-      for (int j = 0; j < parameters.grid.across; ++j, ++particle) {
-        const double coordinate = positions(static_cast<Eigen::Index>(c), particle);
-        std::int32_t& number = frame.numbers[c][planes.cell_of(i, j)];
-        if (step_m == 0) {
-          number = ordered_number(static_cast<float>(coordinate));
-          continue;
-        }
-        const double steps = std::floor(coordinate / step_m + 0.5);
-        worst = std::max(worst, std::abs(steps));
-        if (worst < largest_number) number = static_cast<std::int32_t>(steps);
-      }
-  }
-  if (!(worst < largest_number)) return std::nullopt;
+  if (parameters.step_m > 0 &&
+      !(positions.cwiseAbs().maxCoeff() <
+        (largest_lattice_number - 1) * static_cast<double>(parameters.step_m)))
+    return std::nullopt;
+  for (auto& component : frame.values) component.resize(planes.cells());
+  for (int plane = 0; plane < ParityPlanes::count; ++plane)
+    for (int b = 0; b < planes.columns(plane); ++b) set_column(positions, plane, b, frame);
+  frame.continue_values();
   return frame;
 }
 
@@ -91,39 +102,23 @@ bool PositionEncoder::State::within_bound(const LatticeFrame& frame,
   return (decoded.cast<double>() - positions).cwiseAbs().maxCoeff() <= max_error_m;
 }
 
-void PositionEncoder::State::set_motion(const LatticeFrame& frame) {
-  PlaneFields<float>& motion = frame_prediction.motion();
-  const bool within = frame_prediction.prediction() == Prediction::within;
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (within)
-      motion[c] = frame.values[c];
-    else
-      loops().subtract(frame.values[c].data(), frame_prediction.past().first().values[c].data(),
-                       motion[c].size(), motion[c].data());
-    for (int plane = 0; plane < ParityPlanes::count; ++plane)
-      (within ? loops().continue_plane : loops().close_plane)(frame_prediction.planes(), plane,
-                                                              motion[c].data());
-  }
-}
-
 std::string PositionEncoder::State::lattice_geometry(
     LatticeFrame& frame, Prediction prediction, std::span<const LatticeFrame* const> references,
     Fit fit) {
   frame_prediction.begin(prediction, references);
-  set_motion(frame);
-  const ParityPlanes& planes = frame_prediction.planes();
+  frame_prediction.set(frame);
   std::string bytes;
   put<std::uint8_t>(bytes, static_cast<std::uint8_t>(frame_prediction.prediction()));
   if (frame_prediction.prediction() == Prediction::within) {
-    frame_prediction.within_weights = fit_within_weights(planes, frame_prediction.motion());
+    frame_prediction.within_weights =
+        fit_within_weights(frame_prediction.planes(), frame_prediction.motion());
     put_within_weights(frame_prediction.within_weights, bytes);
   } else {
-    const RecordedWeights recorded =
-        fit_weights(planes, frame_prediction.past(), prediction, frame_prediction.motion(), fit);
+    const RecordedWeights recorded = fit_weights(frame_prediction.predicted(), fit);
     frame_prediction.weights = recorded.weights();
     put_weights(recorded, prediction, bytes);
   }
-  frame_prediction.rank(frame, ranks);
+  frame_prediction.rank(ranks);
   packer.append(ranks, bytes);
   return bytes;
 }
@@ -147,7 +142,8 @@ const SymbolRuns& PositionEncoder::symbol_runs() const {
 
 Result<LatticeFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions) const {
   const RibbonGrid& grid = state_->parameters.grid;
-  for (int particle = 0; particle < grid.particle_count(); ++particle)
+  const bool is_finite = positions.allFinite();
+  for (int particle = 0; !is_finite && particle < grid.particle_count(); ++particle)
     if (!positions.col(particle).allFinite())
       return failure("",
                      "particle " + std::to_string(grid.row(particle)) + " along, " +
@@ -155,10 +151,7 @@ Result<LatticeFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions)
                          " across has a position that is not finite",
                      "the simulation has become unstable: choose a smaller time step");
   auto frame = state_->on_lattice(positions);
-  if (frame && state_->within_bound(*frame, positions)) {
-    frame->set_values();
-    return *std::move(frame);
-  }
+  if (frame && state_->within_bound(*frame, positions)) return *std::move(frame);
   LatticeFrame plain;
   plain.grid = grid;
   plain.plain = true;

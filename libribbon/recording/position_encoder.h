@@ -10,7 +10,7 @@
 #include "recording/fit_weights.h"
 #include "recording/frame_record.h"
 #include "recording/lattice_frame.h"
-#include "recording/prediction.h"
+#include "recording/prediction_weights.h"
 #include "recording/rank_blocks.h"
 #include "result/result.h"
 

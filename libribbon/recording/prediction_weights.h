@@ -1,4 +1,4 @@
-// The weights of a prediction (FORMAT.md, section 8.3).
+// The weights of a prediction (FORMAT.md, section 8.5).
 #pragma once
 
 #include <array>
@@ -17,40 +17,41 @@ enum class Prediction : std::uint8_t {
 // Particles are predicted from the past, that is the frames referred to, and from neighbours in
 // their own frame that are known by then: the stages come one after the other.
 enum PredictionStage : std::size_t {
-  coarse_past = 0,      // plane 0 (even rows, even columns): the past of all its particles,
-  coarse_diagonal = 1,  // then, in its odd rows and columns, what the past missed at the diagonals,
-  coarse_cross = 2,     // and in the rest of it what the past missed at the four neighbours
-  diagonal = 3,         // plane 3 (odd, odd): the past, and plane 0 around it
-  cross = 4             // planes 1 and 2: the past, and planes 0 and 3 around it
+  first_column = 0,  // of plane 0 (even rows, even columns): the past alone
+  coarse = 1,        // its other columns: three neighbours in the column before
+  diagonal = 2,      // plane 3 (odd, odd): plane 0 around it
+  cross = 3          // planes 1 and 2: planes 0 and 3 around it
 };
-inline constexpr std::size_t prediction_stage_count = 5;
+inline constexpr std::size_t prediction_stage_count = 4;
 
-inline constexpr std::size_t near_taps = 4;
-inline constexpr std::size_t past_taps = 15;  // the last three only between two frames
-inline constexpr std::size_t forward_past_taps = 12;
-inline constexpr std::size_t most_taps = near_taps + past_taps;
+inline constexpr std::size_t most_near_taps = 4;
+inline constexpr std::size_t forward_past_taps = 10;
+inline constexpr std::size_t most_past_taps = 13;  // the last three only between two frames
+inline constexpr std::size_t most_taps = most_near_taps + most_past_taps;
 
-// Of each stage: the weights of the neighbours, then those of the past. Unused ones are 0.
-using StageWeights = std::array<float, most_taps>;
-using Weights = std::array<StageWeights, prediction_stage_count>;
-
-// Does `stage` look at neighbours, and at the past?
-constexpr bool has_near_taps(std::size_t stage) {
-  return stage != coarse_past;
-}
-constexpr bool has_past_taps(std::size_t stage) {
-  return stage != coarse_diagonal && stage != coarse_cross;
+constexpr std::size_t near_taps_of(std::size_t stage) {
+  return stage == first_column ? 0 : stage == coarse ? 3 : most_near_taps;
 }
 constexpr std::size_t past_taps_of(Prediction prediction) {
-  return prediction == Prediction::between ? past_taps : forward_past_taps;
+  return prediction == Prediction::between ? most_past_taps : forward_past_taps;
 }
+
+struct StageWeights {
+  std::array<float, most_near_taps> near{};
+  std::array<float, most_past_taps> past{};
+};
+using Weights = std::array<StageWeights, prediction_stage_count>;
 
 // Weights as they are recorded: whole numbers of 2^-shift.
 struct RecordedWeights {
+  struct Stage {
+    std::array<std::int32_t, most_near_taps> near{};
+    std::array<std::int32_t, most_past_taps> past{};
+  };
   int shift = 0;
-  std::array<std::array<std::int32_t, most_taps>, prediction_stage_count> numbers{};
+  std::array<Stage, prediction_stage_count> stages{};
 
-  // Visits those that a prediction has, by stage and tap: visit(number).
+  // Visits those that a prediction has, in their order: visit(number).
   template <class Visit>
   void for_each(Prediction prediction, Visit visit);
 
@@ -60,9 +61,8 @@ struct RecordedWeights {
 template <class Visit>
 void RecordedWeights::for_each(Prediction prediction, Visit visit) {
   for (std::size_t stage = 0; stage < prediction_stage_count; ++stage) {
-    const std::size_t first = has_near_taps(stage) ? 0 : near_taps;
-    const std::size_t end = near_taps + (has_past_taps(stage) ? past_taps_of(prediction) : 0);
-    for (std::size_t tap = first; tap < end; ++tap) visit(numbers[stage][tap]);
+    for (std::size_t tap = 0; tap < near_taps_of(stage); ++tap) visit(stages[stage].near[tap]);
+    for (std::size_t tap = 0; tap < past_taps_of(prediction); ++tap) visit(stages[stage].past[tap]);
   }
 }
 

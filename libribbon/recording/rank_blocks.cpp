@@ -5,36 +5,52 @@
 #include <cassert>
 
 #include "recording/bit_string.h"
+#include "recording/frame_loops.h"
 #include "recording/varint.h"
 
 namespace ribbon {
 
 namespace {
 
-constexpr std::size_t block_particles = 64;
+constexpr int block_columns = 4;
+constexpr int block_particles = 64;
 
-// Form 0: all ranks are 0. Forms 1 and 2: four symbols in a byte; 3 and 4: two; 5 to 7: one. Form
-// 7 + n: likewise, after the n lowest bits, which are written elsewhere.
 constexpr int largest_form = 31;
 
 struct Form {
-  int low_bits = 0;
   int symbols_per_byte = 1;
+  // The symbol that stands for itself and everything above. No larger than the ranks of such blocks
+  // need: entropy tables have room for every symbol, and what has none is better for the others.
+  std::uint32_t escape = 0;
   std::size_t kind = 0;
+  int low_bits = 0;  // these are written elsewhere
 
   [[nodiscard]] int symbol_bits() const { return 8 / symbols_per_byte; }
-  // The symbol that stands for itself and everything above.
-  [[nodiscard]] std::uint32_t escape() const { return (std::uint32_t{1} << symbol_bits()) - 1; }
-  [[nodiscard]] std::size_t bytes(std::size_t count) const {
+  // Each column of a block begins a byte.
+  [[nodiscard]] std::size_t bytes(const RankBlock& block) const {
+    return block.columns * column_bytes(block.length);
+  }
+  [[nodiscard]] std::size_t column_bytes(std::size_t length) const {
     const auto per_byte = static_cast<std::size_t>(symbols_per_byte);
-    return (count + per_byte - 1) / per_byte;
+    return (length + per_byte - 1) / per_byte;
   }
 };
 
-Form form_of(int number) {
-  if (number <= 2) return {0, 4, static_cast<std::size_t>(number)};
-  if (number <= 4) return {0, 2, static_cast<std::size_t>(number)};
-  return {std::max(0, number - 7), 1, static_cast<std::size_t>(std::min(number, 7))};
+// Of form 0 all ranks are 0; those from the last one here on differ in their low bits.
+constexpr std::array<Form, symbol_kinds> first_forms = {
+    {{1, 0, 0}, {4, 3, 1}, {2, 5, 2}, {2, 7, 3}, {2, 11, 4}, {1, 31, 5}, {1, 63, 6}, {1, 127, 7}}};
+
+constexpr auto forms = [] {
+  std::array<Form, largest_form + 1> all;
+  for (std::size_t number = 0; number < all.size(); ++number) {
+    all[number] = first_forms[std::min(number, first_forms.size() - 1)];
+    all[number].low_bits = std::max(0, static_cast<int>(number - first_forms.size() + 1));
+  }
+  return all;
+}();
+
+const Form& form_of(int number) {
+  return forms[static_cast<std::size_t>(number)];
 }
 
 // For ranks of this sum and count.
@@ -48,28 +64,61 @@ int form_for(std::uint64_t sum, std::size_t count) {
   return std::min(largest_form, 7 + std::max(0, static_cast<int>(std::bit_width(mean)) - 9));
 }
 
-std::vector<std::size_t> block_sizes(const ParityPlanes& planes) {
-  std::vector<std::size_t> sizes;
-  for (const int plane : {0, 3, 1, 2})
-    for (std::size_t left = planes.particles(plane); left > 0; left -= sizes.back())
-      sizes.push_back(std::min(left, block_particles));
-  return sizes;
+void add_blocks(const ParityPlanes& planes, int plane, int first_column,
+                std::vector<RankBlock>& blocks) {
+  const int columns = std::min(block_columns, planes.columns(plane) - first_column);
+  // Whole vectors of particles.
+  const int length = columns > 2 ? block_particles / block_columns : block_particles / columns;
+  for (int a = 0; a < planes.rows(plane); a += length)
+    blocks.push_back({planes.cell(plane, a, first_column), static_cast<std::size_t>(columns),
+                      static_cast<std::size_t>(std::min(length, planes.rows(plane) - a))});
 }
 
-// Packs symbols of one block; escapes and low bits go elsewhere.
-void put_block(const std::uint32_t* ranks, std::size_t count, const Form& form,
-               std::string& symbols, std::string& escapes, BitPacker& low_bits) {
+// The ranks of a block of one component.
+struct RankSummary {
+  std::uint64_t sum = 0;
+  std::uint32_t largest = 0;
+};
+RankSummary summary_of(const std::uint32_t* ranks, const RankBlock& block, std::size_t stride) {
+  RankSummary summary;
+  for (std::size_t b = 0; b < block.columns; ++b)
+    for (std::size_t k = 0; k < block.length; ++k) {
+      summary.sum += ranks[b * stride + k];
+      summary.largest = std::max(summary.largest, ranks[b * stride + k]);
+    }
+  return summary;
+}
+
+template <int per_byte>
+void put_symbols(const std::uint32_t* ranks, std::size_t length, const Form& form,
+                 unsigned char* symbols) {
+  for (std::size_t k = 0; k < length; k += per_byte) {
+    std::uint32_t byte = 0;
+    for (int part = 0; part < per_byte; ++part)
+      if (const std::size_t at = k + static_cast<std::size_t>(part); at < length)
+        byte |= std::min(ranks[at] >> form.low_bits, form.escape) << (8 / per_byte * part);
+    *symbols++ = static_cast<unsigned char>(byte);
+  }
+}
+
+// Packs the symbols of a column of a block.
+void put_symbols(const std::uint32_t* ranks, std::size_t length, const Form& form,
+                 std::string& symbols) {
   const std::size_t begin = symbols.size();
-  symbols.resize(begin + form.bytes(count));
-  const auto per_byte = static_cast<std::size_t>(form.symbols_per_byte);
-  for (std::size_t k = 0; k < count; ++k) {
+  symbols.resize(begin + form.column_bytes(length));
+  auto* out = reinterpret_cast<unsigned char*>(symbols.data() + begin);
+  if (form.symbols_per_byte == 4) return put_symbols<4>(ranks, length, form, out);
+  if (form.symbols_per_byte == 2) return put_symbols<2>(ranks, length, form, out);
+  put_symbols<1>(ranks, length, form, out);
+}
+
+// What symbols cannot hold.
+void put_rest(const std::uint32_t* ranks, std::size_t length, const Form& form,
+              std::string& escapes, BitPacker& low_bits) {
+  for (std::size_t k = 0; k < length; ++k) {
     const std::uint32_t high = ranks[k] >> form.low_bits;
-    const std::uint32_t symbol = std::min(high, form.escape());
-    if (symbol == form.escape()) put_varint(escapes, high - symbol);
+    if (high >= form.escape) put_varint(escapes, high - form.escape);
     if (form.low_bits > 0) low_bits.put_bits(ranks[k], form.low_bits);
-    char& byte = symbols[begin + k / per_byte];
-    byte = static_cast<char>(static_cast<unsigned char>(byte) |
-                             (symbol << (static_cast<int>(k % per_byte) * form.symbol_bits())));
   }
 }
 
@@ -80,22 +129,51 @@ unsigned char form_step(int form, int before) {
 
 }  // namespace
 
+std::vector<RankBlock> rank_blocks(const ParityPlanes& planes) {
+  std::vector<RankBlock> blocks;
+  for (const int plane : {0, 3, 1, 2})
+    for (int b = 0; b < planes.columns(plane); b += block_columns)
+      add_blocks(planes, plane, b, blocks);
+  return blocks;
+}
+
+std::vector<unsigned char> symbols_of(std::size_t kind) {
+  if (kind == form_kind) {
+    std::vector<unsigned char> steps;
+    for (int step = -largest_form; step <= largest_form; ++step)
+      steps.push_back(form_step(step, 0));
+    return steps;
+  }
+  const Form& form = first_forms[kind];
+  std::vector<unsigned char> symbols = {0};
+  for (int part = 0; part < form.symbols_per_byte; ++part) {
+    const std::vector<unsigned char> before = symbols;
+    for (std::uint32_t symbol = 1; symbol <= form.escape; ++symbol)
+      for (const unsigned char rest : before)
+        symbols.push_back(static_cast<unsigned char>(rest | symbol << (form.symbol_bits() * part)));
+  }
+  return symbols;
+}
+
 void RankPacker::append(const Ranks& ranks, std::string& bytes) {
   for (std::string& run : runs_) run.clear();
   std::string escapes;
   BitPacker low_bits;
   for (const auto& component : ranks) {
-    const std::uint32_t* block = component.data();
     int before = 0;
-    for (const std::size_t count : block_sizes(planes_)) {
-      std::uint64_t sum = 0;
-      for (std::size_t k = 0; k < count; ++k) sum += block[k];
-      const int number = form_for(sum, count);
+    for (const RankBlock& block : blocks_) {
+      const std::uint32_t* first = component.data() + block.cell;
+      const RankSummary summary = summary_of(first, block, stride_);
+      const int number = form_for(summary.sum, block.particles());
       runs_[form_kind].push_back(static_cast<char>(form_step(number, before)));
-      const Form form = form_of(number);
-      if (number > 0) put_block(block, count, form, runs_[form.kind], escapes, low_bits);
       before = number;
-      block += count;
+      if (number == 0) continue;
+      const Form& form = form_of(number);
+      for (std::size_t b = 0; b < block.columns; ++b)
+        put_symbols(first + b * stride_, block.length, form, runs_[form.kind]);
+      if (form.low_bits == 0 && summary.largest < form.escape) continue;
+      for (std::size_t b = 0; b < block.columns; ++b)
+        put_rest(first + b * stride_, block.length, form, escapes, low_bits);
     }
   }
   for (std::size_t kind = 0; kind < symbol_kinds; ++kind)
@@ -105,15 +183,18 @@ void RankPacker::append(const Ranks& ranks, std::string& bytes) {
 }
 
 RankUnpacker::RankUnpacker(const ParityPlanes& planes, std::span<const std::string> entropy_tables)
-    : planes_(planes), decompressor_(entropy_tables), block_sizes_(block_sizes(planes)) {}
+    : cells_(planes.cells()),
+      stride_(static_cast<std::size_t>(planes.stride())),
+      decompressor_(entropy_tables),
+      blocks_(rank_blocks(planes)) {}
 
 bool RankUnpacker::take_forms(std::string_view& bytes) {
-  forms_.resize(3 * block_sizes_.size());
+  forms_.resize(3 * blocks_.size());
   if (!decompressor_.take(form_kind, bytes, forms_.size(), forms_.data())) return false;
   for (std::size_t component = 0; component < 3; ++component) {
     int before = 0;
-    for (std::size_t block = 0; block < block_sizes_.size(); ++block) {
-      unsigned char& form = forms_[component * block_sizes_.size() + block];
+    for (std::size_t block = 0; block < blocks_.size(); ++block) {
+      unsigned char& form = forms_[component * blocks_.size() + block];
       before += unzigzag(form);
       if (before < 0 || before > largest_form) return false;
       form = static_cast<unsigned char>(before);
@@ -126,11 +207,11 @@ bool RankUnpacker::take_symbols(std::string_view& bytes) {
   std::array<std::size_t, symbol_kinds> sizes{};
   for (std::size_t block = 0; block < forms_.size(); ++block)
     if (forms_[block] > 0) {
-      const Form form = form_of(forms_[block]);
-      sizes[form.kind] += form.bytes(block_sizes_[block % block_sizes_.size()]);
+      const Form& form = form_of(forms_[block]);
+      sizes[form.kind] += form.bytes(blocks_[block % blocks_.size()]);
     }
   for (std::size_t kind = 1; kind < symbol_kinds; ++kind) {
-    symbols_[kind].resize(sizes[kind]);
+    symbols_[kind].resize(sizes[kind] + ParityPlanes::lane_quantum);  // whole vectors are read
     if (!decompressor_.take(kind, bytes, sizes[kind], symbols_[kind].data())) return false;
   }
   return true;
@@ -138,38 +219,10 @@ bool RankUnpacker::take_symbols(std::string_view& bytes) {
 
 namespace {
 
-// Spreads the symbols of a block over its ranks; true where an escape is among them.
-template <int per_byte>
-bool spread(const unsigned char* __restrict symbols, std::size_t count,
-            std::uint32_t* __restrict ranks) {
-  constexpr int bits = 8 / per_byte;
-  constexpr std::uint32_t escape = (1U << bits) - 1;
-  std::uint32_t escapes = 0;
-  const std::size_t whole = count / per_byte;
-  for (std::size_t k = 0; k < whole; ++k)
-    for (int part = 0; part < per_byte; ++part) {
-      const std::uint32_t rank = (std::uint32_t{symbols[k]} >> (bits * part)) & escape;
-      ranks[k * per_byte + static_cast<std::size_t>(part)] = rank;
-      escapes |= rank == escape ? 1U : 0U;
-    }
-  for (std::size_t k = whole * per_byte; k < count; ++k) {
-    ranks[k] = (std::uint32_t{symbols[whole]} >> (bits * static_cast<int>(k % per_byte))) & escape;
-    escapes |= ranks[k] == escape ? 1U : 0U;
-  }
-  return escapes != 0;
-}
-
-bool spread_block(const Form& form, const unsigned char* symbols, std::size_t count,
-                  std::uint32_t* ranks) {
-  if (form.symbols_per_byte == 4) return spread<4>(symbols, count, ranks);
-  if (form.symbols_per_byte == 2) return spread<2>(symbols, count, ranks);
-  return spread<1>(symbols, count, ranks);
-}
-
 bool take_escapes(std::string_view& bytes, std::uint32_t escape, std::size_t count,
                   std::uint32_t* ranks) {
   for (std::size_t k = 0; k < count; ++k) {
-    if (ranks[k] != escape) continue;
+    if (ranks[k] < escape) continue;
     const auto more = take_varint(bytes);
     if (!more) return false;
     ranks[k] += *more;
@@ -179,44 +232,56 @@ bool take_escapes(std::string_view& bytes, std::uint32_t escape, std::size_t cou
 
 }  // namespace
 
-bool RankUnpacker::unpack(std::string_view bytes, Ranks& ranks) {
-  if (!take_forms(bytes) || !take_symbols(bytes)) return false;
+bool RankUnpacker::spread_symbols(std::string_view& bytes, Ranks& ranks) const {
   std::array<const unsigned char*, symbol_kinds> next{};
   for (std::size_t kind = 0; kind < symbol_kinds; ++kind) next[kind] = symbols_[kind].data();
-  std::size_t block = 0;
-  std::uint64_t low_bit_count = 0;
+  const unsigned char* number = forms_.data();
+  const auto spread = loops().spread;
   for (auto& component : ranks) {
-    component.resize(room_for_ranks(planes_.grid()));
-    std::uint32_t* out = component.data();
-    for (const std::size_t count : block_sizes_) {
-      const int number = forms_[block++];
-      if (number == 0) {
-        std::fill_n(out, count, 0U);
-      } else {
-        const Form form = form_of(number);
-        const bool escapes = spread_block(form, next[form.kind], count, out);
-        next[form.kind] += form.bytes(count);
-        if (escapes && !take_escapes(bytes, form.escape(), count, out)) return false;
-        low_bit_count += static_cast<std::uint64_t>(form.low_bits) * count;
+    component.resize(cells_);
+    for (const RankBlock& block : blocks_) {
+      const Form& form = form_of(*number++);
+      std::uint32_t* first = component.data() + block.cell;
+      if (form.kind == 0) {
+        for (std::size_t b = 0; b < block.columns; ++b)
+          std::fill_n(first + b * stride_, block.length, 0U);
+        continue;
       }
-      out += count;
-    }
-  }
-  if (bytes.size() != (low_bit_count + 7) / 8) return false;
-  if (low_bit_count == 0) return true;
-  BitTaker low_bits(bytes);
-  block = 0;
-  for (auto& component : ranks) {
-    std::uint32_t* out = component.data();
-    for (const std::size_t count : block_sizes_) {
-      const int bits = form_of(forms_[block++]).low_bits;
-      if (bits > 0)
-        for (std::size_t k = 0; k < count; ++k)
-          out[k] = (out[k] << bits) | low_bits.take_bits(bits);
-      out += count;
+      const bool escapes = spread(form.symbol_bits(), form.escape, next[form.kind], block.columns,
+                                  block.length, stride_, first);
+      next[form.kind] += form.bytes(block);
+      for (std::size_t b = 0; escapes && b < block.columns; ++b)
+        if (!take_escapes(bytes, form.escape, block.length, first + b * stride_)) return false;
     }
   }
   return true;
+}
+
+bool RankUnpacker::add_low_bits(std::string_view bytes, Ranks& ranks) const {
+  std::uint64_t count = 0;
+  for (std::size_t block = 0; block < forms_.size(); ++block)
+    count += static_cast<std::uint64_t>(form_of(forms_[block]).low_bits) *
+             blocks_[block % blocks_.size()].particles();
+  if (bytes.size() != (count + 7) / 8) return false;
+  if (count == 0) return true;
+  BitTaker low_bits(bytes);
+  const unsigned char* number = forms_.data();
+  for (auto& component : ranks)
+    for (const RankBlock& block : blocks_) {
+      const int bits = form_of(*number++).low_bits;
+      if (bits == 0) continue;
+      for (std::size_t b = 0; b < block.columns; ++b)
+        for (std::size_t k = 0; k < block.length; ++k) {
+          std::uint32_t& rank = component[block.cell + b * stride_ + k];
+          rank = (rank << bits) | low_bits.take_bits(bits);
+        }
+    }
+  return true;
+}
+
+bool RankUnpacker::unpack(std::string_view bytes, Ranks& ranks) {
+  return take_forms(bytes) && take_symbols(bytes) && spread_symbols(bytes, ranks) &&
+         add_low_bits(bytes, ranks);
 }
 
 }  // namespace ribbon

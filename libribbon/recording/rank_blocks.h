@@ -15,16 +15,26 @@
 
 namespace ribbon {
 
-// Of each component as many ranks as there are particles, in the order of the planes; behind them
-// there is room for one more row quantum.
-using Ranks = std::array<std::vector<std::uint32_t>, 3>;
-inline std::size_t room_for_ranks(const RibbonGrid& grid) {
-  return static_cast<std::size_t>(grid.particle_count()) + ParityPlanes::row_quantum;
-}
+using Ranks = PlaneFields<std::uint32_t>;
+
+// Particles whose ranks are written in one form: a stretch of up to four columns of a plane.
+struct RankBlock {
+  std::size_t cell = 0;  // its first one
+  std::size_t columns = 0;
+  std::size_t length = 0;  // particles of each column
+
+  [[nodiscard]] std::size_t particles() const { return columns * length; }
+};
+
+// The blocks of a component, in their order.
+std::vector<RankBlock> rank_blocks(const ParityPlanes& planes);
 
 // Kinds of runs of symbols: the forms of the blocks, and one for each of seven forms.
 inline constexpr std::size_t form_kind = 0;
 inline constexpr std::size_t symbol_kinds = 8;
+
+// All bytes that a run of this kind can hold.
+std::vector<unsigned char> symbols_of(std::size_t kind);
 
 // Symbol runs as they are before entropy coding, by kind.
 using SymbolRuns = std::array<std::string, symbol_kinds>;
@@ -33,7 +43,9 @@ using SymbolRuns = std::array<std::string, symbol_kinds>;
 class RankPacker {
  public:
   RankPacker(const ParityPlanes& planes, std::span<const std::string> entropy_tables)
-      : planes_(planes), compressor_(entropy_tables) {}
+      : stride_(static_cast<std::size_t>(planes.stride())),
+        blocks_(rank_blocks(planes)),
+        compressor_(entropy_tables) {}
 
   // Appends the ranks to `bytes`, to be followed by nothing else.
   void append(const Ranks& ranks, std::string& bytes);
@@ -42,7 +54,8 @@ class RankPacker {
   [[nodiscard]] const SymbolRuns& runs() const { return runs_; }
 
  private:
-  ParityPlanes planes_;
+  std::size_t stride_;
+  std::vector<RankBlock> blocks_;
   SymbolCompressor compressor_;
   SymbolRuns runs_;
 };
@@ -57,11 +70,14 @@ class RankUnpacker {
  private:
   bool take_forms(std::string_view& bytes);
   bool take_symbols(std::string_view& bytes);
+  bool spread_symbols(std::string_view& bytes, Ranks& ranks) const;
+  bool add_low_bits(std::string_view bytes, Ranks& ranks) const;
 
-  ParityPlanes planes_;
+  std::size_t cells_;
+  std::size_t stride_;
   SymbolDecompressor decompressor_;
-  std::vector<std::size_t> block_sizes_;  // of one component
-  std::vector<unsigned char> forms_;      // of all components
+  std::vector<RankBlock> blocks_;     // of one component
+  std::vector<unsigned char> forms_;  // of all components
   std::array<std::vector<unsigned char>, symbol_kinds> symbols_;
 };
 

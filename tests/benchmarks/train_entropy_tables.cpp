@@ -2,10 +2,15 @@
 //   train_entropy_tables hourglass.rbn cylinder.rbn small-object.rbn
 // Frames are encoded without tables at three bounds; what each kind of run then holds gives its
 // table. Prints them in hexadecimal digits, a line for each kind.
+#define ZSTD_STATIC_LINKING_ONLY  // for the layout of frames
 #include <zdict.h>
+#include <zstd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <memory>
+#include <random>
 
 #include "benchmarks/benchmark_main.h"
 #include "benchmarks/recorded_motion.h"
@@ -55,8 +60,54 @@ void encode(const RecordedMotion& motion, double relative_bound, SamplesByKind& 
   }
 }
 
+// What zstd writes of the tree by which it codes the literals of a compressed block, and behind it.
+struct Tree {
+  std::string_view description;
+  std::string_view rest;
+};
+Tree tree_at(std::string_view bytes) {
+  const auto head = static_cast<unsigned char>(bytes.front());
+  const std::size_t size = 1 + (head < 128 ? head : (head - 127U + 1) / 2);
+  return {bytes.substr(0, size), bytes.substr(size)};
+}
+
+// Samples thinned out to one block of zstd, and behind them every
+// symbol once, so that the tree of the block has a place for it; and for the last of all bytes, for
+// zstd takes no dictionary without.
+std::string block_of(const Samples& samples, std::span<const unsigned char> symbols) {
+  constexpr std::size_t block_size = 120'000;
+  std::string block = samples.bytes;
+  std::shuffle(block.begin(), block.end(), std::mt19937(1));
+  block.resize(std::min(block.size(), block_size));
+  block.append(symbols.begin(), symbols.end());
+  block += '\xFF';
+  return block;
+}
+
+// The tree for the literals of a block. ZDICT gives all 256 symbols a place, which those that are
+// never used do not need and the others then lack.
+std::string tree_of(const std::string& block) {
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                     &ZSTD_freeCCtx);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, ZSTD_minCLevel());
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_literalCompressionMode, ZSTD_ps_enable);
+  std::string frame(ZSTD_compressBound(block.size()), '\0');
+  const std::size_t size =
+      ZSTD_compress2(context.get(), frame.data(), frame.size(), block.data(), block.size());
+  if (ZSTD_isError(size) != 0) return "";
+  constexpr std::size_t block_head_size = 3;
+  // Behind the frame's head stands that of the block, then that of the literals: their kind (2 says
+  // that a tree follows) and in the next two bits how long it is itself.
+  const std::size_t literals = ZSTD_frameHeaderSize(frame.data(), size) + block_head_size;
+  const auto head = static_cast<unsigned char>(frame[literals]);
+  if ((head & 3) != 2) return "";
+  constexpr std::array<std::size_t, 4> head_sizes = {3, 3, 4, 5};
+  return std::string(
+      tree_at(std::string_view(frame).substr(literals + head_sizes[head >> 2 & 3])).description);
+}
+
 // A zstd dictionary without content of its own: only its tables matter.
-std::string table_of(const Samples& samples) {
+std::string table_of(const Samples& samples, std::span<const unsigned char> symbols) {
   const std::string content(8, '\0');
   std::string table(4096, '\0');
   const ZDICT_params_t parameters{.compressionLevel = 1, .notificationLevel = 0, .dictID = 1};
@@ -65,7 +116,9 @@ std::string table_of(const Samples& samples) {
       samples.sizes.data(), static_cast<unsigned>(samples.sizes.size()), parameters);
   if (ZDICT_isError(size) != 0) return "";
   table.resize(ZDICT_getDictHeaderSize(table.data(), size));
-  return table + content;
+  constexpr std::size_t head_size = 8;  // magic and number
+  return table.substr(0, head_size) + tree_of(block_of(samples, symbols)) +
+         std::string(tree_at(std::string_view(table).substr(head_size)).rest) + content;
 }
 
 Result<ExitCode> train(const Options& options) {
@@ -75,8 +128,8 @@ Result<ExitCode> train(const Options& options) {
     if (!motion) return tl::unexpected(motion.error());
     for (const double bound : {3e-6, 1e-5, 3e-5}) encode(*motion, bound, samples);
   }
-  for (const Samples& kind : samples) {
-    for (const char byte : table_of(kind))
+  for (std::size_t kind = 0; kind < symbol_kinds; ++kind) {
+    for (const char byte : table_of(samples[kind], symbols_of(kind)))
       std::printf("%02x", static_cast<unsigned>(static_cast<unsigned char>(byte)));
     std::printf("\n");
   }

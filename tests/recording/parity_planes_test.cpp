@@ -23,13 +23,20 @@ TEST_P(Planes, every_particle_has_a_cell_of_its_own) {
 
 TEST_P(Planes, together_they_hold_all_particles) {
   const ParityPlanes planes(GetParam());
-  std::size_t particles = 0;
+  int particles = 0;
+  for (int plane = 0; plane < ParityPlanes::count; ++plane)
+    particles += planes.rows(plane) * planes.columns(plane);
+  EXPECT_EQ(particles, GetParam().particle_count());
+}
+
+TEST_P(Planes, whole_vectors_of_a_column_end_before_the_next) {
+  const ParityPlanes planes(GetParam());
+  constexpr int quantum = ParityPlanes::lane_quantum;
   for (int plane = 0; plane < ParityPlanes::count; ++plane) {
-    EXPECT_EQ(planes.particles(plane),
-              static_cast<std::size_t>(planes.rows(plane) * planes.columns(plane)));
-    particles += planes.particles(plane);
+    const int whole = (planes.rows(plane) + quantum - 1) / quantum * quantum;
+    EXPECT_LE(whole, planes.stride());
+    EXPECT_LE(planes.cell(plane, whole, planes.columns(plane)), planes.cells());
   }
-  EXPECT_EQ(particles, static_cast<std::size_t>(GetParam().particle_count()));
 }
 
 TEST_P(Planes, neighbours_lie_at_constant_distances) {

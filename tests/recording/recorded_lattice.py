@@ -10,6 +10,8 @@ PLAIN, LATTICE = 0, 1
 WITHIN, FORWARD, BETWEEN = 0, 1, 2
 PLANE_ORDER = (0, 3, 1, 2)
 BLOCK_RANKS = 64
+BLOCK_COLUMNS = 4
+LARGEST_NUMBER = 2**24
 F = np.float32
 
 
@@ -48,10 +50,10 @@ def zigzag(number):
 
 
 class Frame:
-    """A decoded frame: numbers and values by component, row and column, or only the coordinates."""
+    """A decoded frame: values by component, row and column, or only the coordinates."""
 
-    def __init__(self, numbers=None, values=None, coordinates=None):
-        self.numbers, self.values, self.coordinates = numbers, values, coordinates
+    def __init__(self, values=None, coordinates=None):
+        self.values, self.coordinates = values, coordinates
 
     @property
     def plain(self):
@@ -63,7 +65,11 @@ class LatticeCodec:
         self.header = header
         self.along, self.across = header.along, header.across
         self.step = F(header.lattice_step_m)
+        unit = float(self.step) if self.step > 0 else 1.0
+        natural = [header.length_m / (self.along - 1) / unit, header.width_m / (self.across - 1) / unit]
+        self.over_rest = [F(1) / F(length * length) for length in natural]
         self.places = [plane_of(self.along, self.across, plane) for plane in PLANE_ORDER]
+        self.blocks = [b for plane in PLANE_ORDER for b in blocks_of(self.along, self.across, plane)]
 
     def coordinates(self, frame):
         """3 x particles, f32."""
@@ -94,16 +100,9 @@ class LatticeCodec:
             weights = [F(w) / F(64) for w in struct.unpack("4b", content.bytes(4))]
         else:
             weights = take_weights(content, prediction)
-        ranks = take_ranks(content, self.header.entropy_tables, [len(i) for i, _ in self.places])
-        frame = Frame(
-            np.zeros((3, self.along, self.across), "i4"), np.zeros((3, self.along, self.across), "f4")
-        )
         rank_grid = np.zeros((3, self.along, self.across), "i8")
-        for component in range(3):
-            begin = 0
-            for i, j in self.places:
-                rank_grid[component, i, j] = ranks[component][begin : begin + len(i)]
-                begin += len(i)
+        take_ranks(content, self.header.entropy_tables, self.blocks, rank_grid)
+        frame = Frame(np.zeros((3, self.along, self.across), "f4"))
         with np.errstate(over="ignore", invalid="ignore"):
             if prediction == WITHIN:
                 self.rebuild_within(frame, rank_grid, weights)
@@ -126,15 +125,14 @@ class LatticeCodec:
             nearest = whole + (fraction >= 0.5) - (fraction < -0.5)
             below = ((fraction >= -0.5) & (fraction < 0)) | (fraction >= 0.5)
             offset = np.where(odd != below, half, -half)
-            start = 0 if reference is None else reference.numbers[where].astype("i8")
-            numbers = wrapped(start + nearest + offset)
+            start = 0 if reference is None else reference.values[where].astype("i8")
+            numbers = np.clip(wrapped(start + nearest + offset), -LARGEST_NUMBER, LARGEST_NUMBER)
             frame.values[where] = numbers.astype("f4")
         else:
             v = predicted if reference is None else reference.values[where] + predicted
             v = np.where(np.isfinite(v), v, F(0))
             numbers = wrapped(ordered(v.view("i4")).astype("i8") + np.where(odd, half, -half))
             frame.values[where] = ordered(numbers).view("f4")
-        frame.numbers[where] = numbers
 
     # Section 8.5, within.
 
@@ -157,7 +155,7 @@ class LatticeCodec:
             self.set_numbers(frame, (i, j), m, ranks[:, i, j])
 
     def rebuild_coarse(self, frame, ranks):
-        """Plane 0, one particle after the other."""
+        """Plane 0, one particle after the other, row by row: each needs only what lies before it."""
         plane = frame.values[:, ::2, ::2]
         rows, columns = plane.shape[1:]
         for a in range(rows):
@@ -190,43 +188,38 @@ class LatticeCodec:
     # Section 8.5, forward and between.
 
     def rebuild_moved(self, frame, ranks, weights, prediction, references):
-        coarse, near1, near2, near3, past3, near4, past4 = weights
-        terms = self.past_terms(prediction, references)
         first = references[0]
-        self.rebuild_coarse_moved(frame, ranks, weighted(coarse, terms), (near1, near2), first)
+        terms = self.past_terms(prediction, references)
+        self.rebuild_coarse_moved(frame, ranks, weights[:2], terms, first)
         motion = self.nearest(frame.values - first.values, [0])
+        near, past = weights[2]
         i, j = self.places[1]
         around = [(i - 1, j - 1), (i - 1, j + 1), (i + 1, j - 1), (i + 1, j + 1)]
-        m = summed(weighted(past3, terms)[:, i, j], near3, [motion(*place) for place in around])
+        m = terms(past)[:, i, j] + paired(near, [motion(*place) for place in around])
         self.set_numbers(frame, (i, j), m, ranks[:, i, j], first)
         motion = self.nearest(frame.values - first.values, [0, 3])
-        past = weighted(past4, terms)
+        near, past = weights[3]
+        expected = terms(past)
         for i, j in self.places[2:]:
             around = [(i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)]
-            m = summed(past[:, i, j], near4, [motion(*place) for place in around])
+            m = expected[:, i, j] + paired(near, [motion(*place) for place in around])
             self.set_numbers(frame, (i, j), m, ranks[:, i, j], first)
 
-    def rebuild_coarse_moved(self, frame, ranks, past, nears, first):
-        """Stages 0 to 2: plane 0."""
-        rows, columns = past[:, ::2, ::2].shape[1:]
-        missed = np.zeros((3, rows + 2, columns + 2), "f4")  # one cell more on each side
-        a, b = (x.ravel() for x in np.mgrid[:rows, :columns])
-        diagonal = [(-1, -1), (-1, 1), (1, -1), (1, 1)]
-        straight = [(-1, 0), (1, 0), (0, -1), (0, 1)]
-        stages = [
-            ((a % 2 == 0) & (b % 2 == 0), [], []),
-            ((a % 2 == 1) & (b % 2 == 1), nears[0], diagonal),
-            (a % 2 != b % 2, nears[1], straight),
-        ]
-        for chosen, near, around in stages:
-            i, j = a[chosen], b[chosen]
-            if len(i) == 0:
-                continue
-            expected = past[:, 2 * i, 2 * j]
-            m = summed(expected, near, [missed[:, i + 1 + di, j + 1 + dj] for di, dj in around])
-            self.set_numbers(frame, (2 * i, 2 * j), m, ranks[:, 2 * i, 2 * j], first)
-            moved = frame.values[:, 2 * i, 2 * j] - first.values[:, 2 * i, 2 * j]
-            missed[:, i + 1, j + 1] = moved - expected
+    def rebuild_coarse_moved(self, frame, ranks, weights, terms, first):
+        """Stages 0 and 1: plane 0, column after column."""
+        (_, past), (near, next_past) = weights
+        expected = terms(past)[:, ::2, ::2]
+        next_expected = terms(next_past)[:, ::2, ::2]
+        rows = np.arange(expected.shape[1])
+        for b in range(expected.shape[2]):
+            m = expected[:, :, b]
+            if b > 0:
+                moved = frame.values[:, ::2, 2 * b - 2] - first.values[:, ::2, 2 * b - 2]
+                before, after = np.maximum(rows - 1, 0), np.minimum(rows + 1, rows[-1])
+                taps = near[0] * moved[:, before] + near[1] * moved
+                m = next_expected[:, :, b] + (taps + near[2] * moved[:, after])
+            where = (2 * rows, np.full_like(rows, 2 * b))
+            self.set_numbers(frame, where, m, ranks[:, ::2, 2 * b], first)
 
     def nearest(self, motion, planes):
         """q(i, j) for particles of these planes; beyond a plane's border that of its nearest cell."""
@@ -241,42 +234,41 @@ class LatticeCodec:
         return values
 
     def past_terms(self, prediction, references):
-        """What c0, c1, ... weigh, each 3 x along x across."""
+        """A function of the weights c0, c1, ...: past(i, j), 3 x along x across."""
         values = [extended(extended(r.values, 1, 1), 2, 1) for r in references]
-        values += [None] * (4 - len(values))
-        first, second, third, fourth = values
+        instead = [None, 0, 1 if prediction == FORWARD else 0, 1]
+        for k in range(len(values), 4):
+            values.append(values[instead[k]])
+        a, b, c, d = values
+        p, second, v = Shifted(a), Shifted(b), Shifted(a - b)
+        w = Shifted(b - c if prediction == FORWARD else a - c)
+        u = Shifted(d - b)
 
-        def difference(to, origin):
-            return np.zeros_like(first) if to is None or origin is None else to - origin
+        def past(c):
+            line = (c[0] * v(0, 0) + c[1] * v(-1, 0)) + c[2] * v(1, 0)
+            sides = (c[3] * v(0, -1) + c[4] * v(0, 1)) + c[5] * w(0, 0)
+            along = self.springs(p, (1, 0), c[6], c[8])
+            across = self.springs(p, (0, 1), c[7], c[9])
+            sum_of_all = (line + sides) + (along + across)
+            if prediction == FORWARD:
+                return sum_of_all
+            second_along = self.springs(second, (1, 0), F(0), c[11])
+            second_across = self.springs(second, (0, 1), F(0), c[12])
+            return sum_of_all + (c[10] * u(0, 0) + (second_along + second_across))
 
-        v = Shifted(difference(first, second))
-        w = Shifted(difference(second, third) if prediction == FORWARD else difference(first, third))
-        p = Shifted(first)
-        twice = p(0, 0) + p(0, 0)
-        terms = [v(0, 0), v(-1, 0), v(1, 0), v(0, -1), v(0, 1)]
-        terms.append((v(-1, -1) + v(-1, 1)) + (v(1, -1) + v(1, 1)))
-        terms.append(w(0, 0))
-        terms.append((p(-1, 0) + p(1, 0)) - twice)
-        terms.append((p(0, -1) + p(0, 1)) - twice)
-        terms.append(((p(-1, -1) + p(-1, 1)) - twice) + ((p(1, -1) + p(1, 1)) - twice))
-        terms += self.pulls(references[0])
-        if prediction == BETWEEN:
-            terms.append(Shifted(difference(fourth, second))(0, 0))
-            terms += self.pulls(references[1] if len(references) > 1 else references[0])
-        return terms
+        return past
 
-    def pulls(self, frame):
-        """S and T of a frame."""
-        unit = float(self.step) if self.step > 0 else 1.0
-        lengths = [self.header.length_m, self.header.width_m]
-        for axis, length in enumerate(lengths, 1):
-            natural = length / (frame.values.shape[axis] - 1) / unit
-            over_rest = F(1) / F(natural * natural)
-            edge = np.diff(frame.values, axis=axis)
+    def springs(self, p, step, bend, pull):
+        """What the edges to the next and from the last particle in a direction add."""
+        di, dj = step
+        over_rest = self.over_rest[0 if di else 1]
+        at_rest, stretched = bend - pull, pull * over_rest
+
+        def weighed(edge):
             squared = (edge[0] * edge[0] + edge[1] * edge[1]) + edge[2] * edge[2]
-            pull = edge * (squared * over_rest - F(1))
-            none = np.zeros_like(frame.values.take([0], axis=axis))
-            yield np.diff(np.concatenate([none, pull, none], axis=axis), axis=axis)
+            return (at_rest + stretched * squared) * edge
+
+        return weighed(p(di, dj) - p(0, 0)) - weighed(p(0, 0) - p(-di, -dj))
 
 
 class Shifted:
@@ -325,46 +317,45 @@ def extended(field, axis, count):
     return np.concatenate(cells, axis=axis)
 
 
-def sum_of(weights, terms):
-    total = weights[0] * terms[0]
-    for weight, term in zip(weights[1:], terms[1:], strict=True):
-        total = total + weight * term
-    return total
-
-
-def weighted(weights, terms):
-    motion, more_motion, bend, pull = (
-        sum_of(weights[begin:end], terms[begin:end]) for begin, end in [(0, 4), (4, 7), (7, 10), (10, None)]
-    )
-    return (motion + more_motion) + (bend + pull)
-
-
-def summed(start, weights, terms):
-    if len(weights) == 0:
-        return start
-    return start + (sum_of(weights[:2], terms[:2]) + sum_of(weights[2:], terms[2:]))
+def paired(weights, terms):
+    n0, n1, n2, n3 = (weight * term for weight, term in zip(weights, terms, strict=True))
+    return (n0 + n1) + (n2 + n3)
 
 
 def take_weights(content, prediction):
-    """Section 8.5, the last paragraph: past of stages 0 to 2, near 1, near 2, near and past of 3, of 4."""
+    """Section 8.5, the last paragraph: near and past of each stage."""
     shift = content.bytes(1)[0]
     if shift > 30:
         raise Damaged("weights are shifted too far")
-    past = 12 if prediction == FORWARD else 15
-    return [
-        [F(zigzag(content.varint())) * F(2.0**-shift) for _ in range(count)]
-        for count in (past, 4, 4, 4, past, 4, past)
-    ]
+
+    def take(count):
+        return [F(zigzag(content.varint())) * F(2.0**-shift) for _ in range(count)]
+
+    past = 10 if prediction == FORWARD else 13
+    return [(take(near), take(past)) for near in (0, 3, 4, 4)]
 
 
 # Section 8.6.
 
 
+# Symbols in a byte and the escape of forms 1 to 7.
+FORMS = [(4, 3), (2, 5), (2, 7), (2, 11), (1, 31), (1, 63), (1, 127)]
+
+
 def form_of(number):
-    """Symbols in a byte, low bits, run."""
-    if number <= 4:
-        return (4 if number <= 2 else 2), 0, number
-    return 1, max(0, number - 7), min(number, 7)
+    """Symbols in a byte, escape, low bits, run."""
+    per_byte, escape = FORMS[min(number, 7) - 1]
+    return per_byte, escape, max(0, number - 7), min(number, 7)
+
+
+def blocks_of(along, across, plane):
+    """Rows and columns of the ribbon that the blocks of a plane lie in, by column of the plane."""
+    rows, columns = np.arange(plane // 2, along, 2), np.arange(plane % 2, across, 2)
+    for b in range(0, len(columns), BLOCK_COLUMNS):
+        chosen = columns[b : b + BLOCK_COLUMNS]
+        length = BLOCK_RANKS // {1: 1, 2: 2, 3: 4, 4: 4}[len(chosen)]
+        for a in range(0, len(rows), length):
+            yield [(rows[a : a + length], np.full(len(rows[a : a + length]), j)) for j in chosen]
 
 
 def take_run(content, tables, run, symbols):
@@ -390,46 +381,45 @@ def take_forms(content, tables, blocks):
         yield forms
 
 
-def take_ranks(content, tables, plane_sizes):
-    """The ranks of each component in the order of the planes."""
-    sizes = [min(BLOCK_RANKS, n - k) for n in plane_sizes for k in range(0, n, BLOCK_RANKS)]
-    forms = list(take_forms(content, tables, len(sizes)))
+def take_ranks(content, tables, blocks, rank_grid):
+    """Puts the ranks of each component where they belong in the grid."""
+    forms = list(take_forms(content, tables, len(blocks)))
     run_bytes = [0] * 8
     for component in forms:
-        for number, count in zip(component, sizes):
-            per_byte, _, run = form_of(number)
-            run_bytes[run] += -(-count // per_byte) if number else 0
+        for number, block in zip(component, blocks, strict=True):
+            if number > 0:
+                per_byte, _, _, run = form_of(number)
+                run_bytes[run] += sum(-(-len(i) // per_byte) for i, _ in block)
     runs = [Content(take_run(content, tables, run, run_bytes[run])) for run in range(1, 8)]
-    symbols = [
-        [take_symbols(runs, number, count, content) for number, count in zip(component, sizes)]
-        for component in forms
-    ]
-    return add_low_bits(symbols, forms, sizes, content.rest())
+    for component, component_forms in enumerate(forms):
+        for number, block in zip(component_forms, blocks, strict=True):
+            for i, j in block:
+                rank_grid[component, i, j] = take_symbols(runs, number, len(i), content)
+    add_low_bits(rank_grid, forms, blocks, content.rest())
 
 
 def take_symbols(runs, number, count, content):
-    """The ranks of a block but for their low bits; escapes are taken from the content."""
+    """The ranks of a column of a block but for their low bits; escapes are taken from the content."""
     if number == 0:
         return [0] * count
-    per_byte, _, run = form_of(number)
+    per_byte, escape, _, run = form_of(number)
     bits = 8 // per_byte
-    escape = (1 << bits) - 1
     data = runs[run - 1].bytes(-(-count // per_byte))
-    high = [(data[k // per_byte] >> (k % per_byte * bits)) & escape for k in range(count)]
-    return [symbol if symbol < escape else escape + content.varint() for symbol in high]
+    high = [(data[k // per_byte] >> (k % per_byte * bits)) & ((1 << bits) - 1) for k in range(count)]
+    return [symbol if symbol < escape else symbol + content.varint() for symbol in high]
 
 
-def add_low_bits(symbols, forms, sizes, data):
+def add_low_bits(rank_grid, forms, blocks, data):
     bits, at = int.from_bytes(data, "little"), 0
-    ranks = []
-    for component, component_forms in zip(symbols, forms):
-        numbers = []
-        for block, number in zip(component, component_forms):
-            low_bits = form_of(number)[1]
-            for high in block:
-                numbers.append((high << low_bits) | ((bits >> at) & ((1 << low_bits) - 1)))
-                at += low_bits
-        ranks.append(numbers)
+    for component, component_forms in enumerate(forms):
+        for number, block in zip(component_forms, blocks, strict=True):
+            low_bits = form_of(number)[2] if number > 0 else 0
+            if low_bits == 0:
+                continue
+            for column in block:
+                for i, j in zip(*column, strict=True):
+                    low = (bits >> at) & ((1 << low_bits) - 1)
+                    rank_grid[component, i, j] = (rank_grid[component, i, j] << low_bits) | low
+                    at += low_bits
     if len(data) != (at + 7) // 8:
         raise Damaged("a frame's geometry has another length than it needs")
-    return ranks
