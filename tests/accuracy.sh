@@ -7,7 +7,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
-build release -DRIBBON_BUILD_TESTS=ON -- benchmark_accuracy
+build release -DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=ON -- benchmark_accuracy
 results=$root/out/accuracy
 mkdir -p "$results"
 status=0

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/lint.sh format | shell | tidy [FILE...]: one check over all files that git knows, or those
-# given. tidy needs the compile commands of build/release, and for all files those of build/sanitize.
-# Prints what is wrong, fails when anything is.
+# tests/lint.sh format | shell | tidy [FILE...] | tidy-all: one check over all files that git knows, or
+# those given; tidy without files over all but tests. Needs the compile commands of build/release, and
+# tidy-all those of build/sanitize as well. Prints what is wrong, fails when anything is.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -49,20 +49,25 @@ case ${1-} in
   shell) git ls-files -z '*.sh' .ci | on_all_cores shellcheck --external-sources ;;
   # Headers are looked at through the sources that include them. Fuzz targets are built with the
   # sanitizers only.
-  tidy)
+  tidy | tidy-all)
     build_plugin
     find_planted
     export -f tidy
     export llvm plugin
-    if [[ $# -gt 1 ]]; then printf '%s\0' "${@:2}" | tidy_by release; else
-      status=0
-      git ls-files -z '*.cpp' ':!tests/lint' ':!tests/fuzz' | tidy_by release || status=$?
-      git ls-files -z 'tests/fuzz/*.cpp' | tidy_by sanitize || status=$?
-      exit "$status"
+    status=0
+    if [[ $# -gt 1 ]]; then
+      printf '%s\0' "${@:2}" | tidy_by release
+    else
+      git ls-files -z '*.cpp' ':!tests' | tidy_by release || status=$?
     fi
+    if [[ $1 == tidy-all ]]; then
+      git ls-files -z 'tests/*.cpp' ':!tests/lint' ':!tests/fuzz' | tidy_by release || status=$?
+      git ls-files -z 'tests/fuzz/*.cpp' | tidy_by sanitize || status=$?
+    fi
+    exit "$status"
     ;;
   *)
-    echo "unknown check '${1-}'; write format, shell or tidy" >&2
+    echo "unknown check '${1-}'; write format, shell, tidy or tidy-all" >&2
     exit 2
     ;;
 esac

@@ -8,7 +8,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
-build release -DRIBBON_BUILD_TESTS=ON -- ribbon-record benchmark_recording
+build release -DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=ON -- ribbon-record benchmark_recording
 results=$root/out/recording
 mkdir -p "$results"
 
