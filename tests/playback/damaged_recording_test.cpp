@@ -26,19 +26,11 @@ namespace {
 constexpr int frames = 20;  // a group of 16 and the start of the next
 constexpr int second_group = 16;
 
-RecordingHeader small_header() {
-  RecordingHeader header = sample_header();
-  header.grid = {3, 2};
-  header.uv = Eigen::Matrix2Xf::Zero(2, 6);
-  header.obstacle.reset();
-  return header;
-}
-
 // A recording as small as possible, and what its undamaged frames are.
 class DamagedRecording : public testing::Test {
  protected:
   DamagedRecording() {
-    auto writer = RecordingWriter::create(path_, small_header());
+    auto writer = RecordingWriter::create(path_, sample_header({3, 2}));
     header_end_ = writer->bytes_written();
     for (int frame = 0; frame < frames; ++frame) {
       if (frame == 10) {
@@ -284,7 +276,7 @@ TEST_F(DamagedRecording, an_index_that_points_elsewhere_is_found_out) {
 }
 
 TEST_F(DamagedRecording, frames_of_another_recording_do_not_belong) {
-  RecordingHeader other = small_header();
+  RecordingHeader other = sample_header({3, 2});
   other.scene_name = "other";
   const std::string header =
       std::string(file_signature) + make_record(RecordType::header, header_payload(other));
@@ -341,7 +333,7 @@ TEST_F(DamagedRecording, geometry_that_is_not_valid_makes_its_group_unreadable) 
 
 // Nothing that a writer of ours writes, and whole by all checksums.
 TEST_F(DamagedRecording, frames_that_refer_to_later_ones_are_not_readable) {
-  auto writer = RecordingWriter::create(path_, small_header());
+  auto writer = RecordingWriter::create(path_, sample_header({3, 2}));
   const std::vector<std::vector<std::uint32_t>> references = {{}, {2}, {1, 0}, {2}};
   for (std::uint32_t frame = 0; frame < references.size(); ++frame) {
     FrameRecord record{.frame = frame};
@@ -358,10 +350,11 @@ TEST_F(DamagedRecording, frames_that_refer_to_later_ones_are_not_readable) {
 // The directory leads to frame 256; the index that tells of the frames before it is found out to be
 // damaged only while looking for those that it needs.
 TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
-  PositionEncoder encoder(codec_parameters(small_header()), small_header().max_position_error_m);
+  PositionEncoder encoder(codec_parameters(sample_header({3, 2})),
+                          sample_header({3, 2}).max_position_error_m);
   std::uint64_t first_index = 0;
   {
-    auto writer = RecordingWriter::create(path_, small_header());
+    auto writer = RecordingWriter::create(path_, sample_header({3, 2}));
     LatticeFrame last;
     for (std::uint32_t frame = 0; frame < 258; ++frame) {
       if (frame == 256) first_index = writer->bytes_written();
@@ -392,7 +385,7 @@ TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
 }
 
 TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {
-  std::string payload = header_payload(small_header());
+  std::string payload = header_payload(sample_header({3, 2}));
   payload[0] = 7;
   const auto reader = open(std::string(file_signature) + make_record(RecordType::header, payload));
   ASSERT_FALSE(reader.has_value());

@@ -14,14 +14,6 @@ namespace {
 
 constexpr int frames = 50'000;
 
-RecordingHeader tiny_header() {
-  RecordingHeader header = sample_header();
-  header.grid = {2, 2};
-  header.uv = Eigen::Matrix2Xf::Zero(2, 4);
-  header.obstacle.reset();
-  return header;
-}
-
 Eigen::Matrix3Xd tiny_positions(int frame) {
   return Eigen::Matrix3Xd::Constant(3, 4, std::sin(0.01 * frame));
 }
@@ -37,7 +29,7 @@ double seconds_to_open(const std::filesystem::path& path) {
 TEST(LongRecording, it_opens_at_once_and_any_frame_is_near) {
   const auto path = temporary_file("long.rbn");
   {
-    auto writer = RecordingWriter::create(path, tiny_header()).value();
+    auto writer = RecordingWriter::create(path, sample_header({2, 2})).value();
     for (int frame = 0; frame < frames; ++frame)
       ASSERT_TRUE(writer.append(sample_numbers(frame), tiny_positions(frame)).has_value());
     ASSERT_TRUE(writer.finish().has_value());

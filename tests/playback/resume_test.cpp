@@ -24,14 +24,6 @@ namespace {
 constexpr int frames = 300;  // more than one index record
 const SessionNote note{SessionReason::resumed, "tests", ""};
 
-RecordingHeader small_header() {
-  RecordingHeader header = sample_header();
-  header.grid = {3, 2};
-  header.uv = Eigen::Matrix2Xf::Zero(2, 6);
-  header.obstacle.reset();
-  return header;
-}
-
 Eigen::Matrix3Xd positions(int frame) {
   Eigen::Matrix3Xd result(3, 6);
   for (int p = 0; p < 6; ++p)
@@ -57,7 +49,7 @@ void put_file(const std::filesystem::path& path, const std::string& bytes) {
 class ResumedRecording : public testing::Test {
  protected:
   ResumedRecording() {
-    auto whole = RecordingWriter::create(whole_path_, small_header()).value();
+    auto whole = RecordingWriter::create(whole_path_, sample_header({3, 2})).value();
     append(whole, 0, frames);
     EXPECT_TRUE(whole.finish(RunEnding::duration).has_value());
     whole_ = read_file(whole_path_).value();
@@ -105,7 +97,7 @@ TEST_F(ResumedRecording, a_killed_one_goes_on_to_the_same_bytes) {
 
 TEST_F(ResumedRecording, a_finished_one_is_extended_behind_its_footer) {
   {
-    auto writer = RecordingWriter::create(path_, small_header()).value();
+    auto writer = RecordingWriter::create(path_, sample_header({3, 2})).value();
     append(writer, 0, 130);
     ASSERT_TRUE(writer.finish(RunEnding::duration).has_value());
   }
@@ -132,7 +124,8 @@ TEST_F(ResumedRecording, a_finished_one_is_extended_behind_its_footer) {
 TEST_F(ResumedRecording, any_life_gives_all_frames) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     std::mt19937 random(seed);
-    std::optional<RecordingWriter> writer = RecordingWriter::create(path_, small_header()).value();
+    std::optional<RecordingWriter> writer =
+        RecordingWriter::create(path_, sample_header({3, 2})).value();
     std::size_t sessions = 0;
     for (int frame = 0; frame < frames;) {
       const int end = std::min(frame + static_cast<int>(random() % 90), frames);
@@ -177,7 +170,7 @@ TEST_F(ResumedRecording, a_torn_tail_is_cut_and_nothing_else) {
 }
 
 TEST_F(ResumedRecording, every_prefix_can_go_on) {
-  auto writer = RecordingWriter::create(path_, small_header()).value();
+  auto writer = RecordingWriter::create(path_, sample_header({3, 2})).value();
   const std::size_t header_end = writer.bytes_written();
   append(writer, 0, 8);
   ASSERT_TRUE(writer.append_session(note).has_value());
@@ -198,7 +191,7 @@ TEST_F(ResumedRecording, every_prefix_can_go_on) {
 TEST_F(ResumedRecording, after_damage_only_what_was_hit_is_lost) {
   constexpr int killed_at = 272;  // a group begins here
   {
-    auto killed = RecordingWriter::create(path_, small_header()).value();
+    auto killed = RecordingWriter::create(path_, sample_header({3, 2})).value();
     append(killed, 0, killed_at);
   }
   const std::string bytes = read_file(path_).value();
@@ -233,7 +226,7 @@ TEST_F(ResumedRecording, only_one_writer_at_a_time) {
   const auto second = resume_recording(path_);
   ASSERT_FALSE(second.has_value());
   EXPECT_EQ(second.error().problem, "is being written by another program");
-  EXPECT_FALSE(RecordingWriter::create(path_, small_header()).has_value());
+  EXPECT_FALSE(RecordingWriter::create(path_, sample_header({3, 2})).has_value());
   EXPECT_EQ(std::filesystem::file_size(path_), whole_.size());
   { const RecordingWriter done = std::move(*first); }
   EXPECT_TRUE(resume_recording(path_).has_value()) << "the lock goes with its writer";
@@ -254,7 +247,7 @@ TEST_F(ResumedRecording, what_is_no_recording_is_left_alone) {
 TEST_F(ResumedRecording, after_a_full_disk_it_goes_on) {
   std::uint64_t size = 0;
   {
-    auto writer = RecordingWriter::create(path_, small_header()).value();
+    auto writer = RecordingWriter::create(path_, sample_header({3, 2})).value();
     append(writer, 0, 100);
     size = writer.bytes_written();
     const SizeLimit limit(size + 60);
@@ -269,7 +262,7 @@ TEST_F(ResumedRecording, after_a_full_disk_it_goes_on) {
 
 // After a power cut a block of the disk may hold what it held before: here another recording's.
 TEST_F(ResumedRecording, stale_blocks_of_another_recording_are_never_its_frames) {
-  RecordingHeader other = small_header();
+  RecordingHeader other = sample_header({3, 2});
   other.scene_name = "other!";
   const auto other_path = temporary_file("other.rbn");
   {

@@ -66,6 +66,14 @@ RecordingHeader sample_header() {
   return header;
 }
 
+RecordingHeader sample_header(const RibbonGrid& grid) {
+  RecordingHeader header = sample_header();
+  header.grid = grid;
+  header.uv = Eigen::Matrix2Xf::Zero(2, grid.particle_count());
+  header.obstacle.reset();
+  return header;
+}
+
 Eigen::Matrix3Xd sample_positions(int frame) {
   const RibbonGrid grid = sample_header().grid;
   Eigen::Matrix3Xd positions(3, grid.particle_count());

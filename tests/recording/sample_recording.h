@@ -15,6 +15,9 @@ namespace ribbon {
 // through (0, 0.5, 0) along (0, 0.6, 0.8).
 RecordingHeader sample_header();
 
+// The same without obstacle and of another grid, small enough for files of a few hundred bytes.
+RecordingHeader sample_header(const RibbonGrid& grid);
+
 // Where its particles truly are in a frame (from 0): 3 x 240, metres. The middle of the ribbon
 // stays within the box from -0.6 to 0.6.
 Eigen::Matrix3Xd sample_positions(int frame);
