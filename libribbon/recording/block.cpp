@@ -7,7 +7,7 @@
 namespace ribbon {
 
 void put_block(std::string& bytes, std::string_view content) {
-  put_string(bytes, Compressor().compress(std::array{content}));
+  put_string(bytes, Compressor().compress(content));
 }
 
 std::optional<std::string> take_block(ByteTaker& taker, std::size_t size) {

@@ -28,7 +28,7 @@ std::string checkpoint_payload(std::uint32_t recording_id, std::uint32_t frame, 
   put<std::uint64_t>(bytes, state.size());
   put<std::uint32_t>(bytes, checksum(state));
   put<std::uint32_t>(bytes, fields_bytes);
-  bytes += Compressor().compress(std::array{state});
+  bytes += Compressor().compress(state);
   return bytes;
 }
 

@@ -15,7 +15,7 @@ struct CodecParameters {
   // Positions lie on a lattice through the world's origin: n steps are the coordinate n * step_m in
   // single precision. 0: the lattice of all single-precision numbers.
   float step_m = 0;
-  std::vector<std::string> entropy_tables;  // see entropy_coder.h; without them files are larger
+  std::vector<std::string> entropy_tables;  // see entropy_tables.h; without them files are larger
 
   bool operator==(const CodecParameters&) const = default;
 };

@@ -46,20 +46,12 @@ Compressor::Compressor(Compressor&&) noexcept = default;
 Compressor& Compressor::operator=(Compressor&&) noexcept = default;
 Compressor::~Compressor() = default;
 
-std::string Compressor::compress(std::span<const std::string_view> parts) {
-  std::size_t room = 64;
-  for (const std::string_view part : parts) room += ZSTD_compressBound(part.size()) + 16;
-  std::string bytes(room, '\0');
-  ZSTD_outBuffer out{bytes.data(), bytes.size(), 0};
-  ZSTD_CCtx_reset(state_->context.get(), ZSTD_reset_session_only);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    ZSTD_inBuffer in{parts[i].data(), parts[i].size(), 0};
-    const auto end = i + 1 == parts.size() ? ZSTD_e_end : ZSTD_e_flush;
-    [[maybe_unused]] const std::size_t left =
-        ZSTD_compressStream2(state_->context.get(), &out, &in, end);
-    assert(left == 0);  // the room is enough for the worst case
-  }
-  bytes.resize(out.pos);
+std::string Compressor::compress(std::string_view content) {
+  std::string bytes(ZSTD_compressBound(content.size()), '\0');
+  const std::size_t size = ZSTD_compress2(state_->context.get(), bytes.data(), bytes.size(),
+                                          content.data(), content.size());
+  assert(ZSTD_isError(size) == 0);  // the room is enough for the worst case
+  bytes.resize(size);
   return bytes;
 }
 
@@ -142,9 +134,10 @@ void SymbolCompressor::append(std::size_t kind, std::string_view symbols, std::s
   ZSTD_CCtx* context = state_->contexts[std::min(kind, state_->contexts.size() - 1)].get();
   const std::size_t size =
       ZSTD_compress2(context, packed.data(), packed.size(), symbols.data(), symbols.size());
-  assert(ZSTD_isError(size) == 0 && packed.starts_with(frame_start));
+  assert(ZSTD_isError(size) != 0 || packed.starts_with(frame_start));
   const std::size_t kept = size - frame_start.size();
-  if (kept < symbols.size()) {
+  // No table that is no dictionary makes zstd work.
+  if (ZSTD_isError(size) == 0 && kept < symbols.size()) {
     put_varint(bytes, static_cast<std::uint32_t>(kept));
     bytes.append(packed, frame_start.size(), kept);
   } else {
@@ -184,7 +177,10 @@ bool SymbolDecompressor::take(std::size_t kind, std::string_view& bytes, std::si
   std::string& packed = state_->packed;
   packed.resize(frame_start.size());
   packed += run;
-  const ZSTD_DDict* table = kind < state_->tables.size() ? state_->tables[kind].get() : nullptr;
+  const bool has_table = kind < state_->tables.size();
+  const ZSTD_DDict* table = has_table ? state_->tables[kind].get() : nullptr;
+  if (has_table && table == nullptr) return false;
+  if (ZSTD_findFrameCompressedSize(packed.data(), packed.size()) != packed.size()) return false;
   return ZSTD_decompress_usingDDict(state_->context.get(), symbols, count, packed.data(),
                                     packed.size(), table) == count;
 }

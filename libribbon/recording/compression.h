@@ -19,9 +19,8 @@ class Compressor {
   Compressor& operator=(Compressor&&) noexcept;
   ~Compressor();
 
-  // One zstd frame that holds `parts` one after the other. Each part begins a new block, and so
-  // gets an entropy table of its own: parts are what is alike inside and unlike its neighbours.
-  std::string compress(std::span<const std::string_view> parts);
+  // One zstd frame.
+  std::string compress(std::string_view content);
 
  private:
   struct State;

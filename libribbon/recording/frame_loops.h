@@ -56,13 +56,13 @@ struct CellGroup {
 
 struct FrameLoops {
   void (*subtract)(const float* a, const float* b, std::size_t count, float* difference);
-  // Gives the border of a plane what decode() and rank() give it: the values of its nearest cells,
-  // or within a frame what continues straight lines.
+  // Gives the border of a plane, 0 or 3, what decode() gives it: the values of its nearest cells,
+  // or within a frame what continues straight lines. Others are not predicted from 1 and 2.
   void (*close_plane)(const ParityPlanes& planes, int plane, float* field);
   void (*continue_plane)(const ParityPlanes& planes, int plane, float* field);
   // Values and motion from ranks.
   void (*decode)(const PredictedFrame& frame);
-  // Ranks from values and motion.
+  // Ranks from values and motion, borders closed.
   void (*rank)(const PredictedFrame& frame);
   // From values and motion, not within a frame. unit: what change of motion is restless.
   void (*fit)(const PredictedFrame& frame, std::size_t stage, std::span<const CellGroup> groups,

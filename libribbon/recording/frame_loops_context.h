@@ -11,4 +11,3 @@
 #include <span>
 
 #include "recording/frame_loops.h"
-#include "recording/lattice_frame.h"

@@ -70,7 +70,7 @@ void FramePrediction::set(LatticeFrame& frame) {
     else
       loops().subtract(frame.values[c].data(), frame_.reference_values[0][c], planes_.cells(),
                        motion_[c].data());
-    for (int plane = 0; plane < ParityPlanes::count; ++plane)
+    for (const int plane : {0, 3})
       (within ? loops().continue_plane : loops().close_plane)(planes_, plane, motion_[c].data());
   }
 }

@@ -8,6 +8,7 @@
 
 #include "recording/bytes.h"
 #include "recording/compression.h"
+#include "recording/frame_loops.h"
 
 namespace ribbon {
 
@@ -17,7 +18,9 @@ constexpr std::uint16_t major_version = 2;
 constexpr std::uint16_t minor_version = 0;
 constexpr std::uint32_t position_codec = 2;
 constexpr std::uint32_t most_entropy_tables = 64;
-constexpr std::uint64_t largest_grid = std::uint64_t{1} << 24;
+constexpr std::int64_t most_particles = std::int64_t{1} << 24;
+// Columns have a border, so that many short ones take more memory than their particles.
+constexpr int most_columns = 1 << 20;
 constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;
 
 // A matrix column by column, as little-endian numbers in one compressed block.
@@ -26,7 +29,7 @@ void put_matrix(std::string& bytes, const Matrix& matrix) {
   std::string content;
   content.reserve(static_cast<std::size_t>(matrix.size()) * sizeof(Stored));
   for (const auto number : matrix.reshaped()) put<Stored>(content, static_cast<Stored>(number));
-  put_string(bytes, Compressor().compress(std::array{std::string_view(content)}));
+  put_string(bytes, Compressor().compress(content));
 }
 
 // The inverse; nothing where the block does not hold exactly `columns` columns. The matrix is
@@ -137,7 +140,8 @@ bool is_positive(double number) {
 
 // Positions must stay within single precision whatever their numbers are.
 bool is_lattice_step(double step_m) {
-  return step_m >= 0 && step_m * 0x1p31 <= static_cast<double>(std::numeric_limits<float>::max());
+  return step_m >= 0 &&
+         step_m * largest_lattice_number <= static_cast<double>(std::numeric_limits<float>::max());
 }
 
 bool is_positive_or_zero(double number) {
@@ -148,12 +152,18 @@ bool is_positive_or_zero(double number) {
 bool take_grid(ByteTaker& taker, RibbonGrid& grid) {
   const auto along = taker.take<std::uint32_t>();
   const auto across = taker.take<std::uint32_t>();
-  if (along < 2 || across < 2 || std::uint64_t{along} * across > largest_grid) return false;
+  constexpr std::uint32_t largest = std::numeric_limits<int>::max();
+  if (along > largest || across > largest) return false;
   grid = {static_cast<int>(along), static_cast<int>(across)};
-  return true;
+  return is_recordable(grid);
 }
 
 }  // namespace
+
+bool is_recordable(const RibbonGrid& grid) {
+  return grid.along >= 2 && grid.across >= 2 && grid.across <= most_columns &&
+         std::int64_t{grid.along} * grid.across <= most_particles;
+}
 
 std::string header_payload(const RecordingHeader& header) {
   std::string bytes;

@@ -9,6 +9,9 @@
 
 namespace ribbon {
 
+// May a recording have this grid?
+bool is_recordable(const RibbonGrid& grid);
+
 std::string header_payload(const RecordingHeader& header);
 
 // Fails, with a place still to be filled in, when the payload is of another major version or

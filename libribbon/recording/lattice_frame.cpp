@@ -1,6 +1,5 @@
 #include "recording/lattice_frame.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -17,6 +17,8 @@ namespace ribbon {
 class ParityPlanes {
  public:
   static constexpr int count = 4;
+  // The order in which they are predicted and written.
+  static constexpr std::array<int, count> order = {0, 3, 1, 2};
   // Whole vectors of so many particles may be read and written in a column; what lies beyond its
   // last particle must be made good afterwards where it belongs to the border.
   static constexpr int lane_quantum = 16;

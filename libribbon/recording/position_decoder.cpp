@@ -1,7 +1,5 @@
 #include "recording/position_decoder.h"
 
-#include <vector>
-
 #include "recording/bytes.h"
 #include "recording/compression.h"
 #include "recording/frame_prediction.h"

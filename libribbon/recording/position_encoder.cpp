@@ -1,11 +1,9 @@
 #include "recording/position_encoder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "recording/bytes.h"
 #include "recording/compression.h"
@@ -116,7 +114,7 @@ std::string PositionEncoder::State::lattice_geometry(
   } else {
     const RecordedWeights recorded = fit_weights(frame_prediction.predicted(), fit);
     frame_prediction.weights = recorded.weights();
-    put_weights(recorded, prediction, bytes);
+    put_weights(recorded, frame_prediction.prediction(), bytes);
   }
   frame_prediction.rank(ranks);
   packer.append(ranks, bytes);
@@ -127,7 +125,7 @@ std::string PositionEncoder::State::plain_geometry(const LatticeFrame& frame) {
   std::string content;
   for (const float coordinate : frame.plain_positions.transpose().reshaped())
     put<float>(content, coordinate);
-  return compressor.compress(std::array{std::string_view(content)});
+  return compressor.compress(content);
 }
 
 PositionEncoder::PositionEncoder(const CodecParameters& parameters, double max_error_m)

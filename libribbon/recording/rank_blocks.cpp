@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
+#include <limits>
 
 #include "recording/bit_string.h"
 #include "recording/frame_loops.h"
@@ -131,7 +131,7 @@ unsigned char form_step(int form, int before) {
 
 std::vector<RankBlock> rank_blocks(const ParityPlanes& planes) {
   std::vector<RankBlock> blocks;
-  for (const int plane : {0, 3, 1, 2})
+  for (const int plane : ParityPlanes::order)
     for (int b = 0; b < planes.columns(plane); b += block_columns)
       add_blocks(planes, plane, b, blocks);
   return blocks;
@@ -224,7 +224,7 @@ bool take_escapes(std::string_view& bytes, std::uint32_t escape, std::size_t cou
   for (std::size_t k = 0; k < count; ++k) {
     if (ranks[k] < escape) continue;
     const auto more = take_varint(bytes);
-    if (!more) return false;
+    if (!more || *more > std::numeric_limits<std::uint32_t>::max() - ranks[k]) return false;
     ranks[k] += *more;
   }
   return true;
@@ -273,6 +273,7 @@ bool RankUnpacker::add_low_bits(std::string_view bytes, Ranks& ranks) const {
       for (std::size_t b = 0; b < block.columns; ++b)
         for (std::size_t k = 0; k < block.length; ++k) {
           std::uint32_t& rank = component[block.cell + b * stride_ + k];
+          if (std::uint64_t{rank} >> (32 - bits) != 0) return false;
           rank = (rank << bits) | low_bits.take_bits(bits);
         }
     }

@@ -1,5 +1,5 @@
 // Ranks as bytes: blocks of particles, each written in the form that suits it (FORMAT.md, section
-// 8.4).
+// 8.6).
 #pragma once
 
 #include <array>

@@ -144,6 +144,12 @@ RecordingWriter::~RecordingWriter() = default;
 Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& path,
                                                 const RecordingHeader& header) {
   assert(!header.scene_name.empty() && header.uv.cols() == header.grid.particle_count());
+  if (!is_recordable(header.grid))
+    return failure(path.string(),
+                   "a recording holds at most 2^24 particles in at most 2^20 columns, not " +
+                       std::to_string(header.grid.along) + " x " +
+                       std::to_string(header.grid.across),
+                   "simulate fewer particles");
   auto file = RecordFile::create(path);
   if (!file) return tl::unexpected(std::move(file.error()));
   const std::string payload = header_payload(header);
@@ -163,6 +169,7 @@ Result<void> RecordingWriter::append(const FrameNumbers& numbers,
 
 Result<void> RecordingWriter::append(const FrameNumbers& numbers, LatticeFrame lattice) {
   State& state = *state_;
+  assert(lattice.grid == state.header.grid);
   ReferenceList references;
   EncodedFrame encoded = state.encode(std::move(lattice), references);
   const std::uint32_t frame = state.frames;

@@ -15,6 +15,7 @@ std::optional<std::uint32_t> take_varint(std::string_view& bytes) {
     const auto byte = static_cast<std::uint8_t>(bytes.front());
     bytes.remove_prefix(1);
     number |= static_cast<std::uint32_t>(byte & 0x7F) << shift;
+    if (shift == 28 && byte > 0x0F) return std::nullopt;
     if (byte < 0x80) return number;
   }
   return std::nullopt;

@@ -11,6 +11,10 @@
 #include <cstdio>
 #include <memory>
 #include <random>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "benchmarks/benchmark_main.h"
 #include "benchmarks/recorded_motion.h"
@@ -71,9 +75,9 @@ Tree tree_at(std::string_view bytes) {
   return {bytes.substr(0, size), bytes.substr(size)};
 }
 
-// Samples thinned out to one block of zstd, and behind them every
-// symbol once, so that the tree of the block has a place for it; and for the last of all bytes, for
-// zstd takes no dictionary without.
+// Samples thinned out to one block of zstd, behind them every symbol once, so that the tree of the
+// block has a place for it, and the last of all bytes: zstd takes no dictionary without a place for
+// it.
 std::string block_of(const Samples& samples, std::span<const unsigned char> symbols) {
   constexpr std::size_t block_size = 120'000;
   std::string block = samples.bytes;
@@ -117,7 +121,9 @@ std::string table_of(const Samples& samples, std::span<const unsigned char> symb
   if (ZDICT_isError(size) != 0) return "";
   table.resize(ZDICT_getDictHeaderSize(table.data(), size));
   constexpr std::size_t head_size = 8;  // magic and number
-  return table.substr(0, head_size) + tree_of(block_of(samples, symbols)) +
+  const std::string tree = tree_of(block_of(samples, symbols));
+  if (tree.empty()) return "";
+  return table.substr(0, head_size) + tree +
          std::string(tree_at(std::string_view(table).substr(head_size)).rest) + content;
 }
 
@@ -129,7 +135,12 @@ Result<ExitCode> train(const Options& options) {
     for (const double bound : {3e-6, 1e-5, 3e-5}) encode(*motion, bound, samples);
   }
   for (std::size_t kind = 0; kind < symbol_kinds; ++kind) {
-    for (const char byte : table_of(samples[kind], symbols_of(kind)))
+    const std::string table = table_of(samples[kind], symbols_of(kind));
+    if (table.empty())
+      return failure("",
+                     "the recordings do not give a table for runs of kind " + std::to_string(kind),
+                     "take longer recordings");
+    for (const char byte : table)
       std::printf("%02x", static_cast<unsigned>(static_cast<unsigned char>(byte)));
     std::printf("\n");
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -121,6 +122,14 @@ TEST(PositionCodec, a_bound_of_zero_keeps_every_bit_of_single_precision) {
   trip.take(odd).frame.positions(decoded);
   EXPECT_TRUE(std::signbit(decoded(0, 0)));
   EXPECT_FALSE(std::signbit(decoded(2, 1)));
+}
+
+TEST(PositionCodec, numbers_half_of_all_numbers_away_from_their_prediction_come_back) {
+  Eigen::Matrix3Xd positions = Eigen::Matrix3Xd::Zero(3, 16);
+  positions(0, 0) = 1;
+  // Its place among all single-precision numbers is 2^31 below that of 1, which predicts it.
+  positions(0, 2) = std::bit_cast<float>(0xC07FFFFFU);
+  RoundTrip(parameters({4, 4}, 0, 1), 0).take(positions);
 }
 
 TEST(PositionCodec, sudden_jumps_stay_within_the_bound) {

@@ -38,6 +38,8 @@ class Content:
             byte = self.bytes(1)[0]
             value |= (byte & 0x7F) << shift
             shift += 7
+            if value >= 2**32 or shift > 28 and byte >= 0x80:
+                raise Damaged("a number is larger than 32 bits")
             if byte < 0x80:
                 return value
 
@@ -129,7 +131,7 @@ class LatticeCodec:
             numbers = np.clip(wrapped(start + nearest + offset), -LARGEST_NUMBER, LARGEST_NUMBER)
             frame.values[where] = numbers.astype("f4")
         else:
-            v = predicted if reference is None else reference.values[where] + predicted
+            v = (F(0) if reference is None else reference.values[where]) + predicted
             v = np.where(np.isfinite(v), v, F(0))
             numbers = wrapped(ordered(v.view("i4")).astype("i8") + np.where(odd, half, -half))
             frame.values[where] = ordered(numbers).view("f4")

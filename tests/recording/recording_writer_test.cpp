@@ -48,6 +48,17 @@ TEST(RecordingWriter, equal_recordings_are_equal_files) {
               read_file(temporary_file("equal 2.rbn")).value());
 }
 
+TEST(RecordingWriter, a_grid_that_no_reader_would_take_is_refused) {
+  RecordingHeader header = sample_header();
+  header.grid = {2, (1 << 20) + 1};
+  header.uv = Eigen::Matrix2Xf::Zero(2, header.grid.particle_count());
+  const auto writer = RecordingWriter::create(temporary_file("wide.rbn"), header);
+  ASSERT_FALSE(writer.has_value());
+  EXPECT_NE(writer.error().sentence().find("at most 2^20 columns, not 2 x 1048577"),
+            std::string::npos)
+      << writer.error().sentence();
+}
+
 TEST(RecordingWriter, a_target_that_cannot_be_written_is_told_before_the_run) {
   const auto writer = RecordingWriter::create("/proc/recording.rbn", sample_header());
   ASSERT_FALSE(writer.has_value());

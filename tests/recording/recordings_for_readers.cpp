@@ -29,6 +29,7 @@ struct Kind {
   bool rich = false;  // all that a header and the records beside frames can hold
   bool finished = true;
   bool damaged = false;  // here and there
+  bool flat = false;     // z is -0
 };
 
 const std::vector<Kind> kinds = {
@@ -40,6 +41,7 @@ const std::vector<Kind> kinds = {
     {.name = "short", .grid = {2, 9}, .max_error_m = 1e-6, .frames = 20},
     {.name = "coarse", .grid = {40, 16}, .max_error_m = 1e-2, .frames = 20},
     {.name = "exact", .grid = {40, 16}, .max_error_m = 0, .frames = 20},
+    {.name = "flat", .grid = {12, 5}, .max_error_m = 0, .frames = 20, .flat = true},
     {.name = "beyond_the_lattice",
      .grid = {20, 5},
      .max_error_m = 1e-5,
@@ -82,6 +84,7 @@ Eigen::Matrix3Xd positions_at(const Kind& kind, int frame) {
     positions(2, p) += shake * (static_cast<double>(random()) / 0x1p32 - 0.5);
   }
   if (frame % 5 == 3) positions(0, 0) = kind.largest_m;
+  if (kind.flat) positions.row(2).setConstant(-0.0);
   return positions;
 }
 

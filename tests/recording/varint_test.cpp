@@ -27,6 +27,13 @@ TEST(Varint, an_endless_varint_is_refused) {
   EXPECT_FALSE(take_varint(bytes).has_value());
 }
 
+TEST(Varint, more_than_32_bits_are_refused) {
+  std::string_view largest = "\xFF\xFF\xFF\xFF\x0F";
+  EXPECT_EQ(take_varint(largest), 0xFFFFFFFFU);
+  std::string_view larger = "\xFF\xFF\xFF\xFF\x1F";
+  EXPECT_FALSE(take_varint(larger).has_value());
+}
+
 TEST(Varint, zigzag_puts_small_numbers_of_either_sign_first) {
   EXPECT_EQ(zigzag(0), 0U);
   EXPECT_EQ(zigzag(-1), 1U);
