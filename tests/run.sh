@@ -4,8 +4,8 @@
 # checks format, and lint of all that is not a test, without the analyzer. Ends with one line "N passed,
 # N failed"; fails when that is not 0. Takes 25 minutes on two cores.
 #   --quick   only the Release build and its tests
-#   --all     benchmarks and their tests as well, nearly all tests under the sanitizers, all of lint, and
-#             nothing parsed beforehand: an hour
+#   --all     benchmarks and their tests as well, nearly all tests under the sanitizers, all of lint: an
+#             hour
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
@@ -66,11 +66,11 @@ check() {
 # which take the same paths as others, nor the mutation tests, whose whole runs judge the oracles. What
 # GoogleTest adds to names of tests with parameters comes after them.
 left_out='Sample.*_(16|32)x[0-9]+|^mutation\.|nothing_can_settle|ribbon_without_room'
-release=(-DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=OFF -DRIBBON_PRECOMPILE_TESTS=ON)
+release=(-DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=OFF)
 sanitize=(-DRIBBON_TEST_EVERY_STATION=OFF)
 lint=tidy
 if [[ ${1-} == --all ]]; then
-  release=(-DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=ON -DRIBBON_PRECOMPILE_TESTS=OFF)
+  release=(-DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=ON)
   sanitize=(-DRIBBON_TEST_EVERY_STATION=ON)
   lint=tidy-all
 else
