@@ -58,7 +58,12 @@ int RecordingReader::frame_count() const {
 
 bool RecordingReader::readable(int index) const {
   assert(index >= 0 && index < frame_count());
-  return state_->decoder.is_readable(static_cast<std::uint32_t>(index));
+  const auto frame = static_cast<std::uint32_t>(index);
+  if (state_->decoder.is_readable(frame)) return true;
+  if (state_->contents.is_checked()) return false;
+  // As read_lattice() does, before it says so.
+  state_->contents.check();
+  return state_->decoder.is_readable(frame);
 }
 
 std::optional<FrameNumbers> RecordingReader::numbers(int index) const {
