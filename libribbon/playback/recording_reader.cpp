@@ -29,6 +29,16 @@ struct RecordingReader::State {
   [[nodiscard]] std::string record_of(const IndexedOther& place) const {
     return file.read(place.offset, place.record_bytes);
   }
+
+  // The directory is trusted until something is not as it says: a question whose answer is no is
+  // then asked once more.
+  template <class Question>
+  auto surely(Question question) {
+    auto answer = question();
+    if (answer || contents.is_checked()) return answer;
+    contents.check();
+    return question();
+  }
 };
 
 RecordingReader::RecordingReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -59,11 +69,7 @@ int RecordingReader::frame_count() const {
 bool RecordingReader::readable(int index) const {
   assert(index >= 0 && index < frame_count());
   const auto frame = static_cast<std::uint32_t>(index);
-  if (state_->decoder.is_readable(frame)) return true;
-  if (state_->contents.is_checked()) return false;
-  // As read_lattice() does, before it says so.
-  state_->contents.check();
-  return state_->decoder.is_readable(frame);
+  return state_->surely([&] { return state_->decoder.is_readable(frame); });
 }
 
 std::optional<FrameNumbers> RecordingReader::numbers(int index) const {
@@ -155,12 +161,7 @@ Result<const LatticeFrame*> RecordingReader::read_lattice(int index) {
   assert(index >= 0 && index < frame_count());
   State& state = *state_;
   const auto frame = static_cast<std::uint32_t>(index);
-  const LatticeFrame* decoded = state.decoder.decode(frame);
-  if (decoded == nullptr && !state.contents.is_checked()) {
-    // The directory was trusted and something is not as it says.
-    state.contents.check();
-    decoded = state.decoder.decode(frame);
-  }
+  const LatticeFrame* decoded = state.surely([&] { return state.decoder.decode(frame); });
   if (decoded == nullptr)
     return failure(state.path.string() + ": frame " + std::to_string(index + 1),
                    "is damaged or builds on a frame that is",
