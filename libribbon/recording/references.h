@@ -14,7 +14,7 @@ inline constexpr std::uint32_t archive_group_frames = 32;
 
 // While a simulation runs: the frames before `frame` in its group of live_group_frames, up to
 // three, the nearest first. None for the first of a group.
-std::vector<std::uint32_t> live_references(std::uint32_t frame);
+ReferenceList live_references(std::uint32_t frame);
 
 struct PlannedFrame {
   std::uint32_t frame = 0;        // from 0

@@ -39,7 +39,7 @@ class OwnCodec : public FrameCodec {
     for (const Eigen::Matrix3Xf& frame : frames) positions_.emplace_back(frame.cast<double>());
     if (profile_.archives)
       for (const Eigen::Matrix3Xd& frame : positions_)
-        recorded_.push_back(encoder_.encode(frame, {}).value().frame);
+        recorded_.push_back(encoder_.rounded(frame).value());
     plan_ = profile_.plan(static_cast<std::uint32_t>(frames.size()));
     encoded_.resize(frames.size());
     lattice_.resize(frames.size());
@@ -110,11 +110,8 @@ CodecRow row(const std::string& name, const Profile& profile, std::uint32_t grou
 
 std::vector<PlannedFrame> live_plan(std::uint32_t frames) {
   std::vector<PlannedFrame> plan(frames);
-  for (std::uint32_t frame = 0; frame < frames; ++frame) {
-    plan[frame].frame = frame;
-    for (const std::uint32_t reference : live_references(frame))
-      plan[frame].references.push_back(reference);
-  }
+  for (std::uint32_t frame = 0; frame < frames; ++frame)
+    plan[frame] = {frame, live_references(frame)};
   return plan;
 }
 
