@@ -55,11 +55,8 @@ struct CellGroup {
 };
 
 struct FrameLoops {
-  void (*subtract)(const float* a, const float* b, std::size_t count, float* difference);
-  // Gives the border of a plane, 0 or 3, what decode() gives it: the values of its nearest cells,
-  // or within a frame what continues straight lines. Others are not predicted from 1 and 2.
-  void (*close_plane)(const ParityPlanes& planes, int plane, float* field);
-  void (*continue_plane)(const ParityPlanes& planes, int plane, float* field);
+  // Motion from values, with the borders that decode() gives it.
+  void (*set_motion)(const PredictedFrame& frame);
   // Values and motion from ranks.
   void (*decode)(const PredictedFrame& frame);
   // Ranks from values and motion, borders closed.

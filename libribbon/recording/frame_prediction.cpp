@@ -63,16 +63,7 @@ void FramePrediction::decode(Ranks& ranks, LatticeFrame& frame) {
 
 void FramePrediction::set(LatticeFrame& frame) {
   set_fields(frame);
-  const bool within = prediction() == Prediction::within;
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (within)
-      motion_[c] = frame.values[c];
-    else
-      loops().subtract(frame.values[c].data(), frame_.reference_values[0][c], planes_.cells(),
-                       motion_[c].data());
-    for (const int plane : {0, 3})
-      (within ? loops().continue_plane : loops().close_plane)(planes_, plane, motion_[c].data());
-  }
+  loops().set_motion(frame_);
 }
 
 void FramePrediction::rank(Ranks& ranks) {
