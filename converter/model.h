@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "recording/recording.h"
+#include "recording/records/recording.h"
 #include "result/result.h"
 
 namespace ribbon {

@@ -14,13 +14,13 @@
 #include "commandline/tool.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
-#include "player/contact_sheet.h"
-#include "player/film.h"
-#include "player/follow.h"
-#include "player/info.h"
 #include "player/options.h"
-#include "player/png_encoder.h"
-#include "player/verify.h"
+#include "player/picture/contact_sheet.h"
+#include "player/picture/png_encoder.h"
+#include "player/render/film.h"
+#include "player/report/follow.h"
+#include "player/report/info.h"
+#include "player/report/verify.h"
 
 namespace ribbon {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "player/picture.h"
+#include "player/picture/picture.h"
 #include "result/result.h"
 
 namespace ribbon {

@@ -12,11 +12,11 @@
 #include "files/files.h"
 #include "playback/recording_reader.h"
 #include "recorder/recorded_frames.h"
-#include "recording/archive_encoder.h"
-#include "recording/header_record.h"
-#include "recording/record_file.h"
-#include "recording/recording_writer.h"
-#include "recording/references.h"
+#include "recording/records/header_record.h"
+#include "recording/writer/archive_encoder.h"
+#include "recording/writer/record_file.h"
+#include "recording/writer/recording_writer.h"
+#include "recording/writer/references.h"
 
 namespace ribbon {
 

@@ -4,7 +4,7 @@
 
 #include "recorder/start.h"
 #include "recorder/stopwatch.h"
-#include "recording/entropy_tables.h"
+#include "recording/codec/entropy_tables.h"
 
 namespace ribbon {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "recorder/start.h"
-#include "recording/position_encoder.h"
+#include "recording/codec/position_encoder.h"
 
 namespace ribbon {
 

@@ -6,7 +6,7 @@
 
 #include "recorder/run_statistics.h"
 #include "recorder/simulated_frames.h"
-#include "recording/background_writer.h"
+#include "recording/writer/background_writer.h"
 #include "result/result.h"
 
 namespace ribbon {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "recording/recording.h"
-#include "simulation/stage_clock.h"
+#include "recording/records/recording.h"
+#include "simulation/step/stage_clock.h"
 
 namespace ribbon {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "recording/recording.h"
+#include "recording/records/recording.h"
 #include "scene/scene.h"
 #include "simulation/fastening_processor.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "recording/frame_record.h"
+#include "recording/records/frame_record.h"
 
 namespace ribbon {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "playback/recording_contents.h"
-#include "recording/lattice_frame.h"
-#include "recording/position_decoder.h"
+#include "recording/codec/lattice_frame.h"
+#include "recording/codec/position_decoder.h"
 
 namespace ribbon {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "recording/index_record.h"
+#include "recording/records/index_record.h"
 
 namespace ribbon {
 

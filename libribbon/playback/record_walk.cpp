@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "recording/checksum.h"
+#include "recording/coding/checksum.h"
 
 namespace ribbon {
 

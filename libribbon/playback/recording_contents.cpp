@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "recording/checkpoint_record.h"
-#include "recording/frame_record.h"
-#include "recording/record.h"
-#include "recording/session_record.h"
+#include "recording/records/checkpoint_record.h"
+#include "recording/records/frame_record.h"
+#include "recording/records/record.h"
+#include "recording/records/session_record.h"
 
 namespace ribbon {
 

@@ -10,8 +10,8 @@
 #include "playback/random_access_file.h"
 #include "playback/record_walk.h"
 #include "playback/recording_start.h"
-#include "recording/directory_record.h"
-#include "recording/recording.h"
+#include "recording/records/directory_record.h"
+#include "recording/records/recording.h"
 
 namespace ribbon {
 

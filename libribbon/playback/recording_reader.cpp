@@ -7,8 +7,8 @@
 
 #include "playback/frame_decoder.h"
 #include "playback/recording_contents.h"
-#include "recording/checkpoint_record.h"
-#include "recording/session_record.h"
+#include "recording/records/checkpoint_record.h"
+#include "recording/records/session_record.h"
 
 namespace ribbon {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "playback/damage.h"
-#include "recording/lattice_frame.h"
-#include "recording/recording.h"
+#include "recording/codec/lattice_frame.h"
+#include "recording/records/recording.h"
 #include "result/result.h"
 
 namespace ribbon {

@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "recording/checksum.h"
-#include "recording/header_record.h"
-#include "recording/record.h"
+#include "recording/coding/checksum.h"
+#include "recording/records/header_record.h"
+#include "recording/records/record.h"
 
 namespace ribbon {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "playback/random_access_file.h"
-#include "recording/recording.h"
+#include "recording/records/recording.h"
 #include "result/result.h"
 
 namespace ribbon {

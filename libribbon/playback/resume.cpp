@@ -9,7 +9,7 @@
 #include "playback/random_access_file.h"
 #include "playback/recording_contents.h"
 #include "playback/recording_start.h"
-#include "recording/references.h"
+#include "recording/writer/references.h"
 
 namespace ribbon {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "recording/recording_writer.h"
+#include "recording/writer/recording_writer.h"
 #include "result/result.h"
 
 namespace ribbon {

@@ -4,11 +4,11 @@
 #include <limits>
 #include <utility>
 
-#include "simulation/band_edges.h"
-#include "simulation/contact_extent.h"
-#include "simulation/gap_lengths.h"
-#include "simulation/scene_limits.h"
-#include "simulation/width_growth.h"
+#include "simulation/contact/contact_extent.h"
+#include "simulation/contact/gap_lengths.h"
+#include "simulation/start/scene_limits.h"
+#include "simulation/start/width_growth.h"
+#include "simulation/state/band_edges.h"
 
 namespace ribbon {
 

@@ -12,14 +12,14 @@
 #include "result/result.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/scene.h"
-#include "simulation/bodies.h"
-#include "simulation/cloth.h"
-#include "simulation/deformation.h"
-#include "simulation/free_start.h"
-#include "simulation/hands.h"
-#include "simulation/natural_size.h"
-#include "simulation/pair_gaps.h"
-#include "simulation/state_archive.h"
+#include "simulation/contact/pair_gaps.h"
+#include "simulation/detection/bodies.h"
+#include "simulation/fastening/hands.h"
+#include "simulation/start/free_start.h"
+#include "simulation/state/cloth.h"
+#include "simulation/state/natural_size.h"
+#include "simulation/state/state_archive.h"
+#include "simulation/step/deformation.h"
 
 namespace ribbon {
 

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "benchmarks/energy_account.h"
-#include "simulation/band_edges.h"
+#include "benchmarks/solver/energy_account.h"
 #include "simulation/fastening_processor.h"
+#include "simulation/state/band_edges.h"
 #include "verification/frame_verifier.h"
 
 namespace ribbon {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "benchmarks/extreme_scenes.h"
+#include "benchmarks/solver/extreme_scenes.h"
 
 namespace ribbon {
 

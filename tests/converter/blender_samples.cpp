@@ -10,13 +10,13 @@
 #include <limits>
 
 #include "converter/fbx_export.h"
+#include "converter/fbx_records.h"
 #include "converter/obj_text.h"
 #include "converter/point_cache.h"
-#include "fbx_records.h"
+#include "converter/sample_knot.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"
-#include "recording/recording_writer.h"
-#include "sample_knot.h"
+#include "recording/writer/recording_writer.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fbx_records.h"
+#include "converter/fbx_records.h"
 
 namespace ribbon {
 namespace {

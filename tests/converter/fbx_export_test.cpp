@@ -7,8 +7,8 @@
 
 #include <assimp/Importer.hpp>
 
-#include "fbx_records.h"
-#include "posed_model.h"
+#include "converter/fbx_records.h"
+#include "converter/posed_model.h"
 
 namespace ribbon {
 namespace {

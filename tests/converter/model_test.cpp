@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "posed_model.h"
+#include "converter/posed_model.h"
 
 namespace ribbon {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "posed_model.h"
+#include "converter/posed_model.h"
 
 namespace ribbon {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "converter/model.h"
-#include "sample_knot.h"
+#include "converter/sample_knot.h"
 
 namespace ribbon {
 

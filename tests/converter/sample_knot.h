@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "recording/recording.h"
+#include "recording/records/recording.h"
 
 namespace ribbon {
 

@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "commandline/tool_run.h"
+#include "converter/sample_knot.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"
-#include "recording/recording_writer.h"
-#include "sample_knot.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 namespace {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "recording/codec_parameters.h"
+#include "recording/codec/codec_parameters.h"
 
 namespace ribbon {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "recording/checksum.h"
+#include "recording/coding/checksum.h"
 
 namespace ribbon {
 

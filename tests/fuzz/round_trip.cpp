@@ -5,9 +5,9 @@
 
 #include "fuzz/fuzz_input.h"
 #include "fuzz/must.h"
-#include "recording/position_decoder.h"
-#include "recording/position_encoder.h"
-#include "recording/references.h"
+#include "recording/codec/position_decoder.h"
+#include "recording/codec/position_encoder.h"
+#include "recording/writer/references.h"
 
 namespace ribbon {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "files/files.h"
 #include "fuzz/reference_frames.h"
-#include "recording/position_encoder.h"
-#include "recording/recording_writer.h"
-#include "recording/references.h"
+#include "recording/codec/position_encoder.h"
+#include "recording/writer/recording_writer.h"
+#include "recording/writer/references.h"
 
 namespace ribbon {
 namespace {

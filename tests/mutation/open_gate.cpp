@@ -1,6 +1,7 @@
 // A gate that lets everything pass. Linked into a program it takes the place of the product's
-// (libribbon/simulation/gate.cpp), which a static library only provides where nothing else does.
-#include "simulation/gate.h"
+// (libribbon/simulation/truncation/gate.cpp), which a static library only provides where nothing
+// else does.
+#include "simulation/truncation/gate.h"
 
 namespace ribbon {
 

@@ -12,13 +12,13 @@
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
-#include "recording/bytes.h"
-#include "recording/checksum.h"
-#include "recording/header_record.h"
-#include "recording/position_encoder.h"
-#include "recording/record.h"
-#include "recording/recording_writer.h"
+#include "recording/codec/position_encoder.h"
+#include "recording/coding/bytes.h"
+#include "recording/coding/checksum.h"
+#include "recording/records/header_record.h"
+#include "recording/records/record.h"
 #include "recording/sample_recording.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 namespace {

@@ -7,8 +7,8 @@
 #include "files/files.h"
 #include "playback/recording_reader.h"
 #include "playback/resume.h"
-#include "recording/background_writer.h"
 #include "recording/sample_recording.h"
+#include "recording/writer/background_writer.h"
 
 namespace ribbon {
 namespace {

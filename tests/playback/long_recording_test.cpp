@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "playback/recording_reader.h"
-#include "recording/recording_writer.h"
 #include "recording/sample_recording.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 namespace {

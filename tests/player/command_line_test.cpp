@@ -12,10 +12,10 @@
 
 #include "commandline/tool_run.h"
 #include "files/files.h"
-#include "player/follow.h"
-#include "player/picture.h"
-#include "recording/recording_writer.h"
+#include "player/picture/picture.h"
+#include "player/report/follow.h"
 #include "recording/sample_recording.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 namespace {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "geometry/triangle_mesh.h"
-#include "recording/recording.h"
+#include "recording/records/recording.h"
 
 namespace ribbon::test {
 

@@ -16,10 +16,10 @@
 #include "recorder/record.h"
 #include "recorder/resume.h"
 #include "recorder/small_scene.h"
-#include "recording/entropy_tables.h"
-#include "recording/recording_writer.h"
+#include "recording/codec/entropy_tables.h"
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 namespace {

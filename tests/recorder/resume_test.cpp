@@ -8,7 +8,7 @@
 #include "recorder/frames_of.h"
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
-#include "recording/recording_writer.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 namespace {

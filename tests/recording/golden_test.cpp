@@ -8,11 +8,11 @@
 #include <string>
 
 #include "playback/recording_reader.h"
-#include "recording/bytes.h"
-#include "recording/checksum.h"
-#include "recording/entropy_tables.h"
-#include "recording/recording_writer.h"
+#include "recording/codec/entropy_tables.h"
+#include "recording/coding/bytes.h"
+#include "recording/coding/checksum.h"
 #include "recording/sample_recording.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 namespace {

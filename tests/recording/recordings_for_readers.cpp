@@ -13,8 +13,8 @@
 
 #include "commandline/tool.h"
 #include "playback/recording_reader.h"
-#include "recording/entropy_tables.h"
-#include "recording/recording_writer.h"
+#include "recording/codec/entropy_tables.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "recording/frame_loops.h"
-#include "recording/position_decoder.h"
-#include "recording/position_encoder.h"
-#include "recording/references.h"
+#include "recording/codec/frame_loops.h"
+#include "recording/codec/position_decoder.h"
+#include "recording/codec/position_encoder.h"
+#include "recording/writer/references.h"
 
 namespace ribbon {
 namespace {

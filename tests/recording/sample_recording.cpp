@@ -6,7 +6,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "recording/recording_writer.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 

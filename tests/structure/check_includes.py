@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 TOOLS = ("recorder", "player", "converter")
-SOURCES = {".h", ".hpp", ".cpp"}
+SOURCES = {".h", ".hpp", ".cpp", ".inc"}
 
 # Third-party headers that any file may include.
 FREE = ("Eigen/", "tl/expected.hpp")
@@ -30,16 +30,22 @@ SYSTEM = re.compile(
 )
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
-ROW = re.compile(r"\| `(\w+)` \|(?:.*\|)?([^|]*)\|\s*$")
+ROW = re.compile(r"\| `(\w+(?:/\w+)?)` \|(?:.*\|)?([^|]*)\|\s*$")
 
 
 def read_rules(readme):
-    """Folder -> folders that it may include, from the rows of the README's tables."""
+    """Folder -> folders that it may include, from the rows of the README's tables.
+
+    A row `station/room` names the rooms of its own station that a room may include; of other stations
+    it may include what its station may.
+    """
     rules = {}
     for line in readme.read_text().splitlines():
         row = ROW.match(line)
         if row:
-            rules[row[1]] = set(re.findall(r"`(\w+)`", row[2]))
+            house = row[1].rpartition("/")[0]
+            names = re.findall(r"`(\w+)`", row[2])
+            rules[row[1]] = {f"{house}/{name}" if house else name for name in names}
     return rules
 
 
@@ -67,6 +73,10 @@ def includes_of(file):
             yield number, found[1] == '"', found[2]
 
 
+def folders_in(folder):
+    return {path.name for path in folder.iterdir() if path.is_dir()}
+
+
 def library_of(header):
     """toml++/toml.h -> toml++, zstd.h -> zstd"""
     return header.split("/")[0].removesuffix(".h").removesuffix(".hpp")
@@ -76,8 +86,11 @@ class Scan:
     def __init__(self, root):
         self.root = root
         self.rules = read_rules(root / "libribbon" / "README.md")
-        self.stations = {path.name for path in (root / "libribbon").iterdir() if path.is_dir()}
+        self.stations = folders_in(root / "libribbon")
         self.tools = {tool for tool in TOOLS if (root / tool).is_dir()}
+        self.rooms = {f"{station}/{room}" for station in self.stations
+                      for room in folders_in(root / "libribbon" / station)}
+        self.rooms |= {f"{tool}/{room}" for tool in self.tools for room in folders_in(root / tool)}
         self.users = {}  # third-party library -> the first file of libribbon that includes it
 
     def files(self):
@@ -88,7 +101,7 @@ class Scan:
                     yield file
 
     def violations(self):
-        yield from check_rules(self.rules, self.stations | self.tools)
+        yield from check_rules(self.rules, self.stations | self.tools | self.rooms)
         for file in self.files():
             name = file.relative_to(self.root)
             for line, is_quoted, header in includes_of(file):
@@ -100,8 +113,8 @@ class Scan:
     def own(self, file, header):
         """What is wrong with including one of our headers, None when nothing is."""
         parts = file.relative_to(self.root).parts
-        folder = parts[1] if parts[0] == "libribbon" else parts[0]
-        target = header.split("/")[0]
+        parts = parts[1:] if parts[0] == "libribbon" else parts
+        folder, target = parts[0], header.split("/")[0]
         if ".." in header.split("/"):
             return f"'{header}' goes up; name the folder instead"
         if target in self.stations and (self.root / "libribbon" / header).is_file():
@@ -112,6 +125,10 @@ class Scan:
                 return f"'{folder}' may not include '{header}'"
         elif not (file.parent / header).is_file():
             return f"'{header}' is no file of libribbon or of '{folder}'"
+        room, target_room = "/".join(parts[:2]), "/".join(header.split("/")[:2])
+        if target == folder and room in self.rooms and target_room != room:
+            if target_room not in self.rules.get(room, ()):
+                return f"'{room}' may not include '{header}'"
         return None
 
     def foreign(self, name, header):

@@ -12,6 +12,8 @@ README = """
 | `result` | answers | |
 | `files` | whole files | `result` |
 | `physics` | motion | `result` |
+| `physics/contact` | touching | |
+| `physics/step` | one step | `contact` |
 
 | tool | may include |
 |---|---|
@@ -24,7 +26,10 @@ CLEAN = {
     "libribbon/result/result.h": "#include <string>\n#include <tl/expected.hpp>\n",
     "libribbon/files/files.h": '#include <Eigen/Core>\n#include "result/result.h"\n',
     "libribbon/files/files.cpp": '#include "files/files.h"\n\n#include <unistd.h>\n#include <zstd.h>\n',
-    "libribbon/physics/physics.h": '#include "result/result.h"\n',
+    "libribbon/physics/physics.h": '#include "result/result.h"\n#include "physics/step/step.h"\n',
+    "libribbon/physics/contact/contact.h": '#include "result/result.h"\n',
+    "libribbon/physics/step/step.h": '#include "physics/contact/contact.h"\n',
+    "libribbon/physics/step/loops.inc": '#include "physics/step/step.h"\n',
     "recorder/record.cpp": '#include "physics/physics.h"\n#include <CLI/CLI.hpp>\n',
     "player/play.cpp": '#include "files/files.h"\n#include "view.h"\n',
     "player/view.h": "#include <embree3/rtcore.h>\n",
@@ -54,6 +59,37 @@ class CheckIncludes(unittest.TestCase):
         self.assertEqual(
             planted("libribbon/files/files.h", '#pragma once\n#include "physics/physics.h"\n'),
             ["libribbon/files/files.h:2: 'files' may not include 'physics/physics.h'"],
+        )
+
+    def test_an_include_against_the_order_of_rooms_is_found(self):
+        self.assertEqual(
+            planted("libribbon/physics/contact/contact.h", '#include "physics/step/step.h"\n'),
+            ["libribbon/physics/contact/contact.h:1: "
+             "'physics/contact' may not include 'physics/step/step.h'"],
+        )
+
+    def test_a_room_may_not_include_what_stands_at_the_door(self):
+        self.assertEqual(
+            planted("libribbon/physics/step/step.h", '#include "physics/physics.h"\n'),
+            ["libribbon/physics/step/step.h:1: 'physics/step' may not include 'physics/physics.h'"],
+        )
+
+    def test_a_room_may_include_other_stations_only_as_its_station_may(self):
+        self.assertEqual(
+            planted("libribbon/physics/step/step.h", '#include "files/files.h"\n'),
+            ["libribbon/physics/step/step.h:1: 'physics' may not include 'files/files.h'"],
+        )
+
+    def test_files_that_others_are_made_of_are_looked_at(self):
+        self.assertEqual(
+            planted("libribbon/physics/step/loops.inc", '#include "player/view.h"\n'),
+            ["libribbon/physics/step/loops.inc:1: 'physics' may not include 'player/view.h'"],
+        )
+
+    def test_a_room_without_a_row_is_found(self):
+        self.assertEqual(
+            planted("libribbon/physics/attic/attic.h", ""),
+            ["libribbon/README.md: 'physics/attic' has no row"],
         )
 
     def test_angle_brackets_hide_nothing(self):

@@ -1,0 +1,75 @@
+#include "recording/codec/frame_prediction.h"
+
+#include <cassert>
+
+namespace ribbon {
+
+namespace {
+
+float over_squared(double length) {
+  return 1.0F / static_cast<float>(length * length);
+}
+
+template <class Number>
+Triple<Number*> pointers(PlaneFields<Number>& fields) {
+  return {fields[0].data(), fields[1].data(), fields[2].data()};
+}
+template <class Number>
+Triple<const Number*> pointers(const PlaneFields<Number>& fields) {
+  return {fields[0].data(), fields[1].data(), fields[2].data()};
+}
+
+}  // namespace
+
+FramePrediction::FramePrediction(const CodecParameters& parameters) : planes_(parameters.grid) {
+  for (auto& component : motion_) component.assign(planes_.cells(), 0);
+  const bool on_lattice = parameters.step_m > 0;
+  const double unit_m = on_lattice ? static_cast<double>(parameters.step_m) : 1;
+  frame_.planes = &planes_;
+  frame_.on_lattice = on_lattice;
+  frame_.over_along_rest_squared =
+      over_squared(parameters.ribbon_length_m / (parameters.grid.along - 1) / unit_m);
+  frame_.over_across_rest_squared =
+      over_squared(parameters.ribbon_width_m / (parameters.grid.across - 1) / unit_m);
+}
+
+void FramePrediction::begin(Prediction prediction,
+                            std::span<const LatticeFrame* const> references) {
+  assert(references.empty() || prediction != Prediction::within);
+  frame_.prediction = references.empty() ? Prediction::within : prediction;
+  if (references.empty()) return;
+  // For want of a second frame the first, of a third what the second or, between, the first is, of
+  // a fourth the second.
+  const std::array<std::size_t, 4> instead = {0, 0, prediction == Prediction::forward ? 1U : 0U, 1};
+  for (std::size_t k = 0; k < frame_.reference_values.size(); ++k)
+    frame_.reference_values[k] = k < references.size() ? pointers(references[k]->values)
+                                                       : frame_.reference_values[instead[k]];
+}
+
+void FramePrediction::set_fields(LatticeFrame& frame) {
+  frame_.weights = &weights;
+  frame_.within_weights = &within_weights;
+  frame_.values = pointers(frame.values);
+  frame_.motion = pointers(motion_);
+}
+
+void FramePrediction::decode(Ranks& ranks, LatticeFrame& frame) {
+  for (auto& component : frame.values) component.resize(planes_.cells());
+  set_fields(frame);
+  frame_.ranks = pointers(ranks);
+  loops().decode(frame_);
+  frame.continue_values();
+}
+
+void FramePrediction::set(LatticeFrame& frame) {
+  set_fields(frame);
+  loops().set_motion(frame_);
+}
+
+void FramePrediction::rank(Ranks& ranks) {
+  for (auto& component : ranks) component.resize(planes_.cells());
+  frame_.ranks = pointers(ranks);
+  loops().rank(frame_);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,104 @@
+#include "recording/codec/position_decoder.h"
+
+#include "recording/codec/frame_prediction.h"
+#include "recording/codec/rank_blocks.h"
+#include "recording/coding/bytes.h"
+#include "recording/coding/compression.h"
+#include "recording/coding/varint.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr int largest_shift = 30;
+
+bool take_weights(std::string_view& bytes, Prediction prediction, Weights& weights) {
+  ByteTaker taker(bytes);
+  RecordedWeights recorded{taker.take<std::uint8_t>(), {}};
+  bytes = taker.rest();
+  if (!taker.complete() || recorded.shift > largest_shift) return false;
+  bool taken = true;
+  recorded.for_each(prediction, [&](std::int32_t& number) {
+    const auto next = take_varint(bytes);
+    taken = taken && next;
+    number = unzigzag(next.value_or(0));
+  });
+  weights = recorded.weights();
+  return taken;
+}
+
+bool take_within_weights(std::string_view& bytes, WithinWeights& weights) {
+  ByteTaker taker(bytes);
+  for (MiddleWeights& stage : weights) {
+    stage.pairs = static_cast<float>(taker.take<std::int8_t>()) / 64;
+    stage.outer = static_cast<float>(taker.take<std::int8_t>()) / 64;
+  }
+  bytes = taker.rest();
+  return taker.complete();
+}
+
+}  // namespace
+
+struct PositionDecoder::State {
+  explicit State(const CodecParameters& codec)
+      : parameters(codec),
+        frame_prediction(codec),
+        unpacker(frame_prediction.planes(), codec.entropy_tables) {}
+
+  CodecParameters parameters;
+  Decompressor decompressor;
+  FramePrediction frame_prediction;
+  RankUnpacker unpacker;
+  Ranks ranks;
+
+  bool decode_plain(std::string_view geometry, LatticeFrame& frame);
+  bool decode_lattice(std::string_view geometry, std::span<const LatticeFrame* const> references,
+                      LatticeFrame& frame);
+};
+
+bool PositionDecoder::State::decode_plain(std::string_view geometry, LatticeFrame& frame) {
+  const auto particles = static_cast<std::size_t>(parameters.grid.particle_count());
+  const auto content = decompressor.decompress(geometry, particles * 12);
+  if (!content || content->size() != particles * 12) return false;
+  ByteTaker taker(*content);
+  frame.plain_positions.resize(3, parameters.grid.particle_count());
+  for (Eigen::Index c = 0; c < 3; ++c)
+    for (float& coordinate : frame.plain_positions.row(c)) coordinate = taker.take<float>();
+  return frame.plain_positions.allFinite();
+}
+
+bool PositionDecoder::State::decode_lattice(std::string_view geometry,
+                                            std::span<const LatticeFrame* const> references,
+                                            LatticeFrame& frame) {
+  ByteTaker taker(geometry);
+  const auto prediction = taker.take<std::uint8_t>();
+  geometry = taker.rest();
+  if (!taker.complete() || prediction > static_cast<std::uint8_t>(Prediction::between) ||
+      (prediction == 0) != references.empty())
+    return false;
+  frame_prediction.begin(static_cast<Prediction>(prediction), references);
+  const bool taken =
+      prediction == 0
+          ? take_within_weights(geometry, frame_prediction.within_weights)
+          : take_weights(geometry, frame_prediction.prediction(), frame_prediction.weights);
+  if (!taken || !unpacker.unpack(geometry, ranks)) return false;
+  frame_prediction.decode(ranks, frame);
+  return frame.is_finite();
+}
+
+PositionDecoder::PositionDecoder(const CodecParameters& parameters)
+    : state_(std::make_unique<State>(parameters)) {}
+PositionDecoder::PositionDecoder(PositionDecoder&&) noexcept = default;
+PositionDecoder& PositionDecoder::operator=(PositionDecoder&&) noexcept = default;
+PositionDecoder::~PositionDecoder() = default;
+
+bool PositionDecoder::decode(FrameEncoding encoding, std::string_view geometry,
+                             std::span<const LatticeFrame* const> references, LatticeFrame& frame) {
+  frame.grid = state_->parameters.grid;
+  frame.step_m = state_->parameters.step_m;
+  frame.plain = encoding == FrameEncoding::plain;
+  return frame.plain ? state_->decode_plain(geometry, frame)
+                     : state_->decode_lattice(geometry, usable(references), frame);
+}
+
+}  // namespace ribbon

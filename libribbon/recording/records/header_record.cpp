@@ -1,0 +1,230 @@
+#include "recording/records/header_record.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "recording/codec/frame_loops.h"
+#include "recording/coding/bytes.h"
+#include "recording/coding/compression.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr std::uint16_t major_version = 2;
+constexpr std::uint16_t minor_version = 0;
+constexpr std::uint32_t position_codec = 2;
+constexpr std::uint32_t most_entropy_tables = 64;
+constexpr std::int64_t most_particles = std::int64_t{1} << 24;
+// Columns have a border, so that many short ones take more memory than their particles.
+constexpr int most_columns = 1 << 20;
+constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;
+
+// A matrix column by column, as little-endian numbers in one compressed block.
+template <class Stored, class Matrix>
+void put_matrix(std::string& bytes, const Matrix& matrix) {
+  std::string content;
+  content.reserve(static_cast<std::size_t>(matrix.size()) * sizeof(Stored));
+  for (const auto number : matrix.reshaped()) put<Stored>(content, static_cast<Stored>(number));
+  put_string(bytes, Compressor().compress(content));
+}
+
+// The inverse; nothing where the block does not hold exactly `columns` columns. The matrix is
+// allocated only then.
+template <class Stored, class Matrix>
+bool take_matrix(ByteTaker& taker, std::uint64_t columns, Matrix& matrix) {
+  const std::string_view block = taker.take_bytes(taker.take<std::uint32_t>());
+  const std::uint64_t expected = columns * Matrix::RowsAtCompileTime * sizeof(Stored);
+  Decompressor decompressor;
+  const auto content = decompressor.decompress(block, expected);
+  if (!content || content->size() != expected) return false;
+  matrix.resize(Eigen::NoChange, static_cast<Eigen::Index>(columns));
+  ByteTaker numbers(*content);
+  for (auto& number : matrix.reshaped())
+    number = static_cast<typename Matrix::Scalar>(numbers.take<Stored>());
+  return true;
+}
+
+void put_obstacle(std::string& bytes, const TriangleMesh& mesh) {
+  put_string(bytes, mesh.name);
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(mesh.vertices.cols()));
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(mesh.triangles.cols()));
+  put_matrix<float>(bytes, mesh.vertices);
+  put_matrix<std::uint32_t>(bytes, mesh.triangles);
+}
+
+bool take_obstacle(ByteTaker& taker, TriangleMesh& mesh) {
+  mesh.name = take_string(taker);
+  const auto vertices = taker.take<std::uint32_t>();
+  const auto triangles = taker.take<std::uint32_t>();
+  if (vertices > largest_mesh || triangles > largest_mesh) return false;
+  if (!take_matrix<float>(taker, vertices, mesh.vertices) ||
+      !take_matrix<std::uint32_t>(taker, triangles, mesh.triangles))
+    return false;
+  const auto corners = mesh.triangles.reshaped();
+  return mesh.vertices.allFinite() && (corners.array() >= 0).all() &&
+         (corners.array() < static_cast<int>(vertices)).all();
+}
+
+void put_vector(std::string& bytes, const Eigen::Vector3d& vector) {
+  for (const double component : vector) put<double>(bytes, component);
+}
+
+Eigen::Vector3d take_vector(ByteTaker& taker) {
+  Eigen::Vector3d vector;
+  for (double& component : vector) component = taker.take<double>();
+  return vector;
+}
+
+bool is_axis(const CentreAxis& axis) {
+  return axis.point_m.allFinite() && std::abs(axis.direction.norm() - 1) < 1e-6;
+}
+
+void put_axis(std::string& bytes, const std::optional<CentreAxis>& axis) {
+  put<std::uint8_t>(bytes, axis ? 1 : 0);
+  if (!axis) return;
+  put_vector(bytes, axis->point_m);
+  put_vector(bytes, axis->direction);
+}
+
+bool take_axis(ByteTaker& taker, std::optional<CentreAxis>& axis) {
+  if (taker.take<std::uint8_t>() == 0) return taker.complete();
+  axis.emplace();
+  axis->point_m = take_vector(taker);
+  axis->direction = take_vector(taker);
+  return taker.complete() && is_axis(*axis);
+}
+
+void put_tables(std::string& bytes, const std::vector<std::string>& tables) {
+  assert(tables.size() <= most_entropy_tables);
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(tables.size()));
+  for (const std::string& table : tables) put_string(bytes, table);
+}
+
+bool take_tables(ByteTaker& taker, std::vector<std::string>& tables) {
+  const auto count = taker.take<std::uint32_t>();
+  if (count > most_entropy_tables) return false;
+  for (std::uint32_t i = 0; i < count; ++i) tables.push_back(take_string(taker));
+  return taker.complete();
+}
+
+void put_origin(std::string& bytes, const std::optional<Origin>& origin) {
+  put<std::uint8_t>(bytes, origin ? 1 : 0);
+  if (!origin) return;
+  put<std::uint32_t>(bytes, origin->recording_id);
+  put_string(bytes, origin->scene_name);
+  put<std::uint32_t>(bytes, origin->frame);
+  put_string(bytes, origin->changed_settings);
+}
+
+bool take_origin(ByteTaker& taker, std::optional<Origin>& origin) {
+  if (taker.take<std::uint8_t>() == 0) return taker.complete();
+  origin.emplace();
+  origin->recording_id = taker.take<std::uint32_t>();
+  origin->scene_name = take_string(taker);
+  origin->frame = taker.take<std::uint32_t>();
+  origin->changed_settings = take_string(taker);
+  return taker.complete();
+}
+
+tl::unexpected<Error> damaged() {
+  return failure("", "the header is not valid", "use a copy of the recording that is not damaged");
+}
+
+bool is_positive(double number) {
+  return std::isfinite(number) && number > 0;
+}
+
+// Positions must stay within single precision whatever their numbers are.
+bool is_lattice_step(double step_m) {
+  return step_m >= 0 &&
+         step_m * largest_lattice_number <= static_cast<double>(std::numeric_limits<float>::max());
+}
+
+bool is_positive_or_zero(double number) {
+  return std::isfinite(number) && number >= 0;
+}
+
+// The counts of the grid, bounded before anything is made of them.
+bool take_grid(ByteTaker& taker, RibbonGrid& grid) {
+  const auto along = taker.take<std::uint32_t>();
+  const auto across = taker.take<std::uint32_t>();
+  constexpr std::uint32_t largest = std::numeric_limits<int>::max();
+  if (along > largest || across > largest) return false;
+  grid = {static_cast<int>(along), static_cast<int>(across)};
+  return is_recordable(grid);
+}
+
+}  // namespace
+
+bool is_recordable(const RibbonGrid& grid) {
+  return grid.along >= 2 && grid.across >= 2 && grid.across <= most_columns &&
+         std::int64_t{grid.along} * grid.across <= most_particles;
+}
+
+std::string header_payload(const RecordingHeader& header) {
+  std::string bytes;
+  put<std::uint16_t>(bytes, major_version);
+  put<std::uint16_t>(bytes, minor_version);
+  put<std::uint32_t>(bytes, position_codec);
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(header.grid.along));
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(header.grid.across));
+  put<double>(bytes, header.ribbon_length_m);
+  put<double>(bytes, header.ribbon_width_m);
+  put<double>(bytes, header.frames_per_second);
+  put<double>(bytes, header.max_position_error_m);
+  put<double>(bytes, header.lattice_step_m);
+  put_string(bytes, header.scene_name);
+  put_string(bytes, header.writer);
+  put_string(bytes, header.scene_text);
+  put_matrix<float>(bytes, header.uv);
+  put<std::uint8_t>(bytes, header.obstacle ? 1 : 0);
+  if (header.obstacle) put_obstacle(bytes, *header.obstacle);
+  put<double>(bytes, header.stated_gap_m);
+  put_axis(bytes, header.centre_axis);
+  put_tables(bytes, header.entropy_tables);
+  put_origin(bytes, header.origin);
+  return bytes;
+}
+
+Result<RecordingHeader> parse_header_payload(std::string_view payload) {
+  ByteTaker taker(payload);
+  const auto major = taker.take<std::uint16_t>();
+  taker.take<std::uint16_t>();  // a newer minor version only appends
+  if (taker.complete() && major != major_version)
+    return failure("",
+                   "was written in format version " + std::to_string(major) +
+                       ", this program reads version " + std::to_string(major_version),
+                   major > major_version ? "use a newer program" : "record it again");
+  const auto codec = taker.take<std::uint32_t>();
+  RecordingHeader header;
+  if (codec != position_codec || !take_grid(taker, header.grid)) return damaged();
+  header.ribbon_length_m = taker.take<double>();
+  header.ribbon_width_m = taker.take<double>();
+  header.frames_per_second = taker.take<double>();
+  header.max_position_error_m = taker.take<double>();
+  header.lattice_step_m = taker.take<double>();
+  header.scene_name = take_string(taker);
+  header.writer = take_string(taker);
+  header.scene_text = take_string(taker);
+  const auto particles = static_cast<std::uint64_t>(header.grid.particle_count());
+  if (!taker.complete() || !take_matrix<float>(taker, particles, header.uv)) return damaged();
+  if (taker.take<std::uint8_t>() != 0 && !take_obstacle(taker, header.obstacle.emplace()))
+    return damaged();
+  header.stated_gap_m = taker.take<double>();
+  if (!take_axis(taker, header.centre_axis) || !take_tables(taker, header.entropy_tables) ||
+      !take_origin(taker, header.origin))
+    return damaged();
+  const bool valid =
+      taker.complete() && !header.scene_name.empty() && is_positive(header.ribbon_length_m) &&
+      is_positive(header.ribbon_width_m) && is_positive(header.frames_per_second) &&
+      is_positive_or_zero(header.max_position_error_m) && is_lattice_step(header.lattice_step_m) &&
+      is_positive_or_zero(header.stated_gap_m) && header.uv.allFinite();
+  if (!valid) return damaged();
+  return header;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,58 @@
+// The payload of an index record: where some frames lie, and what they tell (FORMAT.md, section 6).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "recording/records/frame_record.h"
+#include "recording/records/record.h"
+
+namespace ribbon {
+
+// A writer gathers so many frames in one index record.
+inline constexpr std::size_t frames_in_index = 256;
+
+inline constexpr std::uint64_t smallest_frame_record = record_head_bytes + frame_fields_bytes;
+
+// No frame number n may have fewer than n - frames_ahead frames before it in the file.
+inline constexpr std::uint64_t frames_ahead = 1024;
+
+// How many frames a file may have, at most, whose records end at `bytes`.
+inline std::uint64_t most_frames(std::uint64_t bytes) {
+  return bytes / smallest_frame_record + frames_ahead;
+}
+
+struct IndexedFrame {
+  std::uint32_t frame = 0;         // from 0
+  std::uint32_t record_bytes = 0;  // head and payload
+  std::uint64_t offset = 0;        // of the record in the file
+  ReferenceList references;
+  FrameNumbers numbers;
+};
+
+// A checkpoint, a session, or what later versions know.
+struct IndexedOther {
+  RecordType type{};
+  std::uint32_t frame = 0;  // a session's first frame
+  std::uint64_t offset = 0;
+  std::uint64_t record_bytes = 0;
+};
+
+struct Index {
+  std::uint64_t previous = 0;        // offset of the index record before this one; 0: none
+  std::vector<IndexedFrame> frames;  // as they lie in the file
+  std::vector<IndexedOther> others;
+};
+
+std::string index_payload(std::uint32_t recording_id, const Index& index);
+
+// Nothing where the payload is malformed, of another recording, or names records that do not lie
+// before `offset`, where the index record itself begins.
+std::optional<Index> parse_index_payload(std::string_view payload, std::uint32_t recording_id,
+                                         std::uint64_t offset);
+
+}  // namespace ribbon

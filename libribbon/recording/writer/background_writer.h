@@ -1,0 +1,52 @@
+// Writes a recording beside the simulation that makes it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "recording/writer/recording_writer.h"
+
+namespace ribbon {
+
+// What writing beside the simulation has taken so far.
+struct BackgroundFigures {
+  double blocked_s = 0;           // the simulation's wall time in calls, but for finish()
+  WriterFigures writer;           // wall time of the writing thread
+  std::size_t longest_queue = 0;  // frames that waited at the same time, at most
+};
+
+// Encodes and writes on a thread of its own, in the order of the calls. A call copies what it gets
+// and returns; nothing is ever dropped, however long the queue gets. What is written reaches the
+// disk at most a second later, so that a power cut costs no more.
+class BackgroundWriter {
+ public:
+  explicit BackgroundWriter(RecordingWriter writer);
+  BackgroundWriter(const BackgroundWriter&) = delete;
+  BackgroundWriter& operator=(const BackgroundWriter&) = delete;
+  // Waits until everything is written.
+  ~BackgroundWriter();
+
+  // As in RecordingWriter. Problems are told by problem().
+  void append(const FrameNumbers& numbers, const Eigen::Matrix3Xd& positions);
+  void append_checkpoint(std::uint64_t steps, std::string state);
+  void append_session(const SessionNote& note);
+
+  // The first thing that went wrong, if anything did. Nothing is written after it.
+  [[nodiscard]] Result<void> problem() const;
+
+  // Waits until everything is written, then writes what ended the run and closes. Once.
+  Result<void> finish(RunEnding ending);
+
+  [[nodiscard]] BackgroundFigures figures() const;
+  // The file's size, as far as it has been written.
+  [[nodiscard]] std::uint64_t bytes_written() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ribbon

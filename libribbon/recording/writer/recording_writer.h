@@ -1,0 +1,98 @@
+// Writes a recording frame by frame.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "recording/codec/lattice_frame.h"
+#include "recording/records/directory_record.h"
+#include "recording/records/frame_record.h"
+#include "recording/records/recording.h"
+#include "recording/writer/record_file.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+// A frame as it will be decoded.
+struct DecodedFrame {
+  std::uint32_t frame = 0;  // from 0
+  LatticeFrame lattice;
+};
+
+// What a writer must know of a recording to go on with it.
+struct RecordedSoFar {
+  RecordingHeader header;
+  std::uint32_t recording_id = 0;
+  std::uint32_t frames = 0;               // one more than the highest frame number
+  std::vector<IndexPlace> indices = {};   // the index records that are there
+  Index not_indexed = {};                 // what lies in the file and in none of them
+  std::vector<DecodedFrame> recent = {};  // those that the next frame may be predicted from
+};
+
+// Wall time that a writer has taken so far.
+struct WriterFigures {
+  double encoding_s = 0;
+  double writing_s = 0;
+  double syncing_s = 0;
+};
+
+class RecordingWriter {
+ public:
+  // Creates `path` (replacing an older file) and writes the header at once, so that an unwritable
+  // target is known before a long run. Creates missing parent folders. The file stays locked as
+  // long as the writer lives; fails where another one writes it.
+  static Result<RecordingWriter> create(const std::filesystem::path& path,
+                                        const RecordingHeader& header);
+
+  // Goes on with a recording that `file` ends with; resume_recording() finds out what there is.
+  RecordingWriter(RecordFile file, RecordedSoFar so_far);
+
+  RecordingWriter(RecordingWriter&&) noexcept;
+  RecordingWriter& operator=(RecordingWriter&&) noexcept;
+  ~RecordingWriter();
+
+  // All of these hand what they append to the operating system before they return. They fail on a
+  // write error; what was written before stays readable, and the sentence says how much that is.
+
+  // The next frame. positions: 3 x particles in metres. Fails as well where they cannot be encoded
+  // within the bound, and can then be called again.
+  Result<void> append(const FrameNumbers& numbers, const Eigen::Matrix3Xd& positions);
+  // The next frame as it was decoded from a recording on the same lattice.
+  Result<void> append(const FrameNumbers& numbers, LatticeFrame lattice);
+
+  // A frame of any number that was encoded by others; its references were appended before. The
+  // recording id is that of this recording whatever `frame` says.
+  Result<void> append_encoded(FrameRecord frame);
+
+  // The simulation's state just after the frame appended last (there must be one), and how many
+  // steps led to it. Fails as well where the state is too large for a checkpoint.
+  Result<void> append_checkpoint(std::uint64_t steps, std::string_view state);
+
+  // The run is taken up again with the next frame.
+  Result<void> append_session(const SessionNote& note);
+  // One that lies in the past, of a recording that is copied.
+  Result<void> append_session(const Session& session);
+
+  // Waits until all that was appended is on the disk.
+  Result<void> sync();
+
+  // Writes the last index and what ended the run, syncs and closes. Without it the recording is
+  // still complete: readers then scan.
+  Result<void> finish(RunEnding ending = RunEnding::unknown);
+
+  [[nodiscard]] const RecordingHeader& header() const;
+  [[nodiscard]] std::uint32_t recording_id() const;
+  [[nodiscard]] std::uint64_t bytes_written() const;  // the file's size
+  [[nodiscard]] std::uint32_t frames_written()
+      const;  // since the recording began, lost ones included
+  [[nodiscard]] WriterFigures figures() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,61 @@
+#include "simulation/contact/collision.h"
+
+#include <Eigen/Geometry>
+
+#include "simulation/detection/closest_weights.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+using Corners = Eigen::Matrix<double, 3, 4>;  // the four vertices of a pair
+
+// The direction that both kinds of pair are separated along when their contact lies inside both
+// features: the triangle's normal, or the common perpendicular of the edges. Not normalised.
+Vector3d separating_direction(FeaturePair::Kind kind, const Corners& x) {
+  if (kind == FeaturePair::Kind::vertex_triangle)
+    return (x.col(2) - x.col(1)).cross(x.col(3) - x.col(1));
+  return (x.col(1) - x.col(0)).cross(x.col(3) - x.col(2));
+}
+
+// From the second feature to the first.
+Vector3d between(FeaturePair::Kind kind, const Corners& x) {
+  return kind == FeaturePair::Kind::vertex_triangle ? Vector3d(x.col(0) - x.col(1))
+                                                    : Vector3d(x.col(0) - x.col(2));
+}
+
+}  // namespace
+
+std::optional<Collision> find_collision(const FeaturePair& pair, const Matrix3Xd& t0,
+                                        const Matrix3Xd& t1, double gap_m) {
+  const Corners x0 = corners(pair, t0);
+  const Corners x1 = corners(pair, t1);
+  const Vector3d direction0 = separating_direction(pair.kind, x0);
+  Vector3d direction1 = separating_direction(pair.kind, x1);
+  const double side0 = direction0.dot(between(pair.kind, x0));
+  const double side1 = direction1.dot(between(pair.kind, x1));
+
+  if ((side0 > 0 && side1 < 0) || (side0 < 0 && side1 > 0)) {
+    const double t = side0 / (side0 - side1);
+    const Corners x = (1 - t) * x0 + t * x1;
+    const Vector4d weights = closest_weights(pair.kind, x);
+    // Coplanar at this instant, they either meet or lie beside each other.
+    if ((x * weights).norm() <= gap_m) {
+      direction1 *= side0 > 0 ? 1 : -1;
+      const Vector3d normal = direction1.normalized();
+      return Collision{weights, normal, normal.dot(x1 * weights)};
+    }
+  }
+
+  const Vector4d weights = closest_weights(pair.kind, x1);
+  const Vector3d apart = x1 * weights;
+  const double distance_m = apart.norm();
+  if (distance_m >= gap_m || distance_m == 0) return std::nullopt;
+  return Collision{weights, apart / distance_m, distance_m};
+}
+
+}  // namespace ribbon

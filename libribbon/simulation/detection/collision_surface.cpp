@@ -1,0 +1,80 @@
+#include "simulation/detection/collision_surface.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace ribbon {
+
+namespace {
+
+// Sides of triangles are numbered three times the triangle plus the corner where they start.
+std::array<int, 2> ends_of(const Eigen::Matrix3Xi& triangles, int side) {
+  const int a = triangles(side % 3, side / 3);
+  const int b = triangles((side + 1) % 3, side / 3);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// For each side the first one that is the same edge.
+std::vector<int> first_sides(const Eigen::Matrix3Xi& triangles) {
+  struct Side {
+    std::array<int, 2> ends;
+    int number;
+  };
+  std::vector<Side> sides(static_cast<std::size_t>(triangles.size()));
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    sides[i] = {ends_of(triangles, static_cast<int>(i)), static_cast<int>(i)};
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.ends, a.number) < std::tie(b.ends, b.number);
+  });
+  std::vector<int> first(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const bool is_new = i == 0 || sides[i].ends != sides[i - 1].ends;
+    first[static_cast<std::size_t>(sides[i].number)] =
+        is_new ? sides[i].number : first[static_cast<std::size_t>(sides[i - 1].number)];
+  }
+  return first;
+}
+
+void number_edges(CollisionSurface& surface) {
+  const std::vector<int> first = first_sides(surface.triangles);
+  std::size_t edges = 0;
+  for (std::size_t side = 0; side < first.size(); ++side)
+    edges += first[side] == static_cast<int>(side) ? 1 : 0;
+  surface.edges.reserve(edges);
+  for (std::size_t side = 0; side < first.size(); ++side) {
+    const auto original = static_cast<std::size_t>(first[side]);
+    int& edge = surface.triangle_edges[side / 3][side % 3];
+    edge = surface.triangle_edges[original / 3][original % 3];
+    if (original != side) continue;
+    edge = static_cast<int>(surface.edges.size());
+    surface.edges.push_back(ends_of(surface.triangles, static_cast<int>(side)));
+    surface.answers_for[side / 3] |= static_cast<std::uint8_t>(8U << (side % 3));
+  }
+}
+
+void share_out_vertices(CollisionSurface& surface) {
+  std::vector<bool> seen(static_cast<std::size_t>(surface.triangles.maxCoeff()) + 1);
+  unsigned side = 0;
+  for (const int vertex : surface.triangles.reshaped()) {
+    if (!seen[static_cast<std::size_t>(vertex)])
+      surface.answers_for[side / 3] |= static_cast<std::uint8_t>(1U << (side % 3));
+    seen[static_cast<std::size_t>(vertex)] = true;
+    ++side;
+  }
+}
+
+}  // namespace
+
+CollisionSurface collision_surface(Eigen::Matrix3Xi triangles) {
+  CollisionSurface surface;
+  surface.triangles = std::move(triangles);
+  if (surface.triangles.cols() == 0) return surface;
+  surface.triangle_edges.resize(static_cast<std::size_t>(surface.triangles.cols()));
+  surface.answers_for.resize(static_cast<std::size_t>(surface.triangles.cols()));
+  number_edges(surface);
+  share_out_vertices(surface);
+  return surface;
+}
+
+}  // namespace ribbon

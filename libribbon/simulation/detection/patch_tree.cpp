@@ -1,0 +1,376 @@
+#include "simulation/detection/patch_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parallel/parallel.h"
+#include "simulation/detection/tree_walk.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int surrounding = 1;  // blocks to every side of a patch
+constexpr int patches_to_a_branch = 256;
+
+Vector3d middle(const Box& box) {
+  return (box.low + box.high) / 2;
+}
+
+Vector3d half(const Box& box) {
+  return (box.high - box.low) / 2;
+}
+
+MovingBox edge(const MovingBox& from, const MovingBox& to) {
+  return {Box::around(middle(to.start) - middle(from.start)),
+          Box::around(middle(to.end) - middle(from.end))};
+}
+
+// How far a particle may be beside its straight way.
+double freedom_m(const MovingBox& range) {
+  return half(range.end).norm();
+}
+
+// In the frame u, v: a lower bound of the smallest eigenvalue of the symmetric part of a matrix
+// whose columns are an edge along over along_m and an edge across over across_m.
+double least_stretch(const Box& along, double along_m, const Box& across, double across_m,
+                     const Vector3d& u, const Vector3d& v) {
+  const Vector3d a = middle(along) / along_m;
+  const Vector3d c = middle(across) / across_m;
+  const Vector3d a_spread = half(along) / along_m;
+  const Vector3d c_spread = half(across) / across_m;
+  const double p = a.dot(u) - a_spread.dot(u.cwiseAbs());
+  const double s = c.dot(v) - c_spread.dot(v.cwiseAbs());
+  const double q =
+      (std::abs(a.dot(v) + c.dot(u)) + a_spread.dot(v.cwiseAbs()) + c_spread.dot(u.cwiseAbs())) / 2;
+  return (p + s) / 2 - std::sqrt((p - s) * (p - s) / 4 + q * q);
+}
+
+}  // namespace
+
+void PatchTree::Tangents::include(const Tangents& other) {
+  along.include(other.along);
+  across.include(other.across);
+  freedom_m = std::max(freedom_m, other.freedom_m);
+}
+
+PatchTree::PatchTree(const RibbonGrid& grid)
+    : grid_(grid),
+      block_rows_((grid.along - 1 + block_side - 1) / block_side),
+      block_columns_((grid.across - 1 + block_side - 1) / block_side) {
+  build({.first_row = 0, .end_row = block_rows_, .first_column = 0, .end_column = block_columns_});
+  boxes_.resize(patches_.size());
+  share_out();
+  tangents_.resize(patches_.size());
+  flat_.resize(patches_.size());
+  looked_at_.resize(patches_.size());
+  blocks_.resize(static_cast<std::size_t>(block_rows_) * static_cast<std::size_t>(block_columns_));
+  widened_.resize(blocks_.size());
+}
+
+// Returns the patch's number. The longer side is halved.
+int PatchTree::build(Patch patch) {
+  if (patch.blocks() > 1) {
+    Patch first = patch;
+    Patch second = patch;
+    if (patch.end_row - patch.first_row >= patch.end_column - patch.first_column)
+      first.end_row = second.first_row = (patch.first_row + patch.end_row) / 2;
+    else
+      first.end_column = second.first_column = (patch.first_column + patch.end_column) / 2;
+    patch.first_child = build(first);
+    patch.second_child = build(second);
+  }
+  patches_.push_back(patch);
+  return root();
+}
+
+// Children come before their parents, so the patches of a branch follow each other. Branches can be
+// refitted side by side.
+void PatchTree::share_out() {
+  std::vector<int> sizes(patches_.size(), 1);
+  const auto size = [&](int patch) -> int& { return sizes[static_cast<std::size_t>(patch)]; };
+  for (int patch = 0; patch <= root(); ++patch)
+    if (!at(patch).is_leaf())
+      size(patch) += size(at(patch).first_child) + size(at(patch).second_child);
+  for (int patch = root(); patch >= 0; --patch) {
+    if (size(patch) > patches_to_a_branch) {
+      trunk_.push_back(patch);
+      continue;
+    }
+    branches_.push_back(patch);
+    patch -= size(patch) - 1;
+  }
+  std::reverse(branches_.begin(), branches_.end());
+  std::reverse(trunk_.begin(), trunk_.end());
+}
+
+// The yardstick of flatness: any would do, this one lets most patches pass.
+void PatchTree::measure_edges(std::span<const MovingBox> ranges) {
+  const auto length_m = [&](int a, int b) {
+    return (ranges[static_cast<std::size_t>(b)].start.low -
+            ranges[static_cast<std::size_t>(a)].start.low)
+        .norm();
+  };
+  double along_m = 0;
+  double across_m = 0;
+  for (int particle = 0; particle < grid_.particle_count(); ++particle) {
+    if (grid_.row(particle) + 1 < grid_.along)
+      along_m += length_m(particle, particle + grid_.across);
+    if (grid_.column(particle) + 1 < grid_.across) across_m += length_m(particle, particle + 1);
+  }
+  along_m_ = along_m / (static_cast<double>(grid_.along - 1) * grid_.across);
+  across_m_ = across_m / (static_cast<double>(grid_.across - 1) * grid_.along);
+}
+
+BlockFeatures PatchTree::features_of(int leaf) const {
+  return {grid_, at(leaf).first_row, at(leaf).first_column, vertices_};
+}
+
+PatchTree::Tangents PatchTree::tangents_of_block(std::span<const MovingBox> ranges, int block_row,
+                                                 int block_column) const {
+  const int last_row = std::min(grid_.along - 1, block_side * (block_row + 1));
+  const int last_column = std::min(grid_.across - 1, block_side * (block_column + 1));
+  const auto range = [&](int row, int column) -> const MovingBox& {
+    return ranges[static_cast<std::size_t>(grid_.particle(row, column))];
+  };
+  const int first_row = block_side * block_row;
+  const int first_column = block_side * block_column;
+  const MovingBox& corner = range(first_row, first_column);
+  Tangents tangents{edge(corner, range(first_row + 1, first_column)),
+                    edge(corner, range(first_row, first_column + 1)), 0};
+  for (int row = first_row; row <= last_row; ++row)
+    for (int column = first_column; column <= last_column; ++column) {
+      const MovingBox& here = range(row, column);
+      tangents.freedom_m = std::max(tangents.freedom_m, freedom_m(here));
+      if (row < last_row) tangents.along.include(edge(here, range(row + 1, column)));
+      if (column < last_column) tangents.across.include(edge(here, range(row, column + 1)));
+    }
+  return tangents;
+}
+
+// Of every block with what surrounds it: first beside it in its row, then over the rows.
+void PatchTree::refit_blocks(std::span<const MovingBox> ranges) {
+  const auto at_block = [this](std::vector<Tangents>& of, int row, int column) -> Tangents& {
+    const int block_number = row * block_columns_ + column;
+    return of[static_cast<std::size_t>(block_number)];
+  };
+  const auto for_rows = [this](const auto& body) {
+    parallel_ranges(static_cast<std::size_t>(block_rows_), 32,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+                        body(row);
+                    });
+  };
+  for_rows([&](int row) {
+    for (int column = 0; column < block_columns_; ++column)
+      at_block(blocks_, row, column) = tangents_of_block(ranges, row, column);
+    for (int column = 0; column < block_columns_; ++column) {
+      Tangents& wide = at_block(widened_, row, column);
+      wide = at_block(blocks_, row, column);
+      const int last = std::min(block_columns_ - 1, column + surrounding);
+      for (int other = std::max(0, column - surrounding); other <= last; ++other)
+        wide.include(at_block(blocks_, row, other));
+    }
+  });
+  for_rows([&](int row) {
+    const int last = std::min(block_rows_ - 1, row + surrounding);
+    for (int column = 0; column < block_columns_; ++column) {
+      Tangents& all = at_block(blocks_, row, column);
+      all = at_block(widened_, row, column);
+      for (int other = std::max(0, row - surrounding); other <= last; ++other)
+        all.include(at_block(widened_, other, column));
+    }
+  });
+}
+
+// About the first particle, near which the others are.
+void PatchTree::pack(std::span<const MovingBox> ranges) {
+  origin_ = ranges.front().start.low;
+  vertices_.resize(ranges.size());
+  parallel_ranges(ranges.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t vertex = begin; vertex < end; ++vertex) {
+      MovingBox grown = ranges[vertex];
+      grown.grow(reach_m_ / 2);
+      vertices_[vertex] = PackedBox::around(grown, origin_);
+    }
+  });
+}
+
+PackedBox PatchTree::box_of_leaf(int leaf) const {
+  const int end_row = std::min(grid_.along - 1, block_side * at(leaf).end_row);
+  const int end_column = std::min(grid_.across - 1, block_side * at(leaf).end_column);
+  const auto vertex = [&](int row, int column) -> const PackedBox& {
+    return vertices_[static_cast<std::size_t>(grid_.particle(row, column))];
+  };
+  PackedBox box = vertex(end_row, end_column);
+  for (int row = block_side * at(leaf).first_row; row <= end_row; ++row)
+    for (int column = block_side * at(leaf).first_column; column <= end_column; ++column)
+      box.include(vertex(row, column));
+  return box;
+}
+
+void PatchTree::refit_patch(int patch) {
+  const auto index = static_cast<std::size_t>(patch);
+  if (at(patch).is_leaf()) {
+    tangents_[index] = blocks_[static_cast<std::size_t>(block_of(patch))];
+    boxes_[index] = box_of_leaf(patch);
+  } else {
+    const auto first = static_cast<std::size_t>(at(patch).first_child);
+    const auto second = static_cast<std::size_t>(at(patch).second_child);
+    tangents_[index] = tangents_[first];
+    tangents_[index].include(tangents_[second]);
+    boxes_[index] = boxes_[first];
+    boxes_[index].include(boxes_[second]);
+  }
+  flat_[index] = is_flat(tangents_[index]) ? 1 : 0;
+  looked_at_[index] = 1;
+}
+
+void PatchTree::refit(std::span<const MovingBox> ranges, double reach_m) {
+  reach_m_ = reach_m;
+  pack(ranges);
+  measure_edges(ranges);
+  refit_blocks(ranges);
+  parallel_ranges(branches_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t branch = begin; branch < end; ++branch) {
+      int patch = branches_[branch];
+      while (!at(patch).is_leaf()) patch = at(patch).first_child;
+      for (; patch <= branches_[branch]; ++patch) refit_patch(patch);
+    }
+  });
+  for (const int patch : trunk_) refit_patch(patch);
+}
+
+// A particle on the border of a block belongs to its neighbours as well.
+void PatchTree::look_only_at(std::span<const int> particles) {
+  std::vector<char> blocks(blocks_.size(), 0);
+  for (const int particle : particles) {
+    const int row = grid_.row(particle);
+    const int column = grid_.column(particle);
+    for (const int i : {row - 1, row})
+      for (const int j : {column - 1, column})
+        if (i >= 0 && i < grid_.along - 1 && j >= 0 && j < grid_.across - 1)
+          blocks[block_at(i, j)] = 1;
+  }
+  for (int patch = 0; patch <= root(); ++patch) {
+    const bool is_looked =
+        at(patch).is_leaf()
+            ? blocks[static_cast<std::size_t>(block_of(patch))] != 0
+            : is_looked_at(at(patch).first_child) || is_looked_at(at(patch).second_child);
+    looked_at_[static_cast<std::size_t>(patch)] = is_looked ? 1 : 0;
+  }
+}
+
+bool PatchTree::is_flat(const Tangents& tangents) const {
+  const Vector3d along = middle(tangents.along.start) + middle(tangents.along.end);
+  const Vector3d across = middle(tangents.across.start) + middle(tangents.across.end);
+  const Vector3d u = along.normalized();
+  const Vector3d v = (across - across.dot(u) * u).normalized();
+  const double flatness = std::min(
+      least_stretch(tangents.along.start, along_m_, tangents.across.start, across_m_, u, v),
+      least_stretch(tangents.along.end, along_m_, tangents.across.end, across_m_, u, v));
+  // In the band, features that share no vertex lie at least a corner's height over its quad's
+  // diagonal apart. No number compares as less than the reach: what has no frame is not flat.
+  const double apart_m = along_m_ * across_m_ / std::hypot(along_m_, across_m_);
+  return flatness * apart_m > reach_m_ + 2 * tangents.freedom_m;
+}
+
+bool PatchTree::lie_flat(const PatchPair& pair) const {
+  if (pair.a == pair.b) return flat_[static_cast<std::size_t>(pair.a)] != 0;
+  const Patch& a = at(pair.a);
+  const Patch& b = at(pair.b);
+  const auto surrounds = [](const Patch& outer, const Patch& inner) {
+    return outer.first_row - surrounding <= inner.first_row &&
+           inner.end_row <= outer.end_row + surrounding &&
+           outer.first_column - surrounding <= inner.first_column &&
+           inner.end_column <= outer.end_column + surrounding;
+  };
+  if (flat_[static_cast<std::size_t>(pair.a)] != 0 && surrounds(a, b)) return true;
+  if (flat_[static_cast<std::size_t>(pair.b)] != 0 && surrounds(b, a)) return true;
+  const bool one_after_another = a.first_column == b.first_column && a.end_column == b.end_column &&
+                                 (a.end_row == b.first_row || b.end_row == a.first_row);
+  const bool side_by_side = a.first_row == b.first_row && a.end_row == b.end_row &&
+                            (a.end_column == b.first_column || b.end_column == a.first_column);
+  if (!one_after_another && !side_by_side) return false;
+  Tangents both = tangents_[static_cast<std::size_t>(pair.a)];
+  both.include(tangents_[static_cast<std::size_t>(pair.b)]);
+  return is_flat(both);
+}
+
+bool PatchTree::can_meet(const PatchPair& pair) const {
+  if (!is_looked_at(pair.a) && !is_looked_at(pair.b)) return false;
+  if (pair.a != pair.b &&
+      !boxes_[static_cast<std::size_t>(pair.a)].meets(boxes_[static_cast<std::size_t>(pair.b)]))
+    return false;
+  return !lie_flat(pair);
+}
+
+void PatchTree::split(const PatchPair& pair, std::vector<PatchPair>& next) const {
+  const Patch& a = at(pair.a);
+  if (pair.a == pair.b) {
+    next.insert(next.end(), {{a.first_child, a.first_child},
+                             {a.second_child, a.second_child},
+                             {a.first_child, a.second_child}});
+    return;
+  }
+  const Patch& b = at(pair.b);
+  if (a.blocks() >= b.blocks())
+    next.insert(next.end(), {{a.first_child, pair.b}, {a.second_child, pair.b}});
+  else
+    next.insert(next.end(), {{pair.a, b.first_child}, {pair.a, b.second_child}});
+}
+
+void PatchTree::list(const PatchPair& pair, std::vector<FeaturePair>& found) const {
+  const BlockFeatures of_a = features_of(pair.a);
+  if (pair.a == pair.b)
+    of_a.list_within(found);
+  else
+    of_a.list_between(features_of(pair.b), found);
+}
+
+std::vector<FeaturePair> PatchTree::pairs_within() const {
+  return walk<FeaturePair>(
+      PatchPair{root(), root()},
+      [&](const PatchPair& pair, std::vector<PatchPair>& next, std::vector<FeaturePair>& found) {
+        if (!can_meet(pair)) return;
+        if (at(pair.a).is_leaf() && at(pair.b).is_leaf())
+          list(pair, found);
+        else
+          split(pair, next);
+      });
+}
+
+std::vector<FeaturePair> PatchTree::pairs_with(const CollisionSurface& surface,
+                                               const Hierarchy& hierarchy) const {
+  struct Pair {
+    int patch = 0;
+    int node = 0;
+  };
+  const auto size = [](const PackedBox& box) {
+    return (box.start_high - box.start_low).square().sum() +
+           (box.end_high - box.end_low).square().sum();
+  };
+  return walk<FeaturePair>(Pair{root(), hierarchy.root()}, [&](const Pair& pair,
+                                                               std::vector<Pair>& next,
+                                                               std::vector<FeaturePair>& found) {
+    if (!is_looked_at(pair.patch)) return;
+    const PackedBox& box = boxes_[static_cast<std::size_t>(pair.patch)];
+    MovingBox grown = hierarchy.box(pair.node);
+    grown.grow(reach_m_ / 2);
+    const PackedBox other = PackedBox::around(grown, origin_);
+    if (!box.meets(other)) return;
+    const Patch& patch = at(pair.patch);
+    const bool node_is_leaf = hierarchy.is_leaf(pair.node);
+    if (patch.is_leaf() && node_is_leaf) {
+      features_of(pair.patch).list_with(surface, pair.node, vertices_, found);
+    } else if (!patch.is_leaf() && (node_is_leaf || size(box) >= size(other))) {
+      next.insert(next.end(), {{patch.first_child, pair.node}, {patch.second_child, pair.node}});
+    } else {
+      for (const int child : hierarchy.children(pair.node)) next.push_back({pair.patch, child});
+    }
+  });
+}
+
+}  // namespace ribbon

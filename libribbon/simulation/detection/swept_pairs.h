@@ -1,0 +1,28 @@
+// All pairs of features that a step could bring together.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "simulation/detection/bodies.h"
+#include "simulation/detection/feature_pairs.h"
+
+namespace ribbon {
+
+// The feature pairs, ribbon-ribbon and ribbon-obstacle, that may come within margin_m of each other
+// inside the ranges of their vertices, as far as boxes and flatness (patch_tree.h) tell. Nothing is
+// missed: a pair that is not listed stays more than margin_m apart.
+std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
+                                             double margin_m);
+
+// Those of them that have one of these particles.
+std::vector<FeaturePair> pairs_within_ranges_of(std::span<const int> particles, Bodies& bodies,
+                                                std::span<const MovingBox> ranges, double margin_m);
+
+// As published: the pairs whose boxes over the straight way from t0 to t1 come within margin_m of
+// each other, but for regions that curvature spares (Hierarchy::Spare).
+std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,
+                                                  const Eigen::Matrix3Xd& t1, double margin_m);
+
+}  // namespace ribbon

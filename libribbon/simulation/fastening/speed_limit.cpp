@@ -1,0 +1,26 @@
+#include "simulation/fastening/speed_limit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ribbon {
+
+// A free particle under a constant force: v' = F / m - air v.
+SpeedLimit::SpeedLimit(double highest_m_s, double particle_mass_kg, double air_resistance_per_s,
+                       double step_s)
+    : highest_m_s_(highest_m_s),
+      kept_(std::exp(-air_resistance_per_s * step_s)),
+      newton_per_gained_(particle_mass_kg * air_resistance_per_s /
+                         -std::expm1(-air_resistance_per_s * step_s)) {}
+
+void SpeedLimit::lower(const Eigen::Matrix3Xd& velocities, Eigen::Matrix3Xd& forces) const {
+  for (Eigen::Index particle = 0; particle < forces.cols(); ++particle) {
+    const double force_n = forces.col(particle).norm();
+    if (force_n == 0) continue;
+    const double speed_m_s = forces.col(particle).dot(velocities.col(particle)) / force_n;
+    const double most_n = newton_per_gained_ * std::max(0.0, highest_m_s_ - kept_ * speed_m_s);
+    if (force_n > most_n) forces.col(particle) *= most_n / force_n;
+  }
+}
+
+}  // namespace ribbon

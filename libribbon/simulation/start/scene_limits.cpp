@@ -1,0 +1,135 @@
+#include "simulation/start/scene_limits.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "simulation/contact/gap_lengths.h"
+#include "simulation/start/length_text.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+
+bool is_lossless(const Scene& scene) {
+  return scene.recording.max_position_error == 0;
+}
+
+// The largest coordinate; not a number where one is not.
+double farthest_m(const Eigen::Ref<const Matrix3Xd>& positions) {
+  return positions.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+}
+
+Result<void> arithmetic_keeps_the_gap(const Scene& scene, double gap_m, double farthest_m) {
+  // Heights over a plane take some ten roundings.
+  const double most_m = 1e-3 * gap_m / (16 * std::numeric_limits<double>::epsilon());
+  if (farthest_m <= most_m) return {};  // false for NaN
+  return failure(scene.name,
+                 "a position lies " + metres(farthest_m) +
+                     " from the origin, too far to tell gaps of " + metres(gap_m) + " apart",
+                 "keep ribbon and obstacle within " + metres(0.99 * most_m) +
+                     " of the origin, or make the edges of the ribbon longer");
+}
+
+Result<void> recording_tells_positions(const Scene& scene, double rounding_m, double farthest_m) {
+  const double single_m = std::ldexp(farthest_m, -24);
+  if (single_m <= rounding_m) return {};
+  return failure(
+      scene.name,
+      "the ribbon lies " + metres(farthest_m) +
+          " from the origin, where recorded coordinates are only right to " + metres(single_m),
+      "move it to within " + metres(0.99 * std::ldexp(rounding_m, 24)) +
+          " of the origin with curve.origin, make it smaller, or set recording.max_position_error "
+          "to " +
+          to_three_digits(1.01 * scene.recording.max_position_error * single_m / rounding_m) +
+          " or more");
+}
+
+Result<void> recording_keeps_the_gap(const Scene& scene, const NaturalSize& size,
+                                     const GapLengths& lengths, double rounding_m) {
+  if (recorded_gap_m(lengths, rounding_m) > 0) return {};
+  if (is_lossless(scene))
+    return failure(scene.name,
+                   "recording in single precision may move coordinates by " + metres(rounding_m) +
+                       ", so that surfaces kept " + metres(lengths.hard_m) + " apart could meet",
+                   "move the ribbon to the origin with curve.origin, or set fewer particles");
+  const double most_m = lengths.hard_m / lost_to_rounding_m(1);
+  return failure(scene.name,
+                 "recording may move coordinates by " + metres(rounding_m) +
+                     ", so that surfaces kept " + metres(lengths.hard_m) + " apart could meet",
+                 "set recording.max_position_error to " +
+                     to_three_digits(0.99 * most_m / size.length_m) +
+                     " or less, or fewer particles");
+}
+
+}  // namespace
+
+double recorded_reach_m(const Scene& scene, const NaturalSize& size, const Matrix3Xd& positions) {
+  if (!is_lossless(scene)) return std::numeric_limits<double>::max();
+  const double far_m = farthest_m(positions.leftCols(size.grid.particle_count())) + size.length_m;
+  return std::exp2(std::ceil(std::log2(2 * far_m)));
+}
+
+Scene with_single_rounding(Scene scene, const NaturalSize& size, double reach_m) {
+  // Half of the spacing of the numbers below the reach, a power of two.
+  if (is_lossless(scene))
+    scene.recording.max_position_error = std::ldexp(reach_m, -25) / size.length_m;
+  return scene;
+}
+
+Result<void> check_precision(const Scene& scene, const NaturalSize& size,
+                             const Matrix3Xd& positions) {
+  const double rounding_m =
+      with_single_rounding(scene, size, recorded_reach_m(scene, size, positions))
+          .recording.max_position_error_m(size.length_m);
+  const GapLengths lengths = gap_lengths(size.shortest_edge_m(), rounding_m, 0);
+  const auto ribbon = positions.leftCols(size.grid.particle_count());
+  Result<void> kept = arithmetic_keeps_the_gap(scene, lengths.hard_m, farthest_m(positions));
+  if (kept && !is_lossless(scene))
+    kept = recording_tells_positions(scene, rounding_m, farthest_m(ribbon));
+  if (kept && scene.contact == ContactMethod::gate)
+    kept = recording_keeps_the_gap(scene, size, lengths, rounding_m);
+  return kept;
+}
+
+Result<void> check_width(const Scene& scene, const RibbonGrid& grid) {
+  constexpr int most_across = 500;
+  if (scene.time.integrator != IntegrationMethod::implicit || grid.across <= most_across) return {};
+  return failure(scene.name,
+                 "the ribbon is " + std::to_string(grid.across) +
+                     " particles wide, more than the " + std::to_string(most_across) +
+                     " that time.integrator = \"implicit\" takes",
+                 "set a smaller ribbon.across or another integrator");
+}
+
+// As many parts as all springs alike need at k/m = 1e6 and a step of 0.01 s. Measured, over 400
+// steps on a post: from 27 (rk4) and 35 parts (symplectic_euler) on some mixtures of springs strain
+// the ribbon without bound; where bending resists alone from 20 and 33, but not with 13 and 21.
+int most_substeps(const Scene& scene) {
+  const bool bends_most = scene.springs.bend > scene.springs.stretch;
+  switch (scene.time.integrator) {
+    case IntegrationMethod::rk4:
+      return bends_most ? 12 : 20;
+    case IntegrationMethod::symplectic_euler:
+      return bends_most ? 20 : 33;
+    case IntegrationMethod::implicit:
+      break;
+  }
+  return std::numeric_limits<int>::max();
+}
+
+Result<void> check_substeps(const Scene& scene, int substeps) {
+  const int most = most_substeps(scene);
+  if (substeps <= most) return {};
+  const bool bends_most = scene.springs.bend > scene.springs.stretch;
+  return failure(scene.name,
+                 "springs and air divide each step into " + std::to_string(substeps) +
+                     " parts, more than " + std::to_string(most) +
+                     (bends_most ? " where bending resists more than stretch" : ""),
+                 "set smaller resistances, a larger ribbon.mass, a shorter time.step, or "
+                 "time.integrator to \"implicit\"");
+}
+
+}  // namespace ribbon

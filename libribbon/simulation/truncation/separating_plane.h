@@ -1,0 +1,25 @@
+// The plane between two features that keeps them apart.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "simulation/detection/feature_pairs.h"
+
+namespace ribbon {
+
+// The part of its way that each of the pair's vertices may go, 0 ... 1, so that the gap stays above
+// min_gap_m at every instant. start, way: 3 x 4, the corners of a pair of `kind` and their wished
+// displacements.
+//
+// A plane between the two features, perpendicular to the line between their closest points at the
+// start, divides the room between them in proportion to how fast each side approaches. A vertex
+// that would use more than its share is shortened on its way, so each side stays on its side of the
+// plane whatever becomes of the other. Motion along the plane and away from it is free. Features
+// that are closer than min_gap_m may only part; where no plane separates them, because they touch
+// or nearly do, they stay where they are.
+//
+// Cf. planar "divide and truncate" bounds (Chen et al. 2026).
+Eigen::Vector4d shares_of_way(FeaturePair::Kind kind, const Eigen::Matrix<double, 3, 4>& start,
+                              const Eigen::Matrix<double, 3, 4>& way, double min_gap_m);
+
+}  // namespace ribbon

@@ -1,0 +1,51 @@
+// Keeping every edge near its natural length where contact is in the way (cf. paper, section 5.5).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "geometry/ribbon_grid.h"
+#include "simulation/state/band_edges.h"
+#include "simulation/truncation/row_activity.h"
+
+namespace ribbon {
+
+struct LimitedEdges {
+  EdgeKind kind;
+  double limit = 0;  // of the natural length, in both directions
+};
+
+// The published correction, which is told apart as StrainCorrection, does not know of contact and
+// therefore moves along the smoothed surface. This one takes turns with contact and moves along the
+// edges.
+class StrainLimit {
+ public:
+  StrainLimit(const RibbonGrid& grid, std::vector<LimitedEdges> edges);
+
+  // One sweep: both particles of each edge beyond the limit move toward or away from each other by
+  // equal parts, one kind after the other; rows that rest are passed over. Was any beyond it by
+  // more than a five-hundredth of its length?
+  bool tighten(RowActivity& activity, Eigen::Matrix3Xd& positions) const;
+
+  // Of the rows at the beginning of some sweeps.
+  [[nodiscard]] RowActivity activity() const { return {grid_.along, edges_.size()}; }
+
+  // The most by which |length / natural length - 1| of an edge is beyond its limit; below 0 where
+  // none is.
+  [[nodiscard]] double worst_excess(const Eigen::Matrix3Xd& positions) const;
+
+ private:
+  RibbonGrid grid_;
+  std::vector<LimitedEdges> edges_;
+};
+
+// What smoothing aims at for an edge of natural length rest_m, so that it is still within the
+// paper's limit of 10 % when it is left a little over and then recorded with rounding_m (>= 0) a
+// coordinate: `strain`, or what rounding leaves, but not less than 2 %. Such short edges may be
+// recorded beyond the limit.
+double aimed_strain(double strain, double rest_m, double rounding_m);
+
+// By how much more than what was aimed at smoothing is content with.
+inline constexpr double strain_left_over = 0.008;
+
+}  // namespace ribbon

@@ -1,0 +1,79 @@
+#include "player/picture/contact_sheet.h"
+
+#include <cassert>
+
+#include "commandline/number_text.h"
+#include "player/picture/caption.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr int margin = 24;
+constexpr int gap = 8;
+constexpr int title_height = 26;
+constexpr int text_height = 15;
+constexpr int line_height = 21;
+constexpr int heading_height = margin + title_height + line_height + 20;
+constexpr int caption_height = 2 * line_height + margin;
+
+const Color paper = from_srgb(0xFFFFFF);
+const Color ink = from_srgb(0x222222);
+const Color pale_ink = from_srgb(0x666666);
+
+PictureSize sheet_size(int columns, int views) {
+  return {2 * margin + columns * sheet_cell.width + (columns - 1) * gap,
+          heading_height + views * (sheet_cell.height + gap) + caption_height};
+}
+
+void draw_column(const SheetColumn& column, int left, const CaptionPainter& painter,
+                 Picture& sheet) {
+  int top = heading_height;
+  for (const Picture& view : column.views) {
+    paste(view, left, top, sheet);
+    top += sheet_cell.height + gap;
+  }
+  for (const std::string& line : sheet_caption(column.frame_number, column.numbers)) {
+    painter.draw(line, left, top + text_height, text_height, ink, sheet);
+    top += line_height;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& numbers) {
+  const std::uint32_t edges = numbers.penetrating_edges;
+  return {"frame " + std::to_string(frame_number) + " · " + decimals(numbers.time_s, 2) + " s",
+          "strain " + decimals(100 * numbers.worst_strain, 1) + " % · " + std::to_string(edges) +
+              (edges == 1 ? " penetration" : " penetrations")};
+}
+
+Picture contact_sheet(const std::string& title, const std::string& subtitle,
+                      const std::vector<SheetColumn>& columns) {
+  assert(!columns.empty());
+  const CaptionPainter painter;
+  Picture sheet = blank_picture(
+      sheet_size(static_cast<int>(columns.size()), static_cast<int>(columns[0].views.size())),
+      paper);
+  painter.draw(title, margin, margin + title_height - 6, title_height, ink, sheet);
+  painter.draw(subtitle, margin, margin + title_height + line_height - 4, text_height, pale_ink,
+               sheet);
+  int left = margin;
+  for (const SheetColumn& column : columns) {
+    draw_column(column, left, painter, sheet);
+    left += sheet_cell.width + gap;
+  }
+  return sheet;
+}
+
+std::vector<int> spread_frames(const std::vector<int>& frames, int most) {
+  assert(most >= 2);
+  const auto count = static_cast<int>(frames.size());
+  if (count <= most) return frames;
+  std::vector<int> chosen(most);
+  for (int i = 0; i < most; ++i)
+    chosen[i] = frames[static_cast<std::size_t>(i) * (count - 1) / (most - 1)];
+  return chosen;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,39 @@
+#include "player/picture/picture.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "parallel/parallel.h"
+
+namespace ribbon {
+
+namespace {
+
+void encode(const Color& color, std::uint8_t* rgb) {
+  for (int channel = 0; channel < 3; ++channel) rgb[channel] = srgb_byte(color[channel]);
+}
+
+}  // namespace
+
+Picture blank_picture(PictureSize size, const Color& color) {
+  Picture picture{size, std::vector<std::uint8_t>(3 * size.pixel_count())};
+  for (std::size_t i = 0; i < size.pixel_count(); ++i) encode(color, picture.rgb.data() + 3 * i);
+  return picture;
+}
+
+Picture develop(const LightPicture& light) {
+  Picture picture{light.size, std::vector<std::uint8_t>(3 * light.size.pixel_count())};
+  parallel_ranges(light.pixels.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) encode(light.pixels[i], picture.rgb.data() + 3 * i);
+  });
+  return picture;
+}
+
+void paste(const Picture& source, int x, int y, Picture& target) {
+  assert(x >= 0 && x + source.size.width <= target.size.width);
+  assert(y >= 0 && y + source.size.height <= target.size.height);
+  for (int row = 0; row < source.size.height; ++row)
+    std::copy_n(source.pixel(0, row), 3 * source.size.width, target.pixel(x, y + row));
+}
+
+}  // namespace ribbon

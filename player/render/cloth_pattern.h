@@ -1,0 +1,14 @@
+// The ribbon's cloth: a patterned front, a plain back, stripes along both selvages.
+#pragma once
+
+#include "player/picture/color.h"
+
+namespace ribbon {
+
+// What share of the light each side returns, as linear colours. `along` and `across` are measured
+// in ribbon widths: along from the first end, across from 0 to 1. Where the pattern runs and how it
+// leans shows how the ribbon is twisted.
+Color cloth_front(float along, float across);
+Color cloth_back(float along, float across);
+
+}  // namespace ribbon

@@ -1,0 +1,70 @@
+#include "player/render/framing.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ribbon {
+
+namespace {
+
+// A long lens: perspective is felt, but what comes near does not swell.
+constexpr float half_view = 0.2F;  // tangent of half the angle of view, along the shorter side
+constexpr float margin = 0.04F;    // of the picture, kept free on each side
+
+Eigen::Matrix3f world_from_camera(const View& view) {
+  const float to_radians = std::numbers::pi_v<float> / 180.0F;
+  const float azimuth = view.azimuth_deg * to_radians;
+  const float elevation = view.elevation_deg * to_radians;
+  const Eigen::Vector3f right(std::cos(azimuth), 0, -std::sin(azimuth));
+  const Eigen::Vector3f backward(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+                                 std::cos(azimuth) * std::cos(elevation));
+  Eigen::Matrix3f axes;
+  axes << right, backward.cross(right), backward;
+  return axes;
+}
+
+}  // namespace
+
+Framing::Framing(const View& view, PictureSize size)
+    : reach_(Eigen::Vector4f::Constant(-std::numeric_limits<float>::infinity())),
+      nearest_(-std::numeric_limits<float>::infinity()) {
+  const auto shorter = static_cast<float>(std::min(size.width, size.height));
+  camera_.half_width = half_view * static_cast<float>(size.width) / shorter;
+  camera_.half_height = half_view * static_cast<float>(size.height) / shorter;
+  camera_.world_from_camera = world_from_camera(view);
+  const float wide = camera_.half_width * (1 - 2 * margin);
+  const float high = camera_.half_height * (1 - 2 * margin);
+  Eigen::Matrix<float, 4, 3> in_camera;
+  in_camera << -1, 0, wide, 1, 0, wide, 0, -1, high, 0, 1, high;
+  side_ = in_camera * camera_.world_from_camera.transpose();
+}
+
+void Framing::include(const Eigen::Matrix3Xf& points) {
+  if (points.cols() == 0) return;
+  reach_ = reach_.cwiseMax((side_ * points).rowwise().maxCoeff());
+  nearest_ = std::max(nearest_, (camera_.world_from_camera.col(2).transpose() * points).maxCoeff());
+}
+
+// A point p is right of the left side of the picture when -p.x + wide p.z <= -eye.x + wide eye.z,
+// and likewise for the others: opposite sides together bound the eye's distance, and leave its
+// place between them.
+Camera Framing::camera() const {
+  assert(std::isfinite(nearest_));
+  const float wide = camera_.half_width * (1 - 2 * margin);
+  const float high = camera_.half_height * (1 - 2 * margin);
+  const float needed =
+      std::max((reach_[0] + reach_[1]) / (2 * wide), (reach_[2] + reach_[3]) / (2 * high));
+  // A single point would pull the eye into itself.
+  const float clearance = 1e-3F * std::max(1.0F, std::abs(nearest_));
+  const Eigen::Vector3f eye((reach_[1] - reach_[0]) / 2, (reach_[3] - reach_[2]) / 2,
+                            std::max(needed, nearest_ + clearance));
+  Camera camera = camera_;
+  camera.eye = camera.world_from_camera * eye;
+  return camera;
+}
+
+}  // namespace ribbon

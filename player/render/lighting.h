@@ -1,0 +1,39 @@
+// The light that the scene stands in.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "player/picture/color.h"
+
+namespace ribbon {
+
+struct Lighting {
+  // Towards the sun, unit length; y is up, the knot lies at +z.
+  Eigen::Vector3f sun_direction = Eigen::Vector3f(-0.45F, 0.72F, 0.53F).normalized();
+  // Radiance of a white matte surface that faces the sun.
+  Color sun = {0.80F, 0.76F, 0.68F};
+  // Tangent of half the angle under which the sun is seen: larger makes softer shadows.
+  float sun_radius = 0.05F;
+  // Radiance of the sky straight above and straight below; it changes evenly in between.
+  Color sky_above = {0.55F, 0.59F, 0.66F};
+  Color sky_below = {0.21F, 0.20F, 0.19F};
+  // What hides the sky in a fold is itself lit: the share of the sky's light that it returns.
+  float bounce = 0.22F;
+
+  [[nodiscard]] Color sky(const Eigen::Vector3f& direction) const {
+    return sky_below + (sky_above - sky_below) * (0.5F + direction.y() / 2);
+  }
+  // Mean over the directions about a unit normal, weighted by their cosine: what a white matte
+  // surface shows under the open sky.
+  [[nodiscard]] Color mean_sky(const Eigen::Vector3f& normal) const {
+    return sky_below + (sky_above - sky_below) * (0.5F + normal.y() / 3);
+  }
+};
+
+// Behind everything, from the top to the bottom of the picture; it does not light the scene.
+struct Backdrop {
+  Color top = from_srgb(0xDDE2E8);
+  Color bottom = from_srgb(0xF7F5F1);
+};
+
+}  // namespace ribbon

@@ -1,0 +1,185 @@
+#include "player/render/ray_scene.h"
+
+#include <embree3/rtcore.h>
+#include <pmmintrin.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace ribbon {
+
+namespace {
+
+// Embree is fastest with this many rays at once, whatever the processor.
+constexpr std::size_t packet_size = 16;
+using Valid = std::array<int, packet_size>;
+
+struct DeviceRelease {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneRelease {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
+using Scene = std::unique_ptr<RTCSceneTy, SceneRelease>;
+
+// Only a lack of memory is left to go wrong once the arguments are right.
+void check(RTCDevice device) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error != RTC_ERROR_NONE)
+    throw std::runtime_error("Embree reports error " + std::to_string(error));
+}
+
+Scene new_scene(RTCDevice device) {
+  Scene scene(rtcNewScene(device));
+  // Robust: no ray slips through between two triangles.
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  return scene;
+}
+
+void copy_vertices(const Surface& surface, RTCGeometry geometry, void* buffer) {
+  std::copy_n(surface.vertices.data(), surface.vertices.size(), static_cast<float*>(buffer));
+  rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+  rtcCommitGeometry(geometry);
+}
+
+// Buffers that Embree makes itself are padded as it needs them. Returns the vertex buffer.
+void* attach(const Surface& surface, RTCDevice device, RTCScene scene) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                           3 * sizeof(float), surface.vertices.cols());
+  void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            3 * sizeof(unsigned), surface.triangles.cols());
+  check(device);
+  std::copy_n(surface.triangles.data(), surface.triangles.size(), static_cast<int*>(triangles));
+  copy_vertices(surface, geometry, vertices);
+  rtcAttachGeometryByID(scene, geometry, 0);
+  rtcReleaseGeometry(geometry);
+  return vertices;
+}
+
+// Lanes without a ray keep whatever they hold: `valid` switches them off.
+void fill(std::span<const Ray> rays, RTCRay16& packet, Valid& valid) {
+  for (std::size_t i = 0; i < packet_size; ++i) valid[i] = i < rays.size() ? -1 : 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    packet.org_x[i] = rays[i].origin.x();
+    packet.org_y[i] = rays[i].origin.y();
+    packet.org_z[i] = rays[i].origin.z();
+    packet.dir_x[i] = rays[i].direction.x();
+    packet.dir_y[i] = rays[i].direction.y();
+    packet.dir_z[i] = rays[i].direction.z();
+    packet.tnear[i] = 0;
+    packet.tfar[i] = std::numeric_limits<float>::infinity();
+    packet.time[i] = 0;
+    packet.mask[i] = ~0U;
+    packet.flags[i] = 0;
+  }
+}
+
+RTCIntersectContext new_context(Coherence coherence) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  if (coherence == Coherence::similar) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  return context;
+}
+
+void clear_hits(RTCHit16& hit) {
+  std::fill_n(hit.geomID, packet_size, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(hit.instID[0], packet_size, RTC_INVALID_GEOMETRY_ID);
+}
+
+void collect(const RTCHit16& found, Hit::Body body, std::span<Hit> hits) {
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    if (found.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+      hits[i] = {body, found.primID[i], found.u[i], found.v[i]};
+}
+
+}  // namespace
+
+// Two scenes that are traced one after the other: the obstacle's is never touched again, and of the
+// ribbon's nothing needs to be translated into another scene's coordinates.
+struct RayScene::State {
+  Device device{rtcNewDevice(nullptr)};
+  Scene obstacle;
+  Scene ribbon;
+  void* ribbon_vertices = nullptr;
+};
+
+RayScene::RayScene() : state_(std::make_unique<State>()) {
+  if (!state_->device) throw std::runtime_error("Embree cannot be started");
+}
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+RayScene::~RayScene() = default;
+
+void RayScene::set_obstacle(const Surface& obstacle) {
+  State& s = *state_;
+  s.obstacle = new_scene(s.device.get());
+  attach(obstacle, s.device.get(), s.obstacle.get());
+  rtcCommitScene(s.obstacle.get());
+  check(s.device.get());
+}
+
+void RayScene::set_ribbon(const Surface& ribbon) {
+  State& s = *state_;
+  if (!s.ribbon) {
+    s.ribbon = new_scene(s.device.get());
+    s.ribbon_vertices = attach(ribbon, s.device.get(), s.ribbon.get());
+  } else {
+    copy_vertices(ribbon, rtcGetGeometry(s.ribbon.get(), 0), s.ribbon_vertices);
+  }
+  rtcCommitScene(s.ribbon.get());
+  check(s.device.get());
+}
+
+void RayScene::first_hits(std::span<const Ray> rays, Coherence coherence,
+                          std::span<Hit> hits) const {
+  RTCIntersectContext context = new_context(coherence);
+  RTCRayHit16 packet;
+  alignas(64) Valid valid;
+  for (std::size_t begin = 0; begin < rays.size(); begin += packet_size) {
+    const std::size_t count = std::min(packet_size, rays.size() - begin);
+    fill(rays.subspan(begin, count), packet.ray, valid);
+    std::fill_n(hits.begin() + static_cast<std::ptrdiff_t>(begin), count, Hit{});
+    // The second scene counts only where it is nearer: the first has shortened the rays.
+    const auto trace = [&](const Scene& scene, Hit::Body body) {
+      if (!scene) return;
+      clear_hits(packet.hit);
+      rtcIntersect16(valid.data(), scene.get(), &context, &packet);
+      collect(packet.hit, body, hits.subspan(begin, count));
+    };
+    trace(state_->ribbon, Hit::Body::ribbon);
+    trace(state_->obstacle, Hit::Body::obstacle);
+  }
+}
+
+void RayScene::unblocked(std::span<const Ray> rays, Coherence coherence,
+                         std::span<std::uint8_t> free) const {
+  RTCIntersectContext context = new_context(coherence);
+  RTCRay16 packet;
+  alignas(64) Valid valid;
+  for (std::size_t begin = 0; begin < rays.size(); begin += packet_size) {
+    const std::size_t count = std::min(packet_size, rays.size() - begin);
+    fill(rays.subspan(begin, count), packet, valid);
+    if (state_->ribbon) rtcOccluded16(valid.data(), state_->ribbon.get(), &context, &packet);
+    // Embree marks a blocked ray by a negative length.
+    for (std::size_t i = 0; i < count; ++i)
+      if (packet.tfar[i] < 0) valid[i] = 0;
+    if (state_->obstacle) rtcOccluded16(valid.data(), state_->obstacle.get(), &context, &packet);
+    for (std::size_t i = 0; i < count; ++i) free[begin + i] = packet.tfar[i] < 0 ? 0 : 1;
+  }
+}
+
+FlushDenormals::FlushDenormals() : before_(_mm_getcsr()) {
+  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+}
+
+FlushDenormals::~FlushDenormals() {
+  _mm_setcsr(before_);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,88 @@
+#include "player/render/stage.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+
+#include "player/render/cloth_pattern.h"
+
+namespace ribbon {
+
+namespace {
+
+const Color obstacle_color = from_srgb(0xC9C5BE);
+
+float reach(const Eigen::Matrix3Xf& points) {
+  return points.cols() == 0 ? 0.0F : points.cwiseAbs().maxCoeff();
+}
+
+// Light that grazes a smooth surface must not be stopped by the flat triangles that stand for it.
+// So it starts where the smooth surface would be: on the mean of the corners' tangent planes, where
+// they lie above the triangle (after J. Hanika, Hacking the shadow terminator, Ray Tracing Gems
+// II).
+Eigen::Vector3f lifted(const Eigen::Vector3f& point, const Eigen::Matrix3f& corners,
+                       const Eigen::Matrix3f& normals, const Eigen::Vector3f& weights) {
+  Eigen::Vector3f result = point;
+  for (int i = 0; i < 3; ++i) {
+    const float below = normals.col(i).dot(point - corners.col(i));
+    if (below < 0) result -= weights[i] * below * normals.col(i);
+  }
+  return result;
+}
+
+}  // namespace
+
+Stage::Stage(const RecordingHeader& header)
+    : grid_(header.grid), pattern_(header.uv), ribbon_(ribbon_surface(header.grid)) {
+  assert(header.uv.cols() == grid_.particle_count());
+  pattern_.row(0) *= static_cast<float>(header.ribbon_length_m / header.ribbon_width_m);
+  if (!header.obstacle || header.obstacle->triangles.cols() == 0) return;
+  obstacle_ = creased_surface(*header.obstacle);
+  obstacle_reach_ = reach(obstacle_.vertices);
+  rays_.set_obstacle(obstacle_);
+}
+
+void Stage::set_ribbon(const Eigen::Matrix3Xf& positions) {
+  assert(positions.cols() == grid_.particle_count());
+  place_ribbon(grid_, positions, ribbon_);
+  rays_.set_ribbon(ribbon_);
+  // Some hundred times what single precision loses in a coordinate, and far less than cloth is
+  // thick.
+  clearance_ = 1e-5F * std::max(obstacle_reach_, reach(positions));
+}
+
+Color Stage::cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
+                   bool front) const {
+  Eigen::Vector2f place = Eigen::Vector2f::Zero();
+  for (int i = 0; i < 3; ++i) place += weights[i] * pattern_.col(corners[i]);
+  return front ? cloth_front(place.x(), place.y()) : cloth_back(place.x(), place.y());
+}
+
+SurfacePoint Stage::point(const Ray& ray, const Hit& hit) const {
+  assert(hit.body != Hit::Body::none);
+  const Surface& surface = hit.body == Hit::Body::ribbon ? ribbon_ : obstacle_;
+  const Eigen::Vector3i corner = surface.triangles.col(hit.triangle);
+  const Eigen::Vector3f weights(1 - hit.u - hit.v, hit.u, hit.v);
+  Eigen::Matrix3f corners;
+  Eigen::Matrix3f normals;
+  for (int i = 0; i < 3; ++i) {
+    corners.col(i) = surface.vertices.col(corner[i]);
+    normals.col(i) = surface.normals.col(corner[i]);
+  }
+  const Eigen::Vector3f area =
+      (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
+  const bool front = area.dot(ray.direction) < 0;
+  if (!front) normals = -normals;
+
+  const Eigen::Vector3f facet = (front ? area : Eigen::Vector3f(-area)).normalized();
+  SurfacePoint point;
+  // Where the cloth is folded flat its neighbours' normals cancel or even turn round.
+  const Eigen::Vector3f smooth = normals * weights;
+  point.normal = smooth.dot(facet) > 0.1F * smooth.norm() ? smooth.normalized() : facet;
+  const Eigen::Vector3f place = corners * weights;
+  point.light_start = lifted(place, corners, normals, weights) + clearance_ * facet;
+  point.albedo = hit.body == Hit::Body::ribbon ? cloth(corner, weights, front) : obstacle_color;
+  return point;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,49 @@
+// What is to be seen: the ribbon where it is now, and the obstacle.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "player/picture/color.h"
+#include "player/render/ray_scene.h"
+#include "player/render/surface.h"
+#include "recording/records/recording.h"
+
+namespace ribbon {
+
+// A place on a surface as light needs it.
+struct SurfacePoint {
+  Eigen::Vector3f light_start;  // from where rays towards the light go
+  Eigen::Vector3f normal;       // of the smooth surface that the triangles stand for, unit length,
+                                // to the side that is looked at
+  Color albedo;                 // share of the light that it returns
+};
+
+class Stage {
+ public:
+  // The obstacle, if there is one, is in place; the ribbon is not yet.
+  explicit Stage(const RecordingHeader& header);
+
+  // positions: 3 x particles, in metres.
+  void set_ribbon(const Eigen::Matrix3Xf& positions);
+
+  [[nodiscard]] const Surface& ribbon() const { return ribbon_; }
+  [[nodiscard]] const Surface& obstacle() const { return obstacle_; }  // empty if there is none
+  [[nodiscard]] const RayScene& rays() const { return rays_; }
+  // What `ray` met. hit.body must not be none.
+  [[nodiscard]] SurfacePoint point(const Ray& ray, const Hit& hit) const;
+
+ private:
+  [[nodiscard]] Color cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
+                            bool front) const;
+
+  RibbonGrid grid_;
+  Eigen::Matrix2Xf pattern_;  // 2 x particles: along and across, in ribbon widths
+  Surface ribbon_;
+  Surface obstacle_;
+  RayScene rays_;
+  float obstacle_reach_ = 0;  // largest coordinate
+  float clearance_ = 0;       // by which light starts above a facet
+};
+
+}  // namespace ribbon

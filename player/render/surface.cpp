@@ -1,0 +1,89 @@
+#include "player/render/surface.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+namespace ribbon {
+
+namespace {
+
+Eigen::Vector3f unit_or_zero(const Eigen::Vector3f& vector) {
+  const float length = vector.norm();
+  return length > 1e-20F ? Eigen::Vector3f(vector / length) : Eigen::Vector3f::Zero();
+}
+
+// Twice the area, along the normal.
+Eigen::Vector3f area_vector(const TriangleMesh& mesh, Eigen::Index triangle) {
+  const Eigen::Vector3i corners = mesh.triangles.col(triangle);
+  const Eigen::Vector3f a = mesh.vertices.col(corners[0]);
+  return (mesh.vertices.col(corners[1]) - a).cross(mesh.vertices.col(corners[2]) - a);
+}
+
+// Meshes repeat a vertex where texture or normals change; only the place counts here.
+std::vector<std::vector<int>> triangles_round_place(const TriangleMesh& mesh,
+                                                    std::vector<int>& place_of_vertex) {
+  std::map<std::array<float, 3>, int> places;
+  for (Eigen::Index v = 0; v < mesh.vertices.cols(); ++v) {
+    const Eigen::Vector3f p = mesh.vertices.col(v);
+    const auto next = static_cast<int>(places.size());
+    place_of_vertex.push_back(places.try_emplace({p.x(), p.y(), p.z()}, next).first->second);
+  }
+  std::vector<std::vector<int>> triangles(places.size());
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (const int vertex : mesh.triangles.col(t))
+      triangles[place_of_vertex[vertex]].push_back(static_cast<int>(t));
+  return triangles;
+}
+
+}  // namespace
+
+Surface ribbon_surface(const RibbonGrid& grid) {
+  Surface ribbon;
+  ribbon.vertices = Eigen::Matrix3Xf::Zero(3, grid.particle_count());
+  ribbon.normals = Eigen::Matrix3Xf::Zero(3, grid.particle_count());
+  ribbon.triangles = grid.triangles();
+  return ribbon;
+}
+
+void place_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Surface& ribbon) {
+  ribbon.vertices = positions;
+  ribbon.normals.setZero();
+  // The cross product of a quad's diagonals does not know which way the quad is split.
+  for (int q = 0; q < grid.quad_count(); ++q) {
+    const auto c = grid.quad(q);
+    const Eigen::Vector3f first = positions.col(c[2]) - positions.col(c[0]);
+    const Eigen::Vector3f second = positions.col(c[3]) - positions.col(c[1]);
+    const Eigen::Vector3f normal = first.cross(second);
+    for (const int corner : c) ribbon.normals.col(corner) += normal;
+  }
+  for (auto normal : ribbon.normals.colwise()) normal = unit_or_zero(normal);
+}
+
+Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {
+  std::vector<int> place;
+  const auto around = triangles_round_place(mesh, place);
+  const float smooth = std::cos(crease_deg * std::numbers::pi_v<float> / 180.0F);
+  const Eigen::Index corners = 3 * mesh.triangles.cols();
+  Surface surface{Eigen::Matrix3Xf(3, corners), Eigen::Matrix3Xf(3, corners),
+                  Eigen::Matrix3Xi(3, mesh.triangles.cols())};
+  std::iota(surface.triangles.data(), surface.triangles.data() + corners, 0);
+  for (Eigen::Index corner = 0; corner < corners; ++corner) {
+    const int vertex = mesh.triangles(corner % 3, corner / 3);
+    const Eigen::Vector3f own = unit_or_zero(area_vector(mesh, corner / 3));
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (const int triangle : around[place[vertex]]) {
+      const Eigen::Vector3f other = area_vector(mesh, triangle);
+      if (other.dot(own) >= smooth * other.norm()) sum += other;
+    }
+    surface.vertices.col(corner) = mesh.vertices.col(vertex);
+    surface.normals.col(corner) = unit_or_zero(sum);
+  }
+  return surface;
+}
+
+}  // namespace ribbon

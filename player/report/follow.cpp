@@ -1,0 +1,43 @@
+#include "player/report/follow.h"
+
+#include <chrono>
+#include <thread>
+
+#include "commandline/number_text.h"
+
+namespace ribbon {
+
+namespace {
+
+// Shorter than anybody notices, longer than it takes to look.
+constexpr std::chrono::milliseconds between_looks{50};
+
+}  // namespace
+
+Result<void> follow(RecordingReader& reader, const FollowObserver& observer) {
+  reader.check();  // a directory would not tell which frames are lost
+  int next = 0;
+  while (true) {
+    // Asked before looking: what was written before the writer ended is seen.
+    const bool more_may_come = reader.is_being_written();
+    if (auto refreshed = reader.refresh(); !refreshed) return refreshed;
+    for (; next < reader.frame_count(); ++next) {
+      if (observer.interrupted()) return {};
+      if (!reader.readable(next)) continue;
+      if (auto told = observer.frame(next); !told) return told;
+    }
+    if (!more_may_come || observer.interrupted()) return {};
+    std::this_thread::sleep_for(between_looks);
+  }
+}
+
+std::string frame_line(int index, const FrameNumbers& numbers) {
+  std::string text = "frame " + std::to_string(index + 1) + ": " + decimals(numbers.time_s, 2) +
+                     " s, strain " + decimals(100 * numbers.worst_strain, 1) + " %, penetrations " +
+                     std::to_string(numbers.penetrating_edges);
+  if (numbers.tightness)
+    text += ", progress " + decimals(100 * numbers.tightness->progress, 1) + " %";
+  return text;
+}
+
+}  // namespace ribbon

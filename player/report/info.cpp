@@ -1,0 +1,233 @@
+#include "player/report/info.h"
+
+#include <algorithm>
+
+#include "commandline/number_text.h"
+#include "player/report/report_line.h"
+
+namespace ribbon {
+
+namespace {
+
+// The worst of a number over all frames where it is known, and the first frame that has it.
+template <class Function>
+std::optional<WorstFrame> worst(const RecordingInfo& info, const Function& value) {
+  std::optional<WorstFrame> result;
+  for (int index = 0; index < info.frame_count(); ++index) {
+    const auto& numbers = info.numbers[index];
+    if (numbers && (!result || value(*numbers) > result->value))
+      result = {static_cast<double>(value(*numbers)), index + 1};
+  }
+  return result;
+}
+
+const FrameNumbers* last_known(const RecordingInfo& info) {
+  const auto last = std::find_if(info.numbers.rbegin(), info.numbers.rend(),
+                                 [](const auto& frame) { return frame.has_value(); });
+  return last == info.numbers.rend() ? nullptr : &**last;
+}
+
+std::string frames_text(const RecordingInfo& info) {
+  std::string text = std::to_string(info.frame_count()) + " in " + decimals(info.duration_s(), 2) +
+                     " s, " + short_number(info.header.frames_per_second) + " per second";
+  if (info.finished) return text;
+  return text + (info.being_written ? "; more are being recorded"
+                                    : "; the recorder was stopped on the way");
+  return text;
+}
+
+// "key = value" a line, in one line.
+std::string settings_text(const std::string& settings) {
+  std::string text;
+  for (const char letter : settings) text += letter == '\n' ? ' ' : letter;
+  while (text.ends_with(' ')) text.pop_back();
+  return text.empty() ? "" : ", with " + text;
+}
+
+std::string origin_text(const std::optional<Origin>& origin) {
+  if (!origin) return "";
+  return report_line("branch of", origin->scene_name + ", from its frame " +
+                                      std::to_string(origin->frame + 1) +
+                                      settings_text(origin->changed_settings));
+}
+
+std::string sessions_text(const RecordingInfo& info) {
+  std::string text;
+  for (const Session& session : info.sessions)
+    text += report_line(session.note.reason == SessionReason::extended ? "extended" : "resumed",
+                        "at frame " + std::to_string(session.first_frame + 1) + " by " +
+                            session.note.program + settings_text(session.note.changed_settings));
+  return text;
+}
+
+std::string checkpoints_text(const RecordingInfo& info) {
+  constexpr std::size_t told = 3;  // at each end of a long list
+  const std::vector<int>& frames = info.checkpoints;
+  if (frames.empty()) return report_line("checkpoints", "none");
+  std::string text = std::to_string(frames.size()) + ", at frames ";
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (i >= told && i + told < frames.size()) {
+      if (i == told) text += ", ...";
+      continue;
+    }
+    text += (i > 0 ? ", " : "") + std::to_string(frames[i]);
+  }
+  return report_line("checkpoints", text);
+}
+
+std::string error_text(double max_position_error_m) {
+  if (max_position_error_m == 0) return "none beyond rounding to single precision";
+  return "at most " + short_number(1000 * max_position_error_m) + " mm";
+}
+
+std::string obstacle_text(const RecordingInfo& info) {
+  if (!info.header.obstacle) return "none";
+  const TriangleMesh& mesh = *info.header.obstacle;
+  return (mesh.name.empty() ? "" : mesh.name + ", ") + std::to_string(mesh.vertices.cols()) +
+         " vertices, " + std::to_string(mesh.triangles.cols()) + " triangles";
+}
+
+std::string gap_text(const RecordingHeader& header) {
+  if (header.stated_gap_m == 0) return "none stated";
+  return "at least " + short_number(1000 * header.stated_gap_m) + " mm, as stated";
+}
+
+std::string vector_text(const Eigen::Vector3d& vector) {
+  return "(" + short_number(vector.x()) + ", " + short_number(vector.y()) + ", " +
+         short_number(vector.z()) + ")";
+}
+
+std::string axis_text(const std::optional<CentreAxis>& axis) {
+  if (!axis) return "none";
+  return "through " + vector_text(axis->point_m) + " m along " + vector_text(axis->direction);
+}
+
+std::string numbers_text(const RecordingInfo& info) {
+  const auto strain = info.worst_strain();
+  const auto penetrations = info.most_penetrations();
+  if (!strain || !penetrations) return report_line("numbers", "none");
+  return report_line("worst strain", decimals(100 * strain->value, 1) + " % in frame " +
+                                         std::to_string(strain->frame)) +
+         report_line("penetrations", "at most " + decimals(penetrations->value, 0) + ", in frame " +
+                                         std::to_string(penetrations->frame) +
+                                         "; in the last frame " +
+                                         std::to_string(*info.last_penetrations()));
+}
+
+// Empty where the recording does not tell.
+std::string ending_text(RunEnding ending) {
+  switch (ending) {
+    case RunEnding::duration:
+      return report_line("ended", "when its duration was over");
+    case RunEnding::tight:
+      return report_line("ended", "when the ribbon was tight");
+    case RunEnding::stopped:
+      return report_line("ended", "early, by the user");
+    case RunEnding::unknown:
+      break;
+  }
+  return "";
+}
+
+std::string percent(float share) {
+  return decimals(100 * share, 1) + " %";
+}
+
+std::string tightness_text(const RecordingInfo& info) {
+  const auto tightness = info.last_tightness();
+  if (!tightness) return "";
+  return report_line("last frame", "progress " + percent(tightness->progress) + ", pull " +
+                                       percent(tightness->pull) + ", held back " +
+                                       percent(tightness->held_back)) +
+         report_line("", "in contact " + percent(tightness->contact) + ", rope length " +
+                             decimals(tightness->rope_length, 1) + " widths");
+}
+
+std::string damage_text(const RecordingInfo& info) {
+  std::string text;
+  for (const Damage& damage : info.damage)
+    text += report_line("damage", std::to_string(damage.length) + " bytes at byte " +
+                                      std::to_string(damage.byte) + ": " + damage.reason);
+  if (!info.missing.empty()) text += report_line("lost frames", number_list(info.missing));
+  return text;
+}
+
+}  // namespace
+
+double RecordingInfo::duration_s() const {
+  const FrameNumbers* first = nullptr;
+  const FrameNumbers* last = nullptr;
+  for (const auto& frame : numbers) {
+    if (!frame) continue;
+    if (first == nullptr) first = &*frame;
+    last = &*frame;
+  }
+  return first == nullptr ? 0 : last->time_s - first->time_s;
+}
+
+std::optional<WorstFrame> RecordingInfo::worst_strain() const {
+  return worst(*this, [](const FrameNumbers& frame) { return frame.worst_strain; });
+}
+
+std::optional<WorstFrame> RecordingInfo::most_penetrations() const {
+  return worst(*this, [](const FrameNumbers& frame) { return frame.penetrating_edges; });
+}
+
+std::optional<std::uint32_t> RecordingInfo::last_penetrations() const {
+  const FrameNumbers* last = last_known(*this);
+  return last == nullptr ? std::nullopt : std::optional(last->penetrating_edges);
+}
+
+std::optional<TightnessNumbers> RecordingInfo::last_tightness() const {
+  const FrameNumbers* last = last_known(*this);
+  return last == nullptr ? std::nullopt : last->tightness;
+}
+
+double RecordingInfo::bytes_per_vertex_and_frame() const {
+  if (numbers.empty()) return 0;
+  return static_cast<double>(file_bytes) / static_cast<double>(numbers.size()) /
+         header.grid.particle_count();
+}
+
+RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader& reader) {
+  RecordingInfo info;
+  info.being_written = reader.is_being_written();  // before what has been written is looked at
+  reader.check();
+  info.file = file;
+  info.file_bytes = reader.file_bytes();
+  info.recording_id = reader.recording_id();
+  info.finished = reader.finished();
+  info.ending = reader.ending();
+  info.header = reader.header();
+  info.damage = reader.damage();
+  info.sessions = reader.sessions();
+  for (const std::uint32_t frame : reader.checkpoints())
+    info.checkpoints.push_back(static_cast<int>(frame) + 1);
+  for (int index = 0; index < reader.frame_count(); ++index) {
+    info.numbers.push_back(reader.numbers(index));
+    if (!reader.readable(index)) info.missing.push_back(index + 1);
+  }
+  return info;
+}
+
+std::string info_text(const RecordingInfo& info) {
+  const RecordingHeader& header = info.header;
+  return report_line("recording", info.file.string()) + report_line("scene", header.scene_name) +
+         origin_text(header.origin) + report_line("written by", header.writer) +
+         sessions_text(info) + report_line("frames", frames_text(info)) + ending_text(info.ending) +
+         checkpoints_text(info) +
+         report_line("ribbon", std::to_string(header.grid.across) + " x " +
+                                   std::to_string(header.grid.along) + " particles, " +
+                                   short_number(header.ribbon_width_m) + " m wide, " +
+                                   short_number(header.ribbon_length_m) + " m long") +
+         report_line("obstacle", obstacle_text(info)) +
+         report_line("centre axis", axis_text(header.centre_axis)) +
+         report_line("gap", gap_text(header)) + numbers_text(info) + tightness_text(info) +
+         report_line("position error", error_text(header.max_position_error_m)) +
+         report_line("size", std::to_string(info.file_bytes) + " bytes, " +
+                                 decimals(info.bytes_per_vertex_and_frame(), 2) +
+                                 " per vertex and frame") +
+         damage_text(info);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,89 @@
+// Verifies a recording frame by frame: that nothing intersects, that the stated gap is kept, that
+// the knot stays the knot. docs/verification.md says what is proved and how.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "playback/recording_reader.h"
+#include "player/report/info.h"
+#include "recording/records/recording.h"
+#include "result/result.h"
+#include "verification/frame_verifier.h"
+
+namespace ribbon {
+
+// Frames are numbered from 1 in all of these.
+
+struct Intersection {
+  int frame = 0;
+  std::optional<double> time_s;  // nothing where the frame's numbers are lost
+  TrianglePair pair;             // as in FrameVerdict
+};
+
+struct SmallestGapFrame {
+  SmallestGap gap;
+  int frame = 0;
+};
+
+struct LargestStrainFrame {
+  LargestStrain strain;
+  int frame = 0;
+};
+
+// The certificates of the two frames differ, as texts say.
+struct CertificateChange {
+  int frame_before = 0;
+  int frame_after = 0;
+  std::string before;
+  std::string after;
+};
+
+struct Verification {
+  RecordingHeader header;
+  int frames_asked = 0;
+  int frames_checked = 0;
+  std::vector<int> lost;        // frames asked for that cannot be decoded
+  std::vector<int> not_finite;  // frames with a coordinate that is no number: nothing else is known
+  bool damaged = false;         // something in the file is, perhaps outside of these frames
+
+  std::size_t intersecting_pairs = 0;
+  bool all_pairs_counted = true;  // false: there may be more in frames that are full of them
+  int intersecting_frames = 0;
+  std::optional<WorstFrame> most_intersections;
+  std::vector<Intersection> first_intersections;  // one of each of the first frames that have any
+
+  std::optional<SmallestGapFrame> smallest_gap;
+  std::optional<LargestStrainFrame> largest_strain;
+
+  std::string certificate;  // of the first frame that could be read; empty: none could
+  int certified_frames = 0;
+  int uncertain_frames = 0;  // of these, where knot or twist could not be known
+  std::vector<CertificateChange> certificate_changes;
+
+  // Is no gap smaller than the stated one? True where none is stated.
+  [[nodiscard]] bool keeps_stated_gap() const;
+  // What is wrong, as parts of a sentence; empty: nothing.
+  [[nodiscard]] std::vector<std::string> complaints() const;
+};
+
+// Called with the number of frames that are done; false stops.
+using VerificationObserver = std::function<bool(int)>;
+
+// Verifies the frames `asked` for: indices from 0, ascending, at least one. The knot's certificate
+// is computed for the first and the last of them and for every `certify_every`-th between; to
+// follow the ribbon's ends, the frames in between are decoded as well. Fails when the observer
+// stops it. The answer does not depend on the number of threads.
+Result<Verification> verify(RecordingReader& reader, const std::vector<int>& asked,
+                            int certify_every, const VerificationObserver& observer);
+
+// Several lines to read.
+std::string verification_text(const std::string& file, const Verification& verification);
+
+// One JSON object; what is not known is null.
+std::string verification_json(const std::string& file, const Verification& verification);
+
+}  // namespace ribbon

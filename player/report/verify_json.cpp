@@ -1,0 +1,96 @@
+#include <nlohmann/json.hpp>
+
+#include "player/report/verify.h"
+
+namespace ribbon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triangle_json(const RibbonGrid& grid, int triangle) {
+  if (triangle >= grid.triangle_count())
+    return {{"obstacle_triangle", triangle - grid.triangle_count()}};
+  const int corner = grid.quad(triangle / 2)[0];
+  return {
+      {"ribbon_triangle", triangle}, {"row", grid.row(corner)}, {"column", grid.column(corner)}};
+}
+
+Json pair_json(const RibbonGrid& grid, const TrianglePair& pair) {
+  return Json::array({triangle_json(grid, pair.first), triangle_json(grid, pair.second)});
+}
+
+Json particle_json(const RibbonGrid& grid, int particle) {
+  return {{"row", grid.row(particle)}, {"column", grid.column(particle)}};
+}
+
+Json intersections_json(const Verification& verification) {
+  Json first = Json::array();
+  for (const Intersection& example : verification.first_intersections)
+    first.push_back({{"frame", example.frame},
+                     {"time_s", example.time_s ? Json(*example.time_s) : Json(nullptr)},
+                     {"between", pair_json(verification.header.grid, example.pair)}});
+  const auto& most = verification.most_intersections;
+  return {{"pairs", verification.intersecting_pairs},
+          {"all_counted", verification.all_pairs_counted},
+          {"frames", verification.intersecting_frames},
+          {"most", most ? Json{{"frame", most->frame}, {"pairs", most->value}} : Json(nullptr)},
+          {"first", first}};
+}
+
+Json gap_json(const Verification& verification) {
+  const double stated_m = verification.header.stated_gap_m;
+  Json json{{"stated_m", stated_m > 0 ? Json(stated_m) : Json(nullptr)},
+            {"kept", verification.keeps_stated_gap()}};
+  if (!verification.smallest_gap) return json;
+  const auto& [gap, frame] = *verification.smallest_gap;
+  json["smallest_m"] = gap.certain_m;
+  json["frame"] = frame;
+  json["between"] = pair_json(verification.header.grid, gap.pair);
+  return json;
+}
+
+Json strain_json(const Verification& verification) {
+  if (!verification.largest_strain) return nullptr;
+  const auto& [strain, frame] = *verification.largest_strain;
+  const RibbonGrid& grid = verification.header.grid;
+  return {{"largest", strain.strain},
+          {"frame", frame},
+          {"between", {particle_json(grid, strain.first), particle_json(grid, strain.second)}}};
+}
+
+Json knot_json(const Verification& verification) {
+  Json changes = Json::array();
+  for (const CertificateChange& change : verification.certificate_changes)
+    changes.push_back({{"frame_before", change.frame_before},
+                       {"frame_after", change.frame_after},
+                       {"before", change.before},
+                       {"after", change.after}});
+  const bool known = verification.certified_frames > 0;
+  return {{"certificate", known ? Json(verification.certificate) : Json(nullptr)},
+          {"certified_frames", verification.certified_frames},
+          {"uncertain_frames", verification.uncertain_frames},
+          {"changes", changes}};
+}
+
+}  // namespace
+
+std::string verification_json(const std::string& file, const Verification& verification) {
+  const auto complaints = verification.complaints();
+  const Json json{{"file", file},
+                  {"passed", complaints.empty()},
+                  {"wrong", complaints},
+                  {"frames",
+                   {{"asked", verification.frames_asked},
+                    {"checked", verification.frames_checked},
+                    {"lost", verification.lost},
+                    {"not_finite", verification.not_finite}}},
+                  {"intersections", intersections_json(verification)},
+                  {"gap", gap_json(verification)},
+                  {"strain", strain_json(verification)},
+                  {"knot", knot_json(verification)}};
+  // File names need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ribbon

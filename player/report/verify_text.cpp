@@ -1,0 +1,113 @@
+#include "commandline/number_text.h"
+#include "player/report/report_line.h"
+#include "player/report/verify.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr std::size_t most_changes = 3;
+
+std::string triangle_text(const RibbonGrid& grid, int triangle) {
+  if (triangle >= grid.triangle_count())
+    return "obstacle triangle " + std::to_string(triangle - grid.triangle_count());
+  const int corner = grid.quad(triangle / 2)[0];
+  return "ribbon row " + std::to_string(grid.row(corner)) + " column " +
+         std::to_string(grid.column(corner));
+}
+
+std::string pair_text(const RibbonGrid& grid, const TrianglePair& pair) {
+  return triangle_text(grid, pair.first) + " and " + triangle_text(grid, pair.second);
+}
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::string particle_text(const RibbonGrid& grid, int particle) {
+  return "row " + std::to_string(grid.row(particle)) + " column " +
+         std::to_string(grid.column(particle));
+}
+
+std::string frames_text(const Verification& verification) {
+  std::string text = std::to_string(verification.frames_checked) + " of " +
+                     std::to_string(verification.frames_asked) + " checked";
+  if (!verification.lost.empty()) text += "; lost: " + number_list(verification.lost);
+  if (!verification.not_finite.empty())
+    text += "; with coordinates that are no numbers: " + number_list(verification.not_finite);
+  return text;
+}
+
+std::string intersections_text(const Verification& verification) {
+  if (verification.intersecting_pairs == 0) return report_line("intersections", "none");
+  std::string text = report_line(
+      "intersections", (verification.all_pairs_counted ? "" : "at least ") +
+                           counted(verification.intersecting_pairs, "pair") + " of triangles in " +
+                           counted(verification.intersecting_frames, "frame") + ", most in frame " +
+                           std::to_string(verification.most_intersections->frame) + ": " +
+                           decimals(verification.most_intersections->value, 0));
+  for (const Intersection& example : verification.first_intersections) {
+    const std::string time = example.time_s ? " (" + decimals(*example.time_s, 2) + " s)" : "";
+    text += report_line("", "frame " + std::to_string(example.frame) + time + ": " +
+                                pair_text(verification.header.grid, example.pair));
+  }
+  return text;
+}
+
+std::string stated_text(const Verification& verification) {
+  const double stated_m = verification.header.stated_gap_m;
+  if (stated_m == 0) return "none is stated";
+  return (verification.keeps_stated_gap() ? "at least the stated " : "LESS than the stated ") +
+         short_number(stated_m) + " m";
+}
+
+std::string gap_text(const Verification& verification) {
+  if (!verification.smallest_gap) return "not known";
+  const auto& [gap, frame] = *verification.smallest_gap;
+  return short_number(gap.certain_m) + " m in frame " + std::to_string(frame) + ", " +
+         pair_text(verification.header.grid, gap.pair) + "; " + stated_text(verification);
+}
+
+std::string strain_text(const Verification& verification) {
+  if (!verification.largest_strain) return "not known";
+  const auto& [strain, frame] = *verification.largest_strain;
+  const RibbonGrid& grid = verification.header.grid;
+  return decimals(100 * strain.strain, 1) + " % in frame " + std::to_string(frame) + ", from " +
+         particle_text(grid, strain.first) + " to " + particle_text(grid, strain.second);
+}
+
+std::string knot_text(const Verification& verification) {
+  if (verification.certified_frames == 0) return report_line("knot", "not known");
+  const auto& changes = verification.certificate_changes;
+  const std::string certified = counted(verification.certified_frames, "frame") + " certified";
+  std::string text = report_line("knot", verification.certificate);
+  if (verification.uncertain_frames > 0)
+    text += report_line("", "not known in " + counted(verification.uncertain_frames, "frame"));
+  if (changes.empty()) return text + report_line("", "the same in all of " + certified);
+  text += report_line("", "CHANGED " + counted(changes.size(), "time") + "; " + certified);
+  for (std::size_t k = 0; k < std::min(most_changes, changes.size()); ++k) {
+    text += report_line(
+        "", "frame " + std::to_string(changes[k].frame_before) + ": " + changes[k].before);
+    text += report_line(
+        "", "frame " + std::to_string(changes[k].frame_after) + ": " + changes[k].after);
+  }
+  return text;
+}
+
+std::string verdict_text(const Verification& verification) {
+  std::string text;
+  for (const std::string& complaint : verification.complaints())
+    text += (text.empty() ? "" : ", ") + complaint;
+  return text.empty() ? "nothing is wrong" : "WRONG: " + text;
+}
+
+}  // namespace
+
+std::string verification_text(const std::string& file, const Verification& verification) {
+  return report_line("recording", file) + report_line("frames", frames_text(verification)) +
+         intersections_text(verification) + report_line("smallest gap", gap_text(verification)) +
+         report_line("largest strain", strain_text(verification)) + knot_text(verification) +
+         report_line("verdict", verdict_text(verification));
+}
+
+}  // namespace ribbon

@@ -1,0 +1,168 @@
+// The one place that knows how the product detects: what changes there is followed here.
+#include "benchmarks/solver/box_tests_made.h"
+#include "benchmarks/solver/detector.h"
+#include "benchmarks/solver/space_enumeration.h"
+#include "simulation/detection/bodies.h"
+#include "simulation/detection/swept_pairs.h"
+#include "simulation/detection/vertex_ranges.h"
+
+namespace ribbon {
+
+namespace {
+
+using benchmark::Feature;
+using benchmark::Method;
+using benchmark::Motion;
+
+class AnyDetector : public benchmark::Detector {
+ public:
+  explicit AnyDetector(const Motion& motion)
+      : motion_(motion), bodies_{RibbonGrid{motion.along, motion.across}, std::nullopt} {}
+
+  void detect() final {
+    const std::size_t before = box_tests_made();
+    found_ = find();
+    box_tests_ += box_tests_made() - before;
+  }
+
+  [[nodiscard]] std::vector<Feature> listed() const final {
+    std::vector<Feature> features;
+    for (const FeaturePair& pair : found_) {
+      const auto& v = pair.vertices;
+      features.push_back({static_cast<int>(pair.kind), v[0], v[1], v[2], v[3]});
+    }
+    return features;
+  }
+
+  [[nodiscard]] std::size_t box_tests() const final { return box_tests_; }
+
+ protected:
+  virtual std::vector<FeaturePair> find() = 0;
+
+  [[nodiscard]] const Motion& motion() const { return motion_; }
+  Bodies& bodies() { return bodies_; }
+
+ private:
+  const Motion& motion_;
+  Bodies bodies_;
+  std::vector<FeaturePair> found_;
+  std::size_t box_tests_ = 0;
+};
+
+// Tests triangles by their own means; the features of the triangles that meet are listed as the
+// product does.
+class ByTriangles : public AnyDetector {
+ public:
+  using AnyDetector::AnyDetector;
+
+ protected:
+  virtual std::vector<CandidatePair> pairs(const std::vector<MovingBox>& boxes) = 0;
+
+  std::vector<FeaturePair> find() final {
+    RibbonBody& body = bodies().ribbon;
+    const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
+    std::vector<MovingBox> grown;
+    for (const auto& triangle : body.surface().triangles.colwise()) {
+      grown.push_back(ranges[static_cast<std::size_t>(triangle[0])]);
+      grown.back().include(ranges[static_cast<std::size_t>(triangle[1])]);
+      grown.back().include(ranges[static_cast<std::size_t>(triangle[2])]);
+      grown.back().grow(motion().margin_m / 2);
+    }
+    const RangedSurface surface{body.surface(), ranges};
+    return feature_pairs(surface, surface, pairs(grown), motion().margin_m);
+  }
+};
+
+class BruteForce : public ByTriangles {
+ public:
+  using ByTriangles::ByTriangles;
+
+ protected:
+  std::vector<CandidatePair> pairs(const std::vector<MovingBox>& boxes) override {
+    std::vector<CandidatePair> found;
+    for (std::size_t a = 0; a < boxes.size(); ++a)
+      for (std::size_t b = a + 1; b < boxes.size(); ++b)
+        if (boxes[a].meets(boxes[b])) found.push_back({static_cast<int>(a), static_cast<int>(b)});
+    return found;
+  }
+};
+
+class SpaceEnumeration : public ByTriangles {
+ public:
+  SpaceEnumeration(const Motion& motion, double cell_factor)
+      : ByTriangles(motion), cell_factor_(cell_factor) {}
+
+ protected:
+  // Cells hold what reaches into them at any time of the step.
+  std::vector<CandidatePair> pairs(const std::vector<MovingBox>& boxes) override {
+    double sizes_m = 0;
+    std::vector<Box> swept;
+    for (const MovingBox& box : boxes) {
+      swept.push_back(box.start);
+      swept.back().include(box.end);
+      sizes_m += (swept.back().high - swept.back().low).maxCoeff();
+    }
+    return pairs_by_cells(swept, cell_factor_ * sizes_m / static_cast<double>(boxes.size()));
+  }
+
+ private:
+  double cell_factor_;
+};
+
+class ByCurvature : public AnyDetector {
+ public:
+  using AnyDetector::AnyDetector;
+
+ protected:
+  std::vector<FeaturePair> find() override {
+    return swept_pairs_by_curvature(bodies(), motion().t0, motion().t1, motion().margin_m);
+  }
+};
+
+class ByBoxes : public AnyDetector {
+ public:
+  using AnyDetector::AnyDetector;
+
+ protected:
+  std::vector<FeaturePair> find() override {
+    RibbonBody& body = bodies().ribbon;
+    const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
+    Hierarchy& hierarchy = body.hierarchy(motion().t0);
+    hierarchy.refit(ranges, motion().margin_m / 2);
+    const RangedSurface surface{body.surface(), ranges};
+    return feature_pairs(surface, surface, hierarchy.pairs_within(Hierarchy::Spare::boxes),
+                         motion().margin_m);
+  }
+};
+
+class ByPatches : public AnyDetector {
+ public:
+  using AnyDetector::AnyDetector;
+
+ protected:
+  std::vector<FeaturePair> find() override {
+    return pairs_within_ranges(bodies(), vertex_ranges(motion().t0, motion().t1),
+                               motion().margin_m);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<benchmark::Detector> make_detector(Method method, const Motion& motion,
+                                                   double cell_factor) {
+  switch (method) {
+    case Method::brute_force:
+      return std::make_unique<BruteForce>(motion);
+    case Method::space_enumeration:
+      return std::make_unique<SpaceEnumeration>(motion, cell_factor);
+    case Method::curvature:
+      return std::make_unique<ByCurvature>(motion);
+    case Method::boxes:
+      return std::make_unique<ByBoxes>(motion);
+    case Method::patches:
+      return std::make_unique<ByPatches>(motion);
+  }
+  return nullptr;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,53 @@
+#include "benchmarks/solver/energy_account.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Matrix3Xd;
+
+constexpr double strain_limit = 0.1;  // paper, section 5.5
+
+}  // namespace
+
+EnergyAccount::EnergyAccount(const Scene& scene, const RibbonMesh& mesh, const Matrix3Xd& start)
+    : network_(spring_network(mesh.grid, mesh.length_m, mesh.width_m, scene.springs)),
+      step_s_(scene.time.step_s),
+      mass_kg_(scene.ribbon.mass_kg / mesh.grid.particle_count()),
+      put_in_j_(elastic_j(start)) {
+  if (scene.fastening)
+    force_.emplace(*scene.fastening, scene.air_resistance_per_s, mesh.grid, start, mass_kg_);
+}
+
+void EnergyAccount::add_step(const Matrix3Xd& before, const Matrix3Xd& after) {
+  const Matrix3Xd way = after - before;
+  if (force_)
+    put_in_j_ += std::max(0.0, force_->at(before).leftCols(way.cols()).cwiseProduct(way).sum());
+  const double kinetic_j = mass_kg_ / 2 * (way / step_s_).squaredNorm();
+  const double energy_j = elastic_j(after) + kinetic_j;
+  if (energy_j > 0) most_ = std::max(most_, energy_j / put_in_j_);
+  is_explosion_ = is_explosion_ || energy_j > put_in_j_ + at_strain_limit_j();
+}
+
+double EnergyAccount::elastic_j(const Matrix3Xd& positions) const {
+  double sum_j = 0;
+  for (const SpringSet* set : {&network_.stretch, &network_.shear, &network_.bend})
+    for (const Spring& spring : set->springs) {
+      const double length_m = (positions.col(spring.b) - positions.col(spring.a)).norm();
+      sum_j += set->resistance / 2 * std::pow(length_m - spring.rest_length_m, 2);
+    }
+  return sum_j;
+}
+
+double EnergyAccount::at_strain_limit_j() const {
+  double sum_j = 0;
+  for (const SpringSet* set : {&network_.stretch, &network_.shear, &network_.bend})
+    for (const Spring& spring : set->springs)
+      sum_j += set->resistance / 2 * std::pow(strain_limit * spring.rest_length_m, 2);
+  return sum_j;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,86 @@
+// benchmark_features [--json FILE] [--scene FILE] [--across N] [--steps N] [--threads N]: what each
+// feature of a scene costs, in time per step and memory per particle, on the loose ribbon of a
+// sample. Prints the table of docs/simulation.md. Exit code 2 when something could not be read,
+// simulated or written.
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "benchmarks/benchmark_main.h"
+#include "benchmarks/sample_ribbon.h"
+#include "benchmarks/solver/feature_scenes.h"
+#include "benchmarks/solver/step_cost_json.h"
+#include "parallel/parallel.h"
+
+namespace ribbon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// By then the ribbon is in motion.
+constexpr int steps_before = 20;
+
+struct Options {
+  std::string json;
+  std::string scene = RIBBON_SAMPLES "/overhand-hourglass-8x400.toml";
+  int across = 8;
+  int steps = 40;
+  int threads = 1;
+};
+
+void describe(CLI::App& app, Options& options) {
+  add_report_option(app, options.json);
+  app.add_option("--scene", options.scene, "whose ribbon and object are taken")->type_name("FILE");
+  app.add_option("--across", options.across, "particles across")->check(CLI::Range(2, 500));
+  app.add_option("--steps", options.steps, "that are measured")->check(CLI::Range(1, 1'000'000));
+  app.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, 1024));
+}
+
+void print_heading() {
+  std::string names = "| scene | ms a step |";
+  std::string rule = "|---|---|";
+  for (std::size_t stage = 0; stage < stage_count; ++stage) {
+    names += " " + std::string(word_for(static_cast<Stage>(stage))) + " |";
+    rule += "---|";
+  }
+  std::printf("%s held | at most | allocations |\n%s---|---|---|\n", names.c_str(), rule.c_str());
+}
+
+void print(const std::string& feature, const StepCost& cost, int particles) {
+  std::printf("| %s | %.2f |", feature.c_str(), 1e3 * cost.processor_s);
+  for (const double stage_s : cost.stage_s) std::printf(" %.0f %% |", 100 * stage_s / cost.wall_s);
+  std::printf(" %.0f | %.0f | %.0f |\n", cost.held_bytes / particles, cost.most_bytes / particles,
+              cost.allocations);
+  std::fflush(stdout);
+}
+
+Result<ExitCode> run(const Options& options) {
+  set_thread_limit(options.threads);
+  auto full = read_scene(options.scene);
+  if (!full) return tl::unexpected(full.error());
+  const auto ribbon = sample_ribbon(options.scene, full->ribbon.along, options.across);
+  if (!ribbon) return tl::unexpected(ribbon.error());
+  const int particles = ribbon->mesh.grid.particle_count();
+  Json report = Json::array();
+  print_heading();
+  for (const FeatureScene& feature : feature_scenes(ribbon->scene)) {
+    const auto cost = step_cost(feature.scene, ribbon->mesh,
+                                feature.scene.obstacle ? ribbon->obstacle : std::nullopt,
+                                steps_before, options.steps);
+    if (!cost) return tl::unexpected(cost.error());
+    print(feature.feature, *cost, particles);
+    report.push_back({{"scene", feature.feature}});
+    report.back().update(json_of(*cost, particles));
+  }
+  return write_report(report, options.json, ExitCode::done);
+}
+
+}  // namespace
+}  // namespace ribbon
+
+int main(int argc, char** argv) {
+  return ribbon::benchmark_main<ribbon::Options>("benchmark_features", argc, argv, ribbon::describe,
+                                                 ribbon::run);
+}

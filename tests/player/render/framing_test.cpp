@@ -1,0 +1,100 @@
+#include "player/render/framing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ribbon {
+namespace {
+
+Eigen::Matrix3Xf cloud(float scale) {
+  Eigen::Matrix3Xf points(3, 200);
+  for (int i = 0; i < 200; ++i) {
+    const auto t = static_cast<float>(i);
+    points.col(i) << scale * 2 * std::sin(t), 0.4F + scale * std::sin(1.3F * t),
+        scale * 0.7F * std::cos(2.1F * t);
+  }
+  return points;
+}
+
+void expect_inside(const Camera& camera, const Eigen::Matrix3Xf& points) {
+  for (const auto point : points.colwise()) {
+    const Eigen::Vector3f seen = camera.project(point);
+    EXPECT_GT(seen.z(), 0);
+    EXPECT_LE(std::abs(seen.x()), 0.921F);
+    EXPECT_LE(std::abs(seen.y()), 0.921F);
+  }
+}
+
+// How near any point comes to the border of the picture.
+float widest(const Camera& camera, const Eigen::Matrix3Xf& points) {
+  float widest = 0;
+  for (const auto point : points.colwise())
+    widest = std::max(widest, camera.project(point).head<2>().cwiseAbs().maxCoeff());
+  return widest;
+}
+
+TEST(Framing, every_point_is_inside_with_a_margin_and_some_point_touches_it) {
+  for (const View& view : {three_quarter_view, top_view, View{-130, -40}, View{0, 90}})
+    for (const PictureSize size : {PictureSize{1280, 720}, PictureSize{300, 900}}) {
+      Framing framing(view, size);
+      framing.include(cloud(0.5F));
+      framing.include(cloud(1.5F));
+      const Camera camera = framing.camera();
+      expect_inside(camera, cloud(0.5F));
+      expect_inside(camera, cloud(1.5F));
+      EXPECT_GT(widest(camera, cloud(1.5F)), 0.919F);
+    }
+}
+
+TEST(Framing, the_order_of_points_does_not_matter) {
+  Framing first(three_quarter_view, {});
+  first.include(cloud(1));
+  first.include(cloud(2));
+  Framing second(three_quarter_view, {});
+  second.include(cloud(2));
+  second.include(cloud(1));
+  EXPECT_EQ(first.camera().eye, second.camera().eye);
+}
+
+TEST(Framing, a_single_point_can_be_looked_at) {
+  Framing framing(three_quarter_view, {});
+  framing.include(Eigen::Vector3f(3, 4, 5));
+  const Eigen::Vector3f seen = framing.camera().project({3, 4, 5});
+  EXPECT_GT(seen.z(), 0);
+  EXPECT_NEAR(seen.x(), 0, 1e-2);
+  EXPECT_NEAR(seen.y(), 0, 1e-2);
+}
+
+TEST(Framing, the_three_quarter_view_looks_from_the_front_the_right_and_above) {
+  Framing framing(three_quarter_view, {});
+  framing.include(cloud(1));
+  const Camera camera = framing.camera();
+  EXPECT_GT(camera.eye.x(), 0.5F);
+  EXPECT_GT(camera.eye.y(), 0.5F);
+  EXPECT_GT(camera.eye.z(), 0.5F);
+  // Up stays up.
+  EXPECT_GT(camera.project({0, 1, 0}).y(), camera.project({0, 0, 0}).y());
+}
+
+TEST(Framing, the_front_is_below_in_the_top_view) {
+  Framing framing(top_view, {});
+  framing.include(cloud(1));
+  const Camera camera = framing.camera();
+  EXPECT_LT(camera.project({0, 0, 1}).y(), camera.project({0, 0, 0}).y());
+  EXPECT_GT(camera.project({1, 0, 0}).x(), camera.project({0, 0, 0}).x());
+}
+
+TEST(Camera, directions_lead_to_where_points_appear) {
+  Framing framing(three_quarter_view, {});
+  framing.include(cloud(1));
+  const Camera camera = framing.camera();
+  const Eigen::Vector3f point = camera.eye + 3 * camera.direction(0.25F, -0.5F);
+  const Eigen::Vector3f seen = camera.project(point);
+  EXPECT_NEAR(seen.x(), 0.25F, 1e-4);
+  EXPECT_NEAR(seen.y(), -0.5F, 1e-4);
+  EXPECT_NEAR(seen.z(), 3, 1e-4);
+}
+
+}  // namespace
+}  // namespace ribbon

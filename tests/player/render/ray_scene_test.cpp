@@ -1,0 +1,109 @@
+#include "player/render/ray_scene.h"
+
+#include <gtest/gtest.h>
+#include <pmmintrin.h>
+
+#include <array>
+
+#include "player/quads.h"
+
+namespace ribbon {
+namespace {
+
+// The ribbon's quad at z = 0 and a square obstacle of side 2 at z = -1.
+RayScene two_quads(float ribbon_z = 0) {
+  const RecordingHeader header = test::quad_ribbon();
+  Surface ribbon = ribbon_surface(header.grid);
+  Eigen::Matrix3Xf positions = test::flat_quad();
+  positions.row(2).setConstant(ribbon_z);
+  place_ribbon(header.grid, positions, ribbon);
+  RayScene scene;
+  scene.set_obstacle(
+      creased_surface(test::quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1})));
+  scene.set_ribbon(ribbon);
+  return scene;
+}
+
+Ray down(float x, float y) {
+  return {{x, y, 5}, {0, 0, -1}};
+}
+
+TEST(RayScene, the_nearest_body_is_hit_whichever_it_is) {
+  const std::array<Ray, 4> rays{down(0, 0), down(0, 0.9F), down(1.9F, 0), down(0, 3)};
+  std::array<Hit, 4> hits;
+  two_quads().first_hits(rays, Coherence::similar, hits);
+  EXPECT_EQ(hits[0].body, Hit::Body::ribbon);
+  EXPECT_EQ(hits[1].body, Hit::Body::obstacle);
+  EXPECT_EQ(hits[2].body, Hit::Body::ribbon);
+  EXPECT_EQ(hits[3].body, Hit::Body::none);
+  two_quads(-2).first_hits(rays, Coherence::similar, hits);
+  EXPECT_EQ(hits[0].body, Hit::Body::obstacle);
+}
+
+TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
+  RayScene scene = two_quads(0);
+  const RecordingHeader header = test::quad_ribbon();
+  Surface ribbon = ribbon_surface(header.grid);
+  Eigen::Matrix3Xf moved = test::flat_quad();
+  moved.row(1).array() += 10;
+  place_ribbon(header.grid, moved, ribbon);
+  scene.set_ribbon(ribbon);
+  const std::array<Ray, 2> rays{down(1.9F, 0), down(1.9F, 10)};
+  std::array<Hit, 2> hits;
+  scene.first_hits(rays, Coherence::mixed, hits);
+  EXPECT_EQ(hits[0].body, Hit::Body::none);
+  EXPECT_EQ(hits[1].body, Hit::Body::ribbon);
+}
+
+TEST(RayScene, any_number_of_rays_is_answered_one_by_one) {
+  const RayScene scene = two_quads();
+  for (std::size_t count = 0; count <= 40; ++count) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) rays.push_back(down(0, i % 3 == 0 ? 0.0F : 3.0F));
+    std::vector<Hit> hits(count);
+    std::vector<std::uint8_t> free(count, 7);
+    scene.first_hits(rays, Coherence::similar, hits);
+    scene.unblocked(rays, Coherence::mixed, free);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(hits[i].body, i % 3 == 0 ? Hit::Body::ribbon : Hit::Body::none);
+      EXPECT_EQ(free[i], i % 3 == 0 ? 0 : 1);
+    }
+  }
+}
+
+TEST(RayScene, corner_weights_tell_the_place) {
+  const RecordingHeader header = test::quad_ribbon();
+  const std::array<Ray, 1> rays{down(0.7F, -0.1F)};
+  std::array<Hit, 1> hits;
+  two_quads().first_hits(rays, Coherence::similar, hits);
+  const Eigen::Vector3i corners = header.grid.triangles().col(hits[0].triangle);
+  const Eigen::Matrix3Xf at = test::flat_quad();
+  const Eigen::Vector3f place = (1 - hits[0].u - hits[0].v) * at.col(corners[0]) +
+                                hits[0].u * at.col(corners[1]) + hits[0].v * at.col(corners[2]);
+  EXPECT_NEAR(place.x(), 0.7F, 1e-5);
+  EXPECT_NEAR(place.y(), -0.1F, 1e-5);
+}
+
+TEST(RayScene, without_anything_every_ray_is_free) {
+  const std::array<Ray, 1> rays{down(0, 0)};
+  std::array<Hit, 1> hits;
+  std::array<std::uint8_t, 1> free{};
+  const RayScene scene;
+  scene.first_hits(rays, Coherence::similar, hits);
+  scene.unblocked(rays, Coherence::similar, free);
+  EXPECT_EQ(hits[0].body, Hit::Body::none);
+  EXPECT_EQ(free[0], 1);
+}
+
+TEST(FlushDenormals, the_thread_is_left_as_it_was) {
+  const unsigned before = _mm_getcsr();
+  {
+    const FlushDenormals fast;
+    EXPECT_EQ(_MM_GET_FLUSH_ZERO_MODE(), static_cast<unsigned>(_MM_FLUSH_ZERO_ON));
+    EXPECT_EQ(_MM_GET_DENORMALS_ZERO_MODE(), static_cast<unsigned>(_MM_DENORMALS_ZERO_ON));
+  }
+  EXPECT_EQ(_mm_getcsr(), before);
+}
+
+}  // namespace
+}  // namespace ribbon

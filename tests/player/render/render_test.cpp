@@ -1,0 +1,242 @@
+#include "player/render/render.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "parallel/parallel.h"
+#include "player/quads.h"
+#include "player/render/cloth_pattern.h"
+
+namespace ribbon {
+namespace {
+
+// Looks at (x, y, 0) from `side` times 10 m along z and sees 0.2 mm: one place of the cloth.
+Camera close_up(float x, float y, float side) {
+  Camera camera;
+  camera.eye = {x, y, 10 * side};
+  camera.world_from_camera = Eigen::Vector3f(side, 1, side).asDiagonal();
+  camera.half_width = camera.half_height = 1e-5F;
+  return camera;
+}
+
+Lighting only_sun(const Eigen::Vector3f& towards) {
+  Lighting lighting;
+  lighting.sun_direction = towards.normalized();
+  lighting.sun = {0.9F, 0.6F, 0.3F};
+  lighting.sun_radius = 0;
+  lighting.sky_above = lighting.sky_below = Color::Zero();
+  return lighting;
+}
+
+Lighting only_sky(const Color& above, const Color& below) {
+  Lighting lighting = only_sun({0, 0, 1});
+  lighting.sun = Color::Zero();
+  lighting.sky_above = above;
+  lighting.sky_below = below;
+  lighting.bounce = 0;
+  return lighting;
+}
+
+Stage flat_stage() {
+  Stage stage(test::quad_ribbon());
+  stage.set_ribbon(test::flat_quad());
+  return stage;
+}
+
+// What the middle of a 1 x 1 picture shows.
+Color radiance(const Stage& stage, const Camera& camera, const Lighting& lighting,
+               int samples = 16) {
+  return render(stage, camera, {1, 1}, SamplePatterns(samples), lighting).pixels[0];
+}
+
+void expect_color(const Color& color, const Color& expected, float tolerance = 1e-4F) {
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_NEAR(color[channel], expected[channel], tolerance) << "channel " << channel;
+}
+
+TEST(Render, cloth_that_faces_the_sun_returns_its_colour_of_the_light) {
+  const Lighting lighting = only_sun({0, 0, -1});
+  expect_color(radiance(flat_stage(), close_up(0, 0, -1), lighting),
+               cloth_back(0, 0.5F) * lighting.sun);
+}
+
+TEST(Render, light_falls_off_with_the_cosine) {
+  const Lighting lighting = only_sun({0, std::sqrt(3.0F), -1});  // 60 degrees off
+  expect_color(radiance(flat_stage(), close_up(0, 0, -1), lighting),
+               cloth_back(0, 0.5F) * lighting.sun * 0.5F);
+}
+
+TEST(Render, light_from_behind_does_not_come_through) {
+  expect_color(radiance(flat_stage(), close_up(0, 0, -1), only_sun({0, 0, 1})), Color::Zero());
+}
+
+TEST(Render, each_side_has_its_own_colours_at_their_places) {
+  // x from -2 to 2 is 0 to 4 ribbon widths along, y from -0.5 to 0.5 is 0 to 1 across.
+  for (const float x : {-1.9F, -0.77F, 0.31F, 1.5F})
+    for (const float y : {-0.45F, -0.2F, 0.33F}) {
+      const float along = x + 2;
+      const float across = y + 0.5F;
+      const Lighting front = only_sun({0, 0, 1});
+      const Lighting back = only_sun({0, 0, -1});
+      expect_color(radiance(flat_stage(), close_up(x, y, 1), front),
+                   cloth_front(along, across) * front.sun, 0.01F);
+      expect_color(radiance(flat_stage(), close_up(x, y, -1), back),
+                   cloth_back(along, across) * back.sun);
+    }
+}
+
+TEST(Render, the_open_sky_gives_its_mean) {
+  const Color above(0.9F, 0.6F, 0.3F);
+  const Color below(0.1F, 0.2F, 0.3F);
+  expect_color(radiance(flat_stage(), close_up(0, 0, -1), only_sky(above, below), 1),
+               cloth_back(0, 0.5F) * (above + below) / 2);
+}
+
+TEST(Render, a_point_in_shadow_sees_no_sun) {
+  RecordingHeader header = test::quad_ribbon();
+  // A plate above the middle, in the way of light that comes at 45 degrees, not of the camera.
+  header.obstacle =
+      test::quad_mesh({-0.2F, 0.8F, -1}, {0.2F, 0.8F, -1}, {0.2F, 1.2F, -1}, {-0.2F, 1.2F, -1});
+  Stage stage(header);
+  stage.set_ribbon(test::flat_quad());
+  const Lighting lighting = only_sun({0, 1, -1});
+  expect_color(radiance(stage, close_up(0, 0, -1), lighting), Color::Zero());
+  expect_color(radiance(stage, close_up(0.5F, 0, -1), lighting),
+               cloth_back(0, 0.5F) * lighting.sun * std::sqrt(0.5F));
+}
+
+TEST(Render, a_high_wall_hides_half_of_the_sky) {
+  RecordingHeader header = test::quad_ribbon();
+  header.obstacle =
+      test::quad_mesh({0.02F, -900, 0}, {0.02F, -900, -900}, {0.02F, 900, -900}, {0.02F, 900, 0});
+  Stage stage(header);
+  stage.set_ribbon(test::flat_quad());
+  Lighting lighting = only_sky(Color::Ones(), Color::Ones());
+  const Camera camera = close_up(-0.05F, 0, -1);
+  // From 0.07 m beside an endless wall, all directions beyond the vertical are hidden: one half.
+  expect_color(radiance(stage, camera, lighting, 1024), cloth_back(0, 0.5F) / 2, 0.01F);
+  lighting.bounce = 0.5F;
+  const Color cloth = cloth_back(0, 0.5F);
+  expect_color(radiance(stage, camera, lighting, 1024), cloth / 2 + cloth / 4, 0.01F);
+}
+
+TEST(Render, a_soft_sun_has_a_half_shadow_at_the_edge) {
+  RecordingHeader header = test::quad_ribbon();
+  header.obstacle = test::quad_mesh({0, -1, -1}, {0, 1, -1}, {1, 1, -1}, {1, -1, -1});
+  Stage stage(header);
+  stage.set_ribbon(test::flat_quad());
+  Lighting lighting = only_sun({1, 0, -1});
+  lighting.sun_radius = 0.1F;
+  // Seen from x = -1 the plate's edge at (0, -1) cuts the sun's disc in halves.
+  expect_color(radiance(stage, close_up(-1, 0, -1), lighting, 1024),
+               cloth_back(0, 0.5F) * lighting.sun * std::sqrt(0.5F) / 2, 0.01F);
+}
+
+TEST(Render, beside_everything_there_is_the_backdrop) {
+  const Backdrop backdrop{{0.2F, 0.4F, 0.6F}, {0.6F, 0.4F, 0.2F}};
+  const LightPicture picture =
+      render(flat_stage(), close_up(50, 0, -1), {32, 64}, SamplePatterns(1), Lighting{}, backdrop);
+  expect_color(picture.pixels.front(), {0.2F, 0.4F, 0.6F}, 0.01F);
+  expect_color(picture.pixels.back(), {0.6F, 0.4F, 0.2F}, 0.01F);
+}
+
+// A tube of 12 flat sides, its axis along y.
+TriangleMesh coarse_tube() {
+  constexpr int sides = 12;
+  TriangleMesh mesh{"tube", Eigen::Matrix3Xf(3, 2 * sides), Eigen::Matrix3Xi(3, 2 * sides)};
+  for (int i = 0; i < sides; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / sides;
+    const int next = (i + 1) % sides;
+    const Eigen::Index low = 2 * Eigen::Index{i};
+    mesh.vertices.col(low) << std::sin(angle), -5, std::cos(angle);
+    mesh.vertices.col(low + 1) << std::sin(angle), 5, std::cos(angle);
+    mesh.triangles.col(low) << 2 * i, 2 * next, 2 * next + 1;
+    mesh.triangles.col(low + 1) << 2 * i, 2 * next + 1, 2 * i + 1;
+  }
+  return mesh;
+}
+
+TEST(Render, grazing_light_is_not_cut_off_by_flat_triangles) {
+  RecordingHeader header = test::quad_ribbon();
+  header.obstacle = coarse_tube();
+  Stage stage(header);
+  stage.set_ribbon(test::flat_quad().array() + 100);
+  Camera camera;
+  camera.eye = {0, 0, 10};
+  camera.half_width = 0.1F;
+  camera.half_height = 0.01F;
+  const LightPicture picture =
+      render(stage, camera, {400, 1}, SamplePatterns(16), only_sun({0.951F, 0, -0.309F}));
+  // The sun stands 108 degrees from the front, so the smooth tube is lit from 18 degrees on. The
+  // flat side from 0 to 30 degrees, here up to pixel 309, faces away from it as a whole.
+  for (int x = 285; x < 370; ++x) {
+    const float lit = picture.pixels[x][0];
+    EXPECT_GT(lit, 0.02F) << x;
+    EXPECT_GE(lit, picture.pixels[x - 3][0] - 1e-3F) << "dark gap before " << x;
+  }
+}
+
+// Waves that shade and hide each other.
+Stage wavy_stage() {
+  RecordingHeader header = test::quad_ribbon();
+  header.grid = {60, 8};
+  header.uv.resize(2, 480);
+  Eigen::Matrix3Xf positions(3, 480);
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 8; ++j) {
+      const auto s = static_cast<float>(i) / 59;
+      const auto t = static_cast<float>(j) / 7;
+      const Eigen::Index p = header.grid.particle(i, j);
+      header.uv.col(p) << s, t;
+      positions.col(p) << 4 * s - 2, t - 0.5F, 0.2F * std::sin(40 * s + t);
+    }
+  header.obstacle = coarse_tube();
+  Stage stage(header);
+  stage.set_ribbon(positions);
+  return stage;
+}
+
+TEST(Render, pixels_are_the_same_for_any_number_of_threads) {
+  const Stage stage = wavy_stage();
+  Camera camera;
+  camera.eye = {0, 0, 12};
+  camera.half_width = 0.2F;
+  camera.half_height = 0.1F;
+  const auto pixels = [&](int threads) {
+    set_thread_limit(threads);
+    return develop(render(stage, camera, {203, 101}, SamplePatterns(5))).rgb;
+  };
+  const auto expected = pixels(1);
+  EXPECT_EQ(pixels(2), expected);
+  EXPECT_EQ(pixels(7), expected);
+  set_thread_limit(0);
+}
+
+TEST(Render, tiles_left_out_would_have_shown_nothing_else) {
+  // A speck behind the eye marks every tile; without it only the touched ones are traced.
+  RecordingHeader header = test::quad_ribbon();
+  header.obstacle = coarse_tube();
+  Stage sparse(header);
+  sparse.set_ribbon(test::flat_quad());
+  TriangleMesh with_speck = coarse_tube();
+  with_speck.vertices.conservativeResize(3, 27);
+  with_speck.vertices.rightCols(3) << 0, 0.001F, 0, 0, 0, 0.001F, 13, 13, 13;
+  with_speck.triangles.conservativeResize(3, 25);
+  with_speck.triangles.col(24) << 24, 25, 26;
+  header.obstacle = with_speck;
+  Stage full(header);
+  full.set_ribbon(test::flat_quad());
+  Camera camera;
+  camera.eye = {0, 0, 12};
+  camera.half_width = camera.half_height = 0.4F;
+  const Lighting lighting = only_sun({0.3F, 0.2F, -1});
+  const auto picture = [&](const Stage& shown) {
+    return develop(render(shown, camera, {150, 150}, SamplePatterns(16), lighting)).rgb;
+  };
+  EXPECT_EQ(picture(sparse), picture(full));
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,77 @@
+#include "player/render/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "player/quads.h"
+
+namespace ribbon {
+namespace {
+
+// Two squares that meet at the z axis; the second is turned up by `degrees`.
+TriangleMesh hinge(float degrees) {
+  const float angle = degrees * std::numbers::pi_v<float> / 180;
+  TriangleMesh mesh{"hinge", Eigen::Matrix3Xf(3, 6), Eigen::Matrix3Xi(3, 4)};
+  mesh.vertices << -1, -1, 0, 0, std::cos(angle), std::cos(angle),  //
+      0, 0, 0, 0, std::sin(angle), std::sin(angle),                 //
+      0, 1, 1, 0, 1, 0;
+  mesh.triangles << 0, 0, 3, 3, 1, 2, 2, 4, 2, 3, 4, 5;
+  return mesh;
+}
+
+// Mean normal over the corners that lie on the hinge and belong to triangle t.
+Eigen::Vector3f normal_at_hinge(const Surface& surface, int t) {
+  for (const int vertex : surface.triangles.col(t))
+    if (surface.vertices(0, vertex) == 0) return surface.normals.col(vertex);
+  return Eigen::Vector3f::Zero();
+}
+
+TEST(CreasedSurface, small_angles_are_smooth) {
+  const Surface surface = creased_surface(hinge(20));
+  const Eigen::Vector3f expected(-std::sin(10 * std::numbers::pi_v<float> / 180),
+                                 std::cos(10 * std::numbers::pi_v<float> / 180), 0);
+  // One of the two corners on the hinge touches two triangles of one square, so the mean leans.
+  EXPECT_GT(normal_at_hinge(surface, 0).dot(expected), 0.995F);
+  EXPECT_LT(normal_at_hinge(surface, 0).x(), -0.05F);
+}
+
+TEST(CreasedSurface, large_angles_stay_sharp) {
+  const Surface surface = creased_surface(hinge(60));
+  EXPECT_TRUE(normal_at_hinge(surface, 0).isApprox(Eigen::Vector3f::UnitY(), 1e-6F));
+}
+
+TEST(CreasedSurface, repeated_vertices_do_not_make_a_crease) {
+  TriangleMesh split = hinge(20);
+  split.vertices.conservativeResize(3, 8);
+  split.vertices.col(6) = split.vertices.col(2);
+  split.vertices.col(7) = split.vertices.col(3);
+  split.triangles.col(2) << 7, 6, 4;
+  split.triangles.col(3) << 7, 4, 5;
+  EXPECT_TRUE(creased_surface(split).normals.isApprox(creased_surface(hinge(20)).normals, 1e-6F));
+}
+
+TEST(CreasedSurface, a_triangle_without_area_does_no_harm) {
+  TriangleMesh mesh = hinge(20);
+  mesh.triangles.col(1) << 1, 1, 1;
+  EXPECT_TRUE(creased_surface(mesh).normals.allFinite());
+}
+
+TEST(RibbonSurface, normals_point_to_the_front) {
+  const RecordingHeader header = test::quad_ribbon();
+  Surface ribbon = ribbon_surface(header.grid);
+  place_ribbon(header.grid, test::flat_quad(), ribbon);
+  for (const auto normal : ribbon.normals.colwise())
+    EXPECT_TRUE(normal.isApprox(Eigen::Vector3f::UnitZ(), 1e-6F));
+}
+
+TEST(RibbonSurface, a_ribbon_crumpled_into_a_point_has_no_normals) {
+  const RecordingHeader header = test::quad_ribbon();
+  Surface ribbon = ribbon_surface(header.grid);
+  place_ribbon(header.grid, Eigen::Matrix3Xf::Ones(3, 4), ribbon);
+  EXPECT_TRUE(ribbon.normals.isZero());
+}
+
+}  // namespace
+}  // namespace ribbon

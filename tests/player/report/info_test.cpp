@@ -1,0 +1,135 @@
+#include "player/report/info.h"
+
+#include <gtest/gtest.h>
+
+namespace ribbon {
+namespace {
+
+// Three frames recorded, the second lost.
+RecordingInfo three_frames() {
+  RecordingInfo info;
+  info.file = "knot.rbn";
+  info.file_bytes = 6000;
+  info.finished = true;
+  info.header.scene_name = "obi";
+  info.header.writer = "ribbon-record 0.1.0";
+  info.header.grid = {10, 4};
+  info.header.ribbon_length_m = 2;
+  info.header.ribbon_width_m = 0.08;
+  info.header.frames_per_second = 25;
+  info.header.max_position_error_m = 2e-5;
+  info.numbers = {FrameNumbers{1, 0.02, 7, 3}, std::nullopt, FrameNumbers{1.08, 0.0415, 2, 5}};
+  info.missing = {2};
+  info.damage = {{2000, 150, "checksum differs"}};
+  return info;
+}
+
+TEST(RecordingInfo, sums_up_the_frames_that_are_known) {
+  const RecordingInfo info = three_frames();
+  EXPECT_EQ(info.frame_count(), 3);
+  EXPECT_NEAR(info.duration_s(), 0.08, 1e-12);
+  EXPECT_EQ(info.worst_strain()->value, 0.0415);
+  EXPECT_EQ(info.worst_strain()->frame, 3);
+  EXPECT_EQ(info.most_penetrations()->value, 7);
+  EXPECT_EQ(info.most_penetrations()->frame, 1);
+  EXPECT_EQ(info.last_penetrations(), 2U);
+  EXPECT_EQ(info.bytes_per_vertex_and_frame(), 6000.0 / 3 / 40);
+}
+
+TEST(RecordingInfo, without_frames_there_is_nothing_to_sum_up) {
+  RecordingInfo info = three_frames();
+  info.numbers.clear();
+  EXPECT_EQ(info.duration_s(), 0);
+  EXPECT_FALSE(info.worst_strain());
+  EXPECT_FALSE(info.last_penetrations());
+  EXPECT_EQ(info.bytes_per_vertex_and_frame(), 0);
+  EXPECT_NE(info_text(info).find("0 in 0.00 s"), std::string::npos);
+}
+
+TEST(RecordingInfo, the_text_is_readable) {
+  EXPECT_EQ(info_text(three_frames()),
+            "recording       knot.rbn\n"
+            "scene           obi\n"
+            "written by      ribbon-record 0.1.0\n"
+            "frames          3 in 0.08 s, 25 per second\n"
+            "checkpoints     none\n"
+            "ribbon          4 x 10 particles, 0.08 m wide, 2 m long\n"
+            "obstacle        none\n"
+            "centre axis     none\n"
+            "gap             none stated\n"
+            "worst strain    4.2 % in frame 3\n"
+            "penetrations    at most 7, in frame 1; in the last frame 2\n"
+            "position error  at most 0.02 mm\n"
+            "size            6000 bytes, 50.00 per vertex and frame\n"
+            "damage          150 bytes at byte 2000: checksum differs\n"
+            "lost frames     2\n");
+}
+
+TEST(RecordingInfo, what_the_writer_states_is_told) {
+  RecordingInfo info = three_frames();
+  info.header.stated_gap_m = 0.00025;
+  info.header.centre_axis = CentreAxis{{0.5, 0, -1}, {0, 1, 0}};
+  const std::string text = info_text(info);
+  EXPECT_NE(text.find("gap             at least 0.25 mm, as stated\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("centre axis     through (0.5, 0, -1) m along (0, 1, 0)\n"),
+            std::string::npos);
+}
+
+TEST(RecordingInfo, tightness_and_ending_are_told) {
+  RecordingInfo info = three_frames();
+  EXPECT_FALSE(info.last_tightness());
+  info.ending = RunEnding::tight;
+  info.numbers[2]->tightness = TightnessNumbers{-0.0125F, 0.5F, 0.25F, 0.375F, 12.25F};
+  EXPECT_EQ(info.last_tightness()->contact, 0.375F);
+  const std::string text = info_text(info);
+  EXPECT_NE(text.find("ended           when the ribbon was tight\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("last frame      progress -1.2 %, pull 25.0 %, held back 50.0 %\n"
+                      "                in contact 37.5 %, rope length 12.2 widths\n"),
+            std::string::npos)
+      << text;
+  info.ending = RunEnding::stopped;
+  EXPECT_NE(info_text(info).find("ended           early, by the user\n"), std::string::npos);
+}
+
+TEST(RecordingInfo, where_a_run_was_taken_up_again_is_told) {
+  RecordingInfo info = three_frames();
+  info.header.origin = Origin{7, "mother", 77, "a = 1\nb = 2\n"};
+  info.sessions = {{1, {SessionReason::resumed, "ribbon-record 0.1.0", ""}},
+                   {2, {SessionReason::extended, "ribbon-record 0.2.0", "time.duration = 9\n"}}};
+  info.checkpoints = {1, 2, 3};
+  const std::string text = info_text(info);
+  EXPECT_NE(text.find("branch of       mother, from its frame 78, with a = 1 b = 2\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(
+      text.find("resumed         at frame 2 by ribbon-record 0.1.0\n"
+                "extended        at frame 3 by ribbon-record 0.2.0, with time.duration = 9\n"),
+      std::string::npos);
+  EXPECT_NE(text.find("checkpoints     3, at frames 1, 2, 3\n"), std::string::npos);
+  info.checkpoints = {1, 20, 30, 40, 50, 60, 70, 80};
+  EXPECT_NE(info_text(info).find("checkpoints     8, at frames 1, 20, 30, ..., 60, 70, 80\n"),
+            std::string::npos);
+}
+
+TEST(RecordingInfo, exact_positions_are_told) {
+  RecordingInfo info = three_frames();
+  info.header.max_position_error_m = 0;
+  EXPECT_NE(info_text(info).find("position error  none beyond rounding to single precision\n"),
+            std::string::npos);
+}
+
+TEST(RecordingInfo, a_recorder_at_work_is_mentioned) {
+  RecordingInfo info = three_frames();
+  info.finished = false;
+  info.being_written = true;
+  EXPECT_NE(info_text(info).find("25 per second; more are being recorded\n"), std::string::npos);
+}
+
+TEST(RecordingInfo, a_stopped_recorder_is_mentioned) {
+  RecordingInfo info = three_frames();
+  info.finished = false;
+  EXPECT_NE(info_text(info).find("; the recorder was stopped on the way"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ribbon

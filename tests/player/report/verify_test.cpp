@@ -1,0 +1,158 @@
+#include "player/report/verify.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "recording/sample_recording.h"
+
+namespace ribbon {
+namespace {
+
+Verification verify_file(const std::filesystem::path& path, std::vector<int> frames = {},
+                         int certify_every = 10) {
+  auto reader = RecordingReader::open(path);
+  EXPECT_TRUE(reader.has_value());
+  if (frames.empty()) {
+    frames.resize(reader->frame_count());
+    std::iota(frames.begin(), frames.end(), 0);
+  }
+  auto verification = verify(*reader, frames, certify_every, [](int) { return true; });
+  EXPECT_TRUE(verification.has_value());
+  return *verification;
+}
+
+Verification verify_frames(const RecordingHeader& header,
+                           const std::vector<Eigen::Matrix3Xd>& frames) {
+  const auto path = temporary_file("verify.rbn");
+  std::filesystem::remove(path);
+  write_recording(path, header, frames);
+  return verify_file(path);
+}
+
+std::filesystem::path sample(int frames, Ending ending = Ending::finished) {
+  auto path = temporary_file("sample to verify.rbn");
+  std::filesystem::remove(path);
+  write_sample_recording(path, frames, ending);
+  return path;
+}
+
+using Complaints = std::vector<std::string>;
+
+TEST(Verify, the_sample_is_in_order) {
+  const Verification verification = verify_file(sample(7));
+  EXPECT_EQ(verification.complaints(), Complaints{});
+  EXPECT_EQ(verification.frames_checked, 7);
+  EXPECT_EQ(verification.intersecting_pairs, 0U);
+  EXPECT_GT(verification.smallest_gap->gap.certain_m, 1e-3);
+  EXPECT_EQ(verification.certified_frames, 2);
+}
+
+TEST(Verify, the_frame_with_the_largest_strain_is_named) {
+  RecordingHeader exact = sample_header();  // rounding would strain the ribbon more than its twist
+  exact.max_position_error_m = 0;
+  exact.lattice_step_m = 0;
+  std::vector<Eigen::Matrix3Xd> frames;
+  frames.reserve(7);
+  for (int frame = 0; frame < 7; ++frame) frames.push_back(sample_positions(frame));
+  // Twisted most in the last frame, where its selvages are longest.
+  EXPECT_EQ(verify_frames(exact, frames).largest_strain->frame, 7);
+}
+
+TEST(Verify, a_recorder_that_was_stopped_leaves_nothing_wrong) {
+  EXPECT_EQ(verify_file(sample(7, Ending::killed)).complaints(), Complaints{});
+}
+
+TEST(Verify, only_the_frames_asked_for_are_checked_and_certified) {
+  const auto path = sample(40);
+  EXPECT_EQ(verify_file(path, {4, 5, 20}).frames_checked, 3);
+  EXPECT_EQ(verify_file(path, {4, 5, 20}, 8).certified_frames, 3);   // 4, 12, 20
+  EXPECT_EQ(verify_file(path, {4, 5, 20}, 10).certified_frames, 3);  // 4, 14, 20
+  EXPECT_EQ(verify_file(path, {4, 5, 20}, 16).certified_frames, 2);  // 4, 20
+  EXPECT_EQ(verify_file(path, {4}).certified_frames, 1);
+}
+
+TEST(Verify, intersecting_frames_are_counted_and_the_worst_is_named) {
+  const RecordingHeader header = sample_header();
+  std::vector<Eigen::Matrix3Xd> frames(7, sample_positions(0));
+  frames[2].row(1).array() -= 0.15;  // the tip of the stone comes through
+  frames[5].row(1).array() -= 0.3;   // right through the middle
+  const Verification verification = verify_frames(header, frames);
+  EXPECT_EQ(verification.complaints(),
+            (Complaints{"triangles intersect", "the stated gap is not kept"}));
+  EXPECT_EQ(verification.intersecting_frames, 2);
+  EXPECT_EQ(verification.most_intersections->frame, 6);
+  EXPECT_GT(verification.intersecting_pairs, verification.most_intersections->value);
+  ASSERT_EQ(verification.first_intersections.size(), 2U);
+  EXPECT_EQ(verification.first_intersections[0].frame, 3);
+  EXPECT_EQ(verification.first_intersections[0].time_s, 0.04);
+  EXPECT_GE(verification.first_intersections[0].pair.second, header.grid.triangle_count());
+  EXPECT_EQ(verification.smallest_gap->gap.certain_m, 0);
+  EXPECT_EQ(verification.smallest_gap->frame, 3);
+}
+
+TEST(Verify, a_gap_below_the_stated_one_is_wrong) {
+  RecordingHeader header = sample_header();
+  std::vector<Eigen::Matrix3Xd> frames(3, sample_positions(0));
+  frames[1].row(1).array() -= 0.095;  // 5 mm above the tip of the stone
+  header.stated_gap_m = 0.0049;
+  EXPECT_EQ(verify_frames(header, frames).complaints(), Complaints{});
+  header.stated_gap_m = 0.0051;
+  const Verification verification = verify_frames(header, frames);
+  EXPECT_EQ(verification.complaints(), Complaints{"the stated gap is not kept"});
+  EXPECT_EQ(verification.smallest_gap->frame, 2);
+  EXPECT_NEAR(verification.smallest_gap->gap.certain_m, 0.005, 2e-5);
+}
+
+TEST(Verify, the_largest_strain_is_found_where_it_is) {
+  std::vector<Eigen::Matrix3Xd> frames(4, sample_positions(0));
+  frames[2](0, 239) += 1.0 / 39;  // a corner is pulled along by a row
+  const Verification verification = verify_frames(sample_header(), frames);
+  EXPECT_EQ(verification.largest_strain->frame, 3);
+  EXPECT_EQ(verification.largest_strain->strain.second, 239);
+  EXPECT_NEAR(verification.largest_strain->strain.strain, 1, 1e-2);
+}
+
+// A band 0.1 wide along a trefoil drawn as a polynomial; `depth` -1 is its mirror image.
+Eigen::Matrix3Xd open_trefoil(const RibbonGrid& grid, double depth) {
+  Eigen::Matrix3Xd positions(3, grid.particle_count());
+  for (int p = 0; p < grid.particle_count(); ++p) {
+    const double t = 2.2 * (2.0 * grid.row(p) / (grid.along - 1) - 1);
+    positions.col(p) << t * (t * t - 3), t * t * (t * t - 4),
+        depth * t * (t * t * t * t - 10) / 5 + 0.1 * grid.column(p) / (grid.across - 1);
+  }
+  return positions;
+}
+
+// Neither frame intersects: only the knot tells.
+TEST(Verify, a_strand_that_passed_through_another_between_two_frames_is_found) {
+  RecordingHeader header = sample_header();
+  header.grid = {80, 3};
+  header.uv.setZero(2, header.grid.particle_count());
+  header.obstacle.reset();
+  header.ribbon_length_m = 40;
+  const Verification verification =
+      verify_frames(header, {open_trefoil(header.grid, 1), open_trefoil(header.grid, 0.5),
+                             open_trefoil(header.grid, -0.5), open_trefoil(header.grid, -1)});
+  EXPECT_EQ(verification.complaints(), Complaints{"the knot has changed"});
+  ASSERT_EQ(verification.certificate_changes.size(), 1U);
+  const CertificateChange& change = verification.certificate_changes.front();
+  EXPECT_EQ(change.frame_before, 1);
+  EXPECT_EQ(change.frame_after, 4);
+  EXPECT_NE(change.before.find("trefoil"), std::string::npos) << change.before;
+  EXPECT_NE(change.before, change.after);
+}
+
+TEST(Verify, whoever_watches_can_stop_it) {
+  auto reader = RecordingReader::open(sample(40));
+  ASSERT_TRUE(reader.has_value());
+  std::vector<int> frames(40);
+  std::iota(frames.begin(), frames.end(), 0);
+  const auto stopped = verify(*reader, frames, 10, [](int done) { return done < 20; });
+  ASSERT_FALSE(stopped.has_value());
+  EXPECT_EQ(stopped.error().problem, "interrupted after frame 32");
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "player/report/verify.h"
+
+namespace ribbon {
+namespace {
+
+// 3 x 3 particles, 8 triangles.
+Verification all_in_order() {
+  Verification verification;
+  verification.header.grid = {3, 3};
+  verification.header.stated_gap_m = 0.25;
+  verification.frames_asked = 12;
+  verification.frames_checked = 12;
+  verification.smallest_gap = {{0.5, {7, 10}}, 4};
+  verification.largest_strain = {{0.0625, 4, 7}, 9};
+  verification.certificate = "trefoil";
+  verification.certified_frames = 3;
+  return verification;
+}
+
+Verification all_wrong() {
+  Verification verification = all_in_order();
+  verification.frames_checked = 9;
+  verification.lost = {3, 4, 5};
+  verification.not_finite = {7};
+  verification.damaged = true;
+  verification.intersecting_pairs = 6;
+  verification.all_pairs_counted = false;
+  verification.intersecting_frames = 1;
+  verification.most_intersections = {6, 8};
+  verification.first_intersections = {{8, 0.125, {0, 6}}, {9, std::nullopt, {0, 9}}};
+  verification.smallest_gap = {{0, {0, 6}}, 8};
+  verification.certificate_changes = {{1, 10, "trefoil", "unknot"}};
+  return verification;
+}
+
+TEST(VerificationText, what_is_in_order_reads_so) {
+  EXPECT_EQ(verification_text("knot.rbn", all_in_order()),
+            "recording       knot.rbn\n"
+            "frames          12 of 12 checked\n"
+            "intersections   none\n"
+            "smallest gap    0.5 m in frame 4, ribbon row 1 column 1 and obstacle triangle 2; at "
+            "least the stated 0.25 m\n"
+            "largest strain  6.2 % in frame 9, from row 1 column 1 to row 2 column 1\n"
+            "knot            trefoil\n"
+            "                the same in all of 3 frames certified\n"
+            "verdict         nothing is wrong\n");
+}
+
+TEST(VerificationText, what_is_wrong_is_said_with_its_place) {
+  EXPECT_EQ(
+      verification_text("knot.rbn", all_wrong()),
+      "recording       knot.rbn\n"
+      "frames          9 of 12 checked; lost: 3-5; with coordinates that are no numbers: 7\n"
+      "intersections   at least 6 pairs of triangles in 1 frame, most in frame 8: 6\n"
+      "                frame 8 (0.12 s): ribbon row 0 column 0 and ribbon row 1 column 1\n"
+      "                frame 9: ribbon row 0 column 0 and obstacle triangle 1\n"
+      "smallest gap    0 m in frame 8, ribbon row 0 column 0 and ribbon row 1 column 1; LESS than "
+      "the stated 0.25 m\n"
+      "largest strain  6.2 % in frame 9, from row 1 column 1 to row 2 column 1\n"
+      "knot            trefoil\n"
+      "                CHANGED 1 time; 3 frames certified\n"
+      "                frame 1: trefoil\n"
+      "                frame 10: unknot\n"
+      "verdict         WRONG: triangles intersect, the stated gap is not kept, the knot has "
+      "changed, coordinates are no numbers, frames are lost\n");
+}
+
+TEST(VerificationText, equal_certificates_that_know_nothing_prove_nothing) {
+  Verification verification = all_in_order();
+  verification.certificate = "first end buried";
+  verification.uncertain_frames = 3;
+  const std::string text = verification_text("knot.rbn", verification);
+  EXPECT_NE(text.find("not known in 3 frames"), std::string::npos) << text;
+  EXPECT_NE(text.find("WRONG: the knot cannot be certified"), std::string::npos) << text;
+}
+
+TEST(VerificationText, what_is_not_known_is_not_invented) {
+  Verification nothing = all_in_order();
+  nothing.smallest_gap.reset();
+  nothing.largest_strain.reset();
+  nothing.certified_frames = 0;
+  nothing.damaged = true;
+  const std::string text = verification_text("knot.rbn", nothing);
+  EXPECT_NE(text.find("smallest gap    not known\n"), std::string::npos);
+  EXPECT_NE(text.find("largest strain  not known\n"), std::string::npos);
+  EXPECT_NE(text.find("knot            not known\n"), std::string::npos);
+  EXPECT_NE(text.find("verdict         WRONG: the file is damaged\n"), std::string::npos);
+}
+
+TEST(VerificationText, a_recording_that_states_no_gap_keeps_it) {
+  Verification verification = all_in_order();
+  verification.header.stated_gap_m = 0;
+  EXPECT_TRUE(verification.complaints().empty());
+  EXPECT_NE(verification_text("knot.rbn", verification).find("; none is stated\n"),
+            std::string::npos);
+  EXPECT_TRUE(
+      nlohmann::json::parse(verification_json("", verification))["gap"]["stated_m"].is_null());
+}
+
+TEST(VerificationJson, programs_read_what_people_read) {
+  const auto json = nlohmann::json::parse(verification_json("knot.rbn", all_wrong()));
+  EXPECT_EQ(json["passed"], false);
+  EXPECT_EQ(json["wrong"].size(), 5U);
+  EXPECT_EQ(json["frames"]["lost"], nlohmann::json::array({3, 4, 5}));
+  EXPECT_EQ(json["frames"]["not_finite"], nlohmann::json::array({7}));
+  EXPECT_EQ(json["intersections"]["pairs"], 6);
+  EXPECT_EQ(json["intersections"]["all_counted"], false);
+  EXPECT_EQ(json["intersections"]["most"]["frame"], 8);
+  EXPECT_EQ(json["intersections"]["first"][0]["between"][1]["row"], 1);
+  EXPECT_EQ(json["intersections"]["first"][1]["between"][1]["obstacle_triangle"], 1);
+  EXPECT_TRUE(json["intersections"]["first"][1]["time_s"].is_null());
+  EXPECT_EQ(json["gap"]["kept"], false);
+  EXPECT_EQ(json["gap"]["stated_m"], 0.25);
+  EXPECT_EQ(json["gap"]["smallest_m"], 0);
+  EXPECT_EQ(json["strain"]["between"][1]["row"], 2);
+  EXPECT_EQ(json["knot"]["changes"][0]["after"], "unknot");
+  EXPECT_EQ(nlohmann::json::parse(verification_json("", all_in_order()))["passed"], true);
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,104 @@
+// All instruction sets give the same bits.
+#include "recording/codec/frame_loops.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "recording/codec/entropy_tables.h"
+#include "recording/codec/position_decoder.h"
+#include "recording/codec/position_encoder.h"
+#include "recording/writer/references.h"
+
+namespace ribbon {
+namespace {
+
+class InstructionSets : public testing::Test {
+ protected:
+  ~InstructionSets() override { choose_instruction_set(best_instruction_set()); }
+};
+
+// A wave on a ribbon, with noise of some steps: nothing is predicted exactly.
+std::vector<Eigen::Matrix3Xd> restless_frames(const RibbonGrid& grid, int count) {
+  std::mt19937 random(7);
+  std::vector<Eigen::Matrix3Xd> frames;
+  for (int frame = 0; frame < count; ++frame) {
+    Eigen::Matrix3Xd& positions = frames.emplace_back(3, grid.particle_count());
+    for (int p = 0; p < grid.particle_count(); ++p) {
+      const double along = grid.row(p) / 40.0;
+      positions.col(p) << along + 0.001 * frame, 0.2 * along * along - 0.002 * frame * along,
+          0.01 * grid.column(p) + 0.0003 * frame * frame;
+      for (double& coordinate : positions.col(p))
+        coordinate += 5e-5 * (static_cast<double>(random()) / 4294967296.0 - 0.5);
+    }
+  }
+  return frames;
+}
+
+struct Outcome {
+  std::vector<std::string> geometry;
+  std::vector<Eigen::Matrix3Xf> positions;
+  bool operator==(const Outcome&) const = default;
+};
+
+// Every kind of prediction: within, forward with one, two and three references, between two frames
+// with two and four.
+Outcome run(const RibbonGrid& grid, double step_m, double max_error_m) {
+  const CodecParameters codec{grid, 1, 0.1, static_cast<float>(step_m), standard_entropy_tables()};
+  PositionEncoder encoder(codec, max_error_m);
+  PositionDecoder decoder(codec);
+  auto frames = restless_frames(grid, 8);
+  if (max_error_m == 0)
+    for (auto& frame : frames) frame = frame.cast<float>().cast<double>().eval();
+  std::vector<LatticeFrame> decoded(frames.size());
+  Outcome outcome;
+  const auto take = [&](std::size_t frame, const std::vector<std::size_t>& references,
+                        Prediction prediction) {
+    std::vector<const LatticeFrame*> pointers;
+    pointers.reserve(references.size());
+    for (const std::size_t reference : references) pointers.push_back(&decoded[reference]);
+    const auto encoded = encoder.encode(frames[frame], pointers, prediction);
+    ASSERT_TRUE(encoded.has_value()) << encoded.error().sentence();
+    EXPECT_EQ(encoded->encoding, FrameEncoding::lattice);
+    ASSERT_TRUE(decoder.decode(encoded->encoding, encoded->geometry, pointers, decoded[frame]));
+    Eigen::Matrix3Xf positions;
+    decoded[frame].positions(positions);
+    EXPECT_LE((positions.cast<double>() - frames[frame]).cwiseAbs().maxCoeff(), max_error_m);
+    outcome.geometry.push_back(encoded->geometry);
+    outcome.positions.push_back(positions);
+  };
+  take(0, {}, Prediction::forward);
+  take(1, {0}, Prediction::forward);
+  take(2, {1, 0}, Prediction::forward);
+  take(3, {2, 1, 0}, Prediction::forward);
+  take(7, {}, Prediction::between);
+  take(5, {3, 7}, Prediction::between);
+  take(4, {3, 5, 2, 7}, Prediction::between);
+  take(6, {5, 7, 3}, Prediction::between);
+  return outcome;
+}
+
+TEST_F(InstructionSets, all_give_the_same_bits) {
+  for (const RibbonGrid grid : {RibbonGrid{40, 16}, {33, 17}, {2, 2}, {9, 5}, {3, 70}})
+    for (const bool on_lattice : {true, false}) {
+      choose_instruction_set(InstructionSet::baseline);
+      const double bound_m = on_lattice ? 1e-5 : 0;
+      const double step_m = on_lattice ? static_cast<double>(lattice_step_m(bound_m, 2)) : 0;
+      const Outcome expected = run(grid, step_m, bound_m);
+      for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+        if (loops_for(set) == nullptr) continue;
+        choose_instruction_set(set);
+        EXPECT_TRUE(run(grid, step_m, bound_m) == expected)
+            << grid.along << " x " << grid.across << (on_lattice ? "" : " without a lattice");
+      }
+    }
+}
+
+TEST_F(InstructionSets, the_baseline_is_always_there) {
+  EXPECT_NE(loops_for(InstructionSet::baseline), nullptr);
+  EXPECT_EQ(&loops(), loops_for(best_instruction_set()));
+}
+
+}  // namespace
+}  // namespace ribbon

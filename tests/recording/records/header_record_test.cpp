@@ -1,0 +1,155 @@
+#include "recording/records/header_record.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "recording/coding/bytes.h"
+#include "recording/sample_recording.h"
+
+namespace ribbon {
+namespace {
+
+TEST(HeaderRecord, everything_comes_back) {
+  const RecordingHeader written = sample_header();
+  const auto read = parse_header_payload(header_payload(written));
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(read->scene_name, written.scene_name);
+  EXPECT_EQ(read->scene_text, written.scene_text);
+  EXPECT_EQ(read->writer, written.writer);
+  EXPECT_EQ(read->grid, written.grid);
+  EXPECT_EQ(read->uv, written.uv);
+  EXPECT_EQ(read->ribbon_length_m, written.ribbon_length_m);
+  EXPECT_EQ(read->ribbon_width_m, written.ribbon_width_m);
+  EXPECT_EQ(read->frames_per_second, written.frames_per_second);
+  EXPECT_EQ(read->max_position_error_m, written.max_position_error_m);
+  ASSERT_TRUE(read->obstacle.has_value());
+  EXPECT_EQ(read->obstacle->name, "stone");
+  EXPECT_EQ(read->obstacle->vertices, written.obstacle->vertices);
+  EXPECT_EQ(read->obstacle->triangles, written.obstacle->triangles);
+  EXPECT_EQ(read->stated_gap_m, 1e-4);
+  ASSERT_TRUE(read->centre_axis.has_value());
+  EXPECT_EQ(read->centre_axis->point_m, Eigen::Vector3d(0, 0.5, 0));
+  EXPECT_EQ(read->centre_axis->direction, Eigen::Vector3d(0, 0.6, 0.8));
+}
+
+TEST(HeaderRecord, a_ribbon_needs_no_axis) {
+  RecordingHeader header = sample_header();
+  header.centre_axis.reset();
+  const auto read = parse_header_payload(header_payload(header));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_FALSE(read->centre_axis.has_value());
+}
+
+TEST(HeaderRecord, a_ribbon_needs_no_obstacle) {
+  RecordingHeader header = sample_header();
+  header.obstacle.reset();
+  const auto read = parse_header_payload(header_payload(header));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_FALSE(read->obstacle.has_value());
+}
+
+TEST(HeaderRecord, every_prefix_is_refused) {
+  const std::string payload = header_payload(sample_header());
+  for (std::size_t size = 0; size < payload.size(); ++size)
+    EXPECT_FALSE(parse_header_payload(payload.substr(0, size)).has_value()) << size;
+}
+
+TEST(HeaderRecord, what_a_newer_minor_version_appends_is_ignored) {
+  std::string payload = header_payload(sample_header()) + "news";
+  payload[2] = 9;
+  EXPECT_TRUE(parse_header_payload(payload).has_value());
+}
+
+TEST(HeaderRecord, a_newer_major_version_is_refused_with_a_sentence) {
+  std::string payload = header_payload(sample_header());
+  payload[0] = 3;
+  const auto read = parse_header_payload(payload);
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error().sentence(),
+            "was written in format version 3, this program reads version 2; use a newer program");
+}
+
+TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
+  std::string payload = header_payload(sample_header());
+  payload[0] = 1;
+  const auto read = parse_header_payload(payload);
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error().sentence(),
+            "was written in format version 1, this program reads version 2; record it again");
+}
+
+TEST(HeaderRecord, entropy_tables_and_origin_come_back) {
+  RecordingHeader header = sample_header();
+  header.entropy_tables = {std::string("a\0b", 3), "", std::string(3000, 'x')};
+  header.origin = Origin{0xCAFE, "mother", 77, "time.step = 0.01\n"};
+  const auto read = parse_header_payload(header_payload(header));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(read->entropy_tables, header.entropy_tables);
+  EXPECT_EQ(read->origin, header.origin);
+}
+
+TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
+  RecordingHeader header = sample_header();
+  header.entropy_tables.resize(64);
+  std::string payload = header_payload(header);
+  EXPECT_TRUE(parse_header_payload(payload).has_value());
+  // 64 empty tables and no origin stand behind the count.
+  const std::size_t count_at = payload.size() - std::size_t{64} * 4 - 1 - 4;
+  ASSERT_EQ(payload[count_at], 64);
+  payload[count_at] = 65;
+  EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
+}
+
+// Bytes 8 to 15 are the grid's counts.
+std::string with_grid(std::uint32_t along, std::uint32_t across) {
+  std::string counts;
+  put<std::uint32_t>(counts, along);
+  put<std::uint32_t>(counts, across);
+  return header_payload(sample_header()).replace(8, 8, counts);
+}
+
+TEST(HeaderRecord, counts_that_lie_are_refused) {
+  EXPECT_TRUE(parse_header_payload(with_grid(40, 6)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(41, 6)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(1, 240)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(4096, 4096)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(0xFFFFFFFF, 0xFFFFFFFF)).has_value());
+  EXPECT_FALSE(parse_header_payload(with_grid(0x80000000, 2)).has_value());
+}
+
+TEST(HeaderRecord, triangles_of_missing_vertices_are_refused) {
+  RecordingHeader header = sample_header();
+  header.obstacle->triangles(1, 3) = 6;
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+}
+
+TEST(HeaderRecord, impossible_numbers_are_refused) {
+  RecordingHeader header = sample_header();
+  header.frames_per_second = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+  header = sample_header();
+  header.max_position_error_m = -1e-5;
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+  header = sample_header();
+  header.obstacle->vertices(0, 0) = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+}
+
+TEST(HeaderRecord, an_impossible_gap_or_axis_is_refused) {
+  for (const double gap :
+       {-1e-9, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    RecordingHeader header = sample_header();
+    header.stated_gap_m = gap;
+    EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value()) << gap;
+  }
+  RecordingHeader header = sample_header();
+  header.centre_axis->direction *= 1.01;
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+  header = sample_header();
+  header.centre_axis->point_m[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,88 @@
+#include "recording/records/index_record.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "recording/sample_recording.h"
+
+namespace ribbon {
+namespace {
+
+constexpr std::uint32_t id = 0x1234;
+constexpr std::uint64_t here = 1450;  // where the index record itself begins
+
+IndexedFrame indexed(std::uint32_t frame, std::uint64_t offset, std::uint32_t record_bytes) {
+  return {frame, record_bytes, offset, {}, sample_numbers(static_cast<int>(frame))};
+}
+
+// Frame 8 comes before those that it is used for; 50 bytes of something else lie before frame 7.
+Index index() {
+  Index index{40, {}, {}};
+  index.frames = {indexed(4, 1000, 200), indexed(8, 1200, 100), indexed(7, 1350, 100)};
+  index.frames[1].references.push_back(4);
+  for (const std::uint32_t reference : {8, 4}) index.frames[2].references.push_back(reference);
+  index.frames[2].numbers.tightness = TightnessNumbers{1, 2, 3, 4, 5};
+  index.others = {{RecordType::checkpoint, 8, 1300, 50}, {RecordType::session, 9, 900, 64}};
+  return index;
+}
+
+TEST(IndexRecord, everything_comes_back) {
+  const auto read = parse_index_payload(index_payload(id, index()), id, here);
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(read->previous, 40U);
+  ASSERT_EQ(read->frames.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(read->frames[i].frame, index().frames[i].frame);
+    EXPECT_EQ(read->frames[i].offset, index().frames[i].offset);
+    EXPECT_EQ(read->frames[i].record_bytes, index().frames[i].record_bytes);
+    EXPECT_EQ(read->frames[i].references, index().frames[i].references);
+    EXPECT_EQ(read->frames[i].numbers, index().frames[i].numbers);
+  }
+  ASSERT_EQ(read->others.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read->others[i].type, index().others[i].type);
+    EXPECT_EQ(read->others[i].frame, index().others[i].frame);
+    EXPECT_EQ(read->others[i].offset, index().others[i].offset);
+    EXPECT_EQ(read->others[i].record_bytes, index().others[i].record_bytes);
+  }
+}
+
+TEST(IndexRecord, one_of_another_recording_is_refused) {
+  EXPECT_FALSE(parse_index_payload(index_payload(id, index()), id + 1, here).has_value());
+}
+
+TEST(IndexRecord, what_does_not_lie_before_it_is_refused) {
+  EXPECT_FALSE(parse_index_payload(index_payload(id, index()), id, here - 1).has_value());
+  Index far = index();
+  far.others[0].record_bytes = 151;
+  EXPECT_FALSE(parse_index_payload(index_payload(id, far), id, here).has_value());
+  far = index();
+  far.frames[0].offset = 0xFFFFFFFFFFFFFFFF;
+  EXPECT_FALSE(parse_index_payload(index_payload(id, far), id, here).has_value());
+}
+
+TEST(IndexRecord, frame_numbers_that_the_file_cannot_hold_are_refused) {
+  Index far = index();
+  far.frames[1].frame = static_cast<std::uint32_t>(most_frames(here));
+  EXPECT_FALSE(parse_index_payload(index_payload(id, far), id, here).has_value());
+  far.frames[1].frame -= 1;
+  EXPECT_TRUE(parse_index_payload(index_payload(id, far), id, here).has_value());
+}
+
+TEST(IndexRecord, a_count_that_the_file_cannot_hold_is_refused) {
+  for (const char* count : {"\xFF\xFF\xFF\xFF", "\x04\0\0\0", "\x02\0\0\0"}) {
+    std::string payload = index_payload(id, index());
+    payload.replace(12, 4, std::string(count, 4));
+    EXPECT_FALSE(parse_index_payload(payload, id, here).has_value());
+  }
+}
+
+TEST(IndexRecord, every_prefix_is_refused) {
+  const std::string payload = index_payload(id, index());
+  for (std::size_t size = 0; size < payload.size(); ++size)
+    EXPECT_FALSE(parse_index_payload(payload.substr(0, size), id, here).has_value()) << size;
+}
+
+}  // namespace
+}  // namespace ribbon

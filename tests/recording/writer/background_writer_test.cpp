@@ -1,0 +1,93 @@
+#include "recording/writer/background_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "files/files.h"
+#include "playback/recording_reader.h"
+#include "recording/sample_recording.h"
+#include "recording/size_limit.h"
+
+namespace ribbon {
+namespace {
+
+TEST(BackgroundWriter, it_writes_what_a_writer_in_the_foreground_does) {
+  const auto path = temporary_file("background.rbn");
+  const auto expected = temporary_file("foreground.rbn");
+  const SessionNote note{SessionReason::resumed, "tests", ""};
+  {
+    auto foreground = RecordingWriter::create(expected, sample_header());
+    BackgroundWriter background(RecordingWriter::create(path, sample_header()).value());
+    for (int frame = 0; frame < 300; ++frame) {
+      ASSERT_TRUE(foreground->append(sample_numbers(frame), sample_positions(frame)).has_value());
+      background.append(sample_numbers(frame), sample_positions(frame));
+      if (frame % 100 != 99) continue;
+      ASSERT_TRUE(foreground->append_checkpoint(frame, "state").has_value());
+      background.append_checkpoint(frame, "state");
+      ASSERT_TRUE(foreground->append_session(note).has_value());
+      background.append_session(note);
+    }
+    ASSERT_TRUE(foreground->finish(RunEnding::tight).has_value());
+    ASSERT_TRUE(background.finish(RunEnding::tight).has_value());
+    EXPECT_EQ(background.bytes_written(), std::filesystem::file_size(path));
+    const BackgroundFigures figures = background.figures();
+    EXPECT_GT(figures.blocked_s, 0);
+    EXPECT_GT(figures.writer.encoding_s, 0);
+    EXPECT_GT(figures.writer.writing_s, 0);
+    EXPECT_GT(figures.writer.syncing_s, 0);
+    EXPECT_GE(figures.longest_queue, 1U);
+    EXPECT_LE(figures.longest_queue, 306U);
+  }
+  EXPECT_TRUE(read_file(path).value() == read_file(expected).value());
+}
+
+TEST(BackgroundWriter, what_was_handed_over_is_written_even_if_nobody_finishes) {
+  const auto path = temporary_file("abandoned.rbn");
+  {
+    BackgroundWriter writer(RecordingWriter::create(path, sample_header()).value());
+    for (int frame = 0; frame < 50; ++frame)
+      writer.append(sample_numbers(frame), sample_positions(frame));
+  }
+  const auto reader = RecordingReader::open(path);
+  EXPECT_EQ(reader->frame_count(), 50);
+  EXPECT_FALSE(reader->finished());
+}
+
+TEST(BackgroundWriter, what_is_written_reaches_the_disk_while_the_run_goes_on) {
+  BackgroundWriter writer(
+      RecordingWriter::create(temporary_file("synced.rbn"), sample_header()).value());
+  writer.append(sample_numbers(0), sample_positions(0));
+  for (int i = 0; writer.figures().writer.syncing_s == 0 && i < 5000; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_GT(writer.figures().writer.syncing_s, 0);
+}
+
+TEST(BackgroundWriter, a_full_disk_is_told_once_and_nothing_is_written_after_it) {
+  const auto path = temporary_file("full background.rbn");
+  auto target = RecordingWriter::create(path, sample_header()).value();
+  ASSERT_TRUE(target.append(sample_numbers(0), sample_positions(0)).has_value());
+  const std::uint64_t size = target.bytes_written();
+  BackgroundWriter writer(std::move(target));
+  EXPECT_TRUE(writer.problem().has_value());
+  {
+    const SizeLimit limit(size + 20);
+    writer.append(sample_numbers(1), sample_positions(1));
+    for (int i = 0; writer.problem().has_value() && i < 5000; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_FALSE(writer.problem().has_value());
+  writer.append(sample_numbers(2), sample_positions(2));
+  const auto finished = writer.finish(RunEnding::duration);
+  ASSERT_FALSE(finished.has_value());
+  EXPECT_EQ(finished.error().sentence(),
+            path.string() +
+                ": cannot be written (File too large); frame 1 is safe; free some "
+                "space and resume the run");
+  EXPECT_EQ(std::filesystem::file_size(path), size);
+}
+
+}  // namespace
+}  // namespace ribbon

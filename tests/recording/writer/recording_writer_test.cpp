@@ -1,0 +1,249 @@
+#include "recording/writer/recording_writer.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <limits>
+
+#include "files/files.h"
+#include "playback/recording_reader.h"
+#include "recording/codec/position_encoder.h"
+#include "recording/sample_recording.h"
+#include "recording/size_limit.h"
+
+namespace ribbon {
+namespace {
+
+TEST(RecordingWriter, the_header_is_there_at_once) {
+  const auto path = temporary_file("new folder") / "header.rbn";
+  const auto writer = RecordingWriter::create(path, sample_header());
+  ASSERT_TRUE(writer.has_value()) << writer.error().sentence();
+  EXPECT_EQ(std::filesystem::file_size(path), writer->bytes_written());
+  const auto reader = RecordingReader::open(path);
+  ASSERT_TRUE(reader.has_value()) << reader.error().sentence();
+  EXPECT_EQ(reader->header().scene_name, "sample");
+  EXPECT_EQ(reader->frame_count(), 0);
+  EXPECT_FALSE(reader->finished());
+}
+
+TEST(RecordingWriter, each_frame_is_in_the_file_when_append_returns) {
+  const auto path = temporary_file("each frame.rbn");
+  auto writer = RecordingWriter::create(path, sample_header());
+  ASSERT_TRUE(writer.has_value());
+  for (int frame = 0; frame < 40; ++frame) {
+    ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
+    EXPECT_EQ(writer->frames_written(), static_cast<std::uint32_t>(frame + 1));
+    EXPECT_EQ(std::filesystem::file_size(path), writer->bytes_written());
+    EXPECT_EQ(RecordingReader::open(path)->frame_count(), frame + 1);
+  }
+}
+
+TEST(RecordingWriter, equal_recordings_are_equal_files) {
+  write_sample_recording(temporary_file("equal 1.rbn"), 5);
+  write_sample_recording(temporary_file("equal 2.rbn"), 5);
+  EXPECT_TRUE(read_file(temporary_file("equal 1.rbn")).value() ==
+              read_file(temporary_file("equal 2.rbn")).value());
+}
+
+TEST(RecordingWriter, a_grid_that_no_reader_would_take_is_refused) {
+  RecordingHeader header = sample_header();
+  header.grid = {2, (1 << 20) + 1};
+  header.uv = Eigen::Matrix2Xf::Zero(2, header.grid.particle_count());
+  const auto writer = RecordingWriter::create(temporary_file("wide.rbn"), header);
+  ASSERT_FALSE(writer.has_value());
+  EXPECT_NE(writer.error().sentence().find("at most 2^20 columns, not 2 x 1048577"),
+            std::string::npos)
+      << writer.error().sentence();
+}
+
+TEST(RecordingWriter, a_target_that_cannot_be_written_is_told_before_the_run) {
+  const auto writer = RecordingWriter::create("/proc/recording.rbn", sample_header());
+  ASSERT_FALSE(writer.has_value());
+  EXPECT_NE(writer.error().sentence().find("/proc/recording.rbn: cannot be written ("),
+            std::string::npos);
+}
+
+TEST(RecordingWriter, a_full_disk_is_told_before_the_run) {
+  const auto writer = RecordingWriter::create("/dev/full", sample_header());
+  ASSERT_FALSE(writer.has_value());
+  EXPECT_EQ(writer.error().sentence(),
+            "/dev/full: cannot be written (No space left on device); the recording holds no "
+            "frame; free some space or choose another place");
+}
+
+TEST(RecordingWriter, when_the_disk_fills_up_everything_before_is_intact) {
+  const auto path = temporary_file("full.rbn");
+  auto writer = RecordingWriter::create(path, sample_header());
+  ASSERT_TRUE(writer.has_value());
+  for (int frame = 0; frame < 3; ++frame)
+    ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
+  Result<void> fourth;
+  {
+    const SizeLimit limit(writer->bytes_written() + 50);
+    fourth = writer->append(sample_numbers(3), sample_positions(3));
+  }
+  ASSERT_FALSE(fourth.has_value());
+  EXPECT_EQ(fourth.error().sentence(),
+            path.string() +
+                ": cannot be written (File too large); frames 1 to 3 are safe; free some space and "
+                "resume the run");
+  EXPECT_EQ(std::filesystem::file_size(path), writer->bytes_written())
+      << "half a record must not stay behind";
+  ASSERT_TRUE(writer->append(sample_numbers(3), sample_positions(3)).has_value())
+      << "space was freed";
+  ASSERT_TRUE(writer->finish().has_value());
+  auto reader = RecordingReader::open(path);
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_EQ(reader->frame_count(), 4);
+  Eigen::Matrix3Xf positions;
+  ASSERT_TRUE(reader->read(3, positions).has_value());
+  EXPECT_LE((positions.cast<double>() - sample_positions(3)).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+TEST(RecordingWriter, a_refused_frame_is_named_and_the_recording_goes_on) {
+  const auto path = temporary_file("refused.rbn");
+  auto writer = RecordingWriter::create(path, sample_header());
+  ASSERT_TRUE(writer.has_value());
+  ASSERT_TRUE(writer->append(sample_numbers(0), sample_positions(0)).has_value());
+  Eigen::Matrix3Xd positions = sample_positions(1);
+  positions(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = writer->append(sample_numbers(1), positions);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().place, path.string() + ": frame 2");
+  ASSERT_TRUE(writer->append(sample_numbers(1), sample_positions(1)).has_value());
+  ASSERT_TRUE(writer->finish().has_value());
+  EXPECT_EQ(RecordingReader::open(path)->frame_count(), 2);
+}
+
+TEST(RecordingWriter, a_killed_writer_loses_no_appended_frame) {
+  const auto path = temporary_file("killed.rbn");
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    auto writer = RecordingWriter::create(path, sample_header());
+    for (int frame = 0; frame < 37; ++frame)
+      if (!writer->append(sample_numbers(frame), sample_positions(frame))) _exit(1);
+    std::raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  auto reader = RecordingReader::open(path);
+  ASSERT_TRUE(reader.has_value()) << reader.error().sentence();
+  EXPECT_EQ(reader->frame_count(), 37);
+  EXPECT_FALSE(reader->finished());
+  EXPECT_TRUE(reader->damage().empty());
+  Eigen::Matrix3Xf positions;
+  EXPECT_TRUE(reader->read(36, positions).has_value());
+}
+
+TEST(RecordingWriter, two_writers_on_one_file_are_refused) {
+  const auto path = temporary_file("two writers.rbn");
+  auto first = RecordingWriter::create(path, sample_header());
+  ASSERT_TRUE(first->append(sample_numbers(0), sample_positions(0)).has_value());
+  const auto second = RecordingWriter::create(path, sample_header());
+  ASSERT_FALSE(second.has_value());
+  EXPECT_EQ(second.error().sentence(),
+            path.string() +
+                ": is being written by another program; wait until that has ended, or "
+                "choose another file");
+  EXPECT_EQ(RecordingReader::open(path)->frame_count(), 1) << "nothing was emptied";
+  ASSERT_TRUE(first->finish().has_value());
+  EXPECT_TRUE(RecordingWriter::create(path, sample_header()).has_value());
+}
+
+TEST(RecordingWriter, an_older_file_is_replaced_whole) {
+  const auto path = temporary_file("older.rbn");
+  ASSERT_TRUE(write_file(path, std::string(100'000, 'x')).has_value());
+  write_sample_recording(path, 2);
+  EXPECT_TRUE(RecordingReader::open(path)->finished());
+  EXPECT_LT(std::filesystem::file_size(path), 50'000U);
+}
+
+TEST(RecordingWriter, checkpoints_and_sessions_come_back) {
+  const auto path = temporary_file("checkpoints.rbn");
+  const SessionNote note{SessionReason::resumed, "tests 2.0", "time.step = 1\n"};
+  {
+    auto writer = RecordingWriter::create(path, sample_header());
+    for (int frame = 0; frame < 600; ++frame) {
+      ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
+      if (frame % 100 == 50) {
+        ASSERT_TRUE(writer->append_checkpoint(10UL * frame, "state " + std::to_string(frame)));
+      }
+      if (frame == 299) {
+        ASSERT_TRUE(writer->append_session(note).has_value());
+      }
+    }
+    ASSERT_TRUE(writer->finish().has_value());
+  }
+  auto reader = RecordingReader::open(path);
+  for (const bool walked : {false, true}) {
+    if (walked) reader->check();
+    EXPECT_EQ(reader->checkpoints(), (std::vector<std::uint32_t>{50, 150, 250, 350, 450, 550}));
+    EXPECT_EQ(reader->read_checkpoint(350).value(), (Checkpoint{350, 3500, "state 350"}));
+    EXPECT_EQ(reader->read_checkpoint(351).error().sentence(),
+              path.string() +
+                  ": frame 352: has no checkpoint; choose a frame that has one; --info lists them");
+    EXPECT_EQ(reader->sessions(), (std::vector<Session>{{300, note}}));
+  }
+}
+
+TEST(RecordingWriter, a_state_that_no_reader_would_take_is_refused) {
+  const auto path = temporary_file("large state.rbn");
+  auto writer = RecordingWriter::create(path, sample_header());
+  ASSERT_TRUE(writer->append(sample_numbers(0), sample_positions(0)).has_value());
+  EXPECT_FALSE(writer->append_checkpoint(1, std::string(240 * 4096 + (1 << 20) + 1, 'x')));
+  EXPECT_TRUE(writer->append_checkpoint(1, std::string(240 * 4096 + (1 << 20), 'x')));
+}
+
+TEST(RecordingWriter, frames_encoded_by_others_may_come_in_any_order) {
+  const auto path = temporary_file("any order.rbn");
+  const RecordingHeader header = sample_header();
+  PositionEncoder encoder(codec_parameters(header), header.max_position_error_m);
+  std::vector<LatticeFrame> lattices(5);
+  const std::vector<std::vector<std::uint32_t>> references = {{}, {0, 2}, {0, 4}, {2, 4}, {0}};
+  {
+    auto writer = RecordingWriter::create(path, header);
+    for (const std::uint32_t frame : {0U, 4U, 2U, 1U, 3U}) {
+      std::vector<const LatticeFrame*> needed;
+      FrameRecord record{.frame = frame, .numbers = sample_numbers(static_cast<int>(frame))};
+      for (const std::uint32_t reference : references[frame]) {
+        record.references.push_back(reference);
+        needed.push_back(&lattices[reference]);
+      }
+      auto encoded = encoder.encode(sample_positions(static_cast<int>(frame)), needed);
+      record.encoding = encoded->encoding;
+      record.geometry = encoded->geometry;
+      ASSERT_TRUE(writer->append_encoded(record).has_value());
+      lattices[frame] = std::move(encoded->frame);
+    }
+    EXPECT_EQ(writer->frames_written(), 5U);
+    ASSERT_TRUE(writer->finish().has_value());
+  }
+  auto reader = RecordingReader::open(path);
+  ASSERT_EQ(reader->frame_count(), 5);
+  for (const bool walked : {false, true}) {
+    if (walked) reader->check();
+    for (int frame = 0; frame < 5; ++frame) {
+      Eigen::Matrix3Xf positions;
+      ASSERT_TRUE(reader->read(frame, positions).has_value());
+      EXPECT_LE((positions.cast<double>() - sample_positions(frame)).cwiseAbs().maxCoeff(), 1e-5);
+      EXPECT_EQ(reader->numbers(frame), sample_numbers(frame));
+    }
+  }
+}
+
+TEST(RecordingWriter, a_recording_without_frames_can_be_finished) {
+  const auto path = temporary_file("no frames.rbn");
+  write_sample_recording(path, 0);
+  const auto reader = RecordingReader::open(path);
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_EQ(reader->frame_count(), 0);
+  EXPECT_TRUE(reader->finished());
+}
+
+}  // namespace
+}  // namespace ribbon

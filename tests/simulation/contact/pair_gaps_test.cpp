@@ -1,0 +1,73 @@
+#include "simulation/contact/pair_gaps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ribbon {
+namespace {
+
+using Kind = FeaturePair::Kind;
+
+constexpr RibbonGrid grid{10, 4};
+
+// Rows 0.1 m and columns 0.2 m apart.
+constexpr NaturalSize size{grid, 0.9, 0.6};
+
+// The cloth is 0.3 m thick.
+PairGaps thick() {
+  return {size, {.hard_m = 0.01, .contact_m = 0.02, .thickness_m = 0.3}};
+}
+
+FeaturePair vertex_and_triangle_at_row(int row) {
+  return {Kind::vertex_triangle,
+          {grid.particle(0, 0), grid.particle(row, 0), grid.particle(row + 1, 0),
+           grid.particle(row, 1)}};
+}
+
+TEST(PairGaps, without_thickness_are_the_same_for_all) {
+  const PairGaps gaps(size, {.hard_m = 0.01, .contact_m = 0.02});
+  for (const int row : {1, 3, 8}) {
+    EXPECT_EQ(gaps.hard_m(vertex_and_triangle_at_row(row)), 0.01);
+    EXPECT_EQ(gaps.contact_m(vertex_and_triangle_at_row(row)), 0.02);
+  }
+  EXPECT_EQ(gaps.largest_hard_m(), 0.01);
+  EXPECT_EQ(gaps.largest_contact_m(), 0.02);
+}
+
+TEST(PairGaps, far_parts_touch_at_the_thickness_and_give_way_to_half_of_it) {
+  const FeaturePair far = vertex_and_triangle_at_row(8);  // 0.8 m away in the flat ribbon
+  EXPECT_DOUBLE_EQ(thick().contact_m(far), 0.3);
+  EXPECT_DOUBLE_EQ(thick().hard_m(far), 0.15);
+  EXPECT_DOUBLE_EQ(thick().largest_contact_m(), 0.3);
+  EXPECT_DOUBLE_EQ(thick().largest_hard_m(), 0.15);
+}
+
+TEST(PairGaps, neighbours_touch_at_half_of_their_natural_distance) {
+  // By hand: four rows of 0.1 m.
+  EXPECT_DOUBLE_EQ(thick().contact_m(vertex_and_triangle_at_row(4)), 0.2);
+  EXPECT_DOUBLE_EQ(thick().hard_m(vertex_and_triangle_at_row(4)), 0.1);
+  // Edges across of rows 1 and 3, columns 0-1 and 2-3: two rows and one column apart.
+  const FeaturePair edges{
+      Kind::edge_edge,
+      {grid.particle(1, 0), grid.particle(1, 1), grid.particle(3, 2), grid.particle(3, 3)}};
+  EXPECT_DOUBLE_EQ(thick().contact_m(edges), 0.5 * std::hypot(0.2, 0.2));
+}
+
+TEST(PairGaps, a_corner_and_the_diagonal_beside_it_do_not_touch_in_the_flat_ribbon) {
+  const FeaturePair corner{
+      Kind::vertex_triangle,
+      {grid.particle(1, 0), grid.particle(0, 0), grid.particle(1, 1), grid.particle(0, 1)}};
+  // By hand: the corner of a 0.1 x 0.2 quad is 0.02 / sqrt 0.05 from its diagonal.
+  EXPECT_NEAR(thick().contact_m(corner), 0.5 * 0.02 / std::sqrt(0.05), 1e-12);
+}
+
+TEST(PairGaps, the_obstacle_is_touched_at_half_the_thickness) {
+  const int first = grid.particle_count();
+  const FeaturePair with_obstacle{Kind::vertex_triangle, {0, first, first + 1, first + 2}};
+  EXPECT_DOUBLE_EQ(thick().contact_m(with_obstacle), 0.15);
+  EXPECT_DOUBLE_EQ(thick().hard_m(with_obstacle), 0.075);
+}
+
+}  // namespace
+}  // namespace ribbon

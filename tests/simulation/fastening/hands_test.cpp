@@ -1,0 +1,96 @@
+#include "simulation/fastening/hands.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/published/planted_penetrations.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+constexpr RibbonGrid grid{101, 2};
+constexpr double length_m = 100;
+
+Scene scene_of_hands() {
+  Scene scene;
+  scene.air_resistance_per_s = 2;
+  scene.fastening = FasteningScene{.speed_m_s = 3};
+  scene.fastening->axis_point_m = {50, 0, 7};  // beside the middle, so that nothing lies on it
+  scene.time = {.step_s = 0.1, .duration_s = 10};
+  return scene;
+}
+
+Cloth cloth_at_rest(double stretch = 1) {
+  Cloth cloth{flat_ribbon(grid), Matrix3Xd::Zero(3, grid.particle_count()), 0.5};
+  cloth.positions.row(0) *= stretch;
+  return cloth;
+}
+
+Hands hands_of(const Scene& scene) {
+  return {scene, grid, length_m, cloth_at_rest()};
+}
+
+TEST(Hands, pull_with_all_of_the_force_whatever_the_stretch_unless_they_yield) {
+  Scene scene = scene_of_hands();
+  const Cloth stretched = cloth_at_rest(1.05);
+  const Matrix3Xd stubborn = hands_of(scene).pull(stretched);
+  EXPECT_GT(stubborn.norm(), 0);
+  scene.fastening->yield_strain = 0.05;
+  Hands yielding = hands_of(scene);
+  EXPECT_TRUE(yielding.pull(stretched).isApprox(0.5 * stubborn));
+  EXPECT_NEAR(yielding.share(), 0.5, 1e-9);
+}
+
+TEST(Hands, with_a_speed_limit_do_not_pull_what_is_too_fast) {
+  Scene scene = scene_of_hands();
+  scene.fastening->max_speed_m_s = 1;
+  Cloth cloth = cloth_at_rest();
+  cloth.velocities.row(0) = 2 * hands_of(scene_of_hands()).pull(cloth).row(0).cwiseSign();
+  EXPECT_EQ(hands_of(scene).pull(cloth).norm(), 0);
+}
+
+// By hand: those who want at most 1 m/s and get it lack nothing.
+TEST(Hands, command_no_more_than_the_speed_limit) {
+  Scene scene = scene_of_hands();
+  scene.fastening->speed_m_s = 1000;
+  scene.fastening->max_speed_m_s = 1;
+  scene.air_resistance_per_s = 1000;
+  Hands hands = hands_of(scene);
+  Cloth cloth = cloth_at_rest();
+  for (int step = 0; step < 30; ++step) {
+    const Matrix3Xd pull = hands.pull(cloth);
+    cloth.positions.row(0) += 0.1 * pull.row(0).cwiseSign();
+    hands.follow(cloth);
+    cloth.positions.row(0) -= 0.1 * pull.row(0).cwiseSign();
+  }
+  EXPECT_NEAR(hands.progress(), 1, 1e-2);
+}
+
+TEST(Hands, are_stopped_when_nothing_followed_for_two_seconds) {
+  Hands hands = hands_of(scene_of_hands());
+  const Cloth cloth = cloth_at_rest();
+  for (int step = 0; step < 20; ++step) {
+    EXPECT_FALSE(hands.are_stopped()) << "too early to tell";
+    hands.pull(cloth);
+    hands.follow(cloth);
+  }
+  EXPECT_TRUE(hands.are_stopped());
+  EXPECT_EQ(hands.progress(), 0);
+}
+
+TEST(Hands, are_not_stopped_while_the_ribbon_springs_back) {
+  Hands hands = hands_of(scene_of_hands());
+  Cloth cloth = cloth_at_rest();
+  for (int step = 0; step < 40; ++step) {
+    const Matrix3Xd pull = hands.pull(cloth);
+    cloth.positions.row(0) -= 0.05 * pull.row(0).cwiseSign();
+    hands.follow(cloth);
+    cloth.positions.row(0) += 0.05 * pull.row(0).cwiseSign();
+  }
+  EXPECT_LT(hands.progress(), -0.03);
+  EXPECT_FALSE(hands.are_stopped());
+}
+
+}  // namespace
+}  // namespace ribbon

@@ -1,0 +1,366 @@
+// What holds for every integrator, each within its own bounds.
+#include "simulation/integration/integrator.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "parallel/parallel.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr std::array all_methods = {IntegrationMethod::rk4, IntegrationMethod::symplectic_euler,
+                                    IntegrationMethod::implicit};
+
+const char* name_of(IntegrationMethod method) {
+  switch (method) {
+    case IntegrationMethod::symplectic_euler:
+      return "symplectic_euler";
+    case IntegrationMethod::implicit:
+      return "implicit";
+    case IntegrationMethod::rk4:
+      break;
+  }
+  return "rk4";
+}
+
+// A flat band of 0.9 m by 0.4 m at rest.
+struct Band {
+  RibbonGrid grid{10, 5};
+  SpringNetwork springs;
+  double air_resistance_per_s = 0;
+  Matrix3Xd force = Matrix3Xd(3, 0);
+  Cloth cloth;
+
+  explicit Band(double resistance = 20, double mass_kg = 0.02, RibbonGrid size = {10, 5})
+      : grid(size),
+        springs(spring_network(
+            grid, 0.1 * (grid.along - 1), 0.1 * (grid.across - 1),
+            {.stretch = resistance, .shear = 0.7 * resistance, .bend = 0.3 * resistance})) {
+    cloth.particle_mass_kg = mass_kg;
+    cloth.positions.resize(3, grid.particle_count());
+    cloth.velocities = Matrix3Xd::Zero(3, grid.particle_count());
+    for (int p = 0; p < grid.particle_count(); ++p)
+      cloth.positions.col(p) << 0.1 * grid.row(p), 0.1 * grid.column(p), 0;
+  }
+
+  // Smooth waves, a turn and a drift.
+  void throw_it() {
+    for (int p = 0; p < grid.particle_count(); ++p) {
+      const Vector3d x = cloth.positions.col(p);
+      cloth.velocities.col(p) =
+          Vector3d(0.3 * std::sin(5 * x[0]), 0.2 * std::cos(4 * x[0]), 0.5 * std::sin(6 * x[0])) +
+          Vector3d(0, 0, 2).cross(x) + Vector3d(0.1, 0.2, 0.3);
+    }
+  }
+
+  void crumple(double distance_m) {
+    std::mt19937 random(7);
+    for (double& value : cloth.positions.reshaped())
+      value += distance_m * (2e-9 * static_cast<double>(random() % 1'000'000'000) - 1);
+  }
+
+  void scale(double size) {
+    cloth.positions *= size;
+    cloth.velocities *= size;
+    for (SpringSet* set : {&springs.stretch, &springs.shear, &springs.bend})
+      for (Spring& spring : set->springs) spring.rest_length_m *= size;
+  }
+
+  [[nodiscard]] std::unique_ptr<Integrator> integrator(IntegrationMethod method,
+                                                       double step_s) const {
+    return create_integrator(method, springs,
+                             {step_s, grid, cloth.particle_mass_kg, air_resistance_per_s});
+  }
+
+  void advance(IntegrationMethod method, double step_s, int steps) {
+    const auto chosen = integrator(method, step_s);
+    for (int i = 0; i < steps; ++i) chosen->displace(force, cloth);
+  }
+
+  [[nodiscard]] double energy_j() const {
+    double sum = cloth.particle_mass_kg / 2 * cloth.velocities.squaredNorm();
+    for (const SpringSet* set : {&springs.stretch, &springs.shear, &springs.bend})
+      for (const Spring& spring : set->springs) {
+        const double length_m =
+            (cloth.positions.col(spring.b) - cloth.positions.col(spring.a)).norm();
+        sum += set->resistance / 2 * std::pow(length_m - spring.rest_length_m, 2);
+      }
+    return sum;
+  }
+
+  [[nodiscard]] Vector3d angular_momentum() const {
+    Vector3d sum = Vector3d::Zero();
+    for (int p = 0; p < grid.particle_count(); ++p)
+      sum += cloth.particle_mass_kg *
+             Vector3d(cloth.positions.col(p)).cross(Vector3d(cloth.velocities.col(p)));
+    return sum;
+  }
+};
+
+Matrix3Xd thrown_for_a_fifth_second(IntegrationMethod method, int steps) {
+  Band band;
+  band.throw_it();
+  band.air_resistance_per_s = 0.5;
+  band.advance(method, 0.2 / steps, steps);
+  return band.cloth.positions;
+}
+
+double order_of(IntegrationMethod method, int steps) {
+  const Matrix3Xd exact = thrown_for_a_fifth_second(IntegrationMethod::rk4, 2000);
+  const auto error = [&](int count) {
+    return (thrown_for_a_fifth_second(method, count) - exact).norm();
+  };
+  return std::log2(error(steps) / error(2 * steps));
+}
+
+TEST(Integrator, converges_with_the_order_of_its_scheme) {
+  EXPECT_NEAR(order_of(IntegrationMethod::rk4, 20), 4, 0.1);
+  EXPECT_NEAR(order_of(IntegrationMethod::symplectic_euler, 40), 1, 0.02);
+  EXPECT_NEAR(order_of(IntegrationMethod::implicit, 320), 1, 0.04);
+}
+
+TEST(Integrator, keeps_momentum_in_free_flight) {
+  for (const IntegrationMethod method : all_methods) {
+    SCOPED_TRACE(name_of(method));
+    Band band;
+    band.throw_it();
+    band.crumple(0.01);
+    const Vector3d before = band.cloth.velocities.rowwise().sum();
+    band.advance(method, 0.01, 100);
+    const Vector3d after = band.cloth.velocities.rowwise().sum();
+    EXPECT_LT((after - before).norm(), 1e-12 * before.norm());
+  }
+}
+
+TEST(Integrator, keeps_angular_momentum_in_free_flight_unless_it_damps) {
+  const auto loss = [](IntegrationMethod method) {
+    Band band;
+    band.throw_it();
+    const Vector3d before = band.angular_momentum();
+    band.advance(method, 0.01, 100);
+    return (band.angular_momentum() - before).norm() / before.norm();
+  };
+  EXPECT_LT(loss(IntegrationMethod::rk4), 1e-6);
+  EXPECT_LT(loss(IntegrationMethod::symplectic_euler), 1e-13);
+}
+
+struct EnergyRange {
+  double lowest = 1;  // of the energy at the start
+  double highest = 1;
+  double highest_rise = 0;  // of one step
+};
+
+EnergyRange energy_in_free_flight(IntegrationMethod method, Band band, double step_s, int steps) {
+  const double start_j = band.energy_j();
+  const auto integrator = band.integrator(method, step_s);
+  EnergyRange range;
+  double last = 1;
+  for (int i = 0; i < steps; ++i) {
+    integrator->displace(band.force, band.cloth);
+    const double energy = band.energy_j() / start_j;
+    range.lowest = std::min(range.lowest, energy);
+    range.highest = std::max(range.highest, energy);
+    range.highest_rise = std::max(range.highest_rise, energy - last);
+    last = energy;
+  }
+  return range;
+}
+
+TEST(Integrator, keeps_energy_in_free_flight_as_its_scheme_does) {
+  Band band;
+  band.throw_it();
+  const EnergyRange rk4 = energy_in_free_flight(IntegrationMethod::rk4, band, 0.01, 300);
+  EXPECT_GT(rk4.lowest, 0.999);  // it damps slightly
+  EXPECT_LE(rk4.highest, 1);
+  const EnergyRange symplectic =
+      energy_in_free_flight(IntegrationMethod::symplectic_euler, band, 0.01, 3000);
+  EXPECT_GT(symplectic.lowest, 0.99);  // however long
+  EXPECT_LT(symplectic.highest, 1.01);
+  const EnergyRange implicit = energy_in_free_flight(IntegrationMethod::implicit, band, 0.01, 300);
+  EXPECT_LT(implicit.lowest, 0.95);
+  EXPECT_LT(implicit.highest_rise, 1e-12);
+}
+
+TEST(Integrator, air_slows_a_free_particle_exponentially_when_steps_are_short) {
+  const auto speed_after_one_second = [](IntegrationMethod method, int steps) {
+    Band band(0);
+    band.cloth.velocities.setOnes();
+    band.air_resistance_per_s = 2;
+    band.advance(method, 1.0 / steps, steps);
+    return band.cloth.velocities(1, 7);
+  };
+  EXPECT_NEAR(speed_after_one_second(IntegrationMethod::rk4, 100), std::exp(-2.0), 1e-8);
+  for (const auto method : {IntegrationMethod::symplectic_euler, IntegrationMethod::implicit})
+    for (const int steps : {100, 10'000})  // by hand: (1 + 2 / n)^-n = exp(-2) (1 + 2 / n + ...)
+      EXPECT_NEAR(speed_after_one_second(method, steps) / std::exp(-2.0) - 1, 2.0 / steps,
+                  4.0 / steps / steps);
+}
+
+TEST(Integrator, a_constant_force_reaches_the_speed_at_which_air_resists_as_much) {
+  for (const IntegrationMethod method : all_methods) {
+    SCOPED_TRACE(name_of(method));
+    Band band;
+    band.air_resistance_per_s = 5;
+    band.force = Matrix3Xd::Zero(3, band.grid.particle_count());
+    band.force.row(2).setConstant(3 * band.cloth.particle_mass_kg);  // 3 m/s^2 against 5/s: 0.6 m/s
+    band.advance(method, 0.01, 500);
+    EXPECT_LT((band.cloth.velocities.row(2).array() - 0.6).abs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(Integrator, moves_without_springs_as_a_particle_does) {
+  // By hand: 4 m/s^2 and 5/s for one step of 0.1 s from 3 m/s: (3 + 0.4) / 1.5 m/s.
+  for (const auto method : {IntegrationMethod::symplectic_euler, IntegrationMethod::implicit}) {
+    Band band(0);
+    band.air_resistance_per_s = 5;
+    band.cloth.velocities.setConstant(3);
+    band.force =
+        Matrix3Xd::Constant(3, band.grid.particle_count(), 4 * band.cloth.particle_mass_kg);
+    const Matrix3Xd before = band.cloth.positions;
+    band.advance(method, 0.1, 1);
+    EXPECT_LT((band.cloth.velocities.array() - 3.4 / 1.5).abs().maxCoeff(), 1e-15);
+    EXPECT_LT(
+        (band.cloth.positions - before - Matrix3Xd::Constant(3, before.cols(), 0.34 / 1.5)).norm(),
+        1e-14);
+  }
+}
+
+TEST(Integrator, leaves_the_vertices_of_the_obstacle_where_they_are) {
+  for (const IntegrationMethod method : all_methods) {
+    Band band;
+    band.throw_it();
+    const Eigen::Index particles = band.cloth.positions.cols();
+    band.cloth.positions.conservativeResize(3, particles + 1);
+    band.cloth.positions.col(particles) << 7, 8, 9;
+    band.advance(method, 0.01, 3);
+    EXPECT_EQ(band.cloth.positions.col(particles), Vector3d(7, 8, 9));
+  }
+}
+
+TEST(Integrator, a_flat_ribbon_at_rest_stays_where_it_is) {
+  for (const IntegrationMethod method : all_methods) {
+    Band band;
+    const Matrix3Xd before = band.cloth.positions;
+    band.advance(method, 0.01, 100);
+    EXPECT_LT((band.cloth.positions - before).norm(), 1e-13);
+  }
+}
+
+TEST(Integrator, computes_the_same_bits_with_one_thread_and_two) {
+  for (const IntegrationMethod method : all_methods) {
+    SCOPED_TRACE(name_of(method));
+    const auto moved = [&](int threads) {
+      set_thread_limit(threads);
+      Band band(20, 0.02, {500, 5});
+      band.throw_it();
+      band.crumple(0.01);
+      band.advance(method, 0.01, 5);
+      set_thread_limit(0);
+      return band.cloth.positions;
+    };
+    EXPECT_EQ(moved(1), moved(2));
+  }
+}
+
+TEST(Integrator, a_ribbon_of_any_size_moves_likewise) {
+  for (const IntegrationMethod method : all_methods) {
+    SCOPED_TRACE(name_of(method));
+    const auto moved = [&](double size) {
+      Band band;
+      band.throw_it();
+      band.scale(size);
+      band.advance(method, 0.01, 50);
+      return Matrix3Xd(band.cloth.positions / size);
+    };
+    EXPECT_LT((moved(1e-6) - moved(1)).norm(), 1e-9);
+    EXPECT_LT((moved(1e6) - moved(1)).norm(), 1e-9);
+  }
+}
+
+// Crumpled by a third of its edges and thrown: the energy stays what it was, within the factor that
+// the scheme allows.
+void expect_bounded(IntegrationMethod method, double resistance_per_mass, double step_s,
+                    double mass_kg, double size, double most) {
+  SCOPED_TRACE(std::string(name_of(method)) + ", k/m " + std::to_string(resistance_per_mass) +
+               ", step " + std::to_string(step_s) + ", mass " + std::to_string(mass_kg) +
+               ", size " + std::to_string(size));
+  Band band(resistance_per_mass * mass_kg, mass_kg);
+  band.throw_it();
+  band.crumple(0.03);
+  band.scale(size);
+  const EnergyRange energy = energy_in_free_flight(method, band, step_s, 5);
+  EXPECT_TRUE(std::isfinite(energy.highest + energy.lowest));
+  EXPECT_LT(energy.highest, most);
+}
+
+TEST(Integrator, is_stable_wherever_it_does_not_need_too_many_parts) {
+  for (const double resistance_per_mass : {0.0, 1.0, 1e2, 1e4, 3.2e4, 1e6, 1e8})
+    for (const double step_s : {1e-5, 1e-3, 1e-2, 0.1}) {
+      if (std::sqrt(resistance_per_mass) * step_s > 20) continue;
+      for (const double size : {1e-6, 1.0, 1e6}) {
+        expect_bounded(IntegrationMethod::rk4, resistance_per_mass, step_s, 0.02, size, 1.01);
+        expect_bounded(IntegrationMethod::symplectic_euler, resistance_per_mass, step_s, 0.02, size,
+                       7);
+      }
+    }
+}
+
+TEST(Integrator, implicit_is_stable_everywhere) {
+  for (const double resistance_per_mass : {0.0, 1.0, 1e4, 1e6, 1e8, 1e10, 1e12})
+    for (const double step_s : {1e-5, 1e-3, 1e-2, 0.1})
+      for (const double mass_kg : {1e-9, 1e9})
+        for (const double size : {1e-6, 1.0, 1e6})
+          expect_bounded(IntegrationMethod::implicit, resistance_per_mass, step_s, mass_kg, size,
+                         1 + 1e-11);
+}
+
+TEST(Integrator, implicit_opens_a_ribbon_that_lies_in_one_point) {
+  Band band(1e6, 1);
+  band.cloth.positions.setZero();
+  band.crumple(1e-160);  // lengths whose squares are no numbers
+  const double start_j = band.energy_j();
+  band.advance(IntegrationMethod::implicit, 0.01, 20);
+  EXPECT_TRUE(band.cloth.positions.allFinite());
+  EXPECT_LE(band.energy_j(), start_j);
+}
+
+// A short spring whose ends pass each other resists less and less until they are abreast, and a
+// step that ends there has taken the energy from nowhere.
+TEST(Integrator, implicit_gains_no_energy_where_a_spring_yields_aside) {
+  Band band(0, 1, {2, 2});
+  band.springs.stretch = {1, {{0, 1, 1.0}}};
+  band.cloth.positions.setZero();
+  band.cloth.positions.col(1) << 0.1, 0.1, 0;
+  band.cloth.velocities(1, 0) = 1;
+  band.cloth.velocities(1, 3) = -1;
+  EXPECT_LT(energy_in_free_flight(IntegrationMethod::implicit, band, 0.1, 3).highest, 1 + 1e-12);
+}
+
+// Both ends of the band are pulled apart, by up to ten million times what doubles its length.
+TEST(Integrator, implicit_takes_no_more_energy_from_a_storm_than_it_brings) {
+  for (const double air : {0.0, 1e12})
+    for (const double pull_n : {1.0, 1e3, 1e9}) {
+      Band band(1e4, 1);
+      band.air_resistance_per_s = air;
+      band.force = Matrix3Xd::Zero(3, band.grid.particle_count());
+      band.force.row(0).leftCols(5).setConstant(-pull_n);
+      band.force.row(0).rightCols(5).setConstant(pull_n);
+      const Matrix3Xd before = band.cloth.positions;
+      band.advance(IntegrationMethod::implicit, 0.01, 100);
+      const double work_j = band.force.cwiseProduct(band.cloth.positions - before).sum();
+      EXPECT_GT(work_j, 0);
+      EXPECT_LT(band.energy_j(), work_j);
+    }
+}
+
+}  // namespace
+}  // namespace ribbon

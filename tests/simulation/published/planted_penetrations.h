@@ -1,0 +1,53 @@
+// Small ribbons with penetrations planted by hand.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/ribbon_grid.h"
+#include "simulation/detection/bodies.h"
+#include "simulation/published/penetration.h"
+
+namespace ribbon {
+
+// A flat ribbon in the plane y = 0, rows 1 m apart along x, columns 1 m apart along z.
+inline Eigen::Matrix3Xd flat_ribbon(const RibbonGrid& grid) {
+  Eigen::Matrix3Xd positions(3, grid.particle_count());
+  for (int p = 0; p < grid.particle_count(); ++p)
+    positions.col(p) << grid.row(p), 0, grid.column(p);
+  return positions;
+}
+
+// A ribbon folded like a U lying on its side: the second half returns at height `distance` over the
+// first.
+inline Eigen::Matrix3Xd folded_ribbon(const RibbonGrid& grid, double distance) {
+  Eigen::Matrix3Xd positions = flat_ribbon(grid);
+  const int middle = grid.along / 2;
+  for (int p = 0; p < grid.particle_count(); ++p)
+    if (grid.row(p) >= middle)
+      positions.col(p) << 2 * middle - grid.row(p) - 0.5, distance, grid.column(p) + 0.3;
+  return positions;
+}
+
+inline Bodies ribbon_alone(const RibbonGrid& grid) {
+  return {grid, std::nullopt};
+}
+
+// The flat ribbon with a large floor at height y under or over it; the floor's outside is up.
+struct OverFloor {
+  Eigen::Matrix3Xd positions;
+  Bodies bodies;
+};
+inline OverFloor ribbon_over_floor(const RibbonGrid& grid, double floor_y) {
+  const int first = grid.particle_count();
+  Eigen::Matrix3Xd positions(3, first + 4);
+  positions.leftCols(first) = flat_ribbon(grid);
+  positions.rightCols(4) << -50, 50, 50, -50,  //
+      floor_y, floor_y, floor_y, floor_y,      //
+      50, 50, -50, -50;
+  Eigen::Matrix3Xi floor(3, 2);
+  floor << 0, 0, 1, 2, 2, 3;
+  floor.array() += first;
+  return {positions, Bodies{grid, ObstacleBody(collision_surface(floor), positions)}};
+}
+
+}  // namespace ribbon

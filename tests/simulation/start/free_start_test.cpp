@@ -1,0 +1,243 @@
+#include "simulation/start/free_start.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "curve/space_curve.h"
+#include "parallel/parallel.h"
+#include "simulation/fastening_processor.h"
+#include "simulation/frame_judge.h"
+#include "simulation/loop_scene.h"
+#include "simulation/start/encounter.h"
+#include "simulation/start/width_growth.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+// A loop drawn with one crossing, 1.3 m long; its passages have room for a band of 0.24 m.
+Scene scene_of_crossing(double width_m) {
+  Scene scene;
+  scene.name = "crossing";
+  scene.curve.drawing = DrawnPoints{{{-300, 100},
+                                     {-120, 60},
+                                     {60, -20},
+                                     {120, -120},
+                                     {0, -200},
+                                     {-120, -120},
+                                     {-60, -20},
+                                     {120, 60},
+                                     {300, 100}}};
+  scene.curve.clearance_m = 0.1 * width_m;
+  scene.ribbon = {.width_m = width_m, .along = 60, .across = 5, .mass_kg = 0.1};
+  scene.springs = {.stretch = 10, .shear = 10, .bend = 5};
+  scene.air_resistance_per_s = 5;
+  scene.fastening = FasteningScene{.speed_m_s = 0.2};
+  scene.time = {.step_s = 0.01, .duration_s = 1};
+  return scene;
+}
+
+RibbonMesh mesh_of(const Scene& scene) {
+  const auto curve = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along,
+                                          TightPassage::squeeze);
+  return generate_ribbon_mesh(curve.value(), scene.ribbon, scene.curve.axis);
+}
+
+// Free at the start, with the guaranteed gap, and in the steps that follow.
+void expect_free(FasteningProcessor& fastening, const RibbonMesh& mesh,
+                 const std::optional<TriangleMesh>& obstacle) {
+  const FrameJudge judge(mesh, obstacle);
+  EXPECT_TRUE(judge.is_free(fastening.positions()));
+  EXPECT_GT(fastening.guaranteed_gap_m(), 0);
+  EXPECT_GE(judge.gap_m(fastening.positions()), fastening.guaranteed_gap_m());
+  for (int step = 0; step < 10; ++step) fastening.step();
+  EXPECT_TRUE(judge.is_free(fastening.positions()));
+  EXPECT_GE(judge.gap_m(fastening.positions()), fastening.guaranteed_gap_m());
+}
+
+StartKind start_of_width(double width_m) {
+  const Scene scene = scene_of_crossing(width_m);
+  const RibbonMesh mesh = mesh_of(scene);
+  auto fastening = FasteningProcessor::create(scene, mesh, std::nullopt).value();
+  expect_free(fastening, mesh, std::nullopt);
+  return fastening.start().kind;
+}
+
+TEST(FreeStart, a_ribbon_with_room_starts_as_generated) {
+  EXPECT_EQ(start_of_width(0.03), StartKind::free);
+  EXPECT_EQ(start_of_width(0.15), StartKind::free);
+}
+
+TEST(FreeStart, a_ribbon_too_wide_for_its_crossing_is_grown_into_it) {
+  EXPECT_EQ(start_of_width(0.3), StartKind::grown);
+  EXPECT_EQ(start_of_width(0.6), StartKind::grown);
+}
+
+TEST(FreeStart, a_grown_ribbon_has_its_natural_size) {
+  const Scene scene = scene_of_crossing(0.45);
+  const RibbonMesh mesh = mesh_of(scene);
+  const auto fastening = FasteningProcessor::create(scene, mesh, std::nullopt).value();
+  ASSERT_EQ(fastening.start().kind, StartKind::grown);
+  const Matrix3Xd positions = fastening.positions();
+  const double across_m = 0.45 / 4;
+  int short_edges = 0;
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const int particle = mesh.grid.particle(i, j);
+      const double length_m = (positions.col(particle + 1) - positions.col(particle)).norm();
+      if (length_m < 0.85 * across_m || length_m > 1.15 * across_m) ++short_edges;
+    }
+  EXPECT_LE(short_edges, 5);  // 1 % of all edges, along and across
+}
+
+// A ring-shaped box round the loop: 24 cm high inside, 4 cm deep.
+TriangleMesh ring_box() {
+  const std::array<TriangleMesh, 2> tubes = {post(0.48, 60), post(0.52, 60)};
+  TriangleMesh mesh;
+  mesh.name = "ring box";
+  mesh.vertices.resize(3, 2 * 120 + 8);
+  mesh.triangles.resize(3, 2 * 120 + 4);
+  mesh.vertices.leftCols(240) << tubes[0].vertices, tubes[1].vertices;
+  mesh.triangles.leftCols(240) << tubes[0].triangles, (tubes[1].triangles.array() + 120).matrix();
+  mesh.vertices.rightCols(8) << -2, 2, 2, -2, -2, 2, 2, -2,        //
+      0.12F, 0.12F, 0.12F, 0.12F, -0.12F, -0.12F, -0.12F, -0.12F,  //
+      2, 2, -2, -2, 2, 2, -2, -2;
+  mesh.triangles.rightCols(4) << 240, 240, 244, 244, 241, 242, 245, 246, 242, 243, 246, 247;
+  return mesh;
+}
+
+TEST(FreeStart, a_ribbon_without_room_is_refused_with_a_width_that_found_room) {
+  Scene scene = scene_of_loop();
+  scene.ribbon.width_m = 0.5;
+  const auto answer = FasteningProcessor::create(scene, mesh_of_loop(scene), ring_box());
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_NE(answer.error().problem.find("no room for its width of 0.5 m"), std::string::npos)
+      << answer.error().problem;
+  EXPECT_NE(answer.error().problem.find("strained most at row "), std::string::npos);
+  const std::string remedy = answer.error().remedy;
+  const std::string beginning = "set ribbon.width to ";
+  ASSERT_EQ(remedy.find(beginning), 0U) << remedy;
+  scene.ribbon.width_m = std::stod(remedy.substr(beginning.size()));
+  EXPECT_GT(scene.ribbon.width_m, 0.05);
+  const RibbonMesh mesh = mesh_of_loop(scene);
+  auto fastening = FasteningProcessor::create(scene, mesh, ring_box());
+  ASSERT_TRUE(fastening.has_value()) << fastening.error().sentence();
+  expect_free(*fastening, mesh, ring_box());
+}
+
+TEST(FreeStart, an_absurd_width_is_refused_with_row_and_remedy) {
+  const Scene scene = scene_of_crossing(30);
+  const auto answer = FasteningProcessor::create(scene, mesh_of(scene), std::nullopt);
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_EQ(answer.error().place, "crossing");
+  EXPECT_NE(answer.error().problem.find("row "), std::string::npos) << answer.error().problem;
+  EXPECT_NE(answer.error().problem.find(" of 60, "), std::string::npos) << answer.error().problem;
+  EXPECT_NE(answer.error().remedy.find("ribbon.width"), std::string::npos);
+}
+
+// The post moved along z, so that it stands in the ribbon's way at the far side.
+TriangleMesh post_in_the_way(double depth_m) {
+  TriangleMesh mesh = post(0.3, 60);
+  mesh.vertices.row(2).array() -= static_cast<float>(loop_radius_m - 0.3 + depth_m);
+  return mesh;
+}
+
+// Walls across the loop, so many that there is no room between them.
+TriangleMesh walls() {
+  constexpr Eigen::Index count = 12;
+  TriangleMesh mesh;
+  mesh.name = "walls";
+  mesh.vertices.resize(3, 4 * count);
+  mesh.triangles.resize(3, 2 * count);
+  for (Eigen::Index wall = 0; wall < count; ++wall) {
+    const int corner = static_cast<int>(4 * wall);
+    const auto z = static_cast<float>(0.08 * static_cast<double>(wall) - 0.48);
+    mesh.vertices.middleCols(corner, 4) << -9, 9, 9, -9, -9, -9, 9, 9, z, z, z, z;
+    mesh.triangles.col(2 * wall) << corner, corner + 1, corner + 2;
+    mesh.triangles.col(2 * wall + 1) << corner, corner + 2, corner + 3;
+  }
+  return mesh;
+}
+
+TEST(FreeStart, a_ribbon_that_the_obstacle_is_in_the_way_of_is_moved_out_of_it) {
+  const Scene scene = scene_of_loop();
+  const RibbonMesh mesh = mesh_of_loop(scene);
+  const TriangleMesh obstacle = post_in_the_way(0.03);
+  auto fastening = FasteningProcessor::create(scene, mesh, obstacle).value();
+  EXPECT_EQ(fastening.start().kind, StartKind::recovered);
+  EXPECT_GT(fastening.start().recovery_iterations, 0);
+  expect_free(fastening, mesh, obstacle);
+}
+
+TEST(FreeStart, an_obstacle_that_reaches_a_selvage_only_leaves_room_for_the_thin_band) {
+  // A floor under the loop, 5 mm over the lowest selvage.
+  const Scene scene = scene_of_loop();
+  const RibbonMesh mesh = mesh_of_loop(scene);
+  TriangleMesh floor;
+  floor.name = "floor";
+  const auto height = static_cast<float>(mesh.positions.row(1).minCoeff() + 0.005);
+  floor.vertices.resize(3, 4);
+  floor.vertices << -2, 2, 2, -2, height, height, height, height, 2, 2, -2, -2;
+  floor.triangles.resize(3, 2);
+  floor.triangles << 0, 0, 1, 2, 2, 3;
+  auto fastening = FasteningProcessor::create(scene, mesh, floor).value();
+  EXPECT_EQ(fastening.start().kind, StartKind::grown);
+  expect_free(fastening, mesh, floor);
+  EXPECT_GT(fastening.positions().row(1).minCoeff(), height);
+}
+
+TEST(FreeStart, an_obstacle_through_the_middle_of_the_ribbon_is_refused_with_row_and_remedy) {
+  const Scene scene = scene_of_loop();
+  const auto answer = FasteningProcessor::create(scene, mesh_of_loop(scene), walls());
+  ASSERT_FALSE(answer.has_value());
+  EXPECT_NE(answer.error().problem.find("meets the obstacle at row "), std::string::npos)
+      << answer.error().sentence();
+  EXPECT_NE(answer.error().remedy.find("obstacle.position"), std::string::npos);
+}
+
+TEST(FreeStart, is_the_same_to_the_bit_for_any_number_of_threads) {
+  const Scene scene = scene_of_crossing(0.4);
+  const RibbonMesh mesh = mesh_of(scene);
+  std::vector<Matrix3Xd> starts;
+  for (const int threads : {1, 2, 5}) {
+    set_thread_limit(threads);
+    const auto fastening = FasteningProcessor::create(scene, mesh, std::nullopt).value();
+    ASSERT_EQ(fastening.start().kind, StartKind::grown);
+    starts.push_back(fastening.positions());
+  }
+  set_thread_limit(0);
+  EXPECT_EQ(starts[0], starts[1]);
+  EXPECT_EQ(starts[0], starts[2]);
+}
+
+TEST(FreeStart, leaves_behind_nothing_that_the_gate_does_without) {
+  const Scene scene = scene_of_crossing(0.2);
+  const RibbonMesh mesh = mesh_of(scene);
+  Bodies bodies{mesh.grid, std::nullopt};
+  Cloth cloth{mesh.positions, Matrix3Xd::Zero(3, mesh.positions.cols()), 0.001};
+  Deformation deformation(scene, natural_size(mesh, 1), cloth.particle_mass_kg, bodies);
+  ASSERT_TRUE(find_free_start(scene, mesh, bodies, deformation, cloth).has_value());
+  deformation.step({3, 0}, cloth);
+  EXPECT_FALSE(bodies.ribbon.exists());
+  EXPECT_FALSE(first_piercing(bodies, cloth.positions).has_value());
+  EXPECT_TRUE(bodies.ribbon.exists());
+}
+
+TEST(FreeStart, as_published_recovers_what_it_can_and_counts_the_rest) {
+  Scene scene = scene_of_loop();
+  scene.contact = ContactMethod::paper;
+  const RibbonMesh mesh = mesh_of_loop(scene);
+  const auto touched = FasteningProcessor::create(scene, mesh, post_in_the_way(0.001)).value();
+  EXPECT_EQ(touched.start().kind, StartKind::recovered);
+  EXPECT_GT(touched.start().recovery_iterations, 0);
+  EXPECT_EQ(touched.guaranteed_gap_m(), 0);
+  EXPECT_EQ(touched.start().penetrating_edges, 0);
+  auto cut = FasteningProcessor::create(scene, mesh, walls()).value();
+  EXPECT_GT(cut.start().penetrating_edges, 0);
+  EXPECT_GT(cut.step().penetrating_edges, 0);
+}
+
+}  // namespace
+}  // namespace ribbon

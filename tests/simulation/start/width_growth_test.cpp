@@ -1,0 +1,66 @@
+#include "simulation/start/width_growth.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/loop_scene.h"
+#include "simulation/published/recovery.h"
+
+namespace ribbon {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+TEST(WidthGrowth, rows_are_scaled_about_their_centres) {
+  const RibbonGrid grid{2, 3};
+  Matrix3Xd positions(3, 7);
+  positions << 0, 0, 0, 5, 5, 5, 9, 1, 2, 3, 0, 0, 0, 9, 0, 0, 0, 3, 6, 9, 9;
+  Matrix3Xd expected(3, 7);
+  expected << 0, 0, 0, 5, 5, 5, 9, 1.5, 2, 2.5, 0, 0, 0, 9, 0, 0, 0, 4.5, 6, 7.5, 9;
+  EXPECT_EQ(rows_scaled(grid, 0.5, positions), expected);
+}
+
+TEST(WidthGrowth, an_edge_of_a_narrower_band_is_shorter_across_only) {
+  RibbonMesh ribbon;
+  ribbon.grid = {11, 5};
+  ribbon.length_m = 2;
+  ribbon.width_m = 0.4;
+  const NaturalSize size = natural_size(ribbon, 0.25);
+  EXPECT_DOUBLE_EQ(size.along_m(), 0.2);
+  EXPECT_DOUBLE_EQ(size.across_m(), 0.025);
+  EXPECT_DOUBLE_EQ(size.shortest_edge_m(), 0.025);
+}
+
+TEST(WidthGrowth, with_room_the_band_gets_its_whole_width_and_stays_flat) {
+  Scene scene = scene_of_loop();
+  scene.ribbon = {.width_m = 0.3, .along = 20, .across = 4, .mass_kg = 1};
+  SpaceCurve straight;
+  straight.points = Matrix3Xd::Zero(3, 20);
+  straight.points.row(0).setLinSpaced(20, 0, 1.9);
+  straight.length_m = 1.9;
+  const RibbonMesh ribbon = generate_ribbon_mesh(straight, scene.ribbon, Axis::y);
+  Bodies bodies{ribbon.grid, std::nullopt};
+  Cloth cloth{rows_scaled(ribbon.grid, 0.25, ribbon.positions), Matrix3Xd::Zero(3, 80), 0.01};
+  const GrowthReport report = grow_width(scene, ribbon, 0.25, bodies, cloth);
+  EXPECT_TRUE(report.complete);
+  EXPECT_EQ(report.settled_share, 1);
+  EXPECT_EQ(count_penetrating_edges(bodies, cloth.positions), 0);
+  EXPECT_LT((cloth.positions - ribbon.positions).cwiseAbs().maxCoeff(), 0.15 * 0.3);
+  EXPECT_EQ(cloth.velocities.cwiseAbs().maxCoeff(), 0);
+}
+
+TEST(WidthGrowth, a_band_that_nothing_can_settle_is_told_with_the_place) {
+  Scene scene = scene_of_loop();
+  scene.ribbon.across = 2;
+  const RibbonMesh ribbon = mesh_of_loop(scene);
+  Bodies bodies{ribbon.grid, std::nullopt};
+  Cloth cloth{ribbon.positions, Matrix3Xd::Zero(3, ribbon.positions.cols()), 0.001};
+  // Torn apart over row 60 by a hundred times its length.
+  cloth.positions.rightCols(ribbon.grid.particle(60, 0)).row(1).array() += 400;
+  const GrowthReport report = grow_width(scene, ribbon, 0.5, bodies, cloth);
+  EXPECT_FALSE(report.complete);
+  EXPECT_EQ(report.settled_share, 0);
+  EXPECT_NEAR(ribbon.grid.row(report.strained_particle), 60, 12);
+}
+
+}  // namespace
+}  // namespace ribbon
