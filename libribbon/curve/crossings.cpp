@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "curve/place.h"
+#include "curve/turns.h"
 
 namespace ribbon {
 
@@ -29,10 +30,6 @@ constexpr double smallest_loop = 8;            // a shorter way along the walk i
 constexpr double same_meeting = 4;             // contacts this near along both strands are one
 constexpr double longest_meeting = 50;         // strands that stay together longer overlap
 constexpr double smallest_angle = 0.03;        // radians; strands that cross flatter overlap
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // The drawing measured by the length walked.
 class Walk {
@@ -253,10 +250,6 @@ std::optional<Exits> exits_of(const Walk& walk, const Contact& meeting) {
   if (!first_in || !first_out || !second_in || !second_out) return std::nullopt;
   return Exits{{*first_in - centre, *first_out - centre},
                {*second_in - centre, *second_out - centre}};
-}
-
-double angle_between(const Vector2d& a, const Vector2d& b) {
-  return std::abs(std::atan2(cross(a, b), a.dot(b)));
 }
 
 double flattest_angle(const Exits& exits) {

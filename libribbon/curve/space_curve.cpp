@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "curve/place.h"
+#include "curve/turns.h"
 
 namespace ribbon {
 
@@ -131,10 +132,6 @@ Cubic<Vector2d> cubic_between(const Drawing& points, std::size_t i) {
   const Vector2d before = i == 0 ? Vector2d(2 * p1 - p2) : points[i - 1];
   const Vector2d after = i + 2 == points.size() ? Vector2d(2 * p2 - p1) : points[i + 2];
   return catmull_rom_cubic(before, p1, p2, after);
-}
-
-double angle_between(const Vector2d& a, const Vector2d& b) {
-  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
 // No less than what the cubic turns by: the turns of its Bezier polygon.

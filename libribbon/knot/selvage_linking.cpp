@@ -77,20 +77,20 @@ std::optional<int> crossing_sum(const RibbonCurves& curves, const Directions& ra
   return result;
 }
 
-Eigen::Index tip(const Eigen::Matrix3Xd& curve, std::size_t end) {
+Eigen::Index tip_index(const Eigen::Matrix3Xd& curve, std::size_t end) {
   return end == 0 ? 0 : curve.cols() - 1;
 }
 
 Eigen::Vector3d across(const RibbonCurves& curves, std::size_t end) {
-  return curves.second_selvage.col(tip(curves.second_selvage, end)) -
-         curves.first_selvage.col(tip(curves.first_selvage, end));
+  return curves.second_selvage.col(tip_index(curves.second_selvage, end)) -
+         curves.first_selvage.col(tip_index(curves.first_selvage, end));
 }
 
 // On which side of the first selvage's ray is the second's, as seen?
 int side_seen(const RibbonCurves& curves, std::size_t end, const Place& ray, const Place& view) {
-  return orientation(Place::point(curves.first_selvage.col(tip(curves.first_selvage, end))),
-                     Place::point(curves.second_selvage.col(tip(curves.second_selvage, end))), view,
-                     ray);
+  return orientation(Place::point(curves.first_selvage.col(tip_index(curves.first_selvage, end))),
+                     Place::point(curves.second_selvage.col(tip_index(curves.second_selvage, end))),
+                     view, ray);
 }
 
 // How often an end shows its edge to the viewer while it turns the shorter way, right-handed about

@@ -16,8 +16,6 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-constexpr int settling_rounds = 50;  // at most, before the first step
-
 // Of STATE.md. Raised whenever the layout changes, and whenever equal states no longer go on to
 // equal bits.
 constexpr std::int64_t state_version = 1;

@@ -9,9 +9,9 @@ namespace ribbon {
 
 namespace {
 
-class Search {
+class PairSearch {
  public:
-  Search(const TriangleSoup& soup, std::size_t most) : soup_(soup), most_(most) {}
+  PairSearch(const TriangleSoup& soup, std::size_t most) : soup_(soup), most_(most) {}
 
   // All pairs within one tree.
   void within(const BoxTree& tree, int index) {
@@ -73,7 +73,7 @@ class Search {
 
 IntersectingPairs intersecting_pairs(const TriangleSoup& soup, const BoxTree& judged,
                                      const BoxTree& rest, std::size_t most) {
-  Search search(soup, most);
+  PairSearch search(soup, most);
   if (!judged.empty()) search.within(judged, BoxTree::root);
   if (!judged.empty() && !rest.empty()) search.between(judged, BoxTree::root, rest, BoxTree::root);
   return search.found();

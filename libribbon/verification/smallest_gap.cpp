@@ -15,9 +15,9 @@ using Edge = std::array<int, 2>;
 
 // Branch and bound: a pair of nodes whose boxes are further apart than the best gap so far holds no
 // better one.
-class Search {
+class GapSearch {
  public:
-  Search(const TriangleSoup& soup, const FeatureOwners& owners) : soup_(soup), owners_(owners) {}
+  GapSearch(const TriangleSoup& soup, const FeatureOwners& owners) : soup_(soup), owners_(owners) {}
 
   void within(const BoxTree& tree, int index) {
     const BoxTree::Node& node = tree.node(index);
@@ -135,7 +135,7 @@ class Search {
 
 std::optional<SmallestGap> smallest_gap(const TriangleSoup& soup, const FeatureOwners& owners,
                                         const BoxTree& judged, const BoxTree& rest) {
-  Search search(soup, owners);
+  GapSearch search(soup, owners);
   if (!judged.empty()) search.within(judged, BoxTree::root);
   if (!judged.empty() && !rest.empty()) search.between(judged, BoxTree::root, rest, BoxTree::root);
   return search.best();

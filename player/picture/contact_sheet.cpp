@@ -9,21 +9,21 @@ namespace ribbon {
 
 namespace {
 
-constexpr int margin = 24;
-constexpr int gap = 8;
+constexpr int sheet_margin = 24;
+constexpr int cell_gap = 8;
 constexpr int title_height = 26;
 constexpr int text_height = 15;
 constexpr int line_height = 21;
-constexpr int heading_height = margin + title_height + line_height + 20;
-constexpr int caption_height = 2 * line_height + margin;
+constexpr int heading_height = sheet_margin + title_height + line_height + 20;
+constexpr int caption_height = 2 * line_height + sheet_margin;
 
 const Color paper = from_srgb(0xFFFFFF);
 const Color ink = from_srgb(0x222222);
 const Color pale_ink = from_srgb(0x666666);
 
 PictureSize sheet_size(int columns, int views) {
-  return {2 * margin + columns * sheet_cell.width + (columns - 1) * gap,
-          heading_height + views * (sheet_cell.height + gap) + caption_height};
+  return {2 * sheet_margin + columns * sheet_cell.width + (columns - 1) * cell_gap,
+          heading_height + views * (sheet_cell.height + cell_gap) + caption_height};
 }
 
 void draw_column(const SheetColumn& column, int left, const CaptionPainter& painter,
@@ -31,7 +31,7 @@ void draw_column(const SheetColumn& column, int left, const CaptionPainter& pain
   int top = heading_height;
   for (const Picture& view : column.views) {
     paste(view, left, top, sheet);
-    top += sheet_cell.height + gap;
+    top += sheet_cell.height + cell_gap;
   }
   for (const std::string& line : sheet_caption(column.frame_number, column.numbers)) {
     painter.draw(line, left, top + text_height, text_height, ink, sheet);
@@ -55,13 +55,13 @@ Picture contact_sheet(const std::string& title, const std::string& subtitle,
   Picture sheet = blank_picture(
       sheet_size(static_cast<int>(columns.size()), static_cast<int>(columns[0].views.size())),
       paper);
-  painter.draw(title, margin, margin + title_height - 6, title_height, ink, sheet);
-  painter.draw(subtitle, margin, margin + title_height + line_height - 4, text_height, pale_ink,
-               sheet);
-  int left = margin;
+  painter.draw(title, sheet_margin, sheet_margin + title_height - 6, title_height, ink, sheet);
+  painter.draw(subtitle, sheet_margin, sheet_margin + title_height + line_height - 4, text_height,
+               pale_ink, sheet);
+  int left = sheet_margin;
   for (const SheetColumn& column : columns) {
     draw_column(column, left, painter, sheet);
-    left += sheet_cell.width + gap;
+    left += sheet_cell.width + cell_gap;
   }
   return sheet;
 }

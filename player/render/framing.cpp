@@ -12,8 +12,8 @@ namespace ribbon {
 namespace {
 
 // A long lens: perspective is felt, but what comes near does not swell.
-constexpr float half_view = 0.2F;  // tangent of half the angle of view, along the shorter side
-constexpr float margin = 0.04F;    // of the picture, kept free on each side
+constexpr float half_view = 0.2F;     // tangent of half the angle of view, along the shorter side
+constexpr float free_margin = 0.04F;  // of the picture, kept free on each side
 
 Eigen::Matrix3f world_from_camera(const View& view) {
   const float to_radians = std::numbers::pi_v<float> / 180.0F;
@@ -36,8 +36,8 @@ Framing::Framing(const View& view, PictureSize size)
   camera_.half_width = half_view * static_cast<float>(size.width) / shorter;
   camera_.half_height = half_view * static_cast<float>(size.height) / shorter;
   camera_.world_from_camera = world_from_camera(view);
-  const float wide = camera_.half_width * (1 - 2 * margin);
-  const float high = camera_.half_height * (1 - 2 * margin);
+  const float wide = camera_.half_width * (1 - 2 * free_margin);
+  const float high = camera_.half_height * (1 - 2 * free_margin);
   Eigen::Matrix<float, 4, 3> in_camera;
   in_camera << -1, 0, wide, 1, 0, wide, 0, -1, high, 0, 1, high;
   side_ = in_camera * camera_.world_from_camera.transpose();
@@ -54,8 +54,8 @@ void Framing::include(const Eigen::Matrix3Xf& points) {
 // place between them.
 Camera Framing::camera() const {
   assert(std::isfinite(nearest_));
-  const float wide = camera_.half_width * (1 - 2 * margin);
-  const float high = camera_.half_height * (1 - 2 * margin);
+  const float wide = camera_.half_width * (1 - 2 * free_margin);
+  const float high = camera_.half_height * (1 - 2 * free_margin);
   const float needed =
       std::max((reach_[0] + reach_[1]) / (2 * wide), (reach_[2] + reach_[3]) / (2 * high));
   // A single point would pull the eye into itself.

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 
+#include "simulation/integration/flat_state.h"
+
 namespace ribbon {
 
 namespace {
 
 using Eigen::MatrixX3d;
-
-double dot(const MatrixX3d& a, const MatrixX3d& b) {
-  return a.cwiseProduct(b).sum();
-}
 
 }  // namespace
 

@@ -8,6 +8,11 @@
 
 namespace ribbon {
 
+// Of all entries.
+inline double dot(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b) {
+  return a.cwiseProduct(b).sum();
+}
+
 struct FlatState {
   Eigen::MatrixX3d positions;   // particles x 3, m
   Eigen::MatrixX3d velocities;  // particles x 3, m/s

@@ -27,10 +27,6 @@ constexpr double sufficient_share = 1e-4;  // of the descent that the slope prom
 constexpr double least_curvature = 1e-8;   // of the inertia's
 constexpr double energy_rounding = 1e-13;  // of the energy: what its sum may be wrong by
 
-double dot(const MatrixX3d& a, const MatrixX3d& b) {
-  return a.cwiseProduct(b).sum();
-}
-
 void set_mean(const RowVector3d& mean, MatrixX3d& rows) {
   const RowVector3d shift = mean - rows.colwise().mean();
   rows.rowwise() += shift;

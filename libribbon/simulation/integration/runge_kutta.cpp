@@ -8,7 +8,7 @@ using Eigen::MatrixX3d;
 
 // Runge-Kutta stays stable up to |eigenvalue| * step = 2 sqrt 2 on the imaginary and 2.785 on the
 // real axis; the margin covers what lies between.
-constexpr double stability_limit = 2.5;
+constexpr double runge_kutta_stability_limit = 2.5;
 
 class RungeKutta final : public DividedStep {
  public:
@@ -17,7 +17,7 @@ class RungeKutta final : public DividedStep {
                     fastest_frequency(springs, properties.grid.particle_count(),
                                       properties.particle_mass_kg) +
                         properties.air_resistance_per_s,
-                    stability_limit) {}
+                    runge_kutta_stability_limit) {}
 
  private:
   // Of one stage, from positions x and velocities v.

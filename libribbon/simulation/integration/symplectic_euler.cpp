@@ -8,7 +8,7 @@ using Eigen::MatrixX3d;
 
 // Stable up to z = frequency * step = 2. The energy of a swing seems to vary by a factor of
 // (2 + z) / (2 - z); the margin keeps that at 7.
-constexpr double stability_limit = 1.5;
+constexpr double symplectic_stability_limit = 1.5;
 
 class SymplecticEuler final : public DividedStep {
  public:
@@ -18,7 +18,7 @@ class SymplecticEuler final : public DividedStep {
       : DividedStep(springs, properties,
                     fastest_frequency(springs, properties.grid.particle_count(),
                                       properties.particle_mass_kg),
-                    stability_limit) {}
+                    symplectic_stability_limit) {}
 
  private:
   // v' = v + h (F(x) / m - c v'), then x' = x + h v'.

@@ -18,15 +18,14 @@ using Eigen::Matrix3Xd;
 
 constexpr int thinnest = 64;            // part of the width
 constexpr double gap_per_edge = 0.025;  // half of what the gate keeps at least
-constexpr int settling_rounds = 50;     // at most, of strain correction
 constexpr int parting_steps = 60;       // at most, until nothing is too close
 constexpr int patience = 30;            // scheme A leads out of an obstacle layer by layer
 
 // The search for a free start of one ribbon.
-class Search {
+class StartSearch {
  public:
-  Search(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies, Deformation& deformation,
-         Cloth& cloth)
+  StartSearch(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies,
+              Deformation& deformation, Cloth& cloth)
       : scene_(scene),
         ribbon_(ribbon),
         bodies_(bodies),
@@ -192,7 +191,7 @@ std::string_view word_for(StartKind kind) {
 
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies,
                                     Deformation& deformation, Cloth& cloth) {
-  Result<StartReport> start = Search(scene, ribbon, bodies, deformation, cloth).find();
+  Result<StartReport> start = StartSearch(scene, ribbon, bodies, deformation, cloth).find();
   bodies.ribbon.forget();
   return start;
 }

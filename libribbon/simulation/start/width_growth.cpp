@@ -14,7 +14,7 @@ constexpr double growth = 1.05;            // of the width, from one stage to th
 constexpr double strained = 0.15;          // of an edge's natural length
 constexpr int strained_edges_percent = 1;  // that a settled band may have
 constexpr int steps_per_stage = 60;        // at most, to settle
-constexpr int correction_rounds = 2;       // after each of them
+constexpr int rounds_a_width = 2;          // after each of them
 
 struct StrainedEdges {
   int count = 0;
@@ -74,7 +74,7 @@ GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double sha
     StrainedEdges edges;
     for (int step = 0; step < steps_per_stage; ++step) {
       deformation.step({3, 0}, cloth);
-      deformation.settle(correction_rounds, cloth);
+      deformation.settle(rounds_a_width, cloth);
       edges = strained_edges(size, cloth.positions);
       if (edges.count == 0 || (share < 1 && are_few(edges, size.grid))) break;
     }

@@ -14,6 +14,9 @@
 
 namespace ribbon {
 
+// At most, of settling before the first step.
+inline constexpr int settling_rounds = 50;
+
 class Deformation {
  public:
   // Springs, air and contact as the scene wants them. `bodies` must outlive the deformation.

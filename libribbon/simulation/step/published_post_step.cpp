@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-constexpr double strain_limit = 0.1;   // of the natural length (section 5.5)
-constexpr int correction_rounds = 10;  // at most, in one step (section 5.5)
-constexpr int repulsion_rounds = 10;   // of detection and repulsion, at most
+constexpr double published_strain_limit = 0.1;  // of the natural length (section 5.5)
+constexpr int most_corrections = 10;            // at most, in one step (section 5.5)
+constexpr int most_repulsions = 10;             // of detection and repulsion, at most
 
 class PublishedPostStep : public PostStep {
  public:
@@ -26,7 +26,7 @@ class PublishedPostStep : public PostStep {
                                 .thickness_m = properties.thickness_m}),
         repulsion_settings_{.friction = properties.friction},
         strain_correction_(properties.size.grid, properties.size.length_m, properties.size.width_m,
-                           strain_limit),
+                           published_strain_limit),
         recovery_settings_{.gap_m = 0.1 * properties.size.shortest_edge_m(),
                            .step_m = 0.5 * properties.size.shortest_edge_m()} {}
 
@@ -44,7 +44,7 @@ class PublishedPostStep : public PostStep {
  private:
   // while ∃ collision: update velocity, displacement.
   void repel(const Matrix3Xd& before, Cloth& cloth) {
-    for (int round = 0; round < repulsion_rounds; ++round) {
+    for (int round = 0; round < most_repulsions; ++round) {
       clock_.charge(Stage::detection);
       const std::vector<FeaturePair> pairs =
           swept_pairs_by_curvature(bodies_, before, cloth.positions, gaps_.largest_contact_m());
@@ -59,7 +59,7 @@ class PublishedPostStep : public PostStep {
   void smooth(Cloth& cloth) const {
     const Matrix3Xd before = cloth.positions;
     int rounds = 0;
-    while (rounds < correction_rounds && strain_correction_.any_over_limit(cloth.positions)) {
+    while (rounds < most_corrections && strain_correction_.any_over_limit(cloth.positions)) {
       strain_correction_.apply(cloth.positions);
       ++rounds;
     }

@@ -13,7 +13,7 @@ namespace {
 
 // Beyond the hard gap, so that the gate has nothing to hold back.
 constexpr double clear_of_hard_gap = 1.2;
-constexpr double negligible = 1e-3;  // of a gap
+constexpr double negligible_violation = 1e-3;  // of a gap
 
 }  // namespace
 
@@ -56,7 +56,7 @@ bool keep_apart(std::span<const ContactConstraint> constraints, const RibbonGrid
                     constraint.normal.dot(positions.col(v[static_cast<std::size_t>(k)]));
     const double lack_m = constraint.gap_m - distance_m;
     if (lack_m <= 0) continue;
-    any = any || lack_m > negligible * constraint.gap_m;
+    any = any || lack_m > negligible_violation * constraint.gap_m;
     for (int k = 0; k < 4; ++k) {
       if (constraint.shares[k] == 0) continue;
       const int particle = v[static_cast<std::size_t>(k)];

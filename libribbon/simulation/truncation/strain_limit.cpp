@@ -11,8 +11,8 @@ namespace ribbon {
 
 namespace {
 
-constexpr double negligible = 0.002;  // of an edge's natural length
-constexpr double published = 0.1;     // the limit of section 5.5
+constexpr double negligible_excess = 0.002;  // of an edge's natural length
+constexpr double published = 0.1;            // the limit of section 5.5
 constexpr double least_aim = 0.02;
 
 // Moves the two ends of an edge that is too long or too short. By how much of its natural length
@@ -49,7 +49,7 @@ bool tighten_all(const LimitedEdges& edges, const RibbonGrid& grid, RowActivity&
       activity.move(other_row);
     });
   }
-  return worst > negligible;
+  return worst > negligible_excess;
 }
 
 }  // namespace
