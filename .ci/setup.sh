@@ -7,8 +7,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(
   g++ cmake ninja-build pkg-config
   libassimp-dev libboost-dev libcli11-dev libdeflate-dev libeigen3-dev libembree-dev libexpected-dev
-  libfreetype-dev libpng-dev libpugixml-dev libsvgpp-dev libtbb-dev libtomlplusplus-dev libzstd-dev
-  nlohmann-json3-dev fonts-dejavu-core
+  libfmt-dev libfreetype-dev libpng-dev libpugixml-dev libsvgpp-dev libtbb-dev libtomlplusplus-dev
+  libzstd-dev nlohmann-json3-dev fonts-dejavu-core
 )
 test_packages=(
   blender clang clang-format clang-tidy libcgal-dev libclang-14-dev libclang-rt-dev libdraco-dev

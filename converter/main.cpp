@@ -4,11 +4,11 @@
 #include <cstdio>
 
 #include "commandline/interrupt.h"
-#include "commandline/number_text.h"
 #include "commandline/tool.h"
 #include "converter/conversion.h"
 #include "converter/options.h"
 #include "parallel/parallel.h"
+#include "text/number_text.h"
 
 namespace {
 

@@ -1,7 +1,5 @@
 #include "converter/options.h"
 
-#include <CLI/CLI.hpp>
-
 #include "commandline/arguments.h"
 
 namespace ribbon {
@@ -20,38 +18,34 @@ Metres, y up, vertices in the recorded order in every frame.
 Exit code: 0 done; 1 the recording is damaged (what can be read is written, what is missing is listed);
 2 could not.)";
 
-void add_options(CLI::App& app, CommandLine& line, std::string& objects) {
+void add_options(Arguments& arguments, CommandLine& line, std::string& objects) {
   ConversionRequest& request = line.request;
-  app.add_option("recording", request.recording, "The recording, as ribbon-record wrote it")
-      ->required()
-      ->type_name("KNOT.rbn");
-  app.add_option("-o,--output", request.output,
-                 "Where to: .obj or .fbx with {frame} or {frame:04} for the number, or .pc2")
-      ->required()
-      ->type_name("FILE");
-  app.add_option("--frames", request.frames,
-                 "Frames from 1, both ends included; -1 is the last (default: all)")
-      ->type_name("A:B:STEP");
-  app.add_option("--object", objects, "What to write: both or ribbon")
-      ->check(CLI::IsMember({"both", "ribbon"}))
-      ->capture_default_str()
-      ->type_name("NAME");
-  app.add_option("--threads", line.threads, "How many threads to use (default: all cores)")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  app.add_flag("--quiet", request.quiet, "No progress and no summary");
-  app.set_version_flag("--version", "ribbon-convert " RIBBON_VERSION);
+  arguments
+      .add("recording", request.recording, "KNOT.rbn", "The recording, as ribbon-record wrote it")
+      .required();
+  arguments
+      .add("-o,--output", request.output, "FILE",
+           "Where to: .obj or .fbx with {frame} or {frame:04} for the number, or .pc2")
+      .required();
+  arguments.add("--frames", request.frames, "A:B:STEP",
+                "Frames from 1, both ends included; -1 is the last (default: all)");
+  arguments.add("--object", objects, "NAME", "What to write: both or ribbon")
+      .one_of({"both", "ribbon"})
+      .with_default_shown();
+  arguments.add("--threads", line.threads, {1, 1024}, "N",
+                "How many threads to use (default: all cores)");
+  arguments.flag("--quiet", request.quiet, "No progress and no summary");
 }
 
 }  // namespace
 
 Result<std::optional<CommandLine>> parse_command_line(int argc, const char* const* argv) {
-  CLI::App app("Writes a recording as files for modelling packages.", "ribbon-convert");
-  app.footer(examples);
+  Arguments arguments("ribbon-convert", "Writes a recording as files for modelling packages.",
+                      RIBBON_VERSION, examples);
   CommandLine line;
   std::string objects = "both";
-  add_options(app, line, objects);
-  const auto read = parse_arguments(app, argc, argv);
+  add_options(arguments, line, objects);
+  const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
   line.request.with_obstacle = objects == "both";

@@ -9,7 +9,6 @@
 #include "commandline/frame_pattern.h"
 #include "commandline/frame_range.h"
 #include "commandline/interrupt.h"
-#include "commandline/number_text.h"
 #include "commandline/progress.h"
 #include "commandline/tool.h"
 #include "files/files.h"
@@ -21,6 +20,7 @@
 #include "player/report/follow.h"
 #include "player/report/info.h"
 #include "player/report/verify.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 

@@ -1,6 +1,5 @@
 #include "player/options.h"
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 
 #include "commandline/arguments.h"
@@ -46,50 +45,43 @@ Result<PictureSize> parse_size(const std::string& text) {
   return size;
 }
 
-void add_options(CLI::App& app, Options& options, std::string& size) {
-  app.add_option("RECORDING", options.recording, "the recording (.rbn)")
-      ->required()
-      ->type_name("FILE");
-  auto* pictures =
-      app.add_option("-o,--output", options.pictures,
-                     "PNG files to write, with {frame} or {frame:04} for the frame's number")
-          ->type_name("PATTERN");
-  auto* frames = app.add_option("--frames", options.frames,
-                                "frames A to B, every STEP-th; -1 is the last (default: all)")
-                     ->type_name("A:B:STEP");
-  app.add_option("--size", size, "size of the pictures in pixels")
-      ->type_name("WxH")
-      ->capture_default_str();
-  app.add_option("--samples", options.samples, "samples per pixel: more is smoother and slower")
-      ->check(CLI::Range(1, 4096).description(""))
-      ->type_name("N")
-      ->capture_default_str();
-  auto* sheet = app.add_option("--sheet", options.sheet,
-                               "contact sheet to write: several frames, two cameras, captions")
-                    ->type_name("FILE");
-  auto* info = app.add_flag("--info", options.info, "tell what the recording holds");
-  auto* verify = app.add_flag("--verify", options.verify,
-                              "prove that nothing intersects and that the knot stays the knot")
-                     ->excludes(pictures)
-                     ->excludes(sheet)
-                     ->excludes(info);
-  auto* follow = app.add_flag("--follow", options.follow,
-                              "go on with what is recorded meanwhile, until the recorder ends")
-                     ->excludes(frames)
-                     ->excludes(sheet)
-                     ->excludes(verify);
-  app.add_option("--certify-every", options.certify_every,
-                 "certify the knot in every N-th frame, the first and the last")
-      ->check(CLI::Range(1, 1'000'000'000).description(""))
-      ->needs(verify)
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_flag("--json", options.json, "tell it, or report what --verify found, as JSON")
-      ->excludes(follow);
-  app.add_option("--threads", options.threads, "use at most this many threads (default: all cores)")
-      ->check(CLI::Range(1, 1024).description(""))
-      ->type_name("N");
-  app.add_flag("--quiet", options.quiet, "no progress and no summary");
+void add_options(Arguments& arguments, Options& options, std::string& size) {
+  arguments.add("RECORDING", options.recording, "FILE", "the recording (.rbn)").required();
+  const auto pictures =
+      arguments.add("-o,--output", options.pictures, "PATTERN",
+                    "PNG files to write, with {frame} or {frame:04} for the frame's number");
+  const auto frames = arguments.add("--frames", options.frames, "A:B:STEP",
+                                    "frames A to B, every STEP-th; -1 is the last (default: all)");
+  arguments.add("--size", size, "WxH", "size of the pictures in pixels").with_default_shown();
+  arguments
+      .add("--samples", options.samples, {1, 4096}, "N",
+           "samples per pixel: more is smoother and slower")
+      .with_default_shown();
+  const auto sheet = arguments.add("--sheet", options.sheet, "FILE",
+                                   "contact sheet to write: several frames, two cameras, captions");
+  const auto info = arguments.flag("--info", options.info, "tell what the recording holds");
+  const auto verify = arguments
+                          .flag("--verify", options.verify,
+                                "prove that nothing intersects and that the knot stays the knot")
+                          .excludes(pictures)
+                          .excludes(sheet)
+                          .excludes(info);
+  const auto follow = arguments
+                          .flag("--follow", options.follow,
+                                "go on with what is recorded meanwhile, until the recorder ends")
+                          .excludes(frames)
+                          .excludes(sheet)
+                          .excludes(verify);
+  arguments
+      .add("--certify-every", options.certify_every, {1, 1'000'000'000}, "N",
+           "certify the knot in every N-th frame, the first and the last")
+      .needs(verify)
+      .with_default_shown();
+  arguments.flag("--json", options.json, "tell it, or report what --verify found, as JSON")
+      .excludes(follow);
+  arguments.add("--threads", options.threads, {1, 1024}, "N",
+                "use at most this many threads (default: all cores)");
+  arguments.flag("--quiet", options.quiet, "no progress and no summary");
 }
 
 }  // namespace
@@ -97,12 +89,11 @@ void add_options(CLI::App& app, Options& options, std::string& size) {
 Result<std::optional<Options>> parse_options(int argc, const char* const* argv) {
   Options options;
   std::string size = "1280x720";
-  CLI::App app("Renders a recorded ribbon into pictures, tells what it holds, verifies it.",
-               "ribbon-play");
-  app.set_version_flag("--version", "ribbon-play " RIBBON_VERSION);
-  app.footer(examples);
-  add_options(app, options, size);
-  const auto read = parse_arguments(app, argc, argv);
+  Arguments arguments("ribbon-play",
+                      "Renders a recorded ribbon into pictures, tells what it holds, verifies it.",
+                      RIBBON_VERSION, examples);
+  add_options(arguments, options, size);
+  const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
   const auto parsed = parse_size(size);

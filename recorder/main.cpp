@@ -4,7 +4,6 @@
 #include <string>
 
 #include "commandline/interrupt.h"
-#include "commandline/number_text.h"
 #include "commandline/progress.h"
 #include "commandline/tool.h"
 #include "files/files.h"
@@ -14,6 +13,7 @@
 #include "recorder/options.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 

@@ -1,6 +1,5 @@
 #include "recorder/options.h"
 
-#include <CLI/CLI.hpp>
 #include <utility>
 
 #include "commandline/arguments.h"
@@ -68,60 +67,49 @@ Result<void> goes_together(const Given& given) {
 
 Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const* argv) {
   RecorderOptions options;
-  CLI::App app("Fastens the ribbon of a scene and records every frame.", "ribbon-record");
-  app.set_version_flag("--version", "ribbon-record " RIBBON_VERSION);
-  app.footer(examples);
-  const auto* input = app.add_option("SCENE", options.input,
-                                     "the scene (.toml); with --from and --compact, the recording "
-                                     "(.rbn)");
-  const auto* output =
-      app.add_option("-o,--output", options.recording, "the recording to write (.rbn)")
-          ->type_name("FILE");
+  Arguments arguments("ribbon-record", "Fastens the ribbon of a scene and records every frame.",
+                      RIBBON_VERSION, examples);
+  const auto input =
+      arguments.add("SCENE", options.input, "FILE",
+                    "the scene (.toml); with --from and --compact, the recording (.rbn)");
+  const auto output =
+      arguments.add("-o,--output", options.recording, "FILE", "the recording to write (.rbn)");
   std::filesystem::path resumed;
-  const auto* resume =
-      app.add_option("--resume", resumed, "go on with the run of this recording, in the same file")
-          ->type_name("FILE");
-  auto* until = app.add_option("--until", options.limit.until_s,
-                               "end at this simulated time, before or beyond the scene's duration")
-                    ->check(CLI::Range(1e-9, 1e9))
-                    ->type_name("SECONDS");
-  const auto* frames = app.add_option("--frames", options.limit.frames,
-                                      "end when the recording holds so many frames")
-                           ->check(CLI::Range(2, 1'000'000'000))
-                           ->excludes(until)
-                           ->type_name("N");
+  const auto resume = arguments.add("--resume", resumed, "FILE",
+                                    "go on with the run of this recording, in the same file");
+  double until_s = 0;
+  const auto until =
+      arguments.add("--until", until_s, {1e-9, 1e9}, "SECONDS",
+                    "end at this simulated time, before or beyond the scene's duration");
+  int frame_count = 0;
+  const auto frames = arguments
+                          .add("--frames", frame_count, {2, 1'000'000'000}, "N",
+                               "end when the recording holds so many frames")
+                          .excludes(until);
   int from_frame = 1;
-  const auto* from = app.add_option("--from", from_frame,
-                                    "branch a new take off at this frame of a recording (from 1)")
-                         ->check(CLI::Range(1, 1'000'000'000))
-                         ->type_name("FRAME");
-  const auto* set = app.add_option("--set", options.settings,
-                                   "change this setting of the scene there; may be repeated")
-                        ->allow_extra_args(false)
-                        ->type_name("KEY=VALUE");
-  const auto* compact = app.add_flag(
+  const auto from = arguments.add("--from", from_frame, {1, 1'000'000'000}, "FRAME",
+                                  "branch a new take off at this frame of a recording (from 1)");
+  const auto set = arguments.add("--set", options.settings, "KEY=VALUE",
+                                 "change this setting of the scene there; may be repeated");
+  const auto compact = arguments.flag(
       "--compact", options.compact,
       "rewrite the recording to be smaller, without any loss; also at the end of a run");
-  const auto* statistics =
-      app.add_option("--stats", options.statistics, "JSON file for the figures of the run")
-          ->type_name("FILE");
-  app.add_option("--threads", options.threads,
-                 "use at most this many threads (default: all cores); the recording is the same")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  const auto* profile =
-      app.add_flag("--profile", options.profile, "print where the time of the run went");
-  app.add_flag("--quiet", options.quiet, "no progress and no summary");
-  const auto read = parse_arguments(app, argc, argv);
+  const auto statistics =
+      arguments.add("--stats", options.statistics, "FILE", "JSON file for the figures of the run");
+  arguments.add("--threads", options.threads, {1, 1024}, "N",
+                "use at most this many threads (default: all cores); the recording is the same");
+  const auto profile =
+      arguments.flag("--profile", options.profile, "print where the time of the run went");
+  arguments.flag("--quiet", options.quiet, "no progress and no summary");
+  const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
-  const Given given{input->count() > 0,
-                    output->count() > 0,
-                    resume->count() > 0,
-                    from->count() > 0,
-                    set->count() > 0,
-                    compact->count() > 0,
-                    until->count() + frames->count() + statistics->count() + profile->count() > 0};
+  const bool is_of_runs =
+      until.is_given() || frames.is_given() || statistics.is_given() || profile.is_given();
+  const Given given{input.is_given(), output.is_given(),  resume.is_given(), from.is_given(),
+                    set.is_given(),   compact.is_given(), is_of_runs};
+  if (until.is_given()) options.limit.until_s = until_s;
+  if (frames.is_given()) options.limit.frames = frame_count;
   if (auto together = goes_together(given); !together) return tl::unexpected(together.error());
   if (given.resume) {
     options.task = RecorderTask::resume;

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "commandline/number_text.h"
 #include "recorder/stopwatch.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 

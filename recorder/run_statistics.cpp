@@ -1,9 +1,9 @@
 #include "recorder/run_statistics.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "commandline/number_text.h"
+#include "text/json.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -69,21 +69,21 @@ std::string per_step(long count, const RunStatistics& statistics, int digits) {
       digits);
 }
 
-nlohmann::ordered_json stages_json(const StageSums& stages) {
-  nlohmann::ordered_json json;
+Json stages_json(const StageSums& stages) {
+  Json json;
   for (std::size_t stage = 0; stage < stage_count; ++stage)
-    json[std::string(word_for(static_cast<Stage>(stage))) + "_s"] = stages.time_s[stage];
-  json["detections"] = stages.detections;
-  json["listed_pairs"] = stages.listed_pairs;
-  json["sweeps"] = stages.sweeps;
+    json.set(std::string(word_for(static_cast<Stage>(stage))) + "_s", stages.time_s[stage]);
+  json.set("detections", stages.detections);
+  json.set("listed_pairs", stages.listed_pairs);
+  json.set("sweeps", stages.sweeps);
   return json;
 }
 
-nlohmann::ordered_json tightness_json(const std::optional<TightnessNumbers>& tightness) {
+Json tightness_json(const std::optional<TightnessNumbers>& tightness) {
   if (!tightness) return nullptr;
-  nlohmann::ordered_json json;
+  Json json;
   for (const TightnessColumn& column : tightness_columns)
-    json[column.name] = (*tightness).*column.value;
+    json.set(column.name, (*tightness).*column.value);
   return json;
 }
 
@@ -122,7 +122,7 @@ std::string summary_line(const RunStatistics& statistics) {
 }
 
 std::string statistics_json(const RunStatistics& statistics) {
-  const nlohmann::ordered_json json = {
+  const Json json{
       {"scene", statistics.scene_name},
       {"along", statistics.along},
       {"across", statistics.across},
@@ -153,7 +153,7 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"ending", word_for(statistics.ending)},
       {"tightness", tightness_json(statistics.tightness)},
   };
-  return json.dump(2) + "\n";
+  return json.text();
 }
 
 }  // namespace ribbon

@@ -4,14 +4,91 @@
 
 namespace ribbon {
 
-Result<bool> parse_arguments(CLI::App& app, int argc, const char* const* argv) {
+bool Argument::is_given() const {
+  return option_->count() > 0;
+}
+
+Argument Argument::required() const {
+  option_->required();
+  return *this;
+}
+
+Argument Argument::with_default_shown() const {
+  option_->capture_default_str();
+  return *this;
+}
+
+Argument Argument::excludes(Argument other) const {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Argument Argument::needs(Argument other) const {
+  option_->needs(other.option_);
+  return *this;
+}
+
+Argument Argument::one_of(const std::vector<std::string>& words) const {
+  option_->check(CLI::IsMember(words));
+  return *this;
+}
+
+namespace {
+
+// Without a description --help would tell the limits as part of the kind.
+template <class Number>
+CLI::Validator within(Limits<Number> limits) {
+  return CLI::Range(limits.least, limits.most).description("");
+}
+
+}  // namespace
+
+Arguments::Arguments(const std::string& tool, const std::string& description,
+                     const std::string& version, const std::string& examples)
+    : app_(std::make_unique<CLI::App>(description, tool)) {
+  app_->set_version_flag("--version", tool + " " + version);
+  app_->footer(examples);
+}
+
+Arguments::~Arguments() = default;
+
+Argument Arguments::add(const std::string& names, std::filesystem::path& file,
+                        const std::string& kind, const std::string& help) {
+  return Argument(*app_->add_option(names, file, help)->type_name(kind));
+}
+
+Argument Arguments::add(const std::string& names, std::string& text, const std::string& kind,
+                        const std::string& help) {
+  return Argument(*app_->add_option(names, text, help)->type_name(kind));
+}
+
+Argument Arguments::add(const std::string& names, std::vector<std::string>& texts,
+                        const std::string& kind, const std::string& help) {
+  return Argument(*app_->add_option(names, texts, help)->allow_extra_args(false)->type_name(kind));
+}
+
+Argument Arguments::add(const std::string& names, int& number, Limits<int> limits,
+                        const std::string& kind, const std::string& help) {
+  return Argument(*app_->add_option(names, number, help)->check(within(limits))->type_name(kind));
+}
+
+Argument Arguments::add(const std::string& names, double& number, Limits<double> limits,
+                        const std::string& kind, const std::string& help) {
+  return Argument(*app_->add_option(names, number, help)->check(within(limits))->type_name(kind));
+}
+
+Argument Arguments::flag(const std::string& names, bool& is_set, const std::string& help) {
+  return Argument(*app_->add_flag(names, is_set, help));
+}
+
+Result<bool> Arguments::parse(int argc, const char* const* argv) {
   try {
-    app.parse(argc, argv);
+    app_->parse(argc, argv);
   } catch (const CLI::Success& wish) {
-    app.exit(wish);  // prints the help or the version
+    app_->exit(wish);  // prints the help or the version
     return false;
   } catch (const CLI::ParseError& problem) {
-    return failure("", problem.what(), "see " + app.get_name() + " --help");
+    return failure("", problem.what(), "see " + app_->get_name() + " --help");
   }
   return true;
 }

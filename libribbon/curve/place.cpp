@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <locale>
-#include <sstream>
+
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -14,10 +13,7 @@ namespace {
 // The value to that many digits, the first of which is the first of `scale` (> 0).
 std::string rounded(double value, double scale, int digits) {
   const double unit = std::pow(10, std::floor(std::log10(scale)) - (digits - 1));
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::setprecision(digits + 1) << std::round(value / unit) * unit + 0.0;  // no -0
-  return text.str();
+  return short_number(std::round(value / unit) * unit + 0.0, digits + 1);  // no -0
 }
 
 }  // namespace

@@ -16,7 +16,6 @@
 #include "scene/outside_quotes.h"
 #include "scene/scene.h"
 
-#define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
@@ -585,11 +584,12 @@ Result<Document> parsed(const std::filesystem::path& file, const std::string& te
     return failure(place_of(file, text, *letter),
                    "a letter that is not plain ASCII stands outside of quotes",
                    "put the text that it belongs to in quotes");
-  toml::parse_result parsed = toml::parse(text);
-  if (!parsed)
-    return failure(place_of(file, parsed.error().source()),
-                   std::string(parsed.error().description()), "correct the TOML here");
-  return Document{file, std::move(parsed).table()};
+  try {
+    return Document{file, toml::parse(text)};
+  } catch (const toml::parse_error& problem) {
+    return failure(place_of(file, problem.source()), std::string(problem.description()),
+                   "correct the TOML here");
+  }
 }
 
 struct Setting {
@@ -600,8 +600,11 @@ struct Setting {
 
 bool is_toml(const std::string& value) {
   if (first_outside_quotes(value)) return false;
-  const toml::parse_result parsed = toml::parse("it = " + value);
-  return parsed && parsed.table().size() == 1 && value.find('\n') == std::string::npos;
+  try {
+    return toml::parse("it = " + value).size() == 1 && value.find('\n') == std::string::npos;
+  } catch (const toml::parse_error&) {
+    return false;
+  }
 }
 
 std::string trimmed(const std::string& text) {

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "commandline/number_text.h"
 #include "player/picture/caption.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-#include "commandline/number_text.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "commandline/number_text.h"
 #include "player/report/report_line.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 

@@ -1,12 +1,9 @@
-#include <nlohmann/json.hpp>
-
 #include "player/report/info.h"
+#include "text/json.h"
 
 namespace ribbon {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json worst_json(const std::optional<WorstFrame>& worst) {
   if (!worst) return nullptr;
@@ -21,7 +18,7 @@ Json obstacle_json(const std::optional<TriangleMesh>& obstacle) {
 }
 
 Json vector_json(const Eigen::Vector3d& vector) {
-  return {vector.x(), vector.y(), vector.z()};
+  return Json::list({vector.x(), vector.y(), vector.z()});
 }
 
 Json axis_json(const std::optional<CentreAxis>& axis) {
@@ -31,14 +28,13 @@ Json axis_json(const std::optional<CentreAxis>& axis) {
 
 Json penetrations_json(const RecordingInfo& info) {
   const auto last = info.last_penetrations();
-  return {{"worst", worst_json(info.most_penetrations())},
-          {"last", last ? Json(*last) : Json(nullptr)}};
+  return {{"worst", worst_json(info.most_penetrations())}, {"last", last}};
 }
 
 Json damage_json(const std::vector<Damage>& damage) {
-  Json list = Json::array();
+  Json list = Json::list({});
   for (const Damage& part : damage)
-    list.push_back({{"byte", part.byte}, {"length", part.length}, {"reason", part.reason}});
+    list.add({{"byte", part.byte}, {"length", part.length}, {"reason", part.reason}});
   return list;
 }
 
@@ -56,12 +52,12 @@ Json origin_json(const std::optional<Origin>& origin) {
 }
 
 Json sessions_json(const std::vector<Session>& sessions) {
-  Json list = Json::array();
+  Json list = Json::list({});
   for (const Session& session : sessions)
-    list.push_back({{"first_frame", session.first_frame + 1},
-                    {"reason", word_for(session.note.reason)},
-                    {"program", session.note.program},
-                    {"changed_settings", session.note.changed_settings}});
+    list.add({{"first_frame", session.first_frame + 1},
+              {"reason", word_for(session.note.reason)},
+              {"program", session.note.program},
+              {"changed_settings", session.note.changed_settings}});
   return list;
 }
 
@@ -69,21 +65,21 @@ Json tightness_json(const std::optional<FrameNumbers>& numbers) {
   if (!numbers || !numbers->tightness) return nullptr;
   Json json;
   for (const TightnessColumn& column : tightness_columns)
-    json[column.name] = (*numbers->tightness).*column.value;
+    json.set(column.name, (*numbers->tightness).*column.value);
   return json;
 }
 
 Json frames_json(const RecordingInfo& info) {
-  Json list = Json::array();
+  Json list = Json::list({});
   for (int index = 0; index < info.frame_count(); ++index) {
     const auto& numbers = info.numbers[index];
     Json frame{{"frame", index + 1}};
-    frame["time_s"] = numbers ? Json(numbers->time_s) : Json(nullptr);
-    frame["worst_strain"] = numbers ? Json(numbers->worst_strain) : Json(nullptr);
-    frame["penetrating_edges"] = numbers ? Json(numbers->penetrating_edges) : Json(nullptr);
-    frame["recovery_iterations"] = numbers ? Json(numbers->recovery_iterations) : Json(nullptr);
-    frame["tightness"] = tightness_json(numbers);
-    list.push_back(std::move(frame));
+    frame.set("time_s", numbers ? Json(numbers->time_s) : Json());
+    frame.set("worst_strain", numbers ? Json(numbers->worst_strain) : Json());
+    frame.set("penetrating_edges", numbers ? Json(numbers->penetrating_edges) : Json());
+    frame.set("recovery_iterations", numbers ? Json(numbers->recovery_iterations) : Json());
+    frame.set("tightness", tightness_json(numbers));
+    list.add(std::move(frame));
   }
   return list;
 }
@@ -92,38 +88,36 @@ Json frames_json(const RecordingInfo& info) {
 
 std::string info_json(const RecordingInfo& info) {
   const RecordingHeader& header = info.header;
-  const Json json{
-      {"file", info.file.string()},
-      {"file_bytes", info.file_bytes},
-      {"bytes_per_vertex_and_frame", info.bytes_per_vertex_and_frame()},
-      {"recording_id", info.recording_id},
-      {"writer", header.writer},
-      {"finished", info.finished},
-      {"being_written", info.being_written},
-      {"ending", ending_json(info.ending)},
-      {"scene", {{"name", header.scene_name}, {"text", header.scene_text}}},
-      {"origin", origin_json(header.origin)},
-      {"sessions", sessions_json(info.sessions)},
-      {"ribbon",
-       {{"along", header.grid.along},
-        {"across", header.grid.across},
-        {"length_m", header.ribbon_length_m},
-        {"width_m", header.ribbon_width_m}}},
-      {"obstacle", obstacle_json(header.obstacle)},
-      {"centre_axis", axis_json(header.centre_axis)},
-      {"stated_gap_m", header.stated_gap_m > 0 ? Json(header.stated_gap_m) : Json(nullptr)},
-      {"frame_count", info.frame_count()},
-      {"frames_per_second", header.frames_per_second},
-      {"duration_s", info.duration_s()},
-      {"max_position_error_m", header.max_position_error_m},
-      {"worst_strain", worst_json(info.worst_strain())},
-      {"penetrating_edges", penetrations_json(info)},
-      {"checkpoints", info.checkpoints},
-      {"missing_frames", info.missing},
-      {"damage", damage_json(info.damage)},
-      {"frames", frames_json(info)}};
-  // Names come from files and need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const Json json{{"file", info.file.string()},
+                  {"file_bytes", info.file_bytes},
+                  {"bytes_per_vertex_and_frame", info.bytes_per_vertex_and_frame()},
+                  {"recording_id", info.recording_id},
+                  {"writer", header.writer},
+                  {"finished", info.finished},
+                  {"being_written", info.being_written},
+                  {"ending", ending_json(info.ending)},
+                  {"scene", {{"name", header.scene_name}, {"text", header.scene_text}}},
+                  {"origin", origin_json(header.origin)},
+                  {"sessions", sessions_json(info.sessions)},
+                  {"ribbon",
+                   {{"along", header.grid.along},
+                    {"across", header.grid.across},
+                    {"length_m", header.ribbon_length_m},
+                    {"width_m", header.ribbon_width_m}}},
+                  {"obstacle", obstacle_json(header.obstacle)},
+                  {"centre_axis", axis_json(header.centre_axis)},
+                  {"stated_gap_m", header.stated_gap_m > 0 ? Json(header.stated_gap_m) : Json()},
+                  {"frame_count", info.frame_count()},
+                  {"frames_per_second", header.frames_per_second},
+                  {"duration_s", info.duration_s()},
+                  {"max_position_error_m", header.max_position_error_m},
+                  {"worst_strain", worst_json(info.worst_strain())},
+                  {"penetrating_edges", penetrations_json(info)},
+                  {"checkpoints", info.checkpoints},
+                  {"missing_frames", info.missing},
+                  {"damage", damage_json(info.damage)},
+                  {"frames", frames_json(info)}};
+  return json.text();
 }
 
 }  // namespace ribbon

@@ -1,12 +1,9 @@
-#include <nlohmann/json.hpp>
-
 #include "player/report/verify.h"
+#include "text/json.h"
 
 namespace ribbon {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json triangle_json(const RibbonGrid& grid, int triangle) {
   if (triangle >= grid.triangle_count())
@@ -17,7 +14,7 @@ Json triangle_json(const RibbonGrid& grid, int triangle) {
 }
 
 Json pair_json(const RibbonGrid& grid, const TrianglePair& pair) {
-  return Json::array({triangle_json(grid, pair.first), triangle_json(grid, pair.second)});
+  return Json::list({triangle_json(grid, pair.first), triangle_json(grid, pair.second)});
 }
 
 Json particle_json(const RibbonGrid& grid, int particle) {
@@ -25,28 +22,28 @@ Json particle_json(const RibbonGrid& grid, int particle) {
 }
 
 Json intersections_json(const Verification& verification) {
-  Json first = Json::array();
+  Json first = Json::list({});
   for (const Intersection& example : verification.first_intersections)
-    first.push_back({{"frame", example.frame},
-                     {"time_s", example.time_s ? Json(*example.time_s) : Json(nullptr)},
-                     {"between", pair_json(verification.header.grid, example.pair)}});
+    first.add({{"frame", example.frame},
+               {"time_s", example.time_s},
+               {"between", pair_json(verification.header.grid, example.pair)}});
   const auto& most = verification.most_intersections;
   return {{"pairs", verification.intersecting_pairs},
           {"all_counted", verification.all_pairs_counted},
           {"frames", verification.intersecting_frames},
-          {"most", most ? Json{{"frame", most->frame}, {"pairs", most->value}} : Json(nullptr)},
+          {"most", most ? Json{{"frame", most->frame}, {"pairs", most->value}} : Json()},
           {"first", first}};
 }
 
 Json gap_json(const Verification& verification) {
   const double stated_m = verification.header.stated_gap_m;
-  Json json{{"stated_m", stated_m > 0 ? Json(stated_m) : Json(nullptr)},
+  Json json{{"stated_m", stated_m > 0 ? Json(stated_m) : Json()},
             {"kept", verification.keeps_stated_gap()}};
   if (!verification.smallest_gap) return json;
   const auto& [gap, frame] = *verification.smallest_gap;
-  json["smallest_m"] = gap.certain_m;
-  json["frame"] = frame;
-  json["between"] = pair_json(verification.header.grid, gap.pair);
+  json.set("smallest_m", gap.certain_m);
+  json.set("frame", frame);
+  json.set("between", pair_json(verification.header.grid, gap.pair));
   return json;
 }
 
@@ -56,18 +53,19 @@ Json strain_json(const Verification& verification) {
   const RibbonGrid& grid = verification.header.grid;
   return {{"largest", strain.strain},
           {"frame", frame},
-          {"between", {particle_json(grid, strain.first), particle_json(grid, strain.second)}}};
+          {"between",
+           Json::list({particle_json(grid, strain.first), particle_json(grid, strain.second)})}};
 }
 
 Json knot_json(const Verification& verification) {
-  Json changes = Json::array();
+  Json changes = Json::list({});
   for (const CertificateChange& change : verification.certificate_changes)
-    changes.push_back({{"frame_before", change.frame_before},
-                       {"frame_after", change.frame_after},
-                       {"before", change.before},
-                       {"after", change.after}});
+    changes.add({{"frame_before", change.frame_before},
+                 {"frame_after", change.frame_after},
+                 {"before", change.before},
+                 {"after", change.after}});
   const bool known = verification.certified_frames > 0;
-  return {{"certificate", known ? Json(verification.certificate) : Json(nullptr)},
+  return {{"certificate", known ? Json(verification.certificate) : Json()},
           {"certified_frames", verification.certified_frames},
           {"uncertain_frames", verification.uncertain_frames},
           {"changes", changes}};
@@ -89,8 +87,7 @@ std::string verification_json(const std::string& file, const Verification& verif
                   {"gap", gap_json(verification)},
                   {"strain", strain_json(verification)},
                   {"knot", knot_json(verification)}};
-  // File names need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.text();
 }
 
 }  // namespace ribbon

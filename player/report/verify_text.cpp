@@ -1,6 +1,6 @@
-#include "commandline/number_text.h"
 #include "player/report/report_line.h"
 #include "player/report/verify.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 

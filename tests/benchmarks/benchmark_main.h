@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "commandline/arguments.h"
 #include "commandline/tool.h"
 #include "files/files.h"
 
@@ -19,9 +18,14 @@ int benchmark_main(const char* name, int argc, char** argv, const Describe& desc
     CLI::App app("", name);
     Options options;
     describe(app, options);
-    const auto read = parse_arguments(app, argc, argv);
-    if (!read) return tl::unexpected(read.error());
-    return *read ? run(options) : ExitCode::done;
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::Success& wish) {
+      return app.exit(wish) == 0 ? ExitCode::done : ExitCode::could_not;
+    } catch (const CLI::ParseError& problem) {
+      return failure("", problem.what(), std::string("see ") + name + " --help");
+    }
+    return run(options);
   });
 }
 

@@ -7,8 +7,8 @@
 #include "simulation/contact/gap_lengths.h"
 #include "simulation/published/recovery.h"
 #include "simulation/start/encounter.h"
-#include "simulation/start/length_text.h"
 #include "simulation/start/width_growth.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -154,7 +154,7 @@ class StartSearch {
                        ": grown from a thin band it settles up to " + metres(roomy_m) + " only" +
                        at,
                    // With a margin: grown in other steps, it folds otherwise.
-                   "set ribbon.width to " + to_three_digits(0.9 * roomy_m) +
+                   "set ribbon.width to " + short_number(0.9 * roomy_m, 3) +
                        ", or leave more room there, between the strands" +
                        (bodies_.obstacle ? " and around the obstacle" : " of the drawing"));
   }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "simulation/contact/gap_lengths.h"
-#include "simulation/start/length_text.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -43,7 +43,7 @@ Result<void> recording_tells_positions(const Scene& scene, double rounding_m, do
       "move it to within " + metres(0.99 * std::ldexp(rounding_m, 24)) +
           " of the origin with curve.origin, make it smaller, or set recording.max_position_error "
           "to " +
-          to_three_digits(1.01 * scene.recording.max_position_error * single_m / rounding_m) +
+          short_number(1.01 * scene.recording.max_position_error * single_m / rounding_m, 3) +
           " or more");
 }
 
@@ -60,7 +60,7 @@ Result<void> recording_keeps_the_gap(const Scene& scene, const NaturalSize& size
                  "recording may move coordinates by " + metres(rounding_m) +
                      ", so that surfaces kept " + metres(lengths.hard_m) + " apart could meet",
                  "set recording.max_position_error to " +
-                     to_three_digits(0.99 * most_m / size.length_m) +
+                     short_number(0.99 * most_m / size.length_m, 3) +
                      " or less, or fewer particles");
 }
 

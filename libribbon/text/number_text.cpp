@@ -1,27 +1,19 @@
-#include "commandline/number_text.h"
+#include "text/number_text.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace ribbon {
 
-namespace {
-
-// Long enough for every double with the few decimals that are asked for.
-using Buffer = std::array<char, 400>;
-
-}  // namespace
-
 std::string decimals(double number, int digits) {
-  Buffer text;
-  std::snprintf(text.data(), text.size(), "%.*f", digits, number);
-  return text.data();
+  return fmt::format("{:.{}f}", number, digits);
 }
 
-std::string short_number(double number) {
-  Buffer text;
-  std::snprintf(text.data(), text.size(), "%g", number);
-  return text.data();
+std::string short_number(double number, int digits) {
+  return fmt::format("{:.{}g}", number, digits);
+}
+
+std::string metres(double length_m) {
+  return short_number(length_m, 3) + " m";
 }
 
 std::string number_list(const std::vector<int>& numbers) {
