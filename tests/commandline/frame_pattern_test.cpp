@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::frame_pattern_test {
 
 std::string file(const std::string& pattern, int number) {
   return FramePattern::parse(pattern).value().file(number).string();
@@ -49,5 +48,4 @@ TEST(FramePattern, malformed_places_are_an_error) {
     EXPECT_FALSE(FramePattern::parse(text).has_value()) << text;
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::frame_pattern_test

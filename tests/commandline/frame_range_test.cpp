@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::frame_range_test {
 
 using Indices = std::vector<int>;
 
@@ -89,5 +88,4 @@ TEST(FrameRange, a_recording_without_frames_has_only_the_empty_range) {
   EXPECT_NE(complaint("-1:", 0), "");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::frame_range_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::interrupt_test {
 
 TEST(Interrupt, nothing_is_requested_at_first) {
   EXPECT_FALSE(Interrupt().requested());
@@ -43,5 +42,4 @@ TEST(Interrupt, an_ignored_signal_stays_ignored) {
   EXPECT_EQ(std::signal(SIGINT, before), SIG_IGN);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::interrupt_test

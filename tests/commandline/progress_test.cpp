@@ -10,8 +10,7 @@
 #include <functional>
 #include <thread>
 
-namespace ribbon {
-namespace {
+namespace ribbon::progress_test {
 
 TEST(ProgressText, tells_how_far_and_how_long_still) {
   // A quarter took 10 s, so three quarters take 30 s.
@@ -120,5 +119,4 @@ TEST(ProgressLine, is_silent_when_standard_error_is_no_terminal) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::progress_test

@@ -5,8 +5,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace ribbon {
-namespace {
+namespace ribbon::tool_test {
 
 struct Outcome {
   int code;
@@ -52,5 +51,4 @@ TEST(RunTool, an_escaped_exception_is_reported) {
             "ribbon-test: stopped by an unexpected problem (surprise); please report it\n");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::tool_test

@@ -4,8 +4,7 @@
 
 #include "converter/fbx_records.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::fbx_container_test {
 
 std::string little_endian(std::uint64_t number, int bytes) {
   std::string text;
@@ -105,5 +104,4 @@ TEST(FbxContainer, a_file_with_32_bit_offsets_is_refused) {
   EXPECT_FALSE(repair_fbx_container(bytes).has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::fbx_container_test

@@ -10,8 +10,7 @@
 #include "converter/fbx_records.h"
 #include "converter/posed_model.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::fbx_export_test {
 
 const aiScene* imported(Assimp::Importer& importer, const std::string& bytes) {
   return importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0U, "fbx");
@@ -113,5 +112,4 @@ TEST(FbxExport, the_file_says_metres_y_up_and_the_frame_rate) {
   EXPECT_EQ(rate, 50);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::fbx_export_test

@@ -6,8 +6,7 @@
 
 #include "converter/posed_model.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::model_test {
 
 TEST(Model, ribbon_and_obstacle_are_named_objects_with_materials) {
   const Model model = model_of_recording(sample_knot().header, true).value();
@@ -80,5 +79,4 @@ TEST(Model, a_changed_particle_count_names_its_frame) {
   EXPECT_EQ(posed.error().place, "frame 7");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::model_test

@@ -7,8 +7,7 @@
 
 #include "converter/posed_model.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::obj_text_test {
 
 Model one_quad() {
   ModelObject quad{.name = "my ribbon",
@@ -112,5 +111,4 @@ TEST(ObjText, faces_are_the_same_in_every_frame) {
   EXPECT_EQ(std::count(quads.begin(), quads.end(), 'f'), 33);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::obj_text_test

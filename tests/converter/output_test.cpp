@@ -3,8 +3,7 @@
 #include "converter/output_format.h"
 #include "converter/output_names.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::output_test {
 
 TEST(OutputFormat, the_extension_tells_it_in_any_case) {
   EXPECT_EQ(output_format("out/knot.{frame:04}.obj").value(), OutputFormat::obj);
@@ -40,5 +39,4 @@ TEST(OutputNames, one_frame_needs_no_pattern_and_two_do) {
   EXPECT_FALSE(frame_files("knot.obj", 2).has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::output_test

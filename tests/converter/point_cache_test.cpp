@@ -4,8 +4,7 @@
 
 #include "files/files.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::point_cache_test {
 
 std::filesystem::path empty_folder(const std::string& name) {
   auto folder = std::filesystem::path(testing::TempDir()) / name;
@@ -49,5 +48,4 @@ TEST(PointCache, an_unwritable_place_is_named) {
   EXPECT_NE(cache.error().sentence().find("/dev/null"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::point_cache_test

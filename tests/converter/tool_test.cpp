@@ -11,8 +11,7 @@
 #include "playback/recording_reader.h"
 #include "recording/writer/recording_writer.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::tool_test {
 
 namespace fs = std::filesystem;
 
@@ -263,5 +262,4 @@ TEST_F(Tool, a_disk_that_fills_up_leaves_no_half_file) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::tool_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ribbon {
-namespace {
+namespace ribbon::crossings_test {
 
 // Two strands wound round each other from left to right; the first comes back below to become the
 // second. Seen on the screen the first goes down at (1, 0), the second up: over first makes it
@@ -170,5 +169,4 @@ TEST(Crossings, spiral_of_20000_segments_crosses_its_way_out) {
   EXPECT_NEAR(crossings->front().point.x(), 0.98, sag);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::crossings_test

@@ -9,8 +9,7 @@
 
 #include "files/files.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::drawing_test {
 
 using Eigen::Vector2d;
 
@@ -318,5 +317,4 @@ TEST(SvgErrors, a_million_nested_groups_are_walked) {
   EXPECT_NE(problem_of(svg_with(body)), "none");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::drawing_test

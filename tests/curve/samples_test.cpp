@@ -8,8 +8,7 @@
 
 #include "curve/space_curve.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::samples_test {
 
 class Samples : public testing::TestWithParam<const char*> {
  protected:
@@ -83,5 +82,4 @@ TEST_P(Samples, is_nowhere_bent_sharply) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::samples_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <string>
 
-namespace ribbon {
-namespace {
+namespace ribbon::space_curve_test {
 
 using Eigen::Vector3d;
 
@@ -212,5 +211,4 @@ TEST(SpaceCurve, missing_drawing_is_named) {
   EXPECT_NE(problem_of(scene, 0.1).find("/no/such/knot.svg"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::space_curve_test

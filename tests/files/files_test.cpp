@@ -4,8 +4,7 @@
 
 #include <filesystem>
 
-namespace ribbon {
-namespace {
+namespace ribbon::files_test {
 
 TEST(Files, what_was_written_is_read_back) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "ribbon-files-test";
@@ -34,5 +33,4 @@ TEST(Files, a_folder_is_not_a_file) {
   EXPECT_FALSE(read_file(testing::TempDir()).has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::files_test

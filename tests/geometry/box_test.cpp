@@ -4,8 +4,7 @@
 
 #include <random>
 
-namespace ribbon {
-namespace {
+namespace ribbon::box_test {
 
 using Eigen::Vector3d;
 
@@ -109,5 +108,4 @@ TEST(PackedBox, misses_no_meeting_and_adds_only_what_nearly_touches) {
   EXPECT_LT(meetings, 19'000);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::box_test

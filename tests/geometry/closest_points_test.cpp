@@ -4,8 +4,7 @@
 
 #include <random>
 
-namespace ribbon {
-namespace {
+namespace ribbon::closest_points_test {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -79,5 +78,4 @@ TEST(ClosestOnSegments, no_other_pair_of_points_is_closer) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::closest_points_test

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace ribbon {
-namespace {
+namespace ribbon::ribbon_grid_test {
 
 TEST(RibbonGrid, numbers_particles_row_by_row) {
   const RibbonGrid grid{4, 3};
@@ -45,5 +44,4 @@ TEST(RibbonGrid, both_triangles_of_a_quad_have_its_diagonal) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::ribbon_grid_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::segment_triangle_test {
 
 using Eigen::Vector3d;
 
@@ -44,5 +43,4 @@ TEST(Pierce, a_shallow_piercing_is_still_found) {
   EXPECT_TRUE(pierce({1, 1, 1e-12}, {1.1, 1, -1e-12}, a, b, c).has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::segment_triangle_test

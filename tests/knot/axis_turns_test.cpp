@@ -4,8 +4,7 @@
 
 #include "knot/knotted_curves.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::axis_turns_test {
 
 const CentreAxis upright{{0.5, 0.25, -3}, {0, 0, 1}};
 
@@ -90,5 +89,4 @@ TEST(AxisTurns, a_curve_that_ends_beside_the_axis_does_not_meet_it) {
   EXPECT_FALSE(turns.met());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::axis_turns_test

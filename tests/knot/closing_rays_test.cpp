@@ -4,8 +4,7 @@
 
 #include "knot/knotted_curves.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::closing_rays_test {
 
 RibbonCurves curves_along(const Curve& curve) {
   return ribbon_curves({static_cast<int>(curve.cols()), 5}, ribbon_along(curve, 5, 0.2));
@@ -83,5 +82,4 @@ TEST(ClosingRays, an_end_in_a_ball_of_ribbon_is_buried_and_stays_so) {
   EXPECT_TRUE(rays.buried()[0]);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::closing_rays_test

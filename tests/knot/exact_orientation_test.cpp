@@ -7,8 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace ribbon {
-namespace {
+namespace ribbon::exact_orientation_test {
 
 Place point(double x, double y, double z) {
   return Place::point({x, y, z});
@@ -151,5 +150,4 @@ TEST(OrderAlong, rays_have_an_order_too) {
   EXPECT_EQ(order(-2, -9), 1);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::exact_orientation_test

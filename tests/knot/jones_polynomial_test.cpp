@@ -8,8 +8,7 @@
 #include "knot/knotted_curves.h"
 #include "knot/regina_oracle.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::jones_polynomial_test {
 
 LaurentPolynomial jones_of(const std::vector<int>& braid) {
   return jones_polynomial(braid_knot(braid)).value();
@@ -102,5 +101,4 @@ TEST(JonesPolynomial, of_a_simplified_random_walk_agrees_with_regina_on_the_walk
   EXPECT_GE(knotted, 10);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::jones_polynomial_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::knot_certificate_test {
 
 KnotCertificate trefoil() {
   KnotCertificate result;
@@ -57,5 +56,4 @@ TEST(KnotCertificate, differs_by_each_of_its_parts) {
   EXPECT_TRUE(changed([](KnotCertificate& c) { c.first_end_buried = true; }));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::knot_certificate_test

@@ -5,8 +5,7 @@
 #include "knot/knot_names.h"
 #include "knot/knotted_curves.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::knot_diagram_test {
 
 using Pass = KnotDiagram::Pass;
 
@@ -83,5 +82,4 @@ TEST(KnotDiagram, a_curve_that_meets_itself_has_none) {
   EXPECT_FALSE(simple_diagram(curve));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::knot_diagram_test

@@ -6,8 +6,7 @@
 #include "knot/knotted_curves.h"
 #include "knot/regina_oracle.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::knot_names_test {
 
 std::string name_of(const LongCurve& curve) {
   const auto seen = simple_diagram(simplified(curve));
@@ -106,5 +105,4 @@ TEST(KnotNames, an_unusual_knot_has_none) {
   EXPECT_FALSE(knot_name(jones_polynomial(braid_knot({1, 1, 1, 1, 1, 1, 1, 1, 1})).value()));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::knot_names_test

@@ -6,8 +6,7 @@
 
 #include "knot/knotted_curves.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::knot_witness_test {
 
 constexpr int across = 6;
 constexpr double width = 0.2;
@@ -186,5 +185,4 @@ TEST(KnotWitness, size_and_place_do_not_matter) {
   EXPECT_EQ(certificate_at(1, 1000), expected);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::knot_witness_test

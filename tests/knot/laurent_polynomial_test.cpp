@@ -4,8 +4,7 @@
 
 #include <limits>
 
-namespace ribbon {
-namespace {
+namespace ribbon::laurent_polynomial_test {
 
 const LaurentPolynomial right_trefoil{1, {1, 0, 1, -1}};
 
@@ -39,5 +38,4 @@ TEST(LaurentPolynomial, too_large_coefficients_are_refused) {
   EXPECT_TRUE(sum(huge, LaurentPolynomial::monomial(1, 1)));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::laurent_polynomial_test

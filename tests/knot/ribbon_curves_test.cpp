@@ -4,8 +4,7 @@
 
 #include "knot/knotted_curves.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::ribbon_curves_test {
 
 // Particle (i, j) at (i, j, bend of i and j).
 Eigen::Matrix3Xf flat_grid(const RibbonGrid& grid) {
@@ -57,5 +56,4 @@ TEST(RibbonCurves, no_four_points_of_a_flat_ribbon_stay_in_one_plane) {
               0);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::ribbon_curves_test

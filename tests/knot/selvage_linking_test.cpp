@@ -4,8 +4,7 @@
 
 #include "knot/knotted_curves.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::selvage_linking_test {
 
 const SelvageLinking::Directions along_x{Eigen::Vector3d(-1, 0.02, 0.01),
                                          Eigen::Vector3d(1, 0.03, -0.02)};
@@ -129,5 +128,4 @@ TEST(SelvageLinking, touching_selvages_have_none) {
   EXPECT_FALSE(linking_of(curves));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::selvage_linking_test

@@ -6,8 +6,7 @@
 
 #include "knot/knotted_curves.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::simplify_curve_test {
 
 TEST(SimplifyCurve, a_wavy_line_becomes_one_corner) {
   const Curve wave = sampled(200, [](double way) {
@@ -40,5 +39,4 @@ TEST(SimplifyCurve, a_touched_triangle_keeps_the_corner) {
   EXPECT_TRUE(has_corner(simplified(curve), {2, 2, 0}));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::simplify_curve_test

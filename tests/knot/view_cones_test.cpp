@@ -6,8 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace ribbon {
-namespace {
+namespace ribbon::view_cones_test {
 
 double clearance_of(const SweptEdge& swept, const Eigen::Vector3d& direction) {
   std::vector<ViewCone> cones;
@@ -82,5 +81,4 @@ TEST(ViewCones, no_ray_that_meets_the_swept_edge_is_clear) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::view_cones_test

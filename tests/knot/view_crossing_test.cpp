@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::view_crossing_test {
 
 Place point(double x, double y, double z) {
   return Place::point({x, y, z});
@@ -63,5 +62,4 @@ TEST(ViewCrossing, edges_that_meet_are_doubtful_from_everywhere) {
               ViewOfEdges::doubtful);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::view_crossing_test

@@ -10,8 +10,7 @@
 #include "verification/cgal_oracle.h"
 #include "verification/frame_verifier.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::without_the_gate_test {
 
 class WithoutTheGate : public testing::TestWithParam<const char*> {};
 
@@ -40,5 +39,4 @@ INSTANTIATE_TEST_SUITE_P(Samples, WithoutTheGate,
                                          "overhand-cylinder-8x400.toml",
                                          "overhand-small-object-8x400.toml"));
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::without_the_gate_test

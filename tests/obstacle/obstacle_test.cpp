@@ -4,8 +4,7 @@
 
 #include "files/files.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::obstacle_test {
 
 std::filesystem::path written(const std::string& name, const std::string& text) {
   auto file = std::filesystem::path(testing::TempDir()) / name;
@@ -88,5 +87,4 @@ TEST(Obstacle, coordinates_beyond_single_precision_are_refused) {
   EXPECT_FALSE(read_obstacle(scene).has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::obstacle_test

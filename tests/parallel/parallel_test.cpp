@@ -4,8 +4,7 @@
 
 #include <vector>
 
-namespace ribbon {
-namespace {
+namespace ribbon::parallel_test {
 
 TEST(Parallel, every_index_is_visited_once_for_any_number_of_threads) {
   for (const int threads : {1, 2, 7}) {
@@ -22,5 +21,4 @@ TEST(Parallel, every_index_is_visited_once_for_any_number_of_threads) {
   set_thread_limit(0);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::parallel_test

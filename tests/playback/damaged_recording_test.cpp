@@ -20,8 +20,7 @@
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::damaged_recording_test {
 
 constexpr int frames = 20;  // a group of 16 and the start of the next
 constexpr int second_group = 16;
@@ -404,5 +403,4 @@ TEST_F(DamagedRecording, an_error_names_the_frame_as_users_count) {
   EXPECT_EQ(result.error().place, path_.string() + ": frame 8");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::damaged_recording_test

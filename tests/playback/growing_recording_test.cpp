@@ -10,8 +10,7 @@
 #include "recording/sample_recording.h"
 #include "recording/writer/background_writer.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::growing_recording_test {
 
 void expect_frame(RecordingReader& reader, int frame) {
   Eigen::Matrix3Xf read;
@@ -139,5 +138,4 @@ TEST(GrowingRecording, a_reader_keeps_up_with_a_writer_in_the_background) {
   EXPECT_TRUE(reader.damage().empty());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::growing_recording_test

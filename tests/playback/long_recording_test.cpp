@@ -9,8 +9,7 @@
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::long_recording_test {
 
 constexpr int frames = 50'000;
 
@@ -53,5 +52,4 @@ TEST(LongRecording, it_opens_at_once_and_any_frame_is_near) {
   EXPECT_TRUE(reader.damage().empty());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::long_recording_test

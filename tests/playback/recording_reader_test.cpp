@@ -8,8 +8,7 @@
 #include "files/files.h"
 #include "recording/sample_recording.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::recording_reader_test {
 
 double largest_error(const Eigen::Matrix3Xf& read, int frame) {
   return (read.cast<double>() - sample_positions(frame)).cwiseAbs().maxCoeff();
@@ -92,5 +91,4 @@ TEST(RecordingReader, what_is_no_recording_is_refused) {
   EXPECT_FALSE(RecordingReader::open("/dev/null").has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::recording_reader_test

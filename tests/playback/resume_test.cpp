@@ -18,8 +18,7 @@
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::resume_test {
 
 constexpr int frames = 300;  // more than one index record
 const SessionNote note{SessionReason::resumed, "tests", ""};
@@ -296,5 +295,4 @@ TEST_F(ResumedRecording, stale_blocks_of_another_recording_are_never_its_frames)
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::resume_test

@@ -17,8 +17,7 @@
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::command_line_test {
 
 namespace fs = std::filesystem;
 
@@ -285,5 +284,4 @@ TEST_F(RibbonPlay, help_has_examples_and_version_is_a_line) {
   EXPECT_EQ(version.output, "ribbon-play " RIBBON_VERSION "\n");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::command_line_test

@@ -8,8 +8,7 @@
 #include "recorder/resume.h"
 #include "recorder/small_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::branch_test {
 
 namespace fs = std::filesystem;
 
@@ -173,5 +172,4 @@ TEST_F(Branch, frames_that_are_lost_are_not_passed_over) {
   EXPECT_FALSE(fs::exists(target()));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::branch_test

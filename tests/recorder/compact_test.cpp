@@ -21,8 +21,7 @@
 #include "recording/size_limit.h"
 #include "recording/writer/recording_writer.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::compact_test {
 
 namespace fs = std::filesystem;
 
@@ -351,5 +350,4 @@ TEST_F(Compacted, what_does_not_go_with_it_is_told) {
   EXPECT_NE(refusal_of("--compact missing.rbn").find("missing.rbn"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::compact_test

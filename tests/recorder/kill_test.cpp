@@ -5,8 +5,7 @@
 #include "recorder/killed_runs.h"
 #include "recorder/small_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::kill_test {
 
 namespace fs = std::filesystem;
 
@@ -27,5 +26,4 @@ TEST(KilledRun, plays_and_goes_on_to_the_same_bits) {
   fs::remove_all(folder);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::kill_test

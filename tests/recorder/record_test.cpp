@@ -11,8 +11,7 @@
 #include "recorder/small_scene.h"
 #include "verification/largest_strain.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::record_test {
 
 namespace fs = std::filesystem;
 
@@ -224,5 +223,4 @@ TEST_F(Record, recoveries_of_the_start_are_in_the_first_frame) {
   EXPECT_EQ(reader.header().stated_gap_m, 0);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::record_test

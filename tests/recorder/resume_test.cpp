@@ -10,8 +10,7 @@
 #include "recorder/small_scene.h"
 #include "recording/writer/recording_writer.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::resume_test {
 
 namespace fs = std::filesystem;
 
@@ -339,5 +338,4 @@ TEST_F(ResumeRun, what_is_no_recording_is_told_and_left_as_it_is) {
   EXPECT_FALSE(fs::exists(file_));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::resume_test

@@ -4,8 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ribbon {
-namespace {
+namespace ribbon::run_statistics_test {
 
 RunStatistics example() {
   RunStatistics statistics{.scene_name = "knot", .along = 10, .across = 4, .start = "grown"};
@@ -136,5 +135,4 @@ TEST(RunStatistics, tell_programs_how_tight_the_last_frame_is) {
   EXPECT_EQ(json["tightness"]["rope_length"], 12.25);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::run_statistics_test

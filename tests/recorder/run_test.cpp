@@ -10,8 +10,7 @@
 #include "recorder/small_scene.h"
 #include "recorder/start.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::run_test {
 
 namespace fs = std::filesystem;
 
@@ -100,5 +99,4 @@ TEST_F(Run, tells_what_recording_took) {
   EXPECT_LT(statistics.share_of_recording(), 1);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::run_test

@@ -10,8 +10,7 @@
 #include "simulation/fastening_processor.h"
 #include "verification/frame_verifier.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::samples_test {
 
 namespace fs = std::filesystem;
 
@@ -72,5 +71,4 @@ TEST(Samples, are_the_three_overhand_knots_in_two_granularities_and_one_in_a_thi
                                       "overhand-small-object-8x400"}));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::samples_test

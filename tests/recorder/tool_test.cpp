@@ -12,8 +12,7 @@
 #include "recorder/process.h"
 #include "recorder/small_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::tool_test {
 
 namespace fs = std::filesystem;
 
@@ -203,5 +202,4 @@ TEST_F(RibbonRecord, help_shows_examples_and_version_the_version) {
   EXPECT_EQ(run("--version").output, "ribbon-record " RIBBON_VERSION "\n");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::tool_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::tying_test {
 
 constexpr RibbonGrid grid{80, 3};
 const CentreAxis axis{Eigen::Vector3d(0, 0.2, 0), Eigen::Vector3d::UnitZ()};
@@ -36,5 +35,4 @@ TEST(Tying, a_ribbon_moved_to_the_other_side_of_the_axis_is_told) {
   EXPECT_FALSE(check_tying(grid, axis, open_trefoil(1), beside).has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::tying_test

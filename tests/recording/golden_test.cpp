@@ -14,8 +14,7 @@
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::golden_test {
 
 std::filesystem::path golden(const std::string& version) {
   return std::filesystem::path(RIBBON_GOLDEN_RECORDINGS) / ("v" + version + ".rbn");
@@ -171,5 +170,4 @@ TEST_P(GoldenVersions, every_bit_of_its_positions_is_known) {
 INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("2.0"),
                          [](const auto& version) { return "v2_" + version.param.substr(2); });
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::golden_test

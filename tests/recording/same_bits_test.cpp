@@ -13,8 +13,7 @@
 #include "recording/codec/position_encoder.h"
 #include "recording/writer/references.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::same_bits_test {
 
 // FNV-1a.
 class Hash {
@@ -150,5 +149,4 @@ INSTANTIATE_TEST_SUITE_P(InstructionSets, SameBitsBy,
                                          InstructionSet::avx512),
                          name_of);
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::same_bits_test

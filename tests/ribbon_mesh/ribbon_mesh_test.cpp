@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::ribbon_mesh_test {
 
 SpaceCurve straight_curve(int samples) {
   SpaceCurve curve;
@@ -32,5 +31,4 @@ TEST(RibbonMesh, texture_coordinates_run_along_and_across_from_0_to_1) {
   EXPECT_EQ(mesh.uv.col(mesh.grid.particle(4, 2)), Eigen::Vector2f(1, 1));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::ribbon_mesh_test

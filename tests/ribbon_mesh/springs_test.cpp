@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::springs_test {
 
 // By hand, for a grid of 4 x 3 particles: 3*3 + 4*2 neighbours, 2 diagonals in each of 3*2 quads,
 // 2*3 + 4*1 pairs of distance two.
@@ -33,5 +32,4 @@ TEST(Springs, a_kind_without_resistance_does_not_exist) {
   EXPECT_TRUE(network.bend.springs.empty());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::springs_test

@@ -7,8 +7,7 @@
 #include <functional>
 #include <numbers>
 
-namespace ribbon {
-namespace {
+namespace ribbon::width_vectors_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -74,5 +73,4 @@ TEST(WidthVectors, begin_with_the_axis) {
   EXPECT_TRUE(first.isApprox((up - up.dot(direction) * direction).normalized(), 1e-12));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::width_vectors_test

@@ -4,8 +4,7 @@
 
 #include "scene/scene_files.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::accuracy_test {
 
 Scene scene_of(const std::string& word) {
   return read_text("accuracy = '" + word + "'\n" + smallest_scene()).value();
@@ -59,5 +58,4 @@ TEST(Accuracy, a_frame_a_step_is_the_most_at_the_level_of_the_scene) {
   EXPECT_NE(complaint(text + "[recording]\nframes_per_second = 51\n"), "");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::accuracy_test

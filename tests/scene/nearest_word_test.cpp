@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::nearest_word_test {
 
 TEST(NearestWord, distance_counts_letters_to_change) {
   EXPECT_EQ(edit_distance("", "abc"), 3);
@@ -32,5 +31,4 @@ TEST(NearestWord, a_word_of_its_own_has_no_nearest_word) {
   EXPECT_EQ(nearest_word("width", {}), std::nullopt);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::nearest_word_test

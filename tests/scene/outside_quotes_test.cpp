@@ -4,8 +4,7 @@
 
 #include "scene/scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::outside_quotes_test {
 
 TEST(OutsideQuotes, strings_and_comments_may_hold_any_letter) {
   for (const char* toml :
@@ -34,5 +33,4 @@ TEST(OutsideQuotes, a_scene_says_where) {
       "that it belongs to in quotes");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::outside_quotes_test

@@ -6,8 +6,7 @@
 #include "scene/scene.h"
 #include "scene/scene_files.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::read_scene_test {
 
 std::string with(const std::string& lines) {
   return smallest_scene() + lines;
@@ -324,5 +323,4 @@ TEST(ReadScene, bytes_that_are_no_text_are_an_error) {
   EXPECT_EQ(complaint(std::string("\x80\xff\0", 3)).substr(0, 12), "knot.toml:1:");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::read_scene_test

@@ -8,8 +8,7 @@
 #include "files/files.h"
 #include "scene/scene_files.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::scene_document_test {
 
 using KeysOfTables = std::map<std::string, std::set<std::string>>;
 
@@ -96,5 +95,4 @@ TEST(SceneDocument, its_example_has_every_key_but_the_other_way_to_draw) {
   EXPECT_EQ(keys, documented_keys());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::scene_document_test

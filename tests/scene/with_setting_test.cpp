@@ -4,8 +4,7 @@
 #include "scene/scene.h"
 #include "scene/scene_files.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::with_setting_test {
 
 const std::string commented =
     "# Über the hourglass\n"
@@ -94,5 +93,4 @@ TEST(ReadScene, checkpoints_are_as_rare_as_10000_frames_unless_the_scene_says) {
   EXPECT_EQ(every_s("recording.checkpoint_every=2.5"), 2.5);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::with_setting_test

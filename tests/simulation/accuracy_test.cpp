@@ -10,8 +10,7 @@
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::accuracy_test {
 
 using Eigen::Matrix3Xd;
 
@@ -68,5 +67,4 @@ TEST(Accuracy, no_level_lets_the_ribbon_intersect) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::accuracy_test

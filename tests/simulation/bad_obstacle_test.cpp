@@ -6,8 +6,7 @@
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::bad_obstacle_test {
 
 using Eigen::Vector3f;
 
@@ -192,5 +191,4 @@ TEST(BadObstacle, one_that_intersects_itself_stops_it) {
   EXPECT_GT(draw_tight(mesh), 0.39);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::bad_obstacle_test

@@ -5,8 +5,7 @@
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::extremes_test {
 
 // The loop and its post, `size` times as large, with equal accelerations in proportion.
 struct Scaled {
@@ -228,5 +227,4 @@ TEST(Extremes, any_number_that_a_scene_may_hold_ends_in_numbers_or_a_refusal) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::extremes_test

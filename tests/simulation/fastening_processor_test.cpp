@@ -9,8 +9,7 @@
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::fastening_processor_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -136,5 +135,4 @@ TEST(FasteningProcessor, a_scene_that_asks_for_nothing_leaves_the_ribbon_at_rest
   EXPECT_EQ(nothing.strain(), 0);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::fastening_processor_test

@@ -8,8 +8,7 @@
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::invariance_test {
 
 using Eigen::Affine3d;
 using Eigen::Matrix3Xd;
@@ -139,5 +138,4 @@ TEST(Invariance, wherever_it_is_put_the_scene_stays_free_in_contact) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::invariance_test

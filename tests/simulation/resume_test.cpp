@@ -10,8 +10,7 @@
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::resume_test {
 
 using Eigen::Matrix3Xd;
 
@@ -336,5 +335,4 @@ TEST(Resume, springs_too_stiff_for_the_step_are_refused_as_at_the_start) {
   EXPECT_NE(refusal(stiff, begun(run).state()).find("parts"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::resume_test

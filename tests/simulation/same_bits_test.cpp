@@ -7,8 +7,7 @@
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::same_bits_test {
 
 // FNV-1a, of 64 bits at a time.
 std::uint64_t hash_of(const Eigen::Matrix3Xd& positions) {
@@ -36,5 +35,4 @@ TEST(SameBits, come_from_every_build) {
   EXPECT_EQ(hash_after_fastening(IntegrationMethod::implicit), 12083186284726853374U);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::same_bits_test

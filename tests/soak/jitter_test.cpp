@@ -7,8 +7,7 @@
 #include "recording/sample_recording.h"
 #include "scene/scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::jitter_test {
 
 const std::filesystem::path sample = RIBBON_SAMPLES "/overhand-hourglass-8x400.toml";
 
@@ -68,5 +67,4 @@ TEST(JitteredScene, needs_a_drawing) {
   EXPECT_FALSE(jittered_scene(file, 1, 0.004).has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::jitter_test

@@ -4,8 +4,7 @@
 
 #include "recording/sample_recording.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::strained_springs_test {
 
 // Two squares of 1 m side by side: 4 springs along, 3 across and 4 diagonal ones.
 Eigen::Matrix3Xd two_squares(double along_m) {
@@ -52,5 +51,4 @@ TEST(StrainedSprings, count_when_they_are_shrunk) {
   EXPECT_NEAR(springs.worst_elongation, 0.3, 1e-3);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::strained_springs_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ribbon {
-namespace {
+namespace ribbon::json_test {
 
 TEST(Json, members_keep_the_order_in_which_they_were_named) {
   Json json{{"zebra", 1}, {"apple", Json::list({true, "two", 0.5})}};
@@ -46,5 +45,4 @@ TEST(Json, copies_are_independent) {
   EXPECT_EQ(second.text(), "{\n  \"a\": 1\n}\n");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::json_test

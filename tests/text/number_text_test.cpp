@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::number_text_test {
 
 TEST(NumberText, runs_of_numbers_are_drawn_together) {
   EXPECT_EQ(number_list({}), "");
@@ -24,5 +23,4 @@ TEST(NumberText, the_largest_number_has_room) {
   EXPECT_EQ(decimals(-1.7e308, 3).size(), 314U);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::number_text_test

@@ -6,8 +6,7 @@
 #include "verification/intersecting_pairs.h"
 #include "verification/soups.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::cgal_oracle_test {
 
 TEST(CgalOracle, finds_what_was_planted) {
   const auto crossing = soup_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 1}},
@@ -68,5 +67,4 @@ TEST(RandomRibbons, all_oracles_agree) {
   EXPECT_GT(compared, 5);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::cgal_oracle_test

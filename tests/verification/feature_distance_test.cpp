@@ -7,8 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace ribbon {
-namespace {
+namespace ribbon::feature_distance_test {
 
 using Eigen::Vector3f;
 using Point = Eigen::Matrix<long double, 3, 1>;
@@ -145,5 +144,4 @@ TEST_P(RandomFeatures, nearly_parallel_segments_are_no_exception) {
 
 INSTANTIATE_TEST_SUITE_P(Flatness, RandomFeatures, testing::Values(1.0F, 1e-3F, 1e-6F));
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::feature_distance_test

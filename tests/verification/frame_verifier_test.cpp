@@ -4,8 +4,7 @@
 
 #include <limits>
 
-namespace ribbon {
-namespace {
+namespace ribbon::frame_verifier_test {
 
 constexpr RibbonGrid grid{5, 3};
 constexpr double length_m = 4;
@@ -88,5 +87,4 @@ TEST(FrameVerifier, an_obstacle_without_area_is_tested_exactly) {
   EXPECT_EQ(verdict_on(flat_ribbon(), needle).intersections.pairs.size(), 2U);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::frame_verifier_test

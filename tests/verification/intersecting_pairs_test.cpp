@@ -4,8 +4,7 @@
 
 #include "verification/soups.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::intersecting_pairs_test {
 
 IntersectingPairs found_by_tree(const TriangleSoup& soup, std::size_t most = 1'000'000) {
   const BoxTree judged(soup, 0, soup.judged);
@@ -62,5 +61,4 @@ TEST(IntersectingPairs, nothing_judged_means_nothing_found) {
   EXPECT_TRUE(found_by_tree(soup).pairs.empty());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::intersecting_pairs_test

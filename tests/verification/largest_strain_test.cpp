@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::largest_strain_test {
 
 // 3 x 3 particles, quads 3 along and 4 across: natural size 6 x 8.
 constexpr RibbonGrid grid{3, 3};
@@ -53,5 +52,4 @@ TEST(LargestStrain, names_the_particles) {
   EXPECT_DOUBLE_EQ(largest.strain, 1.5);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::largest_strain_test

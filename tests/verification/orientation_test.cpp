@@ -9,8 +9,7 @@
 
 #include "verification/exact_orientation.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::orientation_test {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
@@ -153,5 +152,4 @@ TEST(Orientation, agrees_with_rational_numbers_on_nearly_flat_points) {
   EXPECT_LT(flat, 2500);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::orientation_test

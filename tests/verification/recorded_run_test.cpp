@@ -11,8 +11,7 @@
 #include "verification/cgal_oracle.h"
 #include "verification/frame_verifier.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::recorded_run_test {
 
 class RecordedRun : public testing::Test {
  protected:
@@ -81,5 +80,4 @@ TEST_F(RecordedRun, its_header_names_the_axis_that_it_was_fastened_towards) {
   EXPECT_EQ(reader_.header().centre_axis->direction, Eigen::Vector3d::UnitY());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::recorded_run_test

@@ -9,8 +9,7 @@
 #include "verification/feature_distance.h"
 #include "verification/soups.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::smallest_gap_test {
 
 std::optional<SmallestGap> found_by_tree(const TriangleSoup& soup) {
   const BoxTree judged(soup, 0, soup.judged);
@@ -105,5 +104,4 @@ TEST(SmallestGap, one_triangle_has_none) {
   EXPECT_FALSE(found_by_tree(soup_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}})));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::smallest_gap_test

@@ -8,8 +8,7 @@
 
 #include "verification/soups.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::triangles_meet_test {
 
 using Eigen::Vector3f;
 
@@ -186,5 +185,4 @@ TEST_P(Transformed, verdicts_do_not_depend_on_the_order_of_triangles_or_corners)
 
 INSTANTIATE_TEST_SUITE_P(RandomSoups, Transformed, testing::Range(1, 25));
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::triangles_meet_test

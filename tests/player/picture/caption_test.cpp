@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace ribbon {
-namespace {
+namespace ribbon::caption_test {
 
 const Color white(1, 1, 1);
 const Color black(0, 0, 0);
@@ -53,5 +52,4 @@ TEST(Caption, every_language_of_the_font_is_drawn_and_broken_bytes_do_no_harm) {
   EXPECT_EQ(painter.width("\xF0\x9F\x92", 20), 3 * replaced);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::caption_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ribbon {
-namespace {
+namespace ribbon::color_test {
 
 TEST(Color, half_of_the_light_is_188) {
   EXPECT_EQ(srgb_byte(0.5F), 188);
@@ -43,5 +42,4 @@ TEST(Color, picked_colours_come_back) {
   EXPECT_EQ(srgb_byte(color[2]), 0x6E);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::color_test

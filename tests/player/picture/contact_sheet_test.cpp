@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::contact_sheet_test {
 
 SheetColumn column(int frame, const Color& upper, const Color& lower) {
   return {frame, {}, {blank_picture(sheet_cell, upper), blank_picture(sheet_cell, lower)}};
@@ -49,5 +48,4 @@ TEST(ContactSheet, frames_are_spread_evenly_with_both_ends) {
   EXPECT_EQ(spread_frames({9, 8, 7}, 2), (std::vector<int>{9, 7}));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::contact_sheet_test

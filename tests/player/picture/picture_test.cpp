@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::picture_test {
 
 TEST(Picture, developing_encodes_each_channel) {
   const LightPicture light{{2, 1}, {Color(0, 0.5F, 1), Color(1, 0, 0.5F)}};
@@ -19,5 +18,4 @@ TEST(Picture, pasting_touches_only_its_place) {
       EXPECT_EQ(*target.pixel(x, y), y == 2 && (x == 1 || x == 2) ? 255 : 0) << x << "," << y;
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::picture_test

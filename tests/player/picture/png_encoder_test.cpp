@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::png_encoder_test {
 
 Picture read_back(const std::string& bytes) {
   png_image image{};
@@ -44,5 +43,4 @@ TEST(PngEncoder, files_say_that_they_are_srgb) {
   EXPECT_LT(bytes.find("sRGB"), bytes.find("IDAT"));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::png_encoder_test

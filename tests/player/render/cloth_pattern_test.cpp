@@ -4,8 +4,7 @@
 
 #include <vector>
 
-namespace ribbon {
-namespace {
+namespace ribbon::cloth_pattern_test {
 
 // From `first` to `last`, both included, in `steps` equal steps.
 std::vector<float> from_to(float first, float last, int steps) {
@@ -47,5 +46,4 @@ TEST(ClothPattern, returns_less_light_than_it_gets) {
       }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::cloth_pattern_test

@@ -5,8 +5,7 @@
 #include "player/quads.h"
 #include "player/render/framing.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::coverage_test {
 
 Surface square(float left, float right, float bottom, float top, float z) {
   return creased_surface(
@@ -56,5 +55,4 @@ TEST(TileCoverage, what_lies_beside_the_eye_may_be_anywhere) {
   EXPECT_EQ(covered_tiles(tiles), 16);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::coverage_test

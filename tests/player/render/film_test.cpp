@@ -7,8 +7,7 @@
 
 #include "recording/sample_recording.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::film_test {
 
 std::filesystem::path recorded(int frames) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
@@ -54,5 +53,4 @@ TEST(Film, a_frame_looks_the_same_whatever_was_shown_before) {
   EXPECT_NE(pictures[0].rgb, pictures[1].rgb);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::film_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace ribbon {
-namespace {
+namespace ribbon::framing_test {
 
 Eigen::Matrix3Xf cloud(float scale) {
   Eigen::Matrix3Xf points(3, 200);
@@ -96,5 +95,4 @@ TEST(Camera, directions_lead_to_where_points_appear) {
   EXPECT_NEAR(seen.z(), 3, 1e-4);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::framing_test

@@ -7,8 +7,7 @@
 
 #include "player/quads.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::ray_scene_test {
 
 // The ribbon's quad at z = 0 and a square obstacle of side 2 at z = -1.
 RayScene two_quads(float ribbon_z = 0) {
@@ -105,5 +104,4 @@ TEST(FlushDenormals, the_thread_is_left_as_it_was) {
   EXPECT_EQ(_mm_getcsr(), before);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::ray_scene_test

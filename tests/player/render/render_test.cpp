@@ -9,8 +9,7 @@
 #include "player/quads.h"
 #include "player/render/cloth_pattern.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::render_test {
 
 // Looks at (x, y, 0) from `side` times 10 m along z and sees 0.2 mm: one place of the cloth.
 Camera close_up(float x, float y, float side) {
@@ -238,5 +237,4 @@ TEST(Render, tiles_left_out_would_have_shown_nothing_else) {
   EXPECT_EQ(picture(sparse), picture(full));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::render_test

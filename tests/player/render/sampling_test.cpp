@@ -4,8 +4,7 @@
 
 #include <set>
 
-namespace ribbon {
-namespace {
+namespace ribbon::sampling_test {
 
 TEST(SamplePatterns, sixteen_points_fill_every_kind_of_sixteenth) {
   const SamplePatterns patterns(16);
@@ -41,5 +40,4 @@ TEST(SamplePatterns, the_same_each_time) {
                 SamplePatterns(samples).point(Pattern::sky, s, 1, 2));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::sampling_test

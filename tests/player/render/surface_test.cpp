@@ -7,8 +7,7 @@
 
 #include "player/quads.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::surface_test {
 
 // Two squares that meet at the z axis; the second is turned up by `degrees`.
 TriangleMesh hinge(float degrees) {
@@ -73,5 +72,4 @@ TEST(RibbonSurface, a_ribbon_crumpled_into_a_point_has_no_normals) {
   EXPECT_TRUE(ribbon.normals.isZero());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::surface_test

@@ -4,8 +4,7 @@
 
 #include "player/report/info.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::info_json_test {
 
 RecordingInfo two_frames() {
   RecordingInfo info;
@@ -99,5 +98,4 @@ TEST(InfoJson, names_that_are_not_utf8_still_give_json) {
   EXPECT_EQ(nlohmann::json::parse(info_json(info))["scene"]["name"], "\xEF\xBF\xBDobi");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::info_json_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::info_test {
 
 // Three frames recorded, the second lost.
 RecordingInfo three_frames() {
@@ -131,5 +130,4 @@ TEST(RecordingInfo, a_stopped_recorder_is_mentioned) {
   EXPECT_NE(info_text(info).find("; the recorder was stopped on the way"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::info_test

@@ -7,8 +7,7 @@
 
 #include "recording/sample_recording.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::verify_test {
 
 Verification verify_file(const std::filesystem::path& path, std::vector<int> frames = {},
                          int certify_every = 10) {
@@ -154,5 +153,4 @@ TEST(Verify, whoever_watches_can_stop_it) {
   EXPECT_EQ(stopped.error().problem, "interrupted after frame 32");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::verify_test

@@ -4,8 +4,7 @@
 
 #include "player/report/verify.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::verify_text_test {
 
 // 3 x 3 particles, 8 triangles.
 Verification all_in_order() {
@@ -121,5 +120,4 @@ TEST(VerificationJson, programs_read_what_people_read) {
   EXPECT_EQ(nlohmann::json::parse(verification_json("", all_in_order()))["passed"], true);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::verify_text_test

@@ -11,8 +11,7 @@
 #include "recording/codec/position_encoder.h"
 #include "recording/writer/references.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::frame_loops_test {
 
 class InstructionSets : public testing::Test {
  protected:
@@ -100,5 +99,4 @@ TEST_F(InstructionSets, the_baseline_is_always_there) {
   EXPECT_EQ(&loops(), loops_for(best_instruction_set()));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::frame_loops_test

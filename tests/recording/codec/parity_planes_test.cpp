@@ -4,8 +4,7 @@
 
 #include <set>
 
-namespace ribbon {
-namespace {
+namespace ribbon::parity_planes_test {
 
 class Planes : public testing::TestWithParam<RibbonGrid> {};
 
@@ -54,5 +53,4 @@ INSTANTIATE_TEST_SUITE_P(Grids, Planes,
                          testing::Values(RibbonGrid{2, 2}, RibbonGrid{3, 2}, RibbonGrid{2, 3},
                                          RibbonGrid{40, 16}, RibbonGrid{41, 17}));
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::parity_planes_test

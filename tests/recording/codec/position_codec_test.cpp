@@ -15,8 +15,7 @@
 #include "recording/sample_recording.h"
 #include "recording/writer/references.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::position_codec_test {
 
 constexpr double bound_m = 1e-5;
 
@@ -276,5 +275,4 @@ TEST(PositionCodec, damaged_geometry_does_no_harm) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::position_codec_test

@@ -9,8 +9,7 @@
 
 #include "recording/codec/entropy_tables.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::rank_blocks_test {
 
 // Ranks whose size changes along the ribbon from all 0 to about `largest`.
 Ranks growing_ranks(const ParityPlanes& planes, double largest) {
@@ -122,5 +121,4 @@ TEST(RankBlocks, entropy_tables_make_short_runs_shorter) {
   EXPECT_LT(with.size(), without.size());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::rank_blocks_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::bytes_test {
 
 using namespace std::string_view_literals;
 
@@ -43,5 +42,4 @@ TEST(Bytes, a_huge_count_takes_nothing) {
   EXPECT_FALSE(taker.complete());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::bytes_test

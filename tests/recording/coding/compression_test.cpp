@@ -5,8 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace ribbon {
-namespace {
+namespace ribbon::compression_test {
 
 std::string compress_one(std::string_view content) {
   return Compressor().compress(content);
@@ -43,5 +42,4 @@ TEST(Compression, a_decompressor_works_after_a_failure) {
   EXPECT_EQ(decompressor.decompress(compress_one("fine"), 1000), "fine");
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::compression_test

@@ -4,8 +4,7 @@
 
 #include <limits>
 
-namespace ribbon {
-namespace {
+namespace ribbon::varint_test {
 
 TEST(Varint, varints_hold_seven_bits_a_byte) {
   std::string bytes;
@@ -45,5 +44,4 @@ TEST(Varint, zigzag_puts_small_numbers_of_either_sign_first) {
     EXPECT_EQ(unzigzag(zigzag(number)), number);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::varint_test

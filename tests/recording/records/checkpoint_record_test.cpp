@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::checkpoint_record_test {
 
 constexpr std::uint32_t id = 0x1234;
 constexpr RibbonGrid grid{3, 2};
@@ -61,5 +60,4 @@ TEST(CheckpointRecord, a_state_larger_than_any_is_refused_before_it_is_unpacked)
       checkpoint_payload(id, 1, 1, std::string_view(zeros).substr(1)), id, grid));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::checkpoint_record_test

@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace ribbon {
-namespace {
+namespace ribbon::directory_record_test {
 
 constexpr std::uint32_t id = 0x1234;
 constexpr std::uint64_t here = 5000;  // where the directory record itself begins
@@ -68,5 +67,4 @@ TEST(FooterRecord, it_names_the_directory) {
   EXPECT_FALSE(parse_footer_payload(payload.substr(0, 15), id).has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::directory_record_test

@@ -4,8 +4,7 @@
 
 #include "recording/sample_recording.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::frame_record_test {
 
 FrameRecord record(std::size_t references, bool tightness) {
   FrameRecord frame{.recording_id = 0x1234,
@@ -66,5 +65,4 @@ TEST(FrameRecord, what_cannot_be_is_refused) {
   EXPECT_FALSE(with(11, 5)) << "too many references";
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::frame_record_test

@@ -7,8 +7,7 @@
 #include "recording/coding/bytes.h"
 #include "recording/sample_recording.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::header_record_test {
 
 TEST(HeaderRecord, everything_comes_back) {
   const RecordingHeader written = sample_header();
@@ -151,5 +150,4 @@ TEST(HeaderRecord, an_impossible_gap_or_axis_is_refused) {
   EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::header_record_test

@@ -6,8 +6,7 @@
 
 #include "recording/sample_recording.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::index_record_test {
 
 constexpr std::uint32_t id = 0x1234;
 constexpr std::uint64_t here = 1450;  // where the index record itself begins
@@ -84,5 +83,4 @@ TEST(IndexRecord, every_prefix_is_refused) {
     EXPECT_FALSE(parse_index_payload(payload.substr(0, size), id, here).has_value()) << size;
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::index_record_test

@@ -4,8 +4,7 @@
 
 #include "recording/coding/checksum.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::record_test {
 
 TEST(Checksum, it_is_the_crc_32_of_zlib) {
   EXPECT_EQ(checksum("123456789"), 0xCBF43926U);  // the check value of the CRC catalogue
@@ -45,5 +44,4 @@ TEST(Record, an_unknown_type_has_a_valid_head) {
   EXPECT_EQ(static_cast<int>(head->type), 77);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::record_test

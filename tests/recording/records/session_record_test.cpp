@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::session_record_test {
 
 constexpr std::uint32_t id = 0x1234;
 const Session session{300, {SessionReason::extended, "ribbon-record 1.0", "time.step = 1\n"}};
@@ -28,5 +27,4 @@ TEST(SessionRecord, every_prefix_is_refused) {
     EXPECT_FALSE(parse_session_payload(payload.substr(0, size), id).has_value()) << size;
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::session_record_test

@@ -11,8 +11,7 @@
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::background_writer_test {
 
 TEST(BackgroundWriter, it_writes_what_a_writer_in_the_foreground_does) {
   const auto path = temporary_file("background.rbn");
@@ -89,5 +88,4 @@ TEST(BackgroundWriter, a_full_disk_is_told_once_and_nothing_is_written_after_it)
   EXPECT_EQ(std::filesystem::file_size(path), size);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::background_writer_test

@@ -14,8 +14,7 @@
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::recording_writer_test {
 
 TEST(RecordingWriter, the_header_is_there_at_once) {
   const auto path = temporary_file("new folder") / "header.rbn";
@@ -245,5 +244,4 @@ TEST(RecordingWriter, a_recording_without_frames_can_be_finished) {
   EXPECT_TRUE(reader->finished());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::recording_writer_test

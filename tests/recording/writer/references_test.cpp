@@ -8,8 +8,7 @@
 #include <set>
 #include <vector>
 
-namespace ribbon {
-namespace {
+namespace ribbon::references_test {
 
 constexpr std::uint32_t last_count = 4 * archive_group_frames + 3;
 
@@ -83,5 +82,4 @@ TEST(ArchivePlan, frames_next_to_each_other_are_the_last_step) {
             (std::vector<std::uint32_t>{2, 4, 0, 6}));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::references_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::collision_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -86,5 +85,4 @@ TEST(Collision, a_moving_triangle_meets_a_still_vertex) {
   EXPECT_DOUBLE_EQ(collision->separation_m, -1);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::collision_test

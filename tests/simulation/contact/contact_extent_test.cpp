@@ -5,8 +5,7 @@
 #include "simulation/contact/gap_lengths.h"
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::contact_extent_test {
 
 using Eigen::Matrix3Xd;
 
@@ -53,5 +52,4 @@ TEST(ContactExtent, counts_the_rows_in_between_as_knotted_but_not_as_touching) {
   EXPECT_DOUBLE_EQ(extent.knotted_m, 16);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::contact_extent_test

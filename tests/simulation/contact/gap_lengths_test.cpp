@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace ribbon {
-namespace {
+namespace ribbon::gap_lengths_test {
 
 TEST(GapLengths, follow_from_the_edge_while_rounding_is_fine) {
   const GapLengths lengths = gap_lengths(0.01, 1e-9, 0);
@@ -36,5 +35,4 @@ TEST(GapLengths, scale_with_everything) {
   EXPECT_NEAR(thousand.contact_m, 1000 * one.contact_m, 1e-9);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::gap_lengths_test

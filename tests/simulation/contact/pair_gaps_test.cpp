@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace ribbon {
-namespace {
+namespace ribbon::pair_gaps_test {
 
 using Kind = FeaturePair::Kind;
 
@@ -69,5 +68,4 @@ TEST(PairGaps, the_obstacle_is_touched_at_half_the_thickness) {
   EXPECT_DOUBLE_EQ(thick().hard_m(with_obstacle), 0.075);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::pair_gaps_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::repulsion_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -101,5 +100,4 @@ TEST(Repulsion, friction_conserves_momentum) {
   EXPECT_TRUE(cloth.velocities.rowwise().sum().isApprox(momentum, 1e-12));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::repulsion_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::collision_surface_test {
 
 Eigen::Matrix3Xi triangles(const std::vector<std::array<int, 3>>& corners) {
   Eigen::Matrix3Xi result(3, static_cast<Eigen::Index>(corners.size()));
@@ -42,5 +41,4 @@ TEST(CollisionSurface, triangles_may_lie_on_each_other_and_be_edges) {
   for (int corner = 0; corner < 3; ++corner) EXPECT_FALSE(surface.answers_for_vertex(2, corner));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::collision_surface_test

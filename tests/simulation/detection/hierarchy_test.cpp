@@ -12,8 +12,7 @@
 #include "simulation/detection/feature_pairs.h"
 #include "simulation/detection/vertex_ranges.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::hierarchy_test {
 
 using Eigen::Matrix3Xd;
 
@@ -248,5 +247,4 @@ TEST(FeaturePairs, features_that_share_a_vertex_are_left_out) {
   EXPECT_TRUE(share_a_vertex(surface, 0, 1));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::hierarchy_test

@@ -18,8 +18,7 @@
 #include "simulation/detection/vertex_ranges.h"
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::patch_tree_test {
 
 using Eigen::Matrix3Xd;
 using Kind = FeaturePair::Kind;
@@ -197,5 +196,4 @@ TEST(PatchTree, gives_the_same_pairs_in_the_same_order_for_any_number_of_threads
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::patch_tree_test

@@ -10,8 +10,7 @@
 #include "simulation/detection/vertex_ranges.h"
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::swept_pairs_test {
 
 using Eigen::Matrix3Xd;
 using Kind = FeaturePair::Kind;
@@ -124,5 +123,4 @@ TEST(SweptPairs, are_all_that_come_close_by_brute_force_and_each_once) {
   EXPECT_GT(pairs_in_all, 500U);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::swept_pairs_test

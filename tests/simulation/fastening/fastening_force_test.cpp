@@ -6,8 +6,7 @@
 
 #include "simulation/state/smoothed_directions.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::fastening_force_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -109,5 +108,4 @@ TEST(FasteningForce, by_the_ends_holds_no_more_than_there_is) {
   EXPECT_NEAR(force.at(straight(grid)).leftCols(12).rowwise().sum().norm(), 12, 1e-12);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::fastening_force_test

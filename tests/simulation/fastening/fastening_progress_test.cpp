@@ -6,8 +6,7 @@
 
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::fastening_progress_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -93,5 +92,4 @@ TEST(FasteningProgress, knows_two_seconds_for_any_step) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::fastening_progress_test

@@ -4,8 +4,7 @@
 
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::hands_test {
 
 using Eigen::Matrix3Xd;
 
@@ -92,5 +91,4 @@ TEST(Hands, are_not_stopped_while_the_ribbon_springs_back) {
   EXPECT_FALSE(hands.are_stopped());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::hands_test

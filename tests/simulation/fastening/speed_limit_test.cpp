@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace ribbon {
-namespace {
+namespace ribbon::speed_limit_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -58,5 +57,4 @@ TEST(SpeedLimit, keeps_the_direction_and_minds_no_force_at_all) {
   EXPECT_EQ(lowered(Vector3d(1, 1, 1), Vector3d::Zero()), Vector3d::Zero());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::speed_limit_test

@@ -4,8 +4,7 @@
 
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::yielding_test {
 
 const RibbonGrid grid{101, 2};
 
@@ -43,5 +42,4 @@ TEST(Yielding, does_not_mind_one_edge_in_a_hundred) {
   EXPECT_EQ(yielding.feel(two_stretched), 0);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::yielding_test

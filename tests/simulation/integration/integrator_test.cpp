@@ -11,8 +11,7 @@
 
 #include "parallel/parallel.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::integrator_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -362,5 +361,4 @@ TEST(Integrator, implicit_takes_no_more_energy_from_a_storm_than_it_brings) {
     }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::integrator_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace ribbon {
-namespace {
+namespace ribbon::runge_kutta_test {
 
 using Eigen::Matrix3Xd;
 
@@ -85,5 +84,4 @@ TEST(RungeKuttaSubsteps, of_the_stiffest_scene_on_the_lightest_ribbon_are_a_numb
   EXPECT_GT(runge_kutta(network, {1e3, grid, 1e-13, 1e12})->substeps(), 1'000'000);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::runge_kutta_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace ribbon {
-namespace {
+namespace ribbon::spring_force_test {
 
 using Eigen::Matrix3Xd;
 
@@ -109,5 +108,4 @@ TEST(FastestFrequency, of_two_particles_on_a_spring_bounds_the_true_one) {
   EXPECT_LE(fastest_frequency(one_spring(8, 1), 2, 2), 1.01 * std::sqrt(8.0));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::spring_force_test

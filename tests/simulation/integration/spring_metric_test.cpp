@@ -9,8 +9,7 @@
 
 #include "parallel/parallel.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::spring_metric_test {
 
 using Eigen::MatrixX3d;
 using Eigen::MatrixXd;
@@ -104,5 +103,4 @@ TEST(SpringMetric, gives_the_same_bits_for_any_number_of_threads) {
   EXPECT_EQ(solved(network, grid, 0.25), alone);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::spring_metric_test

@@ -4,8 +4,7 @@
 
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::recovery_schemes_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -151,5 +150,4 @@ TEST(SchemeC, moves_the_particle_that_went_through_back_to_the_majority) {
   EXPECT_GT(positions(1, astray), 0);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::recovery_schemes_test

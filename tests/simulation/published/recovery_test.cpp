@@ -4,8 +4,7 @@
 
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::recovery_test {
 
 using Eigen::Matrix3Xd;
 
@@ -98,5 +97,4 @@ TEST(Recovery, never_leaves_more_errors_than_it_found) {
   EXPECT_LE(recover(bodies, settings, positions).penetrating_edges, before);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::recovery_test

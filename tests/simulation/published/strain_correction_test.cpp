@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::strain_correction_test {
 
 using Eigen::Matrix3Xd;
 
@@ -73,5 +72,4 @@ TEST(StrainCorrection, repeated_it_brings_every_edge_within_the_limit) {
   EXPECT_LT(rounds, 500);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::strain_correction_test

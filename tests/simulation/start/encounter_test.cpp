@@ -4,8 +4,7 @@
 
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::encounter_test {
 
 using Eigen::Matrix3Xd;
 
@@ -51,5 +50,4 @@ TEST(Encounter, of_the_obstacle_s_edge_with_the_ribbon_s_inside_is_found) {
   EXPECT_NEAR(grid.row(at->particle), 2.6, 1);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::encounter_test

@@ -12,8 +12,7 @@
 #include "simulation/start/encounter.h"
 #include "simulation/start/width_growth.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::free_start_test {
 
 using Eigen::Matrix3Xd;
 
@@ -239,5 +238,4 @@ TEST(FreeStart, as_published_recovers_what_it_can_and_counts_the_rest) {
   EXPECT_GT(cut.step().penetrating_edges, 0);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::free_start_test

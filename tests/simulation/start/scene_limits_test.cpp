@@ -7,8 +7,7 @@
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::scene_limits_test {
 
 // The sentence of the refusal; "accepted" without one.
 std::string answer_to(const Scene& scene, const RibbonMesh& mesh,
@@ -124,5 +123,4 @@ TEST(SceneLimits, springs_that_would_take_for_ever_are_accepted_where_they_do_no
   EXPECT_LT(fastening->strain(), 0.1);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::scene_limits_test

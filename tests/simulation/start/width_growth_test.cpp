@@ -5,8 +5,7 @@
 #include "simulation/loop_scene.h"
 #include "simulation/published/recovery.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::width_growth_test {
 
 using Eigen::Matrix3Xd;
 
@@ -62,5 +61,4 @@ TEST(WidthGrowth, a_band_that_nothing_can_settle_is_told_with_the_place) {
   EXPECT_NEAR(ribbon.grid.row(report.strained_particle), 60, 12);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::width_growth_test

@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace ribbon {
-namespace {
+namespace ribbon::band_edges_test {
 
 using Eigen::Matrix3Xd;
 using Pairs = std::vector<std::pair<int, int>>;
@@ -42,5 +41,4 @@ TEST(WorstStrain, is_of_those_springs_that_the_scene_has_and_of_shrinking_too) {
   EXPECT_EQ(worst_strain(size, {.bend = 1}, x), 0);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::band_edges_test

@@ -6,8 +6,7 @@
 #include "simulation/published/recovery.h"
 #include "simulation/start/width_growth.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::deformation_test {
 
 using Eigen::Matrix3Xd;
 
@@ -65,5 +64,4 @@ TEST(Deformation, stiffer_springs_divide_the_step_into_more_parts) {
   EXPECT_GT(band.deformation(1).substeps(), 3 * few);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::deformation_test

@@ -9,8 +9,7 @@
 #include "simulation/step/post_step.h"
 #include "simulation/truncation/surroundings.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::gated_post_step_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -165,5 +164,4 @@ TEST(GatedPostStep, flat_neighbours_are_at_rest_however_thick_the_cloth) {
   EXPECT_EQ(cloth.positions, flat);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::gated_post_step_test

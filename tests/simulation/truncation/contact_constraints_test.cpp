@@ -4,8 +4,7 @@
 
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::contact_constraints_test {
 
 using Eigen::Matrix3Xd;
 
@@ -77,5 +76,4 @@ TEST(ContactConstraints, part_by_momentum_conservation) {
   EXPECT_FALSE(keep_apart(std::span(&constraint, 1), {2, 2}, activity, x));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::contact_constraints_test

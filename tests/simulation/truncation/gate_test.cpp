@@ -12,8 +12,7 @@
 #include "simulation/published/planted_penetrations.h"
 #include "simulation/published/recovery.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::gate_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -174,5 +173,4 @@ TEST(Gate, gives_the_same_bits_for_any_number_of_threads) {
   EXPECT_EQ(answers[0], answers[2]);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::gate_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon {
-namespace {
+namespace ribbon::row_activity_test {
 
 TEST(RowActivity, nothing_rests_before_a_task_has_looked_at_it) {
   RowActivity activity(3, 2);
@@ -38,5 +37,4 @@ TEST(RowActivity, what_moved_in_a_turn_is_looked_at_in_the_next_of_the_same_task
   EXPECT_TRUE(activity.is_resting(2));
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::row_activity_test

@@ -7,8 +7,7 @@
 
 #include "simulation/detection/closest_weights.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::separating_plane_test {
 
 using Eigen::Vector3d;
 using Eigen::Vector4d;
@@ -98,5 +97,4 @@ TEST(SharesOfWay, almost_touching_edges_do_not_slip_through_each_other) {
   }
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::separating_plane_test

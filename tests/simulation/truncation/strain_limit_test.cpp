@@ -5,8 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace ribbon {
-namespace {
+namespace ribbon::strain_limit_test {
 
 using Eigen::Matrix3Xd;
 
@@ -130,5 +129,4 @@ TEST(StrainLimit, an_edge_without_length_has_no_direction_and_stays) {
   EXPECT_TRUE(x.allFinite());
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::strain_limit_test

@@ -11,8 +11,7 @@
 #include "simulation/detection/vertex_ranges.h"
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon {
-namespace {
+namespace ribbon::surroundings_test {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -143,5 +142,4 @@ TEST(Surroundings, pairs_that_fly_together_do_not_approach) {
   EXPECT_EQ(approaching_pairs(surroundings, from, way, reach_m).size(), of_particle);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::surroundings_test
