@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/lint.sh format | shell | tidy [FILE...] | tidy-all: one check over all files that git knows, or
-# those given; tidy without files over all but tests, and without the analyzer, which takes a third of the
-# time. Needs the compile commands of build/release, and tidy-all those of build/sanitize as well. Prints what is wrong, fails when anything is.
+# tests/lint.sh format | shell | tidy [FILE...]: one check over all files that git knows, or those given.
+# Prints what is wrong, fails when anything is. tidy looks at each source alone, as nothing else does, and
+# so also finds what a file forgot to include.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -26,9 +26,8 @@ tidy() {
   "clang-tidy-$llvm" --load="$plugin" --quiet "$@" 2> >(grep --invert-match 'warnings generated' >&2)
 }
 
-# tidy_by BUILD OPTION...   By the compile commands of a build.
-tidy_by() {
-  on_all_cores bash -c 'tidy "$@"' tidy -p "build/$1" "${@:2}"
+tidy_by_compile_commands() {
+  on_all_cores bash -c 'tidy "$@"' tidy -p build/lint
 }
 
 # A lint that finds nothing anywhere would look just like clean code.
@@ -47,26 +46,21 @@ find_planted() {
 case ${1-} in
   format) git ls-files -z '*.h' '*.cpp' | on_all_cores clang-format --dry-run --Werror ;;
   shell) git ls-files -z '*.sh' .ci | on_all_cores shellcheck --external-sources ;;
-  # Headers are looked at through the sources that include them. Fuzz targets are built with the
-  # sanitizers only.
-  tidy | tidy-all)
+  # Headers are looked at through the sources that include them.
+  tidy)
     build_plugin
     find_planted
+    cmake --preset lint >/dev/null
     export -f tidy
     export llvm plugin
     if [[ $# -gt 1 ]]; then
-      printf '%s\0' "${@:2}" | tidy_by release
-    elif [[ $1 == tidy ]]; then
-      git ls-files -z '*.cpp' ':!tests' | tidy_by release '--checks=-clang-analyzer-*'
+      printf '%s\0' "${@:2}" | tidy_by_compile_commands
     else
-      status=0
-      git ls-files -z '*.cpp' ':!tests/lint' ':!tests/fuzz' | tidy_by release || status=$?
-      git ls-files -z 'tests/fuzz/*.cpp' | tidy_by sanitize || status=$?
-      exit "$status"
+      git ls-files -z '*.cpp' ':!tests/lint' | tidy_by_compile_commands
     fi
     ;;
   *)
-    echo "unknown check '${1-}'; write format, shell, tidy or tidy-all" >&2
+    echo "unknown check '${1-}'; write format, shell or tidy" >&2
     exit 2
     ;;
 esac
