@@ -6,32 +6,35 @@
 namespace ribbon {
 
 AxisTurns::AxisTurns(const CentreAxis& axis)
-    : centre_(Place::point(axis.point_m)), along_(Place::direction(axis.direction)) {
+    : centre_(ProjectivePoint::point(axis.point_m)),
+      along_(ProjectivePoint::direction(axis.direction)) {
   Eigen::Index thinnest = 0;
   axis.direction.cwiseAbs().minCoeff(&thinnest);
   const Eigen::Vector3d ahead = axis.direction.cross(Eigen::Vector3d::Unit(thinnest));
-  ahead_ = Place::direction(ahead);
-  aside_ = Place::direction(axis.direction.cross(ahead));
+  ahead_ = ProjectivePoint::direction(ahead);
+  aside_ = ProjectivePoint::direction(axis.direction.cross(ahead));
 }
 
 // Through the half plane that the axis bounds in the direction ahead_, counter-clockwise. A point
 // in the plane counts as lying on its left.
 int AxisTurns::passage(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
-  const bool from_left = orientation(centre_, along_, ahead_, Place::point(from)) >= 0;
-  const bool to_left = orientation(centre_, along_, ahead_, Place::point(to)) >= 0;
+  const bool from_left = orientation(centre_, along_, ahead_, ProjectivePoint::point(from)) >= 0;
+  const bool to_left = orientation(centre_, along_, ahead_, ProjectivePoint::point(to)) >= 0;
   if (from_left == to_left) return 0;
-  const int sense = orientation(Place::point(from), Place::point(to), centre_, along_);
+  const int sense =
+      orientation(ProjectivePoint::point(from), ProjectivePoint::point(to), centre_, along_);
   if (to_left) return sense > 0 ? 1 : 0;
   return sense < 0 ? -1 : 0;
 }
 
 bool AxisTurns::meets(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
-  const auto on_one_side = [&](const Place& direction) {
-    return orientation(centre_, along_, direction, Place::point(from)) *
-               orientation(centre_, along_, direction, Place::point(to)) >
+  const auto on_one_side = [&](const ProjectivePoint& direction) {
+    return orientation(centre_, along_, direction, ProjectivePoint::point(from)) *
+               orientation(centre_, along_, direction, ProjectivePoint::point(to)) >
            0;
   };
-  return orientation(Place::point(from), Place::point(to), centre_, along_) == 0 &&
+  return orientation(ProjectivePoint::point(from), ProjectivePoint::point(to), centre_, along_) ==
+             0 &&
          !on_one_side(ahead_) && !on_one_side(aside_);
 }
 

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "exact/orientation.h"
 #include "geometry/centre_axis.h"
-#include "knot/exact_orientation.h"
 
 namespace ribbon {
 
@@ -32,8 +32,8 @@ class AxisTurns {
   [[nodiscard]] bool meets(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
   int watched_passage(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-  Place centre_, along_;
-  Place ahead_, aside_;  // two directions that span the space with the axis
+  ProjectivePoint centre_, along_;
+  ProjectivePoint ahead_, aside_;  // two directions that span the space with the axis
   bool started_ = false;
   Ends ends_;  // of the frame followed last
   int closing_passages_ = 0;

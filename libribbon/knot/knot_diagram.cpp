@@ -27,11 +27,11 @@ struct CrossedEdges {
 };
 
 // Do two edges with a common vertex overlap in this view?
-bool folded(const LongCurve& curve, Index edge, const Place& view) {
+bool folded(const LongCurve& curve, Index edge, const ProjectivePoint& view) {
   return orientation(curve[edge], curve[edge + 1], curve[edge + 2], view) == 0;
 }
 
-std::optional<CrossedEdges> crossed_edges(const LongCurve& curve, const Place& view) {
+std::optional<CrossedEdges> crossed_edges(const LongCurve& curve, const ProjectivePoint& view) {
   const Index edges = curve.size() - 1;
   CrossedEdges result{std::vector<std::vector<EdgeCrossing>>(edges), {}};
   for (Index e = 0; e + 1 < edges; ++e) {
@@ -51,7 +51,7 @@ std::optional<CrossedEdges> crossed_edges(const LongCurve& curve, const Place& v
 
 // Puts the crossings of an edge in the order in which they are met. False if two coincide.
 bool put_in_order(std::vector<EdgeCrossing>& crossings, const LongCurve& curve, Index edge,
-                  const Place& view) {
+                  const ProjectivePoint& view) {
   const auto order = [&](const EdgeCrossing& one, const EdgeCrossing& other) {
     return order_along(curve[edge], curve[edge + 1], curve[one.other_edge],
                        curve[one.other_edge + 1], curve[other.other_edge],
@@ -115,7 +115,7 @@ int KnotDiagram::writhe() const {
   return std::accumulate(signs.begin(), signs.end(), 0);
 }
 
-std::optional<KnotDiagram> diagram(const LongCurve& curve, const Place& view) {
+std::optional<KnotDiagram> diagram(const LongCurve& curve, const ProjectivePoint& view) {
   assert(view.is_direction);
   std::optional<CrossedEdges> edges = crossed_edges(curve, view);
   if (!edges) return {};
@@ -154,7 +154,7 @@ std::optional<KnotDiagram> simple_diagram(const LongCurve& curve) {
                                                      {-0.2, 0.8, -0.5}}};
   std::optional<KnotDiagram> best;
   for (const Eigen::Vector3d& view : views) {
-    std::optional<KnotDiagram> seen = diagram(curve, Place::direction(view));
+    std::optional<KnotDiagram> seen = diagram(curve, ProjectivePoint::direction(view));
     if (!seen) continue;
     KnotDiagram simple = reduced(*std::move(seen));
     if (!best || simple.crossing_count() < best->crossing_count()) best = std::move(simple);

@@ -23,7 +23,7 @@ struct KnotDiagram {
 };
 
 // The curve as seen from the direction `view`. Nothing when that view is not in general position.
-std::optional<KnotDiagram> diagram(const LongCurve& curve, const Place& view);
+std::optional<KnotDiagram> diagram(const LongCurve& curve, const ProjectivePoint& view);
 
 // The same knot without the loops and the pairs of crossings that the first and the second
 // Reidemeister move take away.

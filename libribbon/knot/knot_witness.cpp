@@ -12,9 +12,9 @@ namespace {
 
 LongCurve closed_far_away(const Eigen::Matrix3Xd& curve,
                           const std::array<Eigen::Vector3d, 2>& rays) {
-  LongCurve result{Place::direction(rays[0])};
-  for (const auto& point : curve.colwise()) result.push_back(Place::point(point));
-  result.push_back(Place::direction(rays[1]));
+  LongCurve result{ProjectivePoint::direction(rays[0])};
+  for (const auto& point : curve.colwise()) result.push_back(ProjectivePoint::point(point));
+  result.push_back(ProjectivePoint::direction(rays[1]));
   return result;
 }
 

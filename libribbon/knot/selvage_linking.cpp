@@ -20,7 +20,7 @@ const std::array<Eigen::Vector3d, 4>& views() {
 }
 
 struct Edge {
-  Place from, to;
+  ProjectivePoint from, to;
   Eigen::Vector2d low, high;  // its bounding box as seen
 };
 
@@ -29,7 +29,7 @@ Eigen::Vector2d seen_at(const Eigen::Vector3d& point, const Eigen::Vector3d& vie
   return point.head<2>() - view.head<2>() * point.z();
 }
 
-Edge ray_edge(const Place& from, const Place& to) {
+Edge ray_edge(const ProjectivePoint& from, const ProjectivePoint& to) {
   const auto all = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   return {from, to, -all, all};
 }
@@ -38,14 +38,17 @@ std::vector<Edge> edges_of(const Eigen::Matrix3Xd& curve, const Directions& rays
                            const Eigen::Vector3d& view) {
   constexpr double rounding = 1e-12;  // far more than seen_at() loses
   const double slack = rounding * curve.cwiseAbs().maxCoeff();
-  std::vector<Edge> result{ray_edge(Place::direction(rays[0]), Place::point(curve.col(0)))};
+  std::vector<Edge> result{
+      ray_edge(ProjectivePoint::direction(rays[0]), ProjectivePoint::point(curve.col(0)))};
   for (Eigen::Index k = 0; k + 1 < curve.cols(); ++k) {
     const Eigen::Vector2d p = seen_at(curve.col(k), view);
     const Eigen::Vector2d q = seen_at(curve.col(k + 1), view);
-    result.push_back({Place::point(curve.col(k)), Place::point(curve.col(k + 1)),
-                      p.cwiseMin(q).array() - slack, p.cwiseMax(q).array() + slack});
+    result.push_back({ProjectivePoint::point(curve.col(k)),
+                      ProjectivePoint::point(curve.col(k + 1)), p.cwiseMin(q).array() - slack,
+                      p.cwiseMax(q).array() + slack});
   }
-  result.push_back(ray_edge(Place::point(curve.col(curve.cols() - 1)), Place::direction(rays[1])));
+  result.push_back(ray_edge(ProjectivePoint::point(curve.col(curve.cols() - 1)),
+                            ProjectivePoint::direction(rays[1])));
   return result;
 }
 
@@ -69,7 +72,8 @@ std::optional<int> crossing_sum(const RibbonCurves& curves, const Directions& ra
   for (const Edge& a : first) {
     for (const Edge& b : second) {
       if (seen_apart(a, b) || parallel_rays(a, b)) continue;
-      const ViewCrossing pair = view_crossing(a.from, a.to, b.from, b.to, Place::direction(view));
+      const ViewCrossing pair =
+          view_crossing(a.from, a.to, b.from, b.to, ProjectivePoint::direction(view));
       if (pair.seen == ViewOfEdges::doubtful) return {};
       result += pair.sign;
     }
@@ -87,22 +91,25 @@ Eigen::Vector3d across(const RibbonCurves& curves, std::size_t end) {
 }
 
 // On which side of the first selvage's ray is the second's, as seen?
-int side_seen(const RibbonCurves& curves, std::size_t end, const Place& ray, const Place& view) {
-  return orientation(Place::point(curves.first_selvage.col(tip_index(curves.first_selvage, end))),
-                     Place::point(curves.second_selvage.col(tip_index(curves.second_selvage, end))),
-                     view, ray);
+int side_seen(const RibbonCurves& curves, std::size_t end, const ProjectivePoint& ray,
+              const ProjectivePoint& view) {
+  return orientation(
+      ProjectivePoint::point(curves.first_selvage.col(tip_index(curves.first_selvage, end))),
+      ProjectivePoint::point(curves.second_selvage.col(tip_index(curves.second_selvage, end))),
+      view, ray);
 }
 
 // How often an end shows its edge to the viewer while it turns the shorter way, right-handed about
 // its ray: -1, 0 or 1. Nothing when it does so at the beginning or at the end.
 std::optional<int> edge_on_passages(const RibbonCurves& before, const RibbonCurves& now,
-                                    std::size_t end, const Place& ray, const Place& view) {
+                                    std::size_t end, const ProjectivePoint& ray,
+                                    const ProjectivePoint& view) {
   const int side_before = side_seen(before, end, ray, view);
   const int side_now = side_seen(now, end, ray, view);
   if (side_before == side_now && side_now != 0) return 0;
-  const int sense =
-      orientation(Place::point(Eigen::Vector3d::Zero()), Place::point(across(before, end)),
-                  Place::point(across(now, end)), ray);
+  const int sense = orientation(ProjectivePoint::point(Eigen::Vector3d::Zero()),
+                                ProjectivePoint::point(across(before, end)),
+                                ProjectivePoint::point(across(now, end)), ray);
   if (side_before * side_now * sense == 0) return {};
   return sense;
 }
@@ -131,11 +138,13 @@ void SelvageLinking::follow(const RibbonCurves& before, const RibbonCurves& now,
                             const Directions& rays) {
   if (!number_) return;
   for (std::size_t view = 0; view < views().size(); ++view) {
-    const Place viewer = Place::direction(views()[view]);
+    const ProjectivePoint viewer = ProjectivePoint::direction(views()[view]);
     const auto sum_before = crossing_sum_before(before, rays, view);
     const auto sum_now = crossing_sum(now, rays, views()[view]);
-    const auto turned_0 = edge_on_passages(before, now, 0, Place::direction(rays[0]), viewer);
-    const auto turned_1 = edge_on_passages(before, now, 1, Place::direction(rays[1]), viewer);
+    const auto turned_0 =
+        edge_on_passages(before, now, 0, ProjectivePoint::direction(rays[0]), viewer);
+    const auto turned_1 =
+        edge_on_passages(before, now, 1, ProjectivePoint::direction(rays[1]), viewer);
     if (!sum_before || !sum_now || !turned_0 || !turned_1) continue;
     // Turning an end right-handed about its ray winds a crossing into the ribbon, and one half
     // twist of the far band back.

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "knot/exact_orientation.h"
+#include "exact/orientation.h"
 #include "knot/ribbon_curves.h"
 
 namespace ribbon {

@@ -11,7 +11,7 @@ namespace ribbon {
 namespace {
 
 struct Corner {
-  Place a, b, c;
+  ProjectivePoint a, b, c;
 };
 
 Box box_around(const Corner& triangle) {
@@ -25,14 +25,14 @@ Box box_around(const Corner& triangle) {
 }
 
 // Quick to tell of most edges that they miss the triangle in the box.
-bool misses(const Box& box, const Place& p, const Place& q) {
+bool misses(const Box& box, const ProjectivePoint& p, const ProjectivePoint& q) {
   if (p.is_direction || q.is_direction) return false;
   return (p.at.array() < box.low.array() && q.at.array() < box.low.array()).any() ||
          (p.at.array() > box.high.array() && q.at.array() > box.high.array()).any();
 }
 
 // Does edge pq meet the triangle? In doubt, yes.
-bool meets(const Corner& triangle, const Place& p, const Place& q) {
+bool meets(const Corner& triangle, const ProjectivePoint& p, const ProjectivePoint& q) {
   const auto& [a, b, c] = triangle;
   if (orientation(a, b, c, p) * orientation(a, b, c, q) > 0) return false;
   const int ab = orientation(p, q, a, b);

@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "knot/exact_orientation.h"
+#include "exact/orientation.h"
 
 namespace ribbon {
 
 // A polygon from infinity to infinity: a direction, points, a direction. A knot that is closed far
 // away.
-using LongCurve = std::vector<Place>;
+using LongCurve = std::vector<ProjectivePoint>;
 
 // Removes every vertex whose triangle with its two neighbours is met by no other edge, again and
 // again (Koniaris and Muthukumar, "Self-entanglement in ring polymers", 1991; Taylor, "A deeply

@@ -2,8 +2,9 @@
 
 namespace ribbon {
 
-ViewCrossing view_crossing(const Place& p, const Place& q, const Place& r, const Place& s,
-                           const Place& view) {
+ViewCrossing view_crossing(const ProjectivePoint& p, const ProjectivePoint& q,
+                           const ProjectivePoint& r, const ProjectivePoint& s,
+                           const ProjectivePoint& view) {
   const int r_side = orientation(p, q, r, view);
   const int s_side = orientation(p, q, s, view);
   if (r_side * s_side > 0) return {};

@@ -1,7 +1,7 @@
 // Two edges as a viewer sees them: do they cross, and how?
 #pragma once
 
-#include "knot/exact_orientation.h"
+#include "exact/orientation.h"
 
 namespace ribbon {
 
@@ -15,7 +15,8 @@ struct ViewCrossing {
 
 // Edges p to q and r to s, seen from the direction `view`. Exact. "Doubtful" is a view in which an
 // end of one lies on the line of the other, or edges that meet in space: another view is needed.
-ViewCrossing view_crossing(const Place& p, const Place& q, const Place& r, const Place& s,
-                           const Place& view);
+ViewCrossing view_crossing(const ProjectivePoint& p, const ProjectivePoint& q,
+                           const ProjectivePoint& r, const ProjectivePoint& s,
+                           const ProjectivePoint& view);
 
 }  // namespace ribbon

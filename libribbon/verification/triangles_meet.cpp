@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "verification/orientation.h"
+#include "exact/orientation.h"
 
 namespace ribbon {
 

@@ -90,7 +90,7 @@ TEST(JonesPolynomial, of_a_simplified_random_walk_agrees_with_regina_on_the_walk
       return Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
     });
     const LongCurve curve = long_curve(walk, {-1, 0.1, 0.2}, {1, 0.2, 0.1});
-    const auto whole = diagram(curve, Place::direction({0.1, 0.2, 1}));
+    const auto whole = diagram(curve, ProjectivePoint::direction({0.1, 0.2, 1}));
     const auto simple = simple_diagram(simplified(curve));
     ASSERT_TRUE(whole && simple);
     const auto ours = jones_polynomial(*simple);

@@ -9,7 +9,7 @@ namespace ribbon::knot_diagram_test {
 
 using Pass = KnotDiagram::Pass;
 
-const Place from_above = Place::direction({0.01, 0.02, 1});
+const ProjectivePoint from_above = ProjectivePoint::direction({0.01, 0.02, 1});
 
 TEST(KnotDiagram, three_crossings_of_the_drawn_trefoil_alternate) {
   const auto seen = diagram(long_curve(overhand_knot(60), {-1, 0, 0.01}, {1, 0, 0}), from_above);
@@ -22,13 +22,13 @@ TEST(KnotDiagram, three_crossings_of_the_drawn_trefoil_alternate) {
 
 TEST(KnotDiagram, crossings_come_in_the_order_in_which_the_edge_meets_them) {
   // One long edge along x, crossed at x = 3, 1, 2 by the strands that come after it.
-  LongCurve curve{Place::direction({-1, 0.01, 0})};
+  LongCurve curve{ProjectivePoint::direction({-1, 0.01, 0})};
   for (const Eigen::Vector3d& point :
        {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(9, 0, 0), Eigen::Vector3d(3, 4, 1),
         Eigen::Vector3d(3.1, -4, 1), Eigen::Vector3d(1, -4, 3), Eigen::Vector3d(1.1, 4, -2),
         Eigen::Vector3d(2, 4, -2)})
-    curve.push_back(Place::point(point));
-  curve.push_back(Place::direction({0.01, -1, -0.02}));
+    curve.push_back(ProjectivePoint::point(point));
+  curve.push_back(ProjectivePoint::direction({0.01, -1, -0.02}));
   const auto seen = diagram(curve, from_above);
   ASSERT_TRUE(seen);
   ASSERT_EQ(seen->crossing_count(), 4);
@@ -42,13 +42,13 @@ TEST(KnotDiagram, crossings_come_in_the_order_in_which_the_edge_meets_them) {
 }
 
 TEST(KnotDiagram, a_view_along_an_edge_is_refused) {
-  LongCurve curve{Place::direction({-1, 0, 0})};
+  LongCurve curve{ProjectivePoint::direction({-1, 0, 0})};
   for (const Eigen::Vector3d& point : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, 1),
                                        Eigen::Vector3d(0, 2, 3), Eigen::Vector3d(1, 1, 1)})
-    curve.push_back(Place::point(point));
-  curve.push_back(Place::direction({1, 0, 0.5}));
-  EXPECT_FALSE(diagram(curve, Place::direction({0, 0, 1})));
-  EXPECT_TRUE(diagram(curve, Place::direction({0.3, -0.2, 1})));
+    curve.push_back(ProjectivePoint::point(point));
+  curve.push_back(ProjectivePoint::direction({1, 0, 0.5}));
+  EXPECT_FALSE(diagram(curve, ProjectivePoint::direction({0, 0, 1})));
+  EXPECT_TRUE(diagram(curve, ProjectivePoint::direction({0.3, -0.2, 1})));
 }
 
 TEST(KnotDiagram, loops_are_taken_out) {
@@ -74,11 +74,11 @@ TEST(KnotDiagram, strands_that_embrace_stay) {
 }
 
 TEST(KnotDiagram, a_curve_that_meets_itself_has_none) {
-  LongCurve curve{Place::direction({-1, 0, 0.5})};
+  LongCurve curve{ProjectivePoint::direction({-1, 0, 0.5})};
   for (const Eigen::Vector3d& point : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 0, 0),
                                        Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(1, -1, 0)})
-    curve.push_back(Place::point(point));
-  curve.push_back(Place::direction({1, 0, 0.25}));
+    curve.push_back(ProjectivePoint::point(point));
+  curve.push_back(ProjectivePoint::direction({1, 0, 0.25}));
   EXPECT_FALSE(simple_diagram(curve));
 }
 

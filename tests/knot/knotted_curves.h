@@ -61,9 +61,9 @@ inline Curve joined(const Curve& first, const Curve& second) {
 // Closed by rays that leave the first and the last point outwards, as seen from the centre.
 inline LongCurve long_curve(const Curve& curve, const Eigen::Vector3d& first_ray,
                             const Eigen::Vector3d& last_ray) {
-  LongCurve result{Place::direction(first_ray)};
-  for (const auto& point : curve.colwise()) result.push_back(Place::point(point));
-  result.push_back(Place::direction(last_ray));
+  LongCurve result{ProjectivePoint::direction(first_ray)};
+  for (const auto& point : curve.colwise()) result.push_back(ProjectivePoint::point(point));
+  result.push_back(ProjectivePoint::direction(last_ray));
   return result;
 }
 

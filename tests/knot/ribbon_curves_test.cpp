@@ -51,8 +51,9 @@ TEST(RibbonCurves, no_four_points_of_a_flat_ribbon_stay_in_one_plane) {
   const RibbonGrid grid{12, 4};
   const Eigen::Matrix3Xd line = ribbon_curves(grid, flat_grid(grid)).centre_line;
   for (Eigen::Index k = 0; k + 3 < line.cols(); ++k)
-    EXPECT_NE(orientation(Place::point(line.col(k)), Place::point(line.col(k + 1)),
-                          Place::point(line.col(k + 2)), Place::point(line.col(k + 3))),
+    EXPECT_NE(orientation(
+                  ProjectivePoint::point(line.col(k)), ProjectivePoint::point(line.col(k + 1)),
+                  ProjectivePoint::point(line.col(k + 2)), ProjectivePoint::point(line.col(k + 3))),
               0);
 }
 

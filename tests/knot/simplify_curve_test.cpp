@@ -23,19 +23,19 @@ TEST(SimplifyCurve, a_knot_keeps_what_holds_it) {
 }
 
 bool has_corner(const LongCurve& curve, const Eigen::Vector3d& corner) {
-  return std::any_of(curve.begin(), curve.end(), [&corner](const Place& place) {
-    return !place.is_direction && place.at == corner;
+  return std::any_of(curve.begin(), curve.end(), [&corner](const ProjectivePoint& point) {
+    return !point.is_direction && point.at == corner;
   });
 }
 
 TEST(SimplifyCurve, a_touched_triangle_keeps_the_corner) {
   // The strand passes exactly through the edge between the neighbours of the corner (2, 2, 0).
-  LongCurve curve{Place::direction({-1, 0, -0.125})};
+  LongCurve curve{ProjectivePoint::direction({-1, 0, -0.125})};
   for (const Eigen::Vector3d& point :
        {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 2, 0), Eigen::Vector3d(4, 0, 0),
         Eigen::Vector3d(9, 0, 4), Eigen::Vector3d(2, 0, 4), Eigen::Vector3d(2, 0, -4)})
-    curve.push_back(Place::point(point));
-  curve.push_back(Place::direction({0.25, 0.5, -1}));
+    curve.push_back(ProjectivePoint::point(point));
+  curve.push_back(ProjectivePoint::direction({0.25, 0.5, -1}));
   EXPECT_TRUE(has_corner(simplified(curve), {2, 2, 0}));
 }
 

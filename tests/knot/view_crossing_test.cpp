@@ -4,11 +4,11 @@
 
 namespace ribbon::view_crossing_test {
 
-Place point(double x, double y, double z) {
-  return Place::point({x, y, z});
+ProjectivePoint point(double x, double y, double z) {
+  return ProjectivePoint::point({x, y, z});
 }
-const Place from_above = Place::direction({0, 0, 1});
-const Place from_below = Place::direction({0, 0, -1});
+const ProjectivePoint from_above = ProjectivePoint::direction({0, 0, 1});
+const ProjectivePoint from_below = ProjectivePoint::direction({0, 0, -1});
 
 TEST(ViewCrossing, upper_strand_turned_counter_clockwise_to_the_lower_is_right_handed) {
   // Eastward over northward.
@@ -34,8 +34,9 @@ TEST(ViewCrossing, the_mirror_image_is_left_handed) {
 }
 
 TEST(ViewCrossing, a_ray_crosses_like_a_long_edge) {
-  const ViewCrossing seen = view_crossing(Place::direction({-1, 0.01, 0.1}), point(1, 0, 1),
-                                          point(-50, -9, 0), point(-50, 9, 0), from_above);
+  const ViewCrossing seen =
+      view_crossing(ProjectivePoint::direction({-1, 0.01, 0.1}), point(1, 0, 1), point(-50, -9, 0),
+                    point(-50, 9, 0), from_above);
   EXPECT_EQ(seen.seen, ViewOfEdges::crossing);
   EXPECT_EQ(seen.sign, 1);
 }
@@ -57,7 +58,7 @@ TEST(ViewCrossing, an_end_on_the_other_edge_is_doubtful) {
 TEST(ViewCrossing, edges_that_meet_are_doubtful_from_everywhere) {
   for (const Eigen::Vector3d& view : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0.3, 0.2, -1)})
     EXPECT_EQ(view_crossing(point(-1, 0, 0), point(1, 0, 0), point(0, -1, 0), point(0, 1, 0),
-                            Place::direction(view))
+                            ProjectivePoint::direction(view))
                   .seen,
               ViewOfEdges::doubtful);
 }
