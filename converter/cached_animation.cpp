@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "commandline/progress.h"
-#include "converter/obj_text.h"
+#include "converter/export/obj_text.h"
+#include "converter/export/point_cache.h"
 #include "converter/output_names.h"
-#include "converter/point_cache.h"
 #include "files/files.h"
 
 namespace ribbon {

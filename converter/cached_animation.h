@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "converter/conversion.h"
-#include "converter/model.h"
+#include "converter/export/model.h"
 
 namespace ribbon {
 

@@ -4,8 +4,8 @@
 
 #include "commandline/frame_range.h"
 #include "converter/cached_animation.h"
+#include "converter/export/model.h"
 #include "converter/frame_sequence.h"
-#include "converter/model.h"
 #include "converter/output_format.h"
 
 namespace ribbon {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "commandline/progress.h"
-#include "converter/fbx_export.h"
-#include "converter/obj_text.h"
+#include "converter/export/fbx_export.h"
+#include "converter/export/obj_text.h"
 #include "converter/output_names.h"
 #include "converter/reader_pool.h"
 #include "files/files.h"

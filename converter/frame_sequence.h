@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "converter/conversion.h"
-#include "converter/model.h"
+#include "converter/export/model.h"
 #include "converter/output_format.h"
 
 namespace ribbon {

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "knot/knot_names.h"
+#include "knot/type/knot_names.h"
 
 namespace ribbon {
 namespace {

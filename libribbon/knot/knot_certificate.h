@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "knot/laurent_polynomial.h"
+#include "knot/type/laurent_polynomial.h"
 
 namespace ribbon {
 

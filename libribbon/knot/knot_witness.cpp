@@ -3,9 +3,9 @@
 #include <cassert>
 #include <utility>
 
-#include "knot/jones_polynomial.h"
-#include "knot/knot_diagram.h"
-#include "knot/simplify_curve.h"
+#include "knot/type/jones_polynomial.h"
+#include "knot/type/knot_diagram.h"
+#include "knot/type/simplify_curve.h"
 
 namespace ribbon {
 namespace {

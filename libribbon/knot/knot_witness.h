@@ -6,11 +6,11 @@
 
 #include "geometry/centre_axis.h"
 #include "geometry/ribbon_grid.h"
-#include "knot/axis_turns.h"
-#include "knot/closing_rays.h"
 #include "knot/knot_certificate.h"
-#include "knot/ribbon_curves.h"
-#include "knot/selvage_linking.h"
+#include "knot/motion/axis_turns.h"
+#include "knot/motion/closing_rays.h"
+#include "knot/motion/ribbon_curves.h"
+#include "knot/motion/selvage_linking.h"
 
 namespace ribbon {
 

@@ -9,10 +9,10 @@
 #include <iomanip>
 #include <limits>
 
-#include "converter/fbx_export.h"
-#include "converter/fbx_records.h"
-#include "converter/obj_text.h"
-#include "converter/point_cache.h"
+#include "converter/export/fbx_export.h"
+#include "converter/export/fbx_records.h"
+#include "converter/export/obj_text.h"
+#include "converter/export/point_cache.h"
 #include "converter/sample_knot.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"

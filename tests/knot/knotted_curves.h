@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geometry/ribbon_grid.h"
-#include "knot/simplify_curve.h"
+#include "knot/type/simplify_curve.h"
 
 namespace ribbon {
 

@@ -1,0 +1,99 @@
+#include "converter/export/model.h"
+
+#include <algorithm>
+#include <cassert>
+#include <string_view>
+#include <utility>
+
+namespace ribbon {
+
+namespace {
+
+constexpr std::size_t max_name_bytes = 63;  // Blender cuts longer names itself
+
+// A name that every format can hold: control characters would end the line in OBJ and are
+// separators in FBX. Cut at the start of a UTF-8 character.
+std::string object_name(std::string name, std::string_view otherwise) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '_');
+  std::size_t length = std::min(name.size(), max_name_bytes);
+  while (length > 0 && length < name.size() && (name[length] & 0xc0) == 0x80) --length;
+  name.resize(length);
+  name.erase(0, name.find_first_not_of(' '));
+  name.erase(name.find_last_not_of(' ') + 1);
+  return name.empty() ? std::string(otherwise) : name;
+}
+
+Eigen::MatrixXi ribbon_faces(const RibbonGrid& grid) {
+  Eigen::MatrixXi faces(4, grid.quad_count());
+  for (int q = 0; q < grid.quad_count(); ++q) {
+    const auto corners = grid.quad(q);
+    faces.col(q) << corners[0], corners[1], corners[2], corners[3];
+  }
+  return faces;
+}
+
+ModelObject ribbon_object(const RecordingHeader& header) {
+  return {.name = object_name(header.scene_name, "ribbon"),
+          .material = {"ribbon", {0.61F, 0.03F, 0.05F}},
+          .positions = Eigen::Matrix3Xf::Zero(3, header.grid.particle_count()),
+          .uv = header.uv,
+          .faces = ribbon_faces(header.grid)};
+}
+
+ModelObject obstacle_object(const TriangleMesh& mesh, const std::string& ribbon_name) {
+  std::string name = object_name(mesh.name, "obstacle");
+  if (name == ribbon_name) name = name == "obstacle" ? "still_life" : "obstacle";
+  return {.name = std::move(name),
+          .material = {"obstacle", {0.45F, 0.45F, 0.42F}},
+          .positions = mesh.vertices,
+          .uv = Eigen::Matrix2Xf(2, 0),
+          .faces = mesh.triangles};
+}
+
+bool faces_fit(const ModelObject& object) {
+  return object.faces.size() == 0 ||
+         (object.faces.minCoeff() >= 0 && object.faces.maxCoeff() < object.positions.cols());
+}
+
+tl::unexpected<Error> contradiction(const std::string& problem) {
+  return failure("", "the recording's header contradicts itself: " + problem, "record it again");
+}
+
+}  // namespace
+
+Result<Model> model_of_recording(const RecordingHeader& header, bool with_obstacle) {
+  if (header.grid.along < 2 || header.grid.across < 2)
+    return contradiction("the ribbon has fewer than 2 x 2 particles");
+  if (header.uv.cols() != header.grid.particle_count())
+    return contradiction("it has uv for " + std::to_string(header.uv.cols()) + " of " +
+                         std::to_string(header.grid.particle_count()) + " particles");
+  if (!header.uv.allFinite()) return contradiction("a uv is not a finite number");
+  Model model{.objects = {ribbon_object(header)}, .frames_per_second = header.frames_per_second};
+  if (with_obstacle && header.obstacle)
+    model.objects.push_back(obstacle_object(*header.obstacle, model.objects.front().name));
+  if (!model.objects.back().positions.allFinite())
+    return contradiction("a vertex of the obstacle is not finite");
+  if (!faces_fit(model.objects.back()))
+    return contradiction("a triangle of the obstacle names a vertex that does not exist");
+  return model;
+}
+
+Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number) {
+  assert(!model.objects.empty());
+  ModelObject& ribbon = model.objects.front();
+  const std::string place = "frame " + std::to_string(number);
+  if (positions.cols() != ribbon.positions.cols())
+    return failure(place,
+                   "holds " + std::to_string(positions.cols()) +
+                       " particles where the ribbon has " + std::to_string(ribbon.positions.cols()),
+                   "leave it out with --frames");
+  for (Eigen::Index particle = 0; particle < positions.cols(); ++particle)
+    if (!positions.col(particle).allFinite())
+      return failure(place, "particle " + std::to_string(particle) + " is not at a finite position",
+                     "leave it out with --frames");
+  ribbon.positions = positions;
+  return {};
+}
+
+}  // namespace ribbon

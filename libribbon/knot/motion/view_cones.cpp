@@ -1,0 +1,69 @@
+#include "knot/motion/view_cones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ribbon {
+namespace {
+
+double angle_rad(const Eigen::Vector3d& unit_a, const Eigen::Vector3d& unit_b) {
+  return std::acos(std::clamp(unit_a.dot(unit_b), -1.0, 1.0));
+}
+
+ViewCone cone_around(const SweptEdge& swept) {
+  const Eigen::Vector3d middle =
+      swept[0].normalized() + swept[1].normalized() + swept[2].normalized() + swept[3].normalized();
+  ViewCone result{middle.normalized(), 0};
+  for (const Eigen::Vector3d& corner : swept)
+    result.half_angle_rad =
+        std::max(result.half_angle_rad, angle_rad(result.axis, corner.normalized()));
+  // Only within a half space do the corners bound the directions in between.
+  if (result.half_angle_rad > 1.5) result.half_angle_rad = std::numbers::pi;
+  return result;
+}
+
+double extent(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+  return (one - other).squaredNorm();
+}
+
+// Halves the swept surface across its longer side: the edge, or the way that it goes.
+std::array<SweptEdge, 2> halves(const SweptEdge& swept) {
+  const auto& [p_before, q_before, p_after, q_after] = swept;
+  const double edge = std::max(extent(p_before, q_before), extent(p_after, q_after));
+  const double way = std::max(extent(p_before, p_after), extent(q_before, q_after));
+  if (edge > way) {
+    const Eigen::Vector3d before = (p_before + q_before) / 2;
+    const Eigen::Vector3d after = (p_after + q_after) / 2;
+    return {{{p_before, before, p_after, after}, {before, q_before, after, q_after}}};
+  }
+  const Eigen::Vector3d p = (p_before + p_after) / 2;
+  const Eigen::Vector3d q = (q_before + q_after) / 2;
+  return {{{p_before, q_before, p, q}, {p, q, p_after, q_after}}};
+}
+
+void append(const SweptEdge& swept, int splits_left, std::vector<ViewCone>& cones) {
+  constexpr double narrow_rad = 0.03;
+  const ViewCone cone = cone_around(swept);
+  if (cone.half_angle_rad <= narrow_rad || splits_left == 0) {
+    cones.push_back(cone);
+    return;
+  }
+  for (const SweptEdge& half : halves(swept)) append(half, splits_left - 1, cones);
+}
+
+}  // namespace
+
+void append_view_cones(const SweptEdge& swept, std::vector<ViewCone>& cones) {
+  constexpr int most_splits = 10;
+  append(swept, most_splits, cones);
+}
+
+double clearance_rad(const std::vector<ViewCone>& cones, const Eigen::Vector3d& direction) {
+  double result = std::numbers::pi;
+  for (const ViewCone& cone : cones)
+    result = std::min(result, angle_rad(direction, cone.axis) - cone.half_angle_rad);
+  return result;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,114 @@
+#include "converter/export/obj_text.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "converter/export/posed_model.h"
+
+namespace ribbon::obj_text_test {
+
+Model one_quad() {
+  ModelObject quad{.name = "my ribbon",
+                   .material = {"ribbon", {0.5F, 0.25F, 1}},
+                   .positions = Eigen::Matrix3Xf(3, 4),
+                   .uv = Eigen::Matrix2Xf(2, 4),
+                   .faces = Eigen::MatrixXi(4, 1)};
+  quad.positions << 0, 1, 1, 0,  //
+      0.1F, 0.1F, 0.1F, 0.1F,    //
+      0, 0, -2.5F, -2.5F;
+  quad.uv << 0, 1, 1, 0,  //
+      0, 0, 1, 1;
+  quad.faces << 0, 1, 2, 3;
+  ModelObject triangle{.name = "rock",
+                       .material = {"obstacle", {1, 1, 1}},
+                       .positions = Eigen::Matrix3Xf::Zero(3, 3),
+                       .uv = Eigen::Matrix2Xf(2, 0),
+                       .faces = Eigen::MatrixXi(3, 1)};
+  triangle.faces << 2, 1, 0;
+  return {.objects = {quad, triangle}, .frames_per_second = 50};
+}
+
+TEST(ObjText, a_quad_and_a_triangle_are_written_as_they_are) {
+  EXPECT_EQ(obj_text(one_quad(), "knot.mtl"),
+            "# ribbon-convert: metres, y up\n"
+            "mtllib knot.mtl\n"
+            "o my ribbon\n"
+            "v 0 0.1 0\n"
+            "v 1 0.1 0\n"
+            "v 1 0.1 -2.5\n"
+            "v 0 0.1 -2.5\n"
+            "vt 0 0\n"
+            "vt 1 0\n"
+            "vt 1 1\n"
+            "vt 0 1\n"
+            "usemtl ribbon\n"
+            "f 1/1 2/2 3/3 4/4\n"
+            "o rock\n"
+            "v 0 0 0\n"
+            "v 0 0 0\n"
+            "v 0 0 0\n"
+            "usemtl obstacle\n"
+            "f 7 6 5\n");
+}
+
+TEST(ObjText, the_material_library_names_every_material) {
+  EXPECT_EQ(material_library_text(one_quad()),
+            "# ribbon-convert\n"
+            "newmtl ribbon\n"
+            "Kd 0.5 0.25 1\n"
+            "d 1\n"
+            "illum 1\n"
+            "newmtl obstacle\n"
+            "Kd 1 1 1\n"
+            "d 1\n"
+            "illum 1\n");
+}
+
+// All `v` lines of a file, read by another way than they were written.
+Eigen::Matrix3Xf vertices_of(const std::string& text) {
+  std::vector<float> numbers;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("v ")) continue;
+    const char* at = line.c_str() + 2;
+    for (int axis = 0; axis < 3; ++axis) {
+      char* after = nullptr;
+      numbers.push_back(std::strtof(at, &after));
+      at = after;
+    }
+  }
+  return Eigen::Map<Eigen::Matrix3Xf>(numbers.data(), 3,
+                                      static_cast<Eigen::Index>(numbers.size() / 3));
+}
+
+void expect_every_vertex_in_order(const SampleKnot& knot) {
+  for (std::size_t frame = 0; frame < knot.frames.size(); ++frame) {
+    const Eigen::Matrix3Xf vertices = vertices_of(obj_text(posed_model(knot, frame), "m.mtl"));
+    ASSERT_EQ(vertices.cols(), 48 + 5) << "frame " << frame;
+    EXPECT_EQ(vertices.leftCols(48), knot.frames[frame].cast<float>()) << "frame " << frame;
+    EXPECT_EQ(vertices.rightCols(5), knot.header.obstacle->vertices) << "frame " << frame;
+  }
+}
+
+TEST(ObjText, coincident_vertices_keep_their_number_and_order_in_every_frame) {
+  expect_every_vertex_in_order(sample_knot());
+}
+
+TEST(ObjText, coordinates_a_kilometre_away_lose_no_digit) {
+  expect_every_vertex_in_order(sample_knot({.along = 12, .across = 4}, {1000, 2000, -3000}));
+}
+
+TEST(ObjText, faces_are_the_same_in_every_frame) {
+  const SampleKnot knot = sample_knot();
+  const auto faces = [&](std::size_t frame) {
+    const std::string text = obj_text(posed_model(knot, frame), "m.mtl");
+    return text.substr(text.find("\nf "), text.find("\no small") - text.find("\nf "));
+  };
+  EXPECT_EQ(faces(0), faces(2));
+  const std::string quads = faces(0);
+  EXPECT_EQ(std::count(quads.begin(), quads.end(), 'f'), 33);
+}
+
+}  // namespace ribbon::obj_text_test

@@ -1,0 +1,18 @@
+// A frame of the sample as the exporters get it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "converter/export/model.h"
+#include "converter/sample_knot.h"
+
+namespace ribbon {
+
+inline Model posed_model(const SampleKnot& knot, std::size_t frame) {
+  Model model = model_of_recording(knot.header, true).value();
+  const Eigen::Matrix3Xf positions = knot.frames.at(frame).cast<float>();
+  EXPECT_TRUE(pose_ribbon(model, positions, static_cast<int>(frame) + 1).has_value());
+  return model;
+}
+
+}  // namespace ribbon
