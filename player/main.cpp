@@ -16,7 +16,7 @@
 #include "player/options.h"
 #include "player/picture/contact_sheet.h"
 #include "player/picture/png_encoder.h"
-#include "player/render/film.h"
+#include "player/render/sequence_renderer.h"
 #include "player/report/follow.h"
 #include "player/report/info.h"
 #include "player/report/verify.h"
@@ -41,8 +41,8 @@ Result<void> write_pictures(RecordingReader& reader, const std::vector<int>& fra
                             const Options& options) {
   const auto pattern = FramePattern::parse(options.pictures);
   if (!pattern) return tl::unexpected(pattern.error());
-  const auto cameras = place_cameras(reader, {{three_quarter_view, options.size}});
-  Film film(reader, options.samples);
+  const auto cameras = frame_cameras(reader, {{three_quarter_view, options.size}});
+  SequenceRenderer renderer(reader, options.samples);
   ProgressLine progress("picture", static_cast<int>(frames.size()), options.quiet);
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
@@ -51,8 +51,8 @@ Result<void> write_pictures(RecordingReader& reader, const std::vector<int>& fra
     if (interrupt.requested())
       return failure("", "interrupted before frame " + std::to_string(index + 1),
                      "run it again with --frames to go on");
-    if (auto shown = film.show(index); !shown) return shown;
-    const Picture picture = film.picture(cameras.front(), options.size);
+    if (auto shown = renderer.show(index); !shown) return shown;
+    const Picture picture = renderer.picture(cameras.front(), options.size);
     if (auto written = write_png(pattern->file(index + 1), picture); !written) return written;
     progress.update(++done);
   }
@@ -67,13 +67,14 @@ Result<void> write_pictures(RecordingReader& reader, const std::vector<int>& fra
 Result<void> write_sheet(RecordingReader& reader, const std::vector<int>& frames,
                          const Options& options) {
   const auto cameras =
-      place_cameras(reader, {{three_quarter_view, sheet_cell}, {top_view, sheet_cell}});
-  Film film(reader, options.samples);
+      frame_cameras(reader, {{three_quarter_view, sheet_cell}, {top_view, sheet_cell}});
+  SequenceRenderer renderer(reader, options.samples);
   std::vector<SheetColumn> columns;
   for (const int index : spread_frames(frames, sheet_columns)) {
-    if (auto shown = film.show(index); !shown) return shown;
+    if (auto shown = renderer.show(index); !shown) return shown;
     SheetColumn column{index + 1, reader.numbers(index).value_or(FrameNumbers{}), {}};
-    for (const Camera& camera : cameras) column.views.push_back(film.picture(camera, sheet_cell));
+    for (const Camera& camera : cameras)
+      column.views.push_back(renderer.picture(camera, sheet_cell));
     columns.push_back(std::move(column));
   }
   const RecordingHeader& header = reader.header();
@@ -121,39 +122,39 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
 }
 
 // Renders frames as they come, all with the camera that the first look finds.
-class LiveFilm {
+class LivePictures {
  public:
-  LiveFilm(RecordingReader& reader, const Options& options, FramePattern pattern)
+  LivePictures(RecordingReader& reader, const Options& options, FramePattern pattern)
       : reader_(reader),
         options_(options),
         pattern_(std::move(pattern)),
-        film_(reader, options.samples) {}
+        renderer_(reader, options.samples) {}
 
   Result<void> show(int index) {
-    if (cameras_.empty()) cameras_ = place_cameras(reader_, {{three_quarter_view, options_.size}});
-    if (auto shown = film_.show(index); !shown) return shown;
-    return write_png(pattern_.file(index + 1), film_.picture(cameras_.front(), options_.size));
+    if (cameras_.empty()) cameras_ = frame_cameras(reader_, {{three_quarter_view, options_.size}});
+    if (auto shown = renderer_.show(index); !shown) return shown;
+    return write_png(pattern_.file(index + 1), renderer_.picture(cameras_.front(), options_.size));
   }
 
  private:
   RecordingReader& reader_;
   const Options& options_;
   FramePattern pattern_;
-  Film film_;
+  SequenceRenderer renderer_;
   std::vector<Camera> cameras_;  // one, once there is a frame
 };
 
 Result<ExitCode> follow_recording(RecordingReader& reader, const Options& options) {
-  std::optional<LiveFilm> film;
+  std::optional<LivePictures> pictures;
   if (!options.pictures.empty()) {
     auto pattern = FramePattern::parse(options.pictures);
     if (!pattern) return tl::unexpected(pattern.error());
-    film.emplace(reader, options, std::move(*pattern));
+    pictures.emplace(reader, options, std::move(*pattern));
   }
   const Interrupt interrupt;
   const auto tell_frame = [&](int index) -> Result<void> {
-    if (film)
-      if (auto shown = film->show(index); !shown) return shown;
+    if (pictures)
+      if (auto shown = pictures->show(index); !shown) return shown;
     if (options.quiet) return {};
     std::printf("%s\n", frame_line(index, reader.numbers(index).value_or(FrameNumbers{})).c_str());
     std::fflush(stdout);

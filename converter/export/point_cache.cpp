@@ -75,7 +75,7 @@ PointCacheWriter::~PointCacheWriter() {
 Result<void> PointCacheWriter::write(const void* bytes, std::size_t count) {
   if (std::fwrite(bytes, 1, count, file_.get()) != count)
     return failure(path_.string(), "cannot be written (" + last_error_text() + ")",
-                   "free some space or choose another place");
+                   "free some space or choose another folder");
   return {};
 }
 
@@ -91,7 +91,7 @@ Result<void> PointCacheWriter::finish() {
   const bool on_disk = std::fflush(file_.get()) == 0 && ::fsync(::fileno(file_.get())) == 0;
   if (!on_disk || std::rename(temporary_.c_str(), path_.c_str()) != 0)
     return failure(path_.string(), "cannot be written (" + last_error_text() + ")",
-                   "free some space or choose another place");
+                   "free some space or choose another folder");
   file_.reset();
   return {};
 }

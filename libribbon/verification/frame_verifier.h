@@ -27,7 +27,7 @@ struct FrameVerdict {
 
 class FrameVerifier {
  public:
-  // A grid of at least 2 x 2 particles, the ribbon's natural size, and an obstacle whose positions
+  // A grid of at least 2 x 2 particles, the ribbon's size at rest, and an obstacle whose positions
   // are finite and whose triangles may be as bad as they like.
   FrameVerifier(const RibbonGrid& grid, double length_m, double width_m,
                 const std::optional<TriangleMesh>& obstacle);

@@ -10,10 +10,10 @@ LargestStrain largest_strain(const RibbonGrid& grid, double length_m, double wid
   const double across_m = width_m / (grid.across - 1);
   const double diagonal_m = std::hypot(along_m, across_m);
   LargestStrain largest;
-  const auto look_at = [&](int first, int second, double natural_m) {
+  const auto look_at = [&](int first, int second, double rest_m) {
     const double length =
         (positions.col(second).cast<double>() - positions.col(first).cast<double>()).norm();
-    const double strain = std::abs(length / natural_m - 1);
+    const double strain = std::abs(length / rest_m - 1);
     if (strain > largest.strain) largest = {strain, first, second};
   };
   for (int q = 0; q < grid.quad_count(); ++q) {

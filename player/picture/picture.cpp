@@ -21,7 +21,7 @@ Picture blank_picture(PictureSize size, const Color& color) {
   return picture;
 }
 
-Picture develop(const LightPicture& light) {
+Picture encode_srgb(const LightPicture& light) {
   Picture picture{light.size, std::vector<std::uint8_t>(3 * light.size.pixel_count())};
   parallel_ranges(light.pixels.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) encode(light.pixels[i], picture.rgb.data() + 3 * i);

@@ -40,7 +40,7 @@ struct Picture {
 Picture blank_picture(PictureSize size, const Color& color);
 
 // Encodes each pixel by the sRGB transfer function.
-Picture develop(const LightPicture& light);
+Picture encode_srgb(const LightPicture& light);
 
 // Copies `source` into `target` with its top left corner at (x, y); it must fit.
 void paste(const Picture& source, int x, int y, Picture& target);

@@ -5,9 +5,9 @@
 
 namespace ribbon {
 
-// What share of the light each side returns, as linear colours. `along` and `across` are measured
-// in ribbon widths: along from the first end, across from 0 to 1. Where the pattern runs and how it
-// leans shows how the ribbon is twisted.
+// What fraction of the light each side returns, as linear colours. `along` and `across` are
+// measured in ribbon widths: along from the first end, across from 0 to 1. Where the pattern runs
+// and how it leans shows how the ribbon is twisted.
 Color cloth_front(float along, float across);
 Color cloth_back(float along, float across);
 

@@ -17,7 +17,7 @@ struct Lighting {
   // Radiance of the sky straight above and straight below; it changes evenly in between.
   Color sky_above = {0.55F, 0.59F, 0.66F};
   Color sky_below = {0.21F, 0.20F, 0.19F};
-  // What hides the sky in a fold is itself lit: the share of the sky's light that it returns.
+  // What hides the sky in a fold is itself lit: the fraction of the sky's light that it returns.
   float bounce = 0.22F;
 
   [[nodiscard]] Color sky(const Eigen::Vector3f& direction) const {

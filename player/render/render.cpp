@@ -63,7 +63,7 @@ struct Seen {
 };
 
 struct Setting {
-  const Stage& stage;
+  const RenderScene& scene;
   const Camera& camera;
   const SamplePatterns& patterns;
   const Lighting& lighting;
@@ -111,13 +111,13 @@ class TilePainter {
 
   void finish_batch() {
     std::array<Hit, batch_size> hits;
-    s_.stage.rays().first_hits({rays_.data(), count_}, Coherence::similar, hits);
+    s_.scene.rays().first_hits({rays_.data(), count_}, Coherence::similar, hits);
     seen_count_ = 0;
     for (std::size_t i = 0; i < count_; ++i) {
       if (hits[i].body == Hit::Body::none)
         pixel(samples_[i]) += background(samples_[i].y);
       else
-        seen_[seen_count_++] = {samples_[i], s_.stage.point(rays_[i], hits[i])};
+        seen_[seen_count_++] = {samples_[i], s_.scene.point(rays_[i], hits[i])};
     }
     add_sun();
     add_sky();
@@ -141,7 +141,7 @@ class TilePainter {
       lit[rays++] = i;
     }
     std::array<std::uint8_t, batch_size> free;
-    s_.stage.rays().unblocked({rays_.data(), rays}, Coherence::similar, free);
+    s_.scene.rays().unblocked({rays_.data(), rays}, Coherence::similar, free);
     for (std::size_t r = 0; r < rays; ++r)
       if (free[r] != 0)
         pixel(seen_[lit[r]].sample) += seen_[lit[r]].point.albedo * s_.lighting.sun * cosines[r];
@@ -156,7 +156,7 @@ class TilePainter {
                   frame_about(point.normal) * Eigen::Vector3f(disc.x(), disc.y(), height)};
     }
     std::array<std::uint8_t, batch_size> free;
-    s_.stage.rays().unblocked({rays_.data(), seen_count_}, Coherence::mixed, free);
+    s_.scene.rays().unblocked({rays_.data(), seen_count_}, Coherence::mixed, free);
     for (std::size_t i = 0; i < seen_count_; ++i)
       add_sky_light(seen_[i], rays_[i].direction, free[i] != 0);
   }
@@ -170,8 +170,8 @@ class TilePainter {
   }
 
   [[nodiscard]] Eigen::Vector2f uniform(Pattern pattern, const Sample& sample) const {
-    const auto place = static_cast<std::uint32_t>(sample.y * picture_.size.width + sample.x);
-    const std::uint32_t key = scramble(2 * place + (pattern == Pattern::sun ? 0U : 1U));
+    const auto pixel = static_cast<std::uint32_t>(sample.y * picture_.size.width + sample.x);
+    const std::uint32_t key = scramble(2 * pixel + (pattern == Pattern::sun ? 0U : 1U));
     return s_.patterns.point(pattern, sample.number, key, scramble(key));
   }
 
@@ -208,10 +208,10 @@ class TilePainter {
 
 }  // namespace
 
-LightPicture render(const Stage& stage, const Camera& camera, PictureSize size,
+LightPicture render(const RenderScene& scene, const Camera& camera, PictureSize size,
                     const SamplePatterns& patterns, const Lighting& lighting,
                     const Backdrop& backdrop) {
-  const Setting setting{stage,
+  const Setting setting{scene,
                         camera,
                         patterns,
                         lighting,
@@ -220,8 +220,8 @@ LightPicture render(const Stage& stage, const Camera& camera, PictureSize size,
                         frame_about(lighting.sun_direction)};
   LightPicture picture{size, std::vector<Color>(size.pixel_count(), Color::Zero())};
   TileCoverage tiles(camera, size, tile_side);
-  tiles.mark(stage.ribbon());
-  tiles.mark(stage.obstacle());
+  tiles.mark(scene.ribbon());
+  tiles.mark(scene.obstacle());
   const auto count = static_cast<std::size_t>(tiles.columns()) * tiles.rows();
   parallel_ranges(count, 1, [&](std::size_t begin, std::size_t end) {
     const FlushDenormals fast;

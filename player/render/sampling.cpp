@@ -36,7 +36,7 @@ std::uint32_t owen_scrambled(std::uint32_t value, std::uint32_t seed) {
 
 // 0 ... count - 1 in an order of its own for each seed, so that patterns do not know each other.
 std::vector<std::uint32_t> shuffled(int count, std::uint32_t seed) {
-  std::vector<std::uint32_t> order(static_cast<std::size_t>(count));
+  std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
   for (auto left = static_cast<std::uint32_t>(count); left > 1; --left)
     std::swap(order[left - 1], order[scramble(left + scramble(seed)) % left]);

@@ -24,19 +24,19 @@ Eigen::Vector3f area_vector(const TriangleMesh& mesh, Eigen::Index triangle) {
   return (mesh.vertices.col(corners[1]) - a).cross(mesh.vertices.col(corners[2]) - a);
 }
 
-// Meshes repeat a vertex where texture or normals change; only the place counts here.
-std::vector<std::vector<int>> triangles_round_place(const TriangleMesh& mesh,
-                                                    std::vector<int>& place_of_vertex) {
-  std::map<std::array<float, 3>, int> places;
+// Meshes repeat a vertex where texture or normals change; only its position counts here.
+std::vector<std::vector<int>> triangles_round_position(const TriangleMesh& mesh,
+                                                       std::vector<int>& position_of_vertex) {
+  std::map<std::array<float, 3>, int> positions;
   for (Eigen::Index v = 0; v < mesh.vertices.cols(); ++v) {
     const Eigen::Vector3f p = mesh.vertices.col(v);
-    const auto next = static_cast<int>(places.size());
-    place_of_vertex.push_back(places.try_emplace({p.x(), p.y(), p.z()}, next).first->second);
+    const auto next = static_cast<int>(positions.size());
+    position_of_vertex.push_back(positions.try_emplace({p.x(), p.y(), p.z()}, next).first->second);
   }
-  std::vector<std::vector<int>> triangles(places.size());
+  std::vector<std::vector<int>> triangles(positions.size());
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
     for (const int vertex : mesh.triangles.col(t))
-      triangles[place_of_vertex[vertex]].push_back(static_cast<int>(t));
+      triangles[position_of_vertex[vertex]].push_back(static_cast<int>(t));
   return triangles;
 }
 
@@ -50,7 +50,7 @@ Surface ribbon_surface(const RibbonGrid& grid) {
   return ribbon;
 }
 
-void place_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Surface& ribbon) {
+void update_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Surface& ribbon) {
   ribbon.vertices = positions;
   ribbon.normals.setZero();
   // The cross product of a quad's diagonals does not know which way the quad is split.
@@ -65,8 +65,8 @@ void place_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Sur
 }
 
 Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {
-  std::vector<int> place;
-  const auto around = triangles_round_place(mesh, place);
+  std::vector<int> position_of_vertex;
+  const auto around = triangles_round_position(mesh, position_of_vertex);
   const float smooth = std::cos(crease_deg * std::numbers::pi_v<float> / 180.0F);
   const Eigen::Index corners = 3 * mesh.triangles.cols();
   Surface surface{Eigen::Matrix3Xf(3, corners), Eigen::Matrix3Xf(3, corners),
@@ -76,7 +76,7 @@ Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {
     const int vertex = mesh.triangles(corner % 3, corner / 3);
     const Eigen::Vector3f own = unit_or_zero(area_vector(mesh, corner / 3));
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (const int triangle : around[place[vertex]]) {
+    for (const int triangle : around[position_of_vertex[vertex]]) {
       const Eigen::Vector3f other = area_vector(mesh, triangle);
       if (other.dot(own) >= smooth * other.norm()) sum += other;
     }

@@ -18,7 +18,7 @@ struct Surface {
 Surface ribbon_surface(const RibbonGrid& grid);
 
 // Moves the ribbon: positions is 3 x particles.
-void place_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Surface& ribbon);
+void update_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Surface& ribbon);
 
 // Smooth where neighbouring triangles meet at less than `crease_deg`, sharp elsewhere: a cylinder's
 // side is round and its rim is not. Corners are not shared between triangles.

@@ -129,8 +129,8 @@ std::string ending_text(RunEnding ending) {
   return "";
 }
 
-std::string percent(float share) {
-  return decimals(100 * share, 1) + " %";
+std::string percent(float fraction) {
+  return decimals(100 * fraction, 1) + " %";
 }
 
 std::string tightness_text(const RecordingInfo& info) {

@@ -4,7 +4,7 @@
 
 namespace ribbon::largest_strain_test {
 
-// 3 x 3 particles, quads 3 along and 4 across: natural size 6 x 8.
+// 3 x 3 particles, quads 3 along and 4 across: size at rest 6 x 8.
 constexpr RibbonGrid grid{3, 3};
 
 Eigen::Matrix3Xf flat(float along, float across) {
@@ -19,7 +19,7 @@ LargestStrain strain_of(const Eigen::Matrix3Xf& positions) {
   return largest_strain(grid, 6, 8, positions);
 }
 
-TEST(LargestStrain, cloth_at_its_natural_size_has_none) {
+TEST(LargestStrain, cloth_at_rest_has_none) {
   EXPECT_EQ(strain_of(flat(3, 4)).strain, 0);
 }
 

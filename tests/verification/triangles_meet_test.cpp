@@ -62,7 +62,7 @@ TEST(TrianglesMeet, coplanar_triangles_that_overlap_hold_each_other_or_lie_apart
   EXPECT_TRUE(strangers_meet({{0, 0, 1}, {9, 0, 1}, {0, 9, 1}, {1, 1, 1}, {2, 1, 1}, {1, 2, 1}}));
   EXPECT_TRUE(strangers_meet({{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {0, 0, 1}, {9, 0, 1}, {0, 9, 1}}));
   EXPECT_FALSE(strangers_meet({{0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {3, 3, 1}, {5, 3, 1}, {3, 5, 1}}));
-  // In a slanted plane, one corner in the same place.
+  // In a slanted plane, one corner in the same position.
   EXPECT_TRUE(strangers_meet({{0, 0, 0}, {2, 1, 3}, {1, 2, 3}, {1, 0, 1}, {3, 1, 4}, {2, 1, 3}}));
 }
 

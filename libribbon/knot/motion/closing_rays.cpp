@@ -122,7 +122,7 @@ bool arc_is_clear(const ClearDirection& from, const ClearDirection& to,
 }
 
 // Which directions can a ray be turned to, arc by arc, without meeting anything? The first arc,
-// which may lead out of a narrow place, is looked at closely.
+// which may lead out of a narrow gap, is looked at closely.
 std::vector<bool> reachable(const Eigen::Vector3d& start, const std::vector<ViewCone>& cones) {
   constexpr int most_splits = 5;
   std::vector<ClearDirection> goals;
@@ -153,8 +153,7 @@ void ClosingRays::choose(std::size_t end, const std::vector<ViewCone>& cones) {
   const std::vector<double> clear_rad = clearances_rad(cones);
   const auto clearest = std::max_element(clear_rad.begin(), clear_rad.end());
   buried_[end] = *clearest <= comfortable_rad;
-  directions_[end] =
-      directions_to_choose_from()[static_cast<std::size_t>(clearest - clear_rad.begin())];
+  directions_[end] = directions_to_choose_from()[clearest - clear_rad.begin()];
 }
 
 void ClosingRays::turn(std::size_t end, const std::vector<ViewCone>& before,
@@ -167,8 +166,7 @@ void ClosingRays::turn(std::size_t end, const std::vector<ViewCone>& before,
   if (*clearest <= comfortable_rad) {
     buried_[end] = true;
   } else {
-    directions_[end] =
-        directions_to_choose_from()[static_cast<std::size_t>(clearest - clear_rad.begin())];
+    directions_[end] = directions_to_choose_from()[clearest - clear_rad.begin()];
   }
 }
 

@@ -19,9 +19,9 @@ struct RibbonCurves {
 Eigen::Matrix3Xd centre_line(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions);
 
 // In general position: each coordinate is moved by less than a quarter of the last place that
-// single precision gives to the largest one, always by the same share of it. Recorded strands that
-// do not touch lie farther apart than that, and no four vertices are left in one plane but by a
-// chance that the exact tests would notice.
+// single precision gives to the largest one, always by the same fraction of it. Recorded strands
+// that do not touch lie farther apart than that, and no four vertices are left in one plane but by
+// a chance that the exact tests would notice.
 RibbonCurves ribbon_curves(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions);
 
 }  // namespace ribbon

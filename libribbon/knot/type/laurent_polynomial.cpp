@@ -70,8 +70,7 @@ std::optional<LaurentPolynomial> sum(const LaurentPolynomial& a, const LaurentPo
   if (b.coefficients.empty()) return a;
   const int lowest = std::min(a.lowest_power, b.lowest_power);
   const int end = std::max(end_power(a), end_power(b));
-  LaurentPolynomial result{lowest,
-                           std::vector<std::int64_t>(static_cast<std::size_t>(end - lowest))};
+  LaurentPolynomial result{lowest, std::vector<std::int64_t>(end - lowest)};
   for (const LaurentPolynomial* part : {&a, &b}) {
     auto* total = result.coefficients.data() + (part->lowest_power - lowest);
     for (const std::int64_t coefficient : part->coefficients)

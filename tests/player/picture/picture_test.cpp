@@ -4,9 +4,9 @@
 
 namespace ribbon::picture_test {
 
-TEST(Picture, developing_encodes_each_channel) {
+TEST(Picture, encoding_srgb_treats_each_channel_alike) {
   const LightPicture light{{2, 1}, {Color(0, 0.5F, 1), Color(1, 0, 0.5F)}};
-  const Picture picture = develop(light);
+  const Picture picture = encode_srgb(light);
   EXPECT_EQ(picture.rgb, (std::vector<std::uint8_t>{0, 188, 255, 255, 0, 188}));
 }
 

@@ -8,10 +8,10 @@ namespace ribbon::cloth_pattern_test {
 
 // From `first` to `last`, both included, in `steps` equal steps.
 std::vector<float> from_to(float first, float last, int steps) {
-  std::vector<float> places;
+  std::vector<float> samples;
   for (int i = 0; i <= steps; ++i)
-    places.push_back(first + (last - first) * static_cast<float>(i) / static_cast<float>(steps));
-  return places;
+    samples.push_back(first + (last - first) * static_cast<float>(i) / static_cast<float>(steps));
+  return samples;
 }
 
 float difference(const Color& a, const Color& b) {

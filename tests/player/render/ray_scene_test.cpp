@@ -15,7 +15,7 @@ RayScene two_quads(float ribbon_z = 0) {
   Surface ribbon = ribbon_surface(header.grid);
   Eigen::Matrix3Xf positions = test::flat_quad();
   positions.row(2).setConstant(ribbon_z);
-  place_ribbon(header.grid, positions, ribbon);
+  update_ribbon(header.grid, positions, ribbon);
   RayScene scene;
   scene.set_obstacle(
       creased_surface(test::quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1})));
@@ -45,7 +45,7 @@ TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
   Surface ribbon = ribbon_surface(header.grid);
   Eigen::Matrix3Xf moved = test::flat_quad();
   moved.row(1).array() += 10;
-  place_ribbon(header.grid, moved, ribbon);
+  update_ribbon(header.grid, moved, ribbon);
   scene.set_ribbon(ribbon);
   const std::array<Ray, 2> rays{down(1.9F, 0), down(1.9F, 10)};
   std::array<Hit, 2> hits;
@@ -77,10 +77,10 @@ TEST(RayScene, corner_weights_tell_the_place) {
   two_quads().first_hits(rays, Coherence::similar, hits);
   const Eigen::Vector3i corners = header.grid.triangles().col(hits[0].triangle);
   const Eigen::Matrix3Xf at = test::flat_quad();
-  const Eigen::Vector3f place = (1 - hits[0].u - hits[0].v) * at.col(corners[0]) +
-                                hits[0].u * at.col(corners[1]) + hits[0].v * at.col(corners[2]);
-  EXPECT_NEAR(place.x(), 0.7F, 1e-5);
-  EXPECT_NEAR(place.y(), -0.1F, 1e-5);
+  const Eigen::Vector3f position = (1 - hits[0].u - hits[0].v) * at.col(corners[0]) +
+                                   hits[0].u * at.col(corners[1]) + hits[0].v * at.col(corners[2]);
+  EXPECT_NEAR(position.x(), 0.7F, 1e-5);
+  EXPECT_NEAR(position.y(), -0.1F, 1e-5);
 }
 
 TEST(RayScene, without_anything_every_ray_is_free) {

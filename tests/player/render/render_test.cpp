@@ -11,7 +11,7 @@
 
 namespace ribbon::render_test {
 
-// Looks at (x, y, 0) from `side` times 10 m along z and sees 0.2 mm: one place of the cloth.
+// Looks at (x, y, 0) from `side` times 10 m along z and sees 0.2 mm: one point of the cloth.
 Camera close_up(float x, float y, float side) {
   Camera camera;
   camera.eye = {x, y, 10 * side};
@@ -38,16 +38,16 @@ Lighting only_sky(const Color& above, const Color& below) {
   return lighting;
 }
 
-Stage flat_stage() {
-  Stage stage(test::quad_ribbon());
-  stage.set_ribbon(test::flat_quad());
-  return stage;
+RenderScene flat_scene() {
+  RenderScene scene(test::quad_ribbon());
+  scene.set_ribbon(test::flat_quad());
+  return scene;
 }
 
 // What the middle of a 1 x 1 picture shows.
-Color radiance(const Stage& stage, const Camera& camera, const Lighting& lighting,
+Color radiance(const RenderScene& scene, const Camera& camera, const Lighting& lighting,
                int samples = 16) {
-  return render(stage, camera, {1, 1}, SamplePatterns(samples), lighting).pixels[0];
+  return render(scene, camera, {1, 1}, SamplePatterns(samples), lighting).pixels[0];
 }
 
 void expect_color(const Color& color, const Color& expected, float tolerance = 1e-4F) {
@@ -57,18 +57,18 @@ void expect_color(const Color& color, const Color& expected, float tolerance = 1
 
 TEST(Render, cloth_that_faces_the_sun_returns_its_colour_of_the_light) {
   const Lighting lighting = only_sun({0, 0, -1});
-  expect_color(radiance(flat_stage(), close_up(0, 0, -1), lighting),
+  expect_color(radiance(flat_scene(), close_up(0, 0, -1), lighting),
                cloth_back(0, 0.5F) * lighting.sun);
 }
 
 TEST(Render, light_falls_off_with_the_cosine) {
   const Lighting lighting = only_sun({0, std::sqrt(3.0F), -1});  // 60 degrees off
-  expect_color(radiance(flat_stage(), close_up(0, 0, -1), lighting),
+  expect_color(radiance(flat_scene(), close_up(0, 0, -1), lighting),
                cloth_back(0, 0.5F) * lighting.sun * 0.5F);
 }
 
 TEST(Render, light_from_behind_does_not_come_through) {
-  expect_color(radiance(flat_stage(), close_up(0, 0, -1), only_sun({0, 0, 1})), Color::Zero());
+  expect_color(radiance(flat_scene(), close_up(0, 0, -1), only_sun({0, 0, 1})), Color::Zero());
 }
 
 TEST(Render, each_side_has_its_own_colours_at_their_places) {
@@ -79,9 +79,9 @@ TEST(Render, each_side_has_its_own_colours_at_their_places) {
       const float across = y + 0.5F;
       const Lighting front = only_sun({0, 0, 1});
       const Lighting back = only_sun({0, 0, -1});
-      expect_color(radiance(flat_stage(), close_up(x, y, 1), front),
+      expect_color(radiance(flat_scene(), close_up(x, y, 1), front),
                    cloth_front(along, across) * front.sun, 0.01F);
-      expect_color(radiance(flat_stage(), close_up(x, y, -1), back),
+      expect_color(radiance(flat_scene(), close_up(x, y, -1), back),
                    cloth_back(along, across) * back.sun);
     }
 }
@@ -89,7 +89,7 @@ TEST(Render, each_side_has_its_own_colours_at_their_places) {
 TEST(Render, the_open_sky_gives_its_mean) {
   const Color above(0.9F, 0.6F, 0.3F);
   const Color below(0.1F, 0.2F, 0.3F);
-  expect_color(radiance(flat_stage(), close_up(0, 0, -1), only_sky(above, below), 1),
+  expect_color(radiance(flat_scene(), close_up(0, 0, -1), only_sky(above, below), 1),
                cloth_back(0, 0.5F) * (above + below) / 2);
 }
 
@@ -98,11 +98,11 @@ TEST(Render, a_point_in_shadow_sees_no_sun) {
   // A plate above the middle, in the way of light that comes at 45 degrees, not of the camera.
   header.obstacle =
       test::quad_mesh({-0.2F, 0.8F, -1}, {0.2F, 0.8F, -1}, {0.2F, 1.2F, -1}, {-0.2F, 1.2F, -1});
-  Stage stage(header);
-  stage.set_ribbon(test::flat_quad());
+  RenderScene scene(header);
+  scene.set_ribbon(test::flat_quad());
   const Lighting lighting = only_sun({0, 1, -1});
-  expect_color(radiance(stage, close_up(0, 0, -1), lighting), Color::Zero());
-  expect_color(radiance(stage, close_up(0.5F, 0, -1), lighting),
+  expect_color(radiance(scene, close_up(0, 0, -1), lighting), Color::Zero());
+  expect_color(radiance(scene, close_up(0.5F, 0, -1), lighting),
                cloth_back(0, 0.5F) * lighting.sun * std::sqrt(0.5F));
 }
 
@@ -110,33 +110,33 @@ TEST(Render, a_high_wall_hides_half_of_the_sky) {
   RecordingHeader header = test::quad_ribbon();
   header.obstacle =
       test::quad_mesh({0.02F, -900, 0}, {0.02F, -900, -900}, {0.02F, 900, -900}, {0.02F, 900, 0});
-  Stage stage(header);
-  stage.set_ribbon(test::flat_quad());
+  RenderScene scene(header);
+  scene.set_ribbon(test::flat_quad());
   Lighting lighting = only_sky(Color::Ones(), Color::Ones());
   const Camera camera = close_up(-0.05F, 0, -1);
   // From 0.07 m beside an endless wall, all directions beyond the vertical are hidden: one half.
-  expect_color(radiance(stage, camera, lighting, 1024), cloth_back(0, 0.5F) / 2, 0.01F);
+  expect_color(radiance(scene, camera, lighting, 1024), cloth_back(0, 0.5F) / 2, 0.01F);
   lighting.bounce = 0.5F;
   const Color cloth = cloth_back(0, 0.5F);
-  expect_color(radiance(stage, camera, lighting, 1024), cloth / 2 + cloth / 4, 0.01F);
+  expect_color(radiance(scene, camera, lighting, 1024), cloth / 2 + cloth / 4, 0.01F);
 }
 
 TEST(Render, a_soft_sun_has_a_half_shadow_at_the_edge) {
   RecordingHeader header = test::quad_ribbon();
   header.obstacle = test::quad_mesh({0, -1, -1}, {0, 1, -1}, {1, 1, -1}, {1, -1, -1});
-  Stage stage(header);
-  stage.set_ribbon(test::flat_quad());
+  RenderScene scene(header);
+  scene.set_ribbon(test::flat_quad());
   Lighting lighting = only_sun({1, 0, -1});
   lighting.sun_radius = 0.1F;
   // Seen from x = -1 the plate's edge at (0, -1) cuts the sun's disc in halves.
-  expect_color(radiance(stage, close_up(-1, 0, -1), lighting, 1024),
+  expect_color(radiance(scene, close_up(-1, 0, -1), lighting, 1024),
                cloth_back(0, 0.5F) * lighting.sun * std::sqrt(0.5F) / 2, 0.01F);
 }
 
 TEST(Render, beside_everything_there_is_the_backdrop) {
   const Backdrop backdrop{{0.2F, 0.4F, 0.6F}, {0.6F, 0.4F, 0.2F}};
   const LightPicture picture =
-      render(flat_stage(), close_up(50, 0, -1), {32, 64}, SamplePatterns(1), Lighting{}, backdrop);
+      render(flat_scene(), close_up(50, 0, -1), {32, 64}, SamplePatterns(1), Lighting{}, backdrop);
   expect_color(picture.pixels.front(), {0.2F, 0.4F, 0.6F}, 0.01F);
   expect_color(picture.pixels.back(), {0.6F, 0.4F, 0.2F}, 0.01F);
 }
@@ -160,14 +160,14 @@ TriangleMesh coarse_tube() {
 TEST(Render, grazing_light_is_not_cut_off_by_flat_triangles) {
   RecordingHeader header = test::quad_ribbon();
   header.obstacle = coarse_tube();
-  Stage stage(header);
-  stage.set_ribbon(test::flat_quad().array() + 100);
+  RenderScene scene(header);
+  scene.set_ribbon(test::flat_quad().array() + 100);
   Camera camera;
   camera.eye = {0, 0, 10};
   camera.half_width = 0.1F;
   camera.half_height = 0.01F;
   const LightPicture picture =
-      render(stage, camera, {400, 1}, SamplePatterns(16), only_sun({0.951F, 0, -0.309F}));
+      render(scene, camera, {400, 1}, SamplePatterns(16), only_sun({0.951F, 0, -0.309F}));
   // The sun stands 108 degrees from the front, so the smooth tube is lit from 18 degrees on. The
   // flat side from 0 to 30 degrees, here up to pixel 309, faces away from it as a whole.
   for (int x = 285; x < 370; ++x) {
@@ -178,7 +178,7 @@ TEST(Render, grazing_light_is_not_cut_off_by_flat_triangles) {
 }
 
 // Waves that shade and hide each other.
-Stage wavy_stage() {
+RenderScene wavy_scene() {
   RecordingHeader header = test::quad_ribbon();
   header.grid = {60, 8};
   header.uv.resize(2, 480);
@@ -192,20 +192,20 @@ Stage wavy_stage() {
       positions.col(p) << 4 * s - 2, t - 0.5F, 0.2F * std::sin(40 * s + t);
     }
   header.obstacle = coarse_tube();
-  Stage stage(header);
-  stage.set_ribbon(positions);
-  return stage;
+  RenderScene scene(header);
+  scene.set_ribbon(positions);
+  return scene;
 }
 
 TEST(Render, pixels_are_the_same_for_any_number_of_threads) {
-  const Stage stage = wavy_stage();
+  const RenderScene scene = wavy_scene();
   Camera camera;
   camera.eye = {0, 0, 12};
   camera.half_width = 0.2F;
   camera.half_height = 0.1F;
   const auto pixels = [&](int threads) {
     set_thread_limit(threads);
-    return develop(render(stage, camera, {203, 101}, SamplePatterns(5))).rgb;
+    return encode_srgb(render(scene, camera, {203, 101}, SamplePatterns(5))).rgb;
   };
   const auto expected = pixels(1);
   EXPECT_EQ(pixels(2), expected);
@@ -217,7 +217,7 @@ TEST(Render, tiles_left_out_would_have_shown_nothing_else) {
   // A speck behind the eye marks every tile; without it only the touched ones are traced.
   RecordingHeader header = test::quad_ribbon();
   header.obstacle = coarse_tube();
-  Stage sparse(header);
+  RenderScene sparse(header);
   sparse.set_ribbon(test::flat_quad());
   TriangleMesh with_speck = coarse_tube();
   with_speck.vertices.conservativeResize(3, 27);
@@ -225,14 +225,14 @@ TEST(Render, tiles_left_out_would_have_shown_nothing_else) {
   with_speck.triangles.conservativeResize(3, 25);
   with_speck.triangles.col(24) << 24, 25, 26;
   header.obstacle = with_speck;
-  Stage full(header);
+  RenderScene full(header);
   full.set_ribbon(test::flat_quad());
   Camera camera;
   camera.eye = {0, 0, 12};
   camera.half_width = camera.half_height = 0.4F;
   const Lighting lighting = only_sun({0.3F, 0.2F, -1});
-  const auto picture = [&](const Stage& shown) {
-    return develop(render(shown, camera, {150, 150}, SamplePatterns(16), lighting)).rgb;
+  const auto picture = [&](const RenderScene& shown) {
+    return encode_srgb(render(shown, camera, {150, 150}, SamplePatterns(16), lighting)).rgb;
   };
   EXPECT_EQ(picture(sparse), picture(full));
 }

@@ -1,4 +1,4 @@
-#include "player/render/film.h"
+#include "player/render/sequence_renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -7,21 +7,21 @@
 
 #include "recording/sample_recording.h"
 
-namespace ribbon::film_test {
+namespace ribbon::sequence_renderer_test {
 
 std::filesystem::path recorded(int frames) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / (std::string("film_") + test->name() + ".rbn");
+  std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
+                               (std::string("renderer_") + test->name() + ".rbn");
   write_sample_recording(path, frames);
   return path;
 }
 
-TEST(Film, the_camera_sees_every_particle_of_every_frame_and_the_obstacle) {
+TEST(SequenceRenderer, the_camera_sees_every_particle_of_every_frame_and_the_obstacle) {
   auto reader = RecordingReader::open(recorded(12));
   ASSERT_TRUE(reader) << reader.error().sentence();
   const auto cameras =
-      place_cameras(*reader, {{three_quarter_view, {1280, 720}}, {top_view, {420, 320}}});
+      frame_cameras(*reader, {{three_quarter_view, {1280, 720}}, {top_view, {420, 320}}});
   ASSERT_EQ(cameras.size(), 2U);
   for (const Camera& camera : cameras) {
     const auto expect_inside = [&camera](const Eigen::Matrix3Xf& points) {
@@ -36,21 +36,21 @@ TEST(Film, the_camera_sees_every_particle_of_every_frame_and_the_obstacle) {
   }
 }
 
-TEST(Film, a_frame_looks_the_same_whatever_was_shown_before) {
+TEST(SequenceRenderer, a_frame_looks_the_same_whatever_was_shown_before) {
   auto reader = RecordingReader::open(recorded(5));
   ASSERT_TRUE(reader) << reader.error().sentence();
   const PictureSize size{160, 90};
-  const auto cameras = place_cameras(*reader, {{three_quarter_view, size}});
-  Film backwards(*reader, 4);
+  const auto cameras = frame_cameras(*reader, {{three_quarter_view, size}});
+  SequenceRenderer backwards(*reader, 4);
   std::vector<Picture> pictures;
   for (const int index : {4, 1}) {
     ASSERT_TRUE(backwards.show(index));
     pictures.push_back(backwards.picture(cameras[0], size));
   }
-  Film fresh(*reader, 4);
+  SequenceRenderer fresh(*reader, 4);
   ASSERT_TRUE(fresh.show(1));
   EXPECT_EQ(fresh.picture(cameras[0], size).rgb, pictures[1].rgb);
   EXPECT_NE(pictures[0].rgb, pictures[1].rgb);
 }
 
-}  // namespace ribbon::film_test
+}  // namespace ribbon::sequence_renderer_test

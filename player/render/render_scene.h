@@ -11,18 +11,18 @@
 
 namespace ribbon {
 
-// A place on a surface as light needs it.
+// A point on a surface as light needs it.
 struct SurfacePoint {
   Eigen::Vector3f light_start;  // from where rays towards the light go
   Eigen::Vector3f normal;       // of the smooth surface that the triangles stand for, unit length,
                                 // to the side that is looked at
-  Color albedo;                 // share of the light that it returns
+  Color albedo;                 // fraction of the light that it returns
 };
 
-class Stage {
+class RenderScene {
  public:
-  // The obstacle, if there is one, is in place; the ribbon is not yet.
-  explicit Stage(const RecordingHeader& header);
+  // The obstacle, if there is one, is there; the ribbon is not yet.
+  explicit RenderScene(const RecordingHeader& header);
 
   // positions: 3 x particles, in metres.
   void set_ribbon(const Eigen::Matrix3Xf& positions);

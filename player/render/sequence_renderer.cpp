@@ -1,10 +1,10 @@
-#include "player/render/film.h"
+#include "player/render/sequence_renderer.h"
 
 #include "player/render/render.h"
 
 namespace ribbon {
 
-std::vector<Camera> place_cameras(RecordingReader& reader, const std::vector<Shot>& shots) {
+std::vector<Camera> frame_cameras(RecordingReader& reader, const std::vector<Shot>& shots) {
   std::vector<Framing> framings;
   framings.reserve(shots.size());
   for (const Shot& shot : shots) framings.emplace_back(shot.view, shot.size);
@@ -22,17 +22,17 @@ std::vector<Camera> place_cameras(RecordingReader& reader, const std::vector<Sho
   return cameras;
 }
 
-Film::Film(RecordingReader& reader, int samples)
-    : reader_(reader), stage_(reader.header()), patterns_(samples) {}
+SequenceRenderer::SequenceRenderer(RecordingReader& reader, int samples)
+    : reader_(reader), scene_(reader.header()), patterns_(samples) {}
 
-Result<void> Film::show(int index) {
+Result<void> SequenceRenderer::show(int index) {
   if (auto read = reader_.read(index, positions_); !read) return read;
-  stage_.set_ribbon(positions_);
+  scene_.set_ribbon(positions_);
   return {};
 }
 
-Picture Film::picture(const Camera& camera, PictureSize size) const {
-  return develop(render(stage_, camera, size, patterns_));
+Picture SequenceRenderer::picture(const Camera& camera, PictureSize size) const {
+  return encode_srgb(render(scene_, camera, size, patterns_));
 }
 
 }  // namespace ribbon

@@ -1,4 +1,4 @@
-#include "player/render/stage.h"
+#include "player/render/render_scene.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -32,7 +32,7 @@ Eigen::Vector3f lifted(const Eigen::Vector3f& point, const Eigen::Matrix3f& corn
 
 }  // namespace
 
-Stage::Stage(const RecordingHeader& header)
+RenderScene::RenderScene(const RecordingHeader& header)
     : grid_(header.grid), pattern_(header.uv), ribbon_(ribbon_surface(header.grid)) {
   assert(header.uv.cols() == grid_.particle_count());
   pattern_.row(0) *= static_cast<float>(header.ribbon_length_m / header.ribbon_width_m);
@@ -42,23 +42,23 @@ Stage::Stage(const RecordingHeader& header)
   rays_.set_obstacle(obstacle_);
 }
 
-void Stage::set_ribbon(const Eigen::Matrix3Xf& positions) {
+void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions) {
   assert(positions.cols() == grid_.particle_count());
-  place_ribbon(grid_, positions, ribbon_);
+  update_ribbon(grid_, positions, ribbon_);
   rays_.set_ribbon(ribbon_);
   // Some hundred times what single precision loses in a coordinate, and far less than cloth is
   // thick.
   clearance_ = 1e-5F * std::max(obstacle_reach_, reach(positions));
 }
 
-Color Stage::cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
-                   bool front) const {
-  Eigen::Vector2f place = Eigen::Vector2f::Zero();
-  for (int i = 0; i < 3; ++i) place += weights[i] * pattern_.col(corners[i]);
-  return front ? cloth_front(place.x(), place.y()) : cloth_back(place.x(), place.y());
+Color RenderScene::cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
+                         bool front) const {
+  Eigen::Vector2f texture = Eigen::Vector2f::Zero();
+  for (int i = 0; i < 3; ++i) texture += weights[i] * pattern_.col(corners[i]);
+  return front ? cloth_front(texture.x(), texture.y()) : cloth_back(texture.x(), texture.y());
 }
 
-SurfacePoint Stage::point(const Ray& ray, const Hit& hit) const {
+SurfacePoint RenderScene::point(const Ray& ray, const Hit& hit) const {
   assert(hit.body != Hit::Body::none);
   const Surface& surface = hit.body == Hit::Body::ribbon ? ribbon_ : obstacle_;
   const Eigen::Vector3i corner = surface.triangles.col(hit.triangle);
@@ -79,8 +79,8 @@ SurfacePoint Stage::point(const Ray& ray, const Hit& hit) const {
   // Where the cloth is folded flat its neighbours' normals cancel or even turn round.
   const Eigen::Vector3f smooth = normals * weights;
   point.normal = smooth.dot(facet) > 0.1F * smooth.norm() ? smooth.normalized() : facet;
-  const Eigen::Vector3f place = corners * weights;
-  point.light_start = lifted(place, corners, normals, weights) + clearance_ * facet;
+  const Eigen::Vector3f position = corners * weights;
+  point.light_start = lifted(position, corners, normals, weights) + clearance_ * facet;
   point.albedo = hit.body == Hit::Body::ribbon ? cloth(corner, weights, front) : obstacle_color;
   return point;
 }

@@ -1,4 +1,4 @@
-// Films a recording: one camera for all of it, one picture per frame.
+// Renders a recording: one camera for all of it, one picture per frame.
 #pragma once
 
 #include <vector>
@@ -6,8 +6,8 @@
 #include "playback/recording_reader.h"
 #include "player/picture/picture.h"
 #include "player/render/framing.h"
+#include "player/render/render_scene.h"
 #include "player/render/sampling.h"
-#include "player/render/stage.h"
 
 namespace ribbon {
 
@@ -19,21 +19,21 @@ struct Shot {
 // One camera per shot, each so near that it just holds the obstacle and the ribbon of every
 // frame that can be read, so that a frame looks the same whichever others are rendered. At least
 // one frame must be readable.
-std::vector<Camera> place_cameras(RecordingReader& reader, const std::vector<Shot>& shots);
+std::vector<Camera> frame_cameras(RecordingReader& reader, const std::vector<Shot>& shots);
 
-class Film {
+class SequenceRenderer {
  public:
   // Keeps a reference to `reader`. samples: per pixel.
-  Film(RecordingReader& reader, int samples);
+  SequenceRenderer(RecordingReader& reader, int samples);
 
-  // Brings frame `index` on the stage. Fails when it cannot be read.
+  // Loads frame `index`. Fails when it cannot be read.
   Result<void> show(int index);
   // The frame that was shown last.
   [[nodiscard]] Picture picture(const Camera& camera, PictureSize size) const;
 
  private:
   RecordingReader& reader_;
-  Stage stage_;
+  RenderScene scene_;
   SamplePatterns patterns_;
   Eigen::Matrix3Xf positions_;
 };
