@@ -19,7 +19,7 @@
 #include "player/render/sequence_renderer.h"
 #include "player/report/follow.h"
 #include "player/report/info.h"
-#include "player/report/verify.h"
+#include "player/report/verification_report.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -64,8 +64,8 @@ Result<void> write_pictures(RecordingReader& reader, const std::vector<int>& fra
   return {};
 }
 
-Result<void> write_sheet(RecordingReader& reader, const std::vector<int>& frames,
-                         const Options& options) {
+Result<void> write_sheet(RecordingReader& reader, const RecordingInfo& info,
+                         const std::vector<int>& frames, const Options& options) {
   const auto cameras =
       frame_cameras(reader, {{three_quarter_view, sheet_cell}, {top_view, sheet_cell}});
   SequenceRenderer renderer(reader, options.samples);
@@ -78,9 +78,10 @@ Result<void> write_sheet(RecordingReader& reader, const std::vector<int>& frames
     columns.push_back(std::move(column));
   }
   const RecordingHeader& header = reader.header();
-  const std::string ribbon = std::to_string(header.grid.across) + " × " +
-                             std::to_string(header.grid.along) + " particles, " +
-                             std::to_string(reader.frame_count()) + " frames recorded";
+  std::string ribbon = std::to_string(header.grid.across) + " × " +
+                       std::to_string(header.grid.along) + " particles, " +
+                       std::to_string(reader.frame_count()) + " frames recorded";
+  if (info.outcome) ribbon += " · " + outcome_text(*info.outcome);
   auto written = write_png(options.sheet, contact_sheet(header.scene_name, ribbon, columns));
   if (written) tell(options, "contact sheet: " + options.sheet.string());
   return written;
@@ -116,7 +117,7 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
     if (auto done = write_pictures(reader, readable, options); !done)
       return tl::unexpected(done.error());
   if (!options.sheet.empty())
-    if (auto done = write_sheet(reader, readable, options); !done)
+    if (auto done = write_sheet(reader, info, readable, options); !done)
       return tl::unexpected(done.error());
   return answer;
 }

@@ -123,6 +123,8 @@ Result<ExitCode> do_task(const RecorderOptions& options) {
   watch.clear();
   if (!statistics) return tl::unexpected(statistics.error());
   std::optional<RunStatistics>& run = *statistics;
+  if (run)
+    if (auto reader = RecordingReader::open(options.recording)) run->outcome = outcome(*reader);
   if (!options.quiet)
     std::printf("%s: %s\n", options.recording.c_str(),
                 run ? summary_line(*run).c_str() : nothing_done(options));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "inspection/figures_json.h"
 #include "text/json.h"
 #include "text/number_text.h"
 
@@ -79,14 +80,6 @@ Json stages_json(const StageSums& stages) {
   return json;
 }
 
-Json tightness_json(const std::optional<TightnessNumbers>& tightness) {
-  if (!tightness) return nullptr;
-  Json json;
-  for (const TightnessColumn& column : tightness_columns)
-    json.set(column.name, (*tightness).*column.value);
-  return json;
-}
-
 }  // namespace
 
 std::string profile_text(const RunStatistics& statistics) {
@@ -118,7 +111,8 @@ std::string summary_line(const RunStatistics& statistics) {
          std::to_string(statistics.last_penetrating_edges) + " at last; " +
          decimals(static_cast<double>(statistics.bytes) / 1e6, 1) + " MB (" +
          decimals(statistics.bits_per_vertex_and_frame(), 1) + " bits per vertex and frame)" +
-         ending_text(statistics);
+         ending_text(statistics) +
+         (statistics.outcome ? "; " + outcome_text(*statistics.outcome) : "");
 }
 
 std::string statistics_json(const RunStatistics& statistics) {
@@ -152,6 +146,7 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"recovery_iterations", statistics.recovery_iterations},
       {"ending", word_for(statistics.ending)},
       {"tightness", tightness_json(statistics.tightness)},
+      {"outcome", outcome_json(statistics.outcome)},
   };
   return json.text();
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "inspection/outcome.h"
 #include "recording/records/recording.h"
 #include "simulation/step/stage_clock.h"
 
@@ -44,6 +45,7 @@ struct RunStatistics {
 
   // Of the last frame; none without a fastening.
   std::optional<TightnessNumbers> tightness = std::nullopt;
+  std::optional<Outcome> outcome = std::nullopt;
 
   void add(const FrameNumbers& frame);
   [[nodiscard]] double steps_per_second() const;

@@ -26,10 +26,12 @@ Error with_tight_passage(const Scene& scene, Error error) {
 
 // Growth keeps the knot; the recovery schemes know nothing of it.
 Result<void> start_is_tied_as_drawn(const Scene& scene, const RibbonMesh& ribbon,
+                                    const std::optional<TriangleMesh>& obstacle,
                                     const FasteningProcessor& fastening) {
   if (scene.contact != ContactMethod::gate || fastening.start().kind != StartKind::recovered)
     return {};
-  auto tied = check_tying(ribbon.grid, centre_axis(scene), ribbon.positions, fastening.positions());
+  auto tied = check_tying(ribbon.grid, object_axis(centre_axis(scene), obstacle), ribbon.positions,
+                          fastening.positions());
   if (!tied) tied.error().place = scene.name;
   return tied;
 }
@@ -49,7 +51,7 @@ Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& 
   RibbonMesh ribbon = generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
   auto fastening = FasteningProcessor::create(scene, ribbon, obstacle);
   if (!fastening) return tl::unexpected(with_tight_passage(scene, fastening.error()));
-  if (auto tied = start_is_tied_as_drawn(scene, ribbon, *fastening); !tied)
+  if (auto tied = start_is_tied_as_drawn(scene, ribbon, obstacle, *fastening); !tied)
     return tl::unexpected(tied.error());
   return Start{std::move(ribbon), *std::move(fastening)};
 }

@@ -4,15 +4,18 @@
 
 namespace ribbon {
 
-Result<void> check_tying(const RibbonGrid& grid, const std::optional<CentreAxis>& axis,
+Result<void> check_tying(const RibbonGrid& grid, const std::optional<ObjectAxis>& axis,
                          const Eigen::Matrix3Xd& drawn, const Eigen::Matrix3Xd& start) {
   KnotWitness witness(grid, axis);
   witness.follow(drawn.cast<float>());
   const KnotCertificate before = witness.certificate();
   witness.follow(start.cast<float>());
-  const KnotCertificate after = witness.certificate();
+  KnotCertificate after = witness.certificate();
+  // A start that was moved over an end of the object is not tied as drawn either.
+  if (witness.turns()) *after.turns_round_object += witness.turns()->turns_over_ends();
   if (before.jones && before.jones == after.jones &&
-      before.turns_about_axis == after.turns_about_axis && before.axis_met == after.axis_met)
+      before.turns_round_object == after.turns_round_object &&
+      before.object_met == after.object_met)
     return {};
   return failure(
       "",

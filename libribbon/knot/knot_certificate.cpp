@@ -24,8 +24,9 @@ std::string knot_text(const KnotCertificate& certificate) {
 
 std::string KnotCertificate::text() const {
   std::string result = knot_text(*this);
-  if (turns_about_axis) result += "; " + counted(*turns_about_axis, "turn") + " about the axis";
-  if (axis_met) result += ", which was met";
+  if (turns_round_object)
+    result += "; " + counted(*turns_round_object, "turn") + " round the object";
+  if (object_met) result += ", which was met";
   if (selvage_linking) result += "; selvages linked " + counted(*selvage_linking, "time");
   return result;
 }

@@ -24,16 +24,17 @@ struct KnotCertificate {
   std::optional<LaurentPolynomial> jones;
   // Linking number of the two selvages. Empty when an end is buried.
   std::optional<int> selvage_linking;
-  // How often the centre line goes round the axis, counter-clockwise looking against its direction.
-  // Empty without an axis.
-  std::optional<int> turns_about_axis;
-  // The centre line, or the trail of one of its ends, has met the axis exactly.
-  bool axis_met = false;
+  // How often the centre line goes round the object, counter-clockwise looking against the
+  // direction of its axis, but for turns that have come or gone over the ends of the object. Empty
+  // without an object.
+  std::optional<int> turns_round_object;
+  // The centre line, or the trail of one of its ends, has met the axis within the object exactly.
+  bool object_met = false;
 
   // Are knot and twist known? Otherwise equal certificates prove nothing.
   [[nodiscard]] bool is_known() const { return jones && selvage_linking; }
 
-  // For people, on one line, such as "trefoil, right-handed (3 crossings); 1 turn about the axis;
+  // For people, on one line, such as "trefoil, right-handed (3 crossings); 1 turn round the object;
   // selvages linked 2 times".
   [[nodiscard]] std::string text() const;
 

@@ -20,7 +20,7 @@ LongCurve closed_far_away(const Eigen::Matrix3Xd& curve,
 
 }  // namespace
 
-KnotWitness::KnotWitness(const RibbonGrid& grid, const std::optional<CentreAxis>& axis)
+KnotWitness::KnotWitness(const RibbonGrid& grid, const std::optional<ObjectAxis>& axis)
     : grid_(grid) {
   assert(grid.along >= 2 && grid.across >= 2);
   if (axis) turns_.emplace(*axis);
@@ -50,8 +50,8 @@ KnotCertificate KnotWitness::certificate() const {
   result.first_end_buried = rays_.buried()[0];
   result.last_end_buried = rays_.buried()[1];
   if (turns_) {
-    result.turns_about_axis = turns_->turns();
-    result.axis_met = turns_->met();
+    result.turns_round_object = turns_->turns();
+    result.object_met = turns_->met();
   }
   if (result.first_end_buried || result.last_end_buried) return result;
   result.selvage_linking = selvages_.number();

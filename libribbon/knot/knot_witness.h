@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "geometry/centre_axis.h"
+#include "geometry/object_axis.h"
 #include "geometry/ribbon_grid.h"
 #include "knot/knot_certificate.h"
 #include "knot/motion/axis_turns.h"
@@ -17,8 +17,8 @@ namespace ribbon {
 // Shares no code with the simulation. The closure is described in docs/knot-certificate.md.
 class KnotWitness {
  public:
-  // Without `axis`, turns about it are not counted.
-  KnotWitness(const RibbonGrid& grid, const std::optional<CentreAxis>& axis);
+  // Without `axis`, turns round an object are not counted.
+  KnotWitness(const RibbonGrid& grid, const std::optional<ObjectAxis>& axis);
 
   // The next frame: 3 x grid.particle_count() positions. To be called with every frame in order,
   // because it follows the ends, so that the closure is the same from frame to frame. Between two
@@ -27,6 +27,9 @@ class KnotWitness {
 
   // Of the frame followed last. Requires at least one.
   [[nodiscard]] KnotCertificate certificate() const;
+
+  // Nothing without an axis.
+  [[nodiscard]] const std::optional<AxisTurns>& turns() const { return turns_; }
 
  private:
   RibbonGrid grid_;

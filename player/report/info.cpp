@@ -33,7 +33,6 @@ std::string frames_text(const RecordingInfo& info) {
   if (info.finished) return text;
   return text + (info.being_written ? "; more are being recorded"
                                     : "; the recorder was stopped on the way");
-  return text;
 }
 
 // "key = value" a line, in one line.
@@ -207,6 +206,7 @@ RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader&
     info.numbers.push_back(reader.numbers(index));
     if (!reader.readable(index)) info.missing.push_back(index + 1);
   }
+  info.outcome = outcome(reader);
   return info;
 }
 
@@ -215,6 +215,7 @@ std::string info_text(const RecordingInfo& info) {
   return report_line("recording", info.file.string()) + report_line("scene", header.scene_name) +
          origin_text(header.origin) + report_line("written by", header.writer) +
          sessions_text(info) + report_line("frames", frames_text(info)) + ending_text(info.ending) +
+         (info.outcome ? report_line("outcome", outcome_text(*info.outcome)) : "") +
          checkpoints_text(info) +
          report_line("ribbon", std::to_string(header.grid.across) + " x " +
                                    std::to_string(header.grid.along) + " particles, " +

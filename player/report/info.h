@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "inspection/outcome.h"
 #include "playback/recording_reader.h"
 
 namespace ribbon {
@@ -30,6 +31,7 @@ struct RecordingInfo {
   std::vector<Damage> damage;
   std::vector<int> checkpoints;  // numbers, from 1, of the frames that have one
   std::vector<Session> sessions;
+  std::optional<Outcome> outcome;
 
   [[nodiscard]] int frame_count() const { return static_cast<int>(numbers.size()); }
   // From the first to the last frame whose numbers are known; 0 without any.
@@ -44,7 +46,8 @@ struct RecordingInfo {
   [[nodiscard]] double bytes_per_vertex_and_frame() const;
 };
 
-// Reads every record once, so that a frame that is said to be there is.
+// Reads every record once, so that a frame that is said to be there is, and looks at how it came
+// out.
 RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader& reader);
 
 // Several lines to read.

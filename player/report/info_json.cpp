@@ -1,3 +1,4 @@
+#include "inspection/figures_json.h"
 #include "player/report/info.h"
 #include "text/json.h"
 
@@ -61,14 +62,6 @@ Json sessions_json(const std::vector<Session>& sessions) {
   return list;
 }
 
-Json tightness_json(const std::optional<FrameNumbers>& numbers) {
-  if (!numbers || !numbers->tightness) return nullptr;
-  Json json;
-  for (const TightnessColumn& column : tightness_columns)
-    json.set(column.name, (*numbers->tightness).*column.value);
-  return json;
-}
-
 Json frames_json(const RecordingInfo& info) {
   Json list = Json::list({});
   for (int index = 0; index < info.frame_count(); ++index) {
@@ -78,7 +71,7 @@ Json frames_json(const RecordingInfo& info) {
     frame.set("worst_strain", numbers ? Json(numbers->worst_strain) : Json());
     frame.set("penetrating_edges", numbers ? Json(numbers->penetrating_edges) : Json());
     frame.set("recovery_iterations", numbers ? Json(numbers->recovery_iterations) : Json());
-    frame.set("tightness", tightness_json(numbers));
+    frame.set("tightness", tightness_json(numbers ? numbers->tightness : std::nullopt));
     list.add(std::move(frame));
   }
   return list;
@@ -96,6 +89,7 @@ std::string info_json(const RecordingInfo& info) {
                   {"finished", info.finished},
                   {"being_written", info.being_written},
                   {"ending", ending_json(info.ending)},
+                  {"outcome", outcome_json(info.outcome)},
                   {"scene", {{"name", header.scene_name}, {"text", header.scene_text}}},
                   {"origin", origin_json(header.origin)},
                   {"sessions", sessions_json(info.sessions)},

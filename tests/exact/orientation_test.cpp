@@ -8,8 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace ribbon {
-namespace {
+namespace ribbon::orientation_test {
 
 ProjectivePoint point(double x, double y, double z) {
   return ProjectivePoint::point({x, y, z});
@@ -307,5 +306,4 @@ TEST(OrderAlong, rays_have_an_order_too) {
   EXPECT_EQ(order(-2, -9), 1);
 }
 
-}  // namespace
-}  // namespace ribbon
+}  // namespace ribbon::orientation_test

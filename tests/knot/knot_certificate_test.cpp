@@ -7,19 +7,20 @@ namespace ribbon::knot_certificate_test {
 KnotCertificate trefoil() {
   KnotCertificate result;
   result.jones = LaurentPolynomial{1, {1, 0, 1, -1}};
-  result.turns_about_axis = 1;
+  result.turns_round_object = 1;
   result.selvage_linking = 2;
   return result;
 }
 
 TEST(KnotCertificate, reads_as_a_sentence) {
-  EXPECT_EQ(trefoil().text(),
-            "trefoil, right-handed (3 crossings); 1 turn about the axis; selvages linked 2 times");
+  EXPECT_EQ(
+      trefoil().text(),
+      "trefoil, right-handed (3 crossings); 1 turn round the object; selvages linked 2 times");
 }
 
 TEST(KnotCertificate, without_an_axis_names_no_turns) {
   KnotCertificate certificate = trefoil();
-  certificate.turns_about_axis.reset();
+  certificate.turns_round_object.reset();
   certificate.selvage_linking = -1;
   EXPECT_EQ(certificate.text(), "trefoil, right-handed (3 crossings); selvages linked -1 time");
 }
@@ -51,8 +52,8 @@ TEST(KnotCertificate, differs_by_each_of_its_parts) {
   EXPECT_FALSE(changed([](KnotCertificate&) {}));
   EXPECT_TRUE(changed([](KnotCertificate& c) { c.jones = c.jones->mirrored(); }));
   EXPECT_TRUE(changed([](KnotCertificate& c) { c.selvage_linking = 4; }));
-  EXPECT_TRUE(changed([](KnotCertificate& c) { c.turns_about_axis = 0; }));
-  EXPECT_TRUE(changed([](KnotCertificate& c) { c.axis_met = true; }));
+  EXPECT_TRUE(changed([](KnotCertificate& c) { c.turns_round_object = 0; }));
+  EXPECT_TRUE(changed([](KnotCertificate& c) { c.object_met = true; }));
   EXPECT_TRUE(changed([](KnotCertificate& c) { c.first_end_buried = true; }));
 }
 

@@ -11,7 +11,7 @@ namespace ribbon::knot_witness_test {
 constexpr int across = 6;
 constexpr double width = 0.2;
 // Through the overhand knot's loop.
-const CentreAxis axis{{0, -1, 0}, {0, 0, 1}};
+const ObjectAxis axis{{{0, -1, 0}, {0, 0, 1}}, {{-100, 100}}};
 
 RibbonGrid grid_of(const Curve& curve) {
   return {static_cast<int>(curve.cols()), across};
@@ -25,10 +25,10 @@ KnotCertificate certificate_of(const Curve& curve, double turns = 0) {
 
 TEST(KnotWitness, certifies_an_overhand_knot) {
   EXPECT_EQ(certificate_of(overhand_knot(300)).text(),
-            "trefoil, right-handed (3 crossings); 2 turns about the axis; "
+            "trefoil, right-handed (3 crossings); 2 turns round the object; "
             "selvages linked 3 times");
   EXPECT_EQ(certificate_of(overhand_knot(300, 6, -1), 1).text(),
-            "trefoil, left-handed (3 crossings); 2 turns about the axis; "
+            "trefoil, left-handed (3 crossings); 2 turns round the object; "
             "selvages linked -2 times");
 }
 
@@ -135,7 +135,7 @@ TEST(KnotWitness, a_strand_passed_through_another_is_found) {
     return ribbon_along(overhand_knot_lifted(300, 2 * time), across, width);
   };
   const auto certificates = followed(10, lifted, {300, across});
-  EXPECT_EQ(certificates.back().text(), "unknot; 2 turns about the axis; selvages linked 1 time");
+  EXPECT_EQ(certificates.back().text(), "unknot; 2 turns round the object; selvages linked 1 time");
 }
 
 TEST(KnotWitness, a_ribbon_pulled_through_the_axis_is_found) {
@@ -145,7 +145,7 @@ TEST(KnotWitness, a_ribbon_pulled_through_the_axis_is_found) {
     return ribbon_along(curve, across, width);
   };
   const auto certificates = followed(20, shifted, {200, across});
-  EXPECT_NE(certificates.back().turns_about_axis, certificates.front().turns_about_axis);
+  EXPECT_NE(certificates.back().turns_round_object, certificates.front().turns_round_object);
   EXPECT_EQ(certificates.back().jones, certificates.front().jones);
 }
 

@@ -5,7 +5,7 @@
 namespace ribbon::tying_test {
 
 constexpr RibbonGrid grid{80, 3};
-const CentreAxis axis{Eigen::Vector3d(0, 0.2, 0), Eigen::Vector3d::UnitZ()};
+const ObjectAxis axis{{Eigen::Vector3d(0, 0.2, 0), Eigen::Vector3d::UnitZ()}, {{-9, 9}}};
 
 // A band 0.02 wide along a trefoil drawn as a polynomial; `depth` -1 is its mirror image.
 Eigen::Matrix3Xd open_trefoil(double depth) {
@@ -29,10 +29,15 @@ TEST(Tying, a_strand_moved_through_another_is_told_with_both_knots) {
   EXPECT_NE(tied.error().problem.find("right-handed"), std::string::npos) << tied.error().problem;
 }
 
-TEST(Tying, a_ribbon_moved_to_the_other_side_of_the_axis_is_told) {
+TEST(Tying, a_ribbon_moved_to_the_other_side_of_the_object_is_told) {
   Eigen::Matrix3Xd beside = open_trefoil(1);
   beside.row(0).array() += 50;
   EXPECT_FALSE(check_tying(grid, axis, open_trefoil(1), beside).has_value());
+  const ObjectAxis short_one{axis.line, {{-9, -8}}};
+  const auto over_the_end = check_tying(grid, short_one, open_trefoil(1), beside);
+  ASSERT_FALSE(over_the_end.has_value());
+  EXPECT_NE(over_the_end.error().problem.find("2 turns round the object"), std::string::npos)
+      << over_the_end.error().problem;
 }
 
 }  // namespace ribbon::tying_test

@@ -6,9 +6,11 @@
 
 namespace ribbon::axis_turns_test {
 
-const CentreAxis upright{{0.5, 0.25, -3}, {0, 0, 1}};
+const CentreAxis upright_line{{0.5, 0.25, -3}, {0, 0, 1}};
+// Within an object that is longer than anything.
+const ObjectAxis upright{upright_line, {{-1000, 1000}}};
 
-// About `upright`, from angle 0, so that the ends lie on top of each other for whole turns.
+// About `upright_line`, from angle 0, so that the ends lie on top of each other for whole turns.
 Curve coil(double turns) {
   return sampled(100, [turns](double way) {
     const double angle = 2 * std::numbers::pi * turns * way;
@@ -16,8 +18,8 @@ Curve coil(double turns) {
   });
 }
 
-int turns_of(const Curve& curve, const CentreAxis& axis = upright) {
-  AxisTurns turns(axis);
+int turns_of(const Curve& curve, const CentreAxis& line = upright_line) {
+  AxisTurns turns({line, upright.inside});
   turns.follow(curve);
   return turns.turns();
 }
@@ -40,7 +42,8 @@ TEST(AxisTurns, are_the_same_for_any_slanted_axis) {
   std::mt19937 random(6);
   for (int round = 0; round < 20; ++round) {
     const Eigen::Matrix3d turn = random_rotation(random);
-    EXPECT_EQ(turns_of(turn * coil(2), {turn * upright.point_m, turn * upright.direction}), 2);
+    EXPECT_EQ(
+        turns_of(turn * coil(2), {turn * upright_line.point_m, turn * upright_line.direction}), 2);
   }
 }
 
@@ -85,6 +88,46 @@ TEST(AxisTurns, a_curve_that_ends_beside_the_axis_does_not_meet_it) {
   AxisTurns turns(upright);
   Curve line(3, 2);
   line << 0.5, 0.5, 1, 2, 0, 0;
+  turns.follow(line);
+  EXPECT_FALSE(turns.met());
+}
+
+// A curve with one turn is pulled sideways until the axis has passed through its side, at height
+// 0 of an object that reaches from low_m to high_m.
+AxisTurns pulled_through(double low_m, double high_m, double step = 0.1) {
+  AxisTurns turns({{{0.5, 0.25, 0.5}, {0, 0, 1}}, {{low_m, high_m}}});
+  for (double way = 0; way <= 1; way += step) {
+    Curve curve = coil(1);
+    for (auto point : curve.colwise())
+      if (point.x() < 0.5) point.x() += way * 3;
+    turns.follow(curve);
+  }
+  return turns;
+}
+
+TEST(AxisTurns, change_by_what_passes_through_the_object) {
+  const AxisTurns turns = pulled_through(-2, 2);
+  EXPECT_EQ(turns.turns(), 0);
+  EXPECT_EQ(turns.turns_over_ends(), 0);
+}
+
+TEST(AxisTurns, what_passes_over_an_end_of_the_object_is_counted_by_itself) {
+  for (const auto& [low_m, high_m] : {std::pair(0.2, 5.0), std::pair(-5.0, -0.2)}) {
+    const AxisTurns turns = pulled_through(low_m, high_m);
+    EXPECT_EQ(turns.turns(), 1);
+    EXPECT_EQ(turns.turns_over_ends(), -1);
+  }
+}
+
+TEST(AxisTurns, what_seems_to_cut_through_the_very_end_has_passed_over_it) {
+  EXPECT_EQ(pulled_through(-5, 0.05).turns(), 1);
+  EXPECT_EQ(pulled_through(-5, 0.2).turns(), 0);
+}
+
+TEST(AxisTurns, meeting_the_axis_beyond_the_object_is_no_fault) {
+  AxisTurns turns({upright_line, {{0, 5}}});  // from z = -3 to z = 2
+  Curve line(3, 2);
+  line << 0.5, 0.5, -1, 1, 4, 4;
   turns.follow(line);
   EXPECT_FALSE(turns.met());
 }

@@ -86,6 +86,10 @@ TEST(RecordingInfo, tightness_and_ending_are_told) {
                       "                in contact 37.5 %, rope length 12.2 widths\n"),
             std::string::npos)
       << text;
+  info.outcome = {.embraces_object = true, .knot_distance_m = 0.0008};
+  EXPECT_NE(
+      info_text(info).find("tight\noutcome         round the object, the knot 0.8 mm from it\n"),
+      std::string::npos);
   info.ending = RunEnding::stopped;
   EXPECT_NE(info_text(info).find("ended           early, by the user\n"), std::string::npos);
 }

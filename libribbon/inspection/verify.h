@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "inspection/outcome.h"
 #include "playback/recording_reader.h"
-#include "player/report/info.h"
 #include "recording/records/recording.h"
 #include "result/result.h"
 #include "verification/frame_verifier.h"
@@ -22,6 +22,11 @@ struct Intersection {
   int frame = 0;
   std::optional<double> time_s;  // nothing where the frame's numbers are lost
   TrianglePair pair;             // as in FrameVerdict
+};
+
+struct MostIntersections {
+  std::size_t pairs = 0;
+  int frame = 0;
 };
 
 struct SmallestGapFrame {
@@ -42,6 +47,15 @@ struct CertificateChange {
   std::string after;
 };
 
+// A strand has passed over an end of the object since the frame before, or came back: how often the
+// ribbon goes round the object has changed. That is no fault.
+struct PassageOverEnd {
+  int frame = 0;
+  std::optional<double> time_s;  // nothing where the frame's numbers are lost
+  int turns_before = 0;
+  int turns_after = 0;
+};
+
 struct Verification {
   RecordingHeader header;
   int frames_asked = 0;
@@ -53,7 +67,7 @@ struct Verification {
   std::size_t intersecting_pairs = 0;
   bool all_pairs_counted = true;  // false: there may be more in frames that are full of them
   int intersecting_frames = 0;
-  std::optional<WorstFrame> most_intersections;
+  std::optional<MostIntersections> most_intersections;
   std::vector<Intersection> first_intersections;  // one of each of the first frames that have any
 
   std::optional<SmallestGapFrame> smallest_gap;
@@ -63,6 +77,9 @@ struct Verification {
   int certified_frames = 0;
   int uncertain_frames = 0;  // of these, where knot or twist could not be known
   std::vector<CertificateChange> certificate_changes;
+  std::vector<PassageOverEnd> passages_over_ends;
+
+  std::optional<Outcome> outcome;  // of the recording, whatever frames were asked for
 
   // Is no gap smaller than the stated one? True where none is stated.
   [[nodiscard]] bool keeps_stated_gap() const;
@@ -79,11 +96,5 @@ using VerificationObserver = std::function<bool(int)>;
 // stops it. The answer does not depend on the number of threads.
 Result<Verification> verify(RecordingReader& reader, const std::vector<int>& asked,
                             int certify_every, const VerificationObserver& observer);
-
-// Several lines to read.
-std::string verification_text(const std::string& file, const Verification& verification);
-
-// One JSON object; what is not known is null.
-std::string verification_json(const std::string& file, const Verification& verification);
 
 }  // namespace ribbon

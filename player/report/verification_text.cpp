@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <cstdlib>
+
 #include "player/report/report_line.h"
-#include "player/report/verify.h"
+#include "player/report/verification_report.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -20,13 +23,17 @@ std::string pair_text(const RibbonGrid& grid, const TrianglePair& pair) {
   return triangle_text(grid, pair.first) + " and " + triangle_text(grid, pair.second);
 }
 
-std::string counted(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+std::string counted(long long count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (std::abs(count) == 1 ? "" : "s");
 }
 
 std::string particle_text(const RibbonGrid& grid, int particle) {
   return "row " + std::to_string(grid.row(particle)) + " column " +
          std::to_string(grid.column(particle));
+}
+
+std::string moment_text(int frame, const std::optional<double>& time_s) {
+  return "frame " + std::to_string(frame) + (time_s ? " (" + decimals(*time_s, 2) + " s)" : "");
 }
 
 std::string frames_text(const Verification& verification) {
@@ -45,12 +52,10 @@ std::string intersections_text(const Verification& verification) {
                            counted(verification.intersecting_pairs, "pair") + " of triangles in " +
                            counted(verification.intersecting_frames, "frame") + ", most in frame " +
                            std::to_string(verification.most_intersections->frame) + ": " +
-                           decimals(verification.most_intersections->value, 0));
-  for (const Intersection& example : verification.first_intersections) {
-    const std::string time = example.time_s ? " (" + decimals(*example.time_s, 2) + " s)" : "";
-    text += report_line("", "frame " + std::to_string(example.frame) + time + ": " +
+                           std::to_string(verification.most_intersections->pairs));
+  for (const Intersection& example : verification.first_intersections)
+    text += report_line("", moment_text(example.frame, example.time_s) + ": " +
                                 pair_text(verification.header.grid, example.pair));
-  }
   return text;
 }
 
@@ -94,6 +99,20 @@ std::string knot_text(const Verification& verification) {
   return text;
 }
 
+std::string outcome_lines(const Verification& verification) {
+  std::string text;
+  if (verification.outcome) text += report_line("outcome", outcome_text(*verification.outcome));
+  const auto& passages = verification.passages_over_ends;
+  for (std::size_t k = 0; k < std::min(most_changes, passages.size()); ++k)
+    text += report_line("", moment_text(passages[k].frame, passages[k].time_s) +
+                                ": over an end of the object, from " +
+                                counted(passages[k].turns_before, "turn") + " to " +
+                                std::to_string(passages[k].turns_after));
+  if (passages.size() > most_changes)
+    text += report_line("", "and " + std::to_string(passages.size() - most_changes) + " more");
+  return text;
+}
+
 std::string verdict_text(const Verification& verification) {
   std::string text;
   for (const std::string& complaint : verification.complaints())
@@ -107,7 +126,7 @@ std::string verification_text(const std::string& file, const Verification& verif
   return report_line("recording", file) + report_line("frames", frames_text(verification)) +
          intersections_text(verification) + report_line("smallest gap", gap_text(verification)) +
          report_line("largest strain", strain_text(verification)) + knot_text(verification) +
-         report_line("verdict", verdict_text(verification));
+         outcome_lines(verification) + report_line("verdict", verdict_text(verification));
 }
 
 }  // namespace ribbon

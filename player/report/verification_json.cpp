@@ -1,4 +1,5 @@
-#include "player/report/verify.h"
+#include "inspection/figures_json.h"
+#include "player/report/verification_report.h"
 #include "text/json.h"
 
 namespace ribbon {
@@ -31,7 +32,7 @@ Json intersections_json(const Verification& verification) {
   return {{"pairs", verification.intersecting_pairs},
           {"all_counted", verification.all_pairs_counted},
           {"frames", verification.intersecting_frames},
-          {"most", most ? Json{{"frame", most->frame}, {"pairs", most->value}} : Json()},
+          {"most", most ? Json{{"frame", most->frame}, {"pairs", most->pairs}} : Json()},
           {"first", first}};
 }
 
@@ -57,6 +58,16 @@ Json strain_json(const Verification& verification) {
            Json::list({particle_json(grid, strain.first), particle_json(grid, strain.second)})}};
 }
 
+Json passages_json(const std::vector<PassageOverEnd>& passages) {
+  Json list = Json::list({});
+  for (const PassageOverEnd& passage : passages)
+    list.add({{"frame", passage.frame},
+              {"time_s", passage.time_s},
+              {"turns_before", passage.turns_before},
+              {"turns_after", passage.turns_after}});
+  return list;
+}
+
 Json knot_json(const Verification& verification) {
   Json changes = Json::list({});
   for (const CertificateChange& change : verification.certificate_changes)
@@ -68,7 +79,8 @@ Json knot_json(const Verification& verification) {
   return {{"certificate", known ? Json(verification.certificate) : Json()},
           {"certified_frames", verification.certified_frames},
           {"uncertain_frames", verification.uncertain_frames},
-          {"changes", changes}};
+          {"changes", changes},
+          {"passages_over_ends", passages_json(verification.passages_over_ends)}};
 }
 
 }  // namespace
@@ -86,7 +98,8 @@ std::string verification_json(const std::string& file, const Verification& verif
                   {"intersections", intersections_json(verification)},
                   {"gap", gap_json(verification)},
                   {"strain", strain_json(verification)},
-                  {"knot", knot_json(verification)}};
+                  {"knot", knot_json(verification)},
+                  {"outcome", outcome_json(verification.outcome)}};
   return json.text();
 }
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "player/report/verify.h"
+#include "player/report/verification_report.h"
 
-namespace ribbon::verify_text_test {
+namespace ribbon::verification_text_test {
 
 // 3 x 3 particles, 8 triangles.
 Verification all_in_order() {
@@ -68,6 +68,24 @@ TEST(VerificationText, what_is_wrong_is_said_with_its_place) {
       "changed, coordinates are no numbers, frames are lost\n");
 }
 
+TEST(VerificationText, slipping_off_is_told_and_is_no_fault) {
+  Verification verification = all_in_order();
+  verification.outcome = {.slipped_off = Outcome::Moment{475, 9.5}, .knot_distance_m = 0.0125};
+  verification.passages_over_ends = {{470, 9.4, 1, 2}, {475, std::nullopt, 2, 1}};
+  const std::string text = verification_text("knot.rbn", verification);
+  EXPECT_NE(
+      text.find("outcome         slipped off the object at 9.50 s, the knot 12.5 mm from it\n"
+                "                frame 470 (9.40 s): over an end of the object, from 1 turn to 2\n"
+                "                frame 475: over an end of the object, from 2 turns to 1\n"
+                "verdict         nothing is wrong\n"),
+      std::string::npos)
+      << text;
+  const auto json = nlohmann::json::parse(verification_json("knot.rbn", verification));
+  EXPECT_EQ(json["passed"], true);
+  EXPECT_EQ(json["outcome"]["slipped_off"]["time_s"], 9.5);
+  EXPECT_EQ(json["knot"]["passages_over_ends"][0]["turns_after"], 2);
+}
+
 TEST(VerificationText, equal_certificates_that_know_nothing_prove_nothing) {
   Verification verification = all_in_order();
   verification.certificate = "first end buried";
@@ -120,4 +138,4 @@ TEST(VerificationJson, programs_read_what_people_read) {
   EXPECT_EQ(nlohmann::json::parse(verification_json("", all_in_order()))["passed"], true);
 }
 
-}  // namespace ribbon::verify_text_test
+}  // namespace ribbon::verification_text_test

@@ -1,4 +1,4 @@
-#include "player/report/verify.h"
+#include "inspection/verify.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,11 +27,13 @@ class Verifying {
         certify_every_(certify_every),
         verifier_(reader.header().grid, reader.header().ribbon_length_m,
                   reader.header().ribbon_width_m, reader.header().obstacle),
-        witness_(reader.header().grid, reader.header().centre_axis) {
+        witness_(reader.header().grid,
+                 object_axis(reader.header().centre_axis, reader.header().obstacle)) {
     reader_.check();
     result_.header = reader.header();
     result_.frames_asked = static_cast<int>(asked.size());
     result_.damaged = !reader.damage().empty();
+    result_.outcome = outcome(reader);
   }
 
   void verify_batch(int begin, int end) {
@@ -61,9 +63,19 @@ class Verifying {
 
  private:
   void follow(const DecodedFrame& frame) {
+    const int over_ends_before = witness_.turns() ? witness_.turns()->turns_over_ends() : 0;
     witness_.follow(frame.positions);
+    add_passage(frame.index, over_ends_before);
     followed_ = frame.index;
     if (certified_ < 0 || (frame.index - asked_.front()) % certify_every_ == 0) certify();
+  }
+
+  void add_passage(int index, int over_ends_before) {
+    const auto& turns = witness_.turns();
+    if (!turns || turns->turns_over_ends() == over_ends_before) return;
+    result_.passages_over_ends.push_back({index + 1, time_s(index),
+                                          turns->turns() + over_ends_before,
+                                          turns->turns() + turns->turns_over_ends()});
   }
 
   void certify() {
@@ -99,13 +111,15 @@ class Verifying {
     result_.intersecting_pairs += count;
     result_.all_pairs_counted = result_.all_pairs_counted && found.all;
     ++result_.intersecting_frames;
-    if (!result_.most_intersections ||
-        static_cast<double>(count) > result_.most_intersections->value)
-      result_.most_intersections = {static_cast<double>(count), index + 1};
-    if (result_.first_intersections.size() == most_examples) return;
-    const auto& numbers = reader_.numbers(index);
-    result_.first_intersections.push_back(
-        {index + 1, numbers ? std::optional(numbers->time_s) : std::nullopt, found.pairs.front()});
+    if (!result_.most_intersections || count > result_.most_intersections->pairs)
+      result_.most_intersections = {count, index + 1};
+    if (result_.first_intersections.size() < most_examples)
+      result_.first_intersections.push_back({index + 1, time_s(index), found.pairs.front()});
+  }
+
+  [[nodiscard]] std::optional<double> time_s(int index) const {
+    const auto numbers = reader_.numbers(index);
+    return numbers ? std::optional(numbers->time_s) : std::nullopt;
   }
 
   RecordingReader& reader_;

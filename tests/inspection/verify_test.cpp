@@ -1,10 +1,11 @@
-#include "player/report/verify.h"
+#include "inspection/verify.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
+#include "inspection/looped_ribbon.h"
 #include "recording/sample_recording.h"
 
 namespace ribbon::verify_test {
@@ -78,11 +79,12 @@ TEST(Verify, intersecting_frames_are_counted_and_the_worst_is_named) {
   frames[2].row(1).array() -= 0.15;  // the tip of the stone comes through
   frames[5].row(1).array() -= 0.3;   // right through the middle
   const Verification verification = verify_frames(header, frames);
-  EXPECT_EQ(verification.complaints(),
-            (Complaints{"triangles intersect", "the stated gap is not kept"}));
+  EXPECT_EQ(
+      verification.complaints(),
+      (Complaints{"triangles intersect", "the stated gap is not kept", "the knot has changed"}));
   EXPECT_EQ(verification.intersecting_frames, 2);
   EXPECT_EQ(verification.most_intersections->frame, 6);
-  EXPECT_GT(verification.intersecting_pairs, verification.most_intersections->value);
+  EXPECT_GT(verification.intersecting_pairs, verification.most_intersections->pairs);
   ASSERT_EQ(verification.first_intersections.size(), 2U);
   EXPECT_EQ(verification.first_intersections[0].frame, 3);
   EXPECT_EQ(verification.first_intersections[0].time_s, 0.04);
@@ -141,6 +143,47 @@ TEST(Verify, a_strand_that_passed_through_another_between_two_frames_is_found) {
   EXPECT_EQ(change.frame_after, 4);
   EXPECT_NE(change.before.find("trefoil"), std::string::npos) << change.before;
   EXPECT_NE(change.before, change.after);
+}
+
+// Up along the axis, beyond the post's end, to the side and down again.
+const std::vector<Pose> slipping_off{
+    {}, {.height_m = 0.25}, {.height_m = 0.45}, {.height_m = 0.45, .x_m = 0.2}, {.x_m = 0.2}};
+
+TEST(Verify, slipping_off_the_object_is_told_and_is_no_fault) {
+  const Verification verification = verify_file(record_loops(header_with_post(), slipping_off));
+  EXPECT_EQ(verification.complaints(), Complaints{});
+  EXPECT_NE(verification.certificate.find("1 turn round the object"), std::string::npos)
+      << verification.certificate;
+  ASSERT_EQ(verification.passages_over_ends.size(), 1U);
+  EXPECT_EQ(verification.passages_over_ends[0].frame, 4);
+  EXPECT_EQ(verification.passages_over_ends[0].time_s, 0.06);
+  EXPECT_EQ(verification.passages_over_ends[0].turns_before, 1);
+  EXPECT_EQ(verification.passages_over_ends[0].turns_after, 0);
+  ASSERT_TRUE(verification.outcome && verification.outcome->slipped_off);
+  EXPECT_EQ(verification.outcome->slipped_off->frame, 3);
+}
+
+// No frame intersects: only the turns tell.
+TEST(Verify, passing_through_the_object_between_two_frames_is_found) {
+  const Verification verification =
+      verify_file(record_loops(header_with_post(), {{}, {.x_m = 0.2}}));
+  EXPECT_EQ(verification.complaints(), Complaints{"the knot has changed"});
+  EXPECT_EQ(verification.passages_over_ends.size(), 0U);
+}
+
+TEST(Verify, without_an_object_no_turns_are_certified) {
+  RecordingHeader header = header_with_post();
+  header.obstacle.reset();
+  const Verification verification = verify_file(record_loops(header, {{}, {.x_m = 0.2}}));
+  EXPECT_EQ(verification.complaints(), Complaints{});
+  EXPECT_EQ(verification.certificate.find("turn"), std::string::npos) << verification.certificate;
+}
+
+TEST(Verify, a_loop_that_moves_beside_the_object_is_no_fault) {
+  const Verification verification =
+      verify_file(record_loops(header_with_post(), {{.x_m = 0.2}, {.x_m = 0.3}}));
+  EXPECT_EQ(verification.complaints(), Complaints{});
+  EXPECT_FALSE(verification.outcome->embraces_object);
 }
 
 TEST(Verify, whoever_watches_can_stop_it) {
