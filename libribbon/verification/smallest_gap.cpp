@@ -19,62 +19,22 @@ class GapSearch {
  public:
   GapSearch(const TriangleSoup& soup, const FeatureOwners& owners) : soup_(soup), owners_(owners) {}
 
-  void within(const BoxTree& tree, int index) {
-    const BoxTree::Node& node = tree.node(index);
-    if (node.is_leaf()) {
-      const auto triangles = tree.triangles(node);
-      for (std::size_t i = 0; i < triangles.size(); ++i)
-        for (std::size_t j = i + 1; j < triangles.size(); ++j) measure(triangles[i], triangles[j]);
-      return;
-    }
-    for (const int half : node.halves) within(tree, half);
-    between(tree, node.halves[0], tree, node.halves[1]);
-  }
-
-  void between(const BoxTree& tree, int index, const BoxTree& other_tree, int other_index) {
-    const BoxTree::Node& node = tree.node(index);
-    const BoxTree::Node& other = other_tree.node(other_index);
-    if (is_too_far(node.box, other.box)) return;
-    if (node.is_leaf() && other.is_leaf()) {
-      for (const int triangle : tree.triangles(node))
-        for (const int opponent : other_tree.triangles(other)) measure(triangle, opponent);
-      return;
-    }
-    const bool open_other =
-        node.is_leaf() || (!other.is_leaf() && other.end - other.begin > node.end - node.begin);
-    if (open_other) {
-      for (const int half : nearest_first(node.box, other_tree, other))
-        between(tree, index, other_tree, half);
-    } else {
-      for (const int half : nearest_first(other.box, tree, node))
-        between(tree, half, other_tree, other_index);
-    }
-  }
-
-  [[nodiscard]] const std::optional<SmallestGap>& best() const { return best_; }
-
- private:
   // The factor covers the rounding of the squared distance and of the limit.
-  [[nodiscard]] bool is_too_far(const ClosedBox& a, const ClosedBox& b) const {
+  [[nodiscard]] bool skips(const ClosedBox& a, const ClosedBox& b) const {
     return a.squared_distance(b) > squared_limit_ * (1 + 1e-12);
   }
 
-  static std::array<int, 2> nearest_first(const ClosedBox& box, const BoxTree& tree,
-                                          const BoxTree::Node& node) {
-    const auto [first, second] = node.halves;
-    const bool in_order =
-        box.squared_distance(tree.node(first).box) <= box.squared_distance(tree.node(second).box);
-    return in_order ? std::array{first, second} : std::array{second, first};
-  }
-
-  void measure(int triangle, int other) {
-    if (is_too_far(ClosedBox::around(soup_, triangle), ClosedBox::around(soup_, other))) return;
+  void test(int triangle, int other) {
+    if (skips(ClosedBox::around(soup_, triangle), ClosedBox::around(soup_, other))) return;
     measure_corners(triangle, other);
     measure_corners(other, triangle);
     for (int k = 0; k < 3; ++k)
       if (owners_.owns_edge(triangle, k)) measure_edge(triangle, k, other);
   }
 
+  [[nodiscard]] const std::optional<SmallestGap>& best() const { return best_; }
+
+ private:
   // Corners of one triangle against the other.
   void measure_corners(int triangle, int other) {
     const auto opposite = soup_.triangles.col(other);
@@ -82,7 +42,7 @@ class GapSearch {
       const int corner = soup_.triangles(k, triangle);
       if (!owners_.owns_corner(triangle, k) || (opposite.array() == corner).any()) continue;
       const Eigen::Vector3f point = soup_.points.col(corner);
-      if (is_too_far({point.array(), point.array()}, ClosedBox::around(soup_, other))) continue;
+      if (skips({point.array(), point.array()}, ClosedBox::around(soup_, other))) continue;
       take(certain_point_triangle_distance(point, soup_.corner(other, 0), soup_.corner(other, 1),
                                            soup_.corner(other, 2), limit()),
            triangle, other);
@@ -96,7 +56,7 @@ class GapSearch {
     for (int l = 0; l < 3; ++l) {
       const Edge opposite = edge_of(other, l);
       if (!owners_.owns_edge(other, l) || edge[0] == opposite[0] || edge[0] == opposite[1] ||
-          edge[1] == opposite[0] || edge[1] == opposite[1] || is_too_far(box, around(opposite)))
+          edge[1] == opposite[0] || edge[1] == opposite[1] || skips(box, around(opposite)))
         continue;
       take(certain_segments_distance(soup_.points.col(edge[0]), soup_.points.col(edge[1]),
                                      soup_.points.col(opposite[0]), soup_.points.col(opposite[1]),
@@ -136,8 +96,7 @@ class GapSearch {
 std::optional<SmallestGap> smallest_gap(const TriangleSoup& soup, const FeatureOwners& owners,
                                         const BoxTree& judged, const BoxTree& rest) {
   GapSearch search(soup, owners);
-  if (!judged.empty()) search.within(judged, BoxTree::root);
-  if (!judged.empty() && !rest.empty()) search.between(judged, BoxTree::root, rest, BoxTree::root);
+  search_pairs(judged, rest, search);
   return search.best();
 }
 
