@@ -1,6 +1,6 @@
 // benchmark_extremes [--json FILE] [--most-particles N] [--most-steps N] [--only TEXT]: what
 // becomes of scenes whose stiffness, step, size, mass, lengths, place, air or force is extreme, by
-// each integrator. Prints the table of docs/simulation.md. Exit code 1 when a run ends in something
+// each integrator. Prints the table of docs/measured.md. Exit code 1 when a run ends in something
 // that is no number, in an intersection or in an explosion, 2 when something could not be
 // read or written.
 #include <algorithm>

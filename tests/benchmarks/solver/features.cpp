@@ -1,6 +1,6 @@
 // benchmark_features [--json FILE] [--scene FILE] [--across N] [--steps N] [--threads N]: what each
 // feature of a scene costs, in time per step and memory per particle, on the loose ribbon of a
-// sample. Prints the table of docs/simulation.md. Exit code 2 when something could not be read,
+// sample. Prints the table of docs/measured.md. Exit code 2 when something could not be read,
 // simulated or written.
 #include <array>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // benchmark_growth [--tight RECORDING] [--integrator NAME] [--step S] [--steps N] [--threads N]
 // [--most-particles N] [--json FILE]: how time per step and memory grow from 8x400 to 64x3200
 // particles. RECORDING: its last frame, refined by cubics, is where the tight ribbons begin;
-// without it only loose ones are measured. Prints the table of docs/simulation.md. Exit code 2 when
+// without it only loose ones are measured. Prints the table of docs/measured.md. Exit code 2 when
 // something could not be read or written.
 #include <algorithm>
 #include <array>
