@@ -45,6 +45,13 @@ class RibbonPlay : public testing::Test {
     return read_file(folder_ / name).value_or("");
   }
 
+  // Changes a byte in the middle of the recording.
+  void damage() const {
+    std::string bytes = read("knot.rbn");
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
+    ASSERT_TRUE(write_file(recording_, bytes));
+  }
+
   [[nodiscard]] std::set<std::string> files_in(const std::string& name) const {
     std::set<std::string> files;
     for (const auto& entry : fs::directory_iterator(folder_ / name))
@@ -127,9 +134,7 @@ TEST_F(RibbonPlay, info_as_json_parses) {
 }
 
 TEST_F(RibbonPlay, damage_costs_frames_and_is_told) {
-  std::string bytes = read("knot.rbn");
-  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
-  ASSERT_TRUE(write_file(recording_, bytes));
+  damage();
   const ToolRun info = play("knot.rbn --json");
   ASSERT_EQ(info.exit_code, 1);
   const auto missing = nlohmann::json::parse(info.output)["missing_frames"];
@@ -169,9 +174,7 @@ TEST_F(RibbonPlay, follow_renders_what_is_there_and_tells_what_is_lost) {
   EXPECT_EQ(whole.exit_code, 0) << whole.errors;
   EXPECT_EQ(whole.output, "");
   EXPECT_EQ(files_in("frames").size(), 7U);
-  std::string bytes = read("knot.rbn");
-  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
-  ASSERT_TRUE(write_file(recording_, bytes));
+  damage();
   const ToolRun damaged = play_small("-o 'frames/{frame}.png' --follow");
   EXPECT_EQ(damaged.exit_code, 1);
   EXPECT_NE(damaged.errors.find("lost to damage: frames "), std::string::npos) << damaged.errors;
@@ -212,9 +215,7 @@ TEST_F(RibbonPlay, what_is_wrong_is_answered_with_1) {
 }
 
 TEST_F(RibbonPlay, lost_frames_are_not_verified_and_that_is_wrong) {
-  std::string bytes = read("knot.rbn");
-  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
-  ASSERT_TRUE(write_file(recording_, bytes));
+  damage();
   const ToolRun outcome = play("knot.rbn --verify --json");
   EXPECT_EQ(outcome.exit_code, 1);
   const auto json = nlohmann::json::parse(outcome.output);
