@@ -1,33 +1,60 @@
 // The mass-spring network of the cloth (paper, section 5.1).
 #pragma once
 
-#include <vector>
+#include <algorithm>
+#include <array>
 
 #include "geometry/ribbon_grid.h"
+#include "ribbon_mesh/natural_size.h"
 #include "scene/scene.h"
 
 namespace ribbon {
 
-struct Spring {
-  int a = 0;  // particle indices
-  int b = 0;
+// One spring leads from each particle (i, j) of a grid to (i + rows, j + columns), where both
+// exist. There are several for each particle, all alike, so that none is stored: the family
+// describes them, and for_each_spring() visits them. Either rows > 0, or rows = 0 and columns > 0.
+struct SpringFamily {
+  int rows = 0;
+  int columns = 0;
   double rest_length_m = 0;
 };
 
-// Springs of one kind share one resistance. A kind whose resistance is 0 has no springs.
-struct SpringSet {
-  double resistance = 0;  // N/m
-  std::vector<Spring> springs;
+// Springs that resist one kind of deformation; with stiffness 0 there are none.
+struct SpringKind {
+  double stiffness = 0;  // N/m; the paper and the scene call it resistance
+  std::array<SpringFamily, 2> families;
 };
 
 struct SpringNetwork {
-  SpringSet stretch;  // between neighbours, along and across
-  SpringSet shear;    // along both diagonals of each quad
-  SpringSet bend;     // between particles of distance two, along and across
+  RibbonGrid grid;
+  SpringKind stretch = {};  // between neighbours, along and across
+  SpringKind shear = {};    // along both diagonals of each quad
+  SpringKind bend = {};     // between particles of distance two, along and across
+
+  [[nodiscard]] std::array<const SpringKind*, 3> kinds() const { return {&stretch, &shear, &bend}; }
 };
 
-// Springs of a flat band of the given size: what the scene asks for and no more.
-SpringNetwork spring_network(const RibbonGrid& grid, double length_m, double width_m,
-                             const SpringScene& resistances);
+// Of a flat band: the edges along and across, and those of both diagonals.
+std::array<SpringFamily, 2> stretch_families(const NaturalSize& size);
+std::array<SpringFamily, 2> shear_families(const NaturalSize& size);
+
+SpringNetwork spring_network(const NaturalSize& size, const SpringScene& stiffness);
+
+// Calls visit(a, b) with the two particles of each spring that leads from a row, by column.
+template <class Visit>
+void for_each_spring_of_row(const RibbonGrid& grid, const SpringFamily& family, int row,
+                            const Visit& visit) {
+  const int first = grid.particle(row, std::max(0, -family.columns));
+  const int end = grid.particle(row, grid.across - std::max(0, family.columns));
+  const int offset = grid.particle(family.rows, family.columns);
+  for (int a = first; a < end; ++a) visit(a, a + offset);
+}
+
+// Likewise for all of them, row by row.
+template <class Visit>
+void for_each_spring(const RibbonGrid& grid, const SpringFamily& family, const Visit& visit) {
+  for (int row = 0; row + family.rows < grid.along; ++row)
+    for_each_spring_of_row(grid, family, row, visit);
+}
 
 }  // namespace ribbon

@@ -8,7 +8,7 @@
 #include "simulation/contact/gap_lengths.h"
 #include "simulation/start/scene_limits.h"
 #include "simulation/start/width_growth.h"
-#include "simulation/state/band_edges.h"
+#include "simulation/state/edge_strain.h"
 
 namespace ribbon {
 
@@ -82,7 +82,7 @@ FasteningProcessor::FasteningProcessor(const Scene& scene, const NaturalSize& si
                                        const std::optional<TriangleMesh>& obstacle,
                                        Matrix3Xd vertices)
     : step_s_(scene.time.step_s),
-      springs_(scene.springs),
+      springs_(spring_network(size, scene.springs)),
       cloth_{std::move(vertices), Matrix3Xd::Zero(3, size.grid.particle_count()),
              scene.ribbon.mass_kg / size.grid.particle_count()},
       bodies_(bodies_of(size.grid, obstacle, cloth_.positions)),
@@ -225,7 +225,7 @@ std::optional<Tightness> FasteningProcessor::tightness() {
 }
 
 double FasteningProcessor::strain() const {
-  return worst_strain(size_, springs_, cloth_.positions);
+  return worst_strain(springs_, cloth_.positions);
 }
 
 Matrix3Xd FasteningProcessor::positions() const {

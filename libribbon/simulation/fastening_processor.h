@@ -10,6 +10,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
+#include "ribbon_mesh/natural_size.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/scene.h"
 #include "simulation/contact/pair_gaps.h"
@@ -17,7 +18,6 @@
 #include "simulation/fastening/hands.h"
 #include "simulation/start/free_start.h"
 #include "simulation/state/cloth.h"
-#include "simulation/state/natural_size.h"
 #include "simulation/state/state_archive.h"
 #include "simulation/step/deformation.h"
 
@@ -114,7 +114,7 @@ class FasteningProcessor {
   StartReport recover_as_published();
 
   double step_s_;
-  SpringScene springs_;
+  SpringNetwork springs_;
   std::int64_t steps_ = 0;
   std::int64_t steps_before_ = 0;  // with another step
   double before_s_ = 0;            // that they took

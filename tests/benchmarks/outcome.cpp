@@ -6,7 +6,7 @@
 
 #include "benchmarks/solver/energy_account.h"
 #include "simulation/fastening_processor.h"
-#include "simulation/state/band_edges.h"
+#include "simulation/state/edge_strain.h"
 #include "verification/frame_verifier.h"
 
 namespace ribbon {
@@ -24,9 +24,10 @@ Outcome run(const ExtremeScene& extreme, int steps, FasteningProcessor& fastenin
   using Clock = std::chrono::steady_clock;
   const FrameVerifier verifier(extreme.mesh.grid, extreme.mesh.length_m, extreme.mesh.width_m,
                                extreme.obstacle);
-  const NaturalSize size{extreme.mesh.grid, extreme.mesh.length_m, extreme.mesh.width_m};
   // What the strain limit cares for, whether there are springs or not.
-  const SpringScene limited{.stretch = 1, .shear = extreme.scene.springs.shear};
+  const SpringNetwork limited =
+      spring_network({extreme.mesh.grid, extreme.mesh.length_m, extreme.mesh.width_m},
+                     {.stretch = 1, .shear = extreme.scene.springs.shear});
   Matrix3Xd before = fastening.positions();
   EnergyAccount account(extreme.scene, extreme.mesh, before);
   Outcome outcome;
@@ -38,7 +39,7 @@ Outcome run(const ExtremeScene& extreme, int steps, FasteningProcessor& fastenin
     outcome.steps = step;
     outcome.is_finite = after.allFinite();
     if (!outcome.is_finite) break;
-    outcome.last_strain = worst_strain(size, limited, after);
+    outcome.last_strain = worst_strain(limited, after);
     outcome.worst_strain = std::max(outcome.worst_strain, outcome.last_strain);
     account.add_step(before, after);
     if (is_judged(extreme, step))

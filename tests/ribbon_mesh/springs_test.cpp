@@ -2,34 +2,55 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 namespace ribbon::springs_test {
 
-// By hand, for a grid of 4 x 3 particles: 3*3 + 4*2 neighbours, 2 diagonals in each of 3*2 quads,
-// 2*3 + 4*1 pairs of distance two.
+using Pairs = std::vector<std::pair<int, int>>;
+
+Pairs springs_of(const RibbonGrid& grid, const SpringFamily& family) {
+  Pairs pairs;
+  for_each_spring(grid, family, [&](int a, int b) { pairs.emplace_back(a, b); });
+  return pairs;
+}
+
 TEST(Springs, join_neighbours_diagonals_and_particles_of_distance_two) {
+  const SpringNetwork network = spring_network({{3, 3}, 1, 1}, {});
+  const auto [along, across] = network.stretch.families;
+  EXPECT_EQ(springs_of(network.grid, along),
+            (Pairs{{0, 3}, {1, 4}, {2, 5}, {3, 6}, {4, 7}, {5, 8}}));
+  EXPECT_EQ(springs_of(network.grid, across),
+            (Pairs{{0, 1}, {1, 2}, {3, 4}, {4, 5}, {6, 7}, {7, 8}}));
+  const auto [down, up] = network.shear.families;
+  EXPECT_EQ(springs_of(network.grid, down), (Pairs{{0, 4}, {1, 5}, {3, 7}, {4, 8}}));
+  EXPECT_EQ(springs_of(network.grid, up), (Pairs{{1, 3}, {2, 4}, {4, 6}, {5, 7}}));
+  const auto [far_along, far_across] = network.bend.families;
+  EXPECT_EQ(springs_of(network.grid, far_along), (Pairs{{0, 6}, {1, 7}, {2, 8}}));
+  EXPECT_EQ(springs_of(network.grid, far_across), (Pairs{{0, 2}, {3, 5}, {6, 8}}));
+}
+
+TEST(Springs, of_distance_two_are_missing_in_a_ribbon_that_is_too_small_for_them) {
+  for (const SpringFamily& family : spring_network({{2, 2}, 1, 1}, {}).bend.families)
+    EXPECT_TRUE(springs_of({2, 2}, family).empty());
+}
+
+TEST(Springs, have_the_stiffness_of_the_scene) {
   const SpringNetwork network =
-      spring_network({4, 3}, 0.6, 0.8, {.stretch = 1, .shear = 2, .bend = 3});
-  EXPECT_EQ(network.stretch.springs.size(), 17U);
-  EXPECT_EQ(network.shear.springs.size(), 12U);
-  EXPECT_EQ(network.bend.springs.size(), 10U);
-  EXPECT_EQ(network.shear.resistance, 2);
+      spring_network({{4, 3}, 1, 1}, {.stretch = 1, .shear = 2, .bend = 3});
+  EXPECT_EQ(network.stretch.stiffness, 1);
+  EXPECT_EQ(network.shear.stiffness, 2);
+  EXPECT_EQ(network.bend.stiffness, 3);
 }
 
 TEST(Springs, rest_at_the_lengths_of_the_flat_band) {
-  const SpringNetwork network =
-      spring_network({3, 3}, 0.6, 0.8, {.stretch = 1, .shear = 1, .bend = 1});
-  EXPECT_DOUBLE_EQ(network.stretch.springs.front().rest_length_m, 0.3);
-  EXPECT_DOUBLE_EQ(network.stretch.springs.back().rest_length_m, 0.4);
-  for (const Spring& spring : network.shear.springs) EXPECT_DOUBLE_EQ(spring.rest_length_m, 0.5);
-  EXPECT_DOUBLE_EQ(network.bend.springs.front().rest_length_m, 0.6);
-  EXPECT_DOUBLE_EQ(network.bend.springs.back().rest_length_m, 0.8);
-}
-
-TEST(Springs, a_kind_without_resistance_does_not_exist) {
-  const SpringNetwork network =
-      spring_network({4, 3}, 0.6, 0.8, {.stretch = 1, .shear = 0, .bend = 0});
-  EXPECT_TRUE(network.shear.springs.empty());
-  EXPECT_TRUE(network.bend.springs.empty());
+  const SpringNetwork network = spring_network({{3, 3}, 0.6, 0.8}, {});
+  EXPECT_DOUBLE_EQ(network.stretch.families[0].rest_length_m, 0.3);
+  EXPECT_DOUBLE_EQ(network.stretch.families[1].rest_length_m, 0.4);
+  EXPECT_DOUBLE_EQ(network.shear.families[0].rest_length_m, 0.5);
+  EXPECT_DOUBLE_EQ(network.shear.families[1].rest_length_m, 0.5);
+  EXPECT_DOUBLE_EQ(network.bend.families[0].rest_length_m, 0.6);
+  EXPECT_DOUBLE_EQ(network.bend.families[1].rest_length_m, 0.8);
 }
 
 }  // namespace ribbon::springs_test

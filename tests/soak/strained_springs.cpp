@@ -1,10 +1,10 @@
 #include "soak/strained_springs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ribbon_mesh/springs.h"
+#include "simulation/state/edge_strain.h"
 
 namespace ribbon {
 
@@ -16,38 +16,38 @@ struct Strained {
 };
 
 // Bending springs shorten wherever cloth folds: that is no strain.
-std::vector<Spring> stretch_and_shear(const RecordingHeader& header) {
-  const SpringNetwork network =
-      spring_network(header.grid, header.ribbon_length_m, header.ribbon_width_m,
-                     {.stretch = 1, .shear = 1, .bend = 0});
-  std::vector<Spring> springs = network.stretch.springs;
-  springs.insert(springs.end(), network.shear.springs.begin(), network.shear.springs.end());
-  return springs;
+template <class Visit>
+void for_each_stretch_and_shear_spring(const SpringNetwork& network, const Visit& visit) {
+  for (const SpringKind* kind : {&network.stretch, &network.shear})
+    for (const SpringFamily& family : kind->families)
+      for_each_spring(network.grid, family, [&](int a, int b) { visit(family, a, b); });
 }
 
-Strained strained_in(const Eigen::Matrix3Xf& positions, const std::vector<Spring>& springs,
+Strained strained_in(const Eigen::Matrix3Xd& positions, const SpringNetwork& network,
                      double limit) {
   Strained strained;
-  for (const Spring& spring : springs) {
-    const double length_m =
-        (positions.col(spring.b).cast<double>() - positions.col(spring.a).cast<double>()).norm();
-    const double elongation = length_m / spring.rest_length_m - 1;
-    if (std::abs(elongation) > limit) ++strained.count;
-    strained.worst = std::max(strained.worst, std::abs(elongation));
-  }
+  for_each_stretch_and_shear_spring(network, [&](const SpringFamily& family, int a, int b) {
+    const double strain = std::abs(edge_strain(family, a, b, positions));
+    if (strain > limit) ++strained.count;
+    strained.worst = std::max(strained.worst, strain);
+  });
   return strained;
 }
 
 }  // namespace
 
 Result<StrainedSprings> strained_springs(RecordingReader& recording, double limit) {
-  const std::vector<Spring> springs = stretch_and_shear(recording.header());
-  StrainedSprings result{.springs = springs.size(), .limit = limit};
+  const RecordingHeader& header = recording.header();
+  const SpringNetwork network =
+      spring_network({header.grid, header.ribbon_length_m, header.ribbon_width_m}, {});
+  StrainedSprings result{.limit = limit};
+  for_each_stretch_and_shear_spring(network,
+                                    [&](const SpringFamily&, int, int) { ++result.springs; });
   Eigen::Matrix3Xf positions;
   for (int frame = 0; frame < recording.frame_count(); ++frame) {
     if (auto read = recording.read(frame, positions); !read) return tl::unexpected(read.error());
-    const Strained strained = strained_in(positions, springs, limit);
-    const double share = static_cast<double>(strained.count) / static_cast<double>(springs.size());
+    const Strained strained = strained_in(positions.cast<double>(), network, limit);
+    const double share = static_cast<double>(strained.count) / static_cast<double>(result.springs);
     result.mean_share += share / recording.frame_count();
     result.last_share = share;
     if (share > result.worst_share) {

@@ -10,7 +10,7 @@ namespace ribbon {
 
 struct StrainedSprings {
   std::size_t springs = 0;    // of the ribbon: stretch and shear
-  double limit = 0;           // elongation or shrinking, of the natural length
+  double limit = 0;           // elongation or shrinking, of the rest length
   double worst_share = 0;     // of the springs beyond the limit, in the frame that has most of them
   int worst_share_frame = 0;  // from 1
   double mean_share = 0;      // over all frames

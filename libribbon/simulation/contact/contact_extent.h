@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 
+#include "ribbon_mesh/natural_size.h"
 #include "simulation/contact/pair_gaps.h"
 #include "simulation/detection/bodies.h"
-#include "simulation/state/natural_size.h"
 
 namespace ribbon {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "ribbon_mesh/natural_size.h"
 #include "simulation/contact/gap_lengths.h"
 #include "simulation/detection/feature_pairs.h"
-#include "simulation/state/natural_size.h"
 
 namespace ribbon {
 

@@ -1,6 +1,26 @@
 #include "simulation/integration/integrator.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ribbon {
+
+void Integrator::displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) {
+  auto particles = cloth.positions.leftCols(cloth.particle_count());
+  state_.positions = particles.transpose();
+  state_.velocities = cloth.velocities.transpose();
+  state_.fastening = fastening_force.transpose() / cloth.particle_mass_kg;
+  for (int substep = 0; substep < substeps_; ++substep) advance(properties_.step_s / substeps_);
+  particles = state_.positions.transpose();
+  cloth.velocities = state_.velocities.transpose();
+}
+
+int stable_substeps(double step_s, double fastest_rad_s, double stability_limit) {
+  // Beyond the largest number that fits no step would come to its end anyway.
+  constexpr double most = 1e9;
+  return static_cast<int>(
+      std::clamp(std::ceil(fastest_rad_s * step_s / stability_limit), 1.0, most));
+}
 
 std::unique_ptr<Integrator> create_integrator(IntegrationMethod method,
                                               const SpringNetwork& springs,

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "geometry/ribbon_grid.h"
 #include "ribbon_mesh/springs.h"
 #include "scene/scene.h"
+#include "simulation/integration/spring_forces.h"
 #include "simulation/state/cloth.h"
 
 namespace ribbon {
@@ -14,13 +14,20 @@ namespace ribbon {
 // What an integrator needs to know besides the springs.
 struct MotionProperties {
   double step_s = 0;
-  RibbonGrid grid;
   double particle_mass_kg = 0;
   double air_resistance_per_s = 0;  // deceleration per speed
   // Of the implicit scheme, above 0: the minimum is found when the energy that is left to win is
   // less than this squared of what it takes to change the velocities so far. Too large: forces act
   // late and motion is damped; too small: each step takes more iterations.
   double tolerance = 0.1;
+};
+
+// The particles as integrators compute with them: each axis a column of its own, so that springs
+// are computed several at a time. Contact takes particles one by one, as Cloth has them.
+struct MotionState {
+  Eigen::MatrixX3d positions;   // particles x 3, m
+  Eigen::MatrixX3d velocities;  // particles x 3, m/s
+  Eigen::MatrixX3d fastening;   // particles x 3, N/kg, or no rows without a fastening force
 };
 
 // Moves a ribbon by its springs, the air and the fastening force, one step at a time.
@@ -30,12 +37,31 @@ class Integrator {
 
   // Moves the particles of the cloth by one step. The fastening force (3 x particles, N, or no
   // columns for none) is held over the step.
-  virtual void displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) = 0;
+  void displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
 
   // Into how many parts it divides a step to stay stable on its springs and in its air, however the
   // ribbon lies.
-  [[nodiscard]] virtual int substeps() const = 0;
+  [[nodiscard]] int substeps() const { return substeps_; }
+
+ protected:
+  Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps)
+      : springs_(springs), properties_(properties), substeps_(substeps) {}
+
+  // Moves state_ by one substep, of h seconds.
+  virtual void advance(double h) = 0;
+
+  SpringForces springs_;
+  MotionProperties properties_;
+  MotionState state_;
+
+ private:
+  int substeps_;
 };
+
+// The least number of substeps with which an explicit scheme is stable. fastest_rad_s: what may
+// swing or decay fastest; stability_limit: the largest part of a step, times that, which the scheme
+// takes.
+int stable_substeps(double step_s, double fastest_rad_s, double stability_limit);
 
 // The one that the scene asks for.
 std::unique_ptr<Integrator> create_integrator(IntegrationMethod method,
@@ -46,13 +72,13 @@ std::unique_ptr<Integrator> create_integrator(IntegrationMethod method,
 std::unique_ptr<Integrator> runge_kutta(const SpringNetwork& springs,
                                         const MotionProperties& properties);
 
-// Symplectic Euler: one evaluation of the springs a part; energy is kept on average, but swings are
-// distorted as soon as they are fast for the step.
+// Symplectic Euler: one evaluation of the springs a substep; energy is kept on average, but swings
+// are distorted as soon as they are fast for the step.
 std::unique_ptr<Integrator> symplectic_euler(const SpringNetwork& springs,
                                              const MotionProperties& properties);
 
-// Backward Euler, stable on any springs without dividing a step: what is fast for the step is
-// damped. The energy of free motion never grows.
+// Backward Euler, stable on any springs without substeps: what is fast for the step is damped. The
+// energy of free motion never grows.
 std::unique_ptr<Integrator> implicit_euler(const SpringNetwork& springs,
                                            const MotionProperties& properties);
 

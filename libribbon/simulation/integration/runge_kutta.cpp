@@ -1,4 +1,4 @@
-#include "simulation/integration/divided_step.h"
+#include "simulation/integration/integrator.h"
 
 namespace ribbon {
 
@@ -10,21 +10,21 @@ using Eigen::MatrixX3d;
 // real axis; the margin covers what lies between.
 constexpr double runge_kutta_stability_limit = 2.5;
 
-class RungeKutta final : public DividedStep {
+class RungeKutta final : public Integrator {
  public:
   RungeKutta(const SpringNetwork& springs, const MotionProperties& properties)
-      : DividedStep(springs, properties,
-                    fastest_frequency(springs, properties.grid.particle_count(),
-                                      properties.particle_mass_kg) +
-                        properties.air_resistance_per_s,
-                    runge_kutta_stability_limit) {}
+      : Integrator(springs, properties,
+                   stable_substeps(properties.step_s,
+                                   fastest_frequency(springs, properties.particle_mass_kg) +
+                                       properties.air_resistance_per_s,
+                                   runge_kutta_stability_limit)) {}
 
  private:
   // Of one stage, from positions x and velocities v.
   void accelerate(const MatrixX3d& x, const MatrixX3d& v, MatrixX3d& a) {
     springs_.forces(x, a);
     a = a / properties_.particle_mass_kg - properties_.air_resistance_per_s * v;
-    if (state_.pull.rows() > 0) a += state_.pull;
+    if (state_.fastening.rows() > 0) a += state_.fastening;
   }
 
   void advance(double h) override {

@@ -1,4 +1,4 @@
-#include "simulation/integration/divided_step.h"
+#include "simulation/integration/integrator.h"
 
 namespace ribbon {
 
@@ -10,15 +10,15 @@ using Eigen::MatrixX3d;
 // (2 + z) / (2 - z); the margin keeps that at 7.
 constexpr double symplectic_stability_limit = 1.5;
 
-class SymplecticEuler final : public DividedStep {
+class SymplecticEuler final : public Integrator {
  public:
-  // The air's resistance does not count: it is taken at the end of each part, where it can only
+  // The air's resistance does not count: it is taken at the end of each substep, where it can only
   // slow the motion down.
   SymplecticEuler(const SpringNetwork& springs, const MotionProperties& properties)
-      : DividedStep(springs, properties,
-                    fastest_frequency(springs, properties.grid.particle_count(),
-                                      properties.particle_mass_kg),
-                    symplectic_stability_limit) {}
+      : Integrator(springs, properties,
+                   stable_substeps(properties.step_s,
+                                   fastest_frequency(springs, properties.particle_mass_kg),
+                                   symplectic_stability_limit)) {}
 
  private:
   // v' = v + h (F(x) / m - c v'), then x' = x + h v'.
@@ -26,7 +26,7 @@ class SymplecticEuler final : public DividedStep {
     const double slowed = 1 / (1 + h * properties_.air_resistance_per_s);
     springs_.forces(state_.positions, forces_);
     state_.velocities += h / properties_.particle_mass_kg * forces_;
-    if (state_.pull.rows() > 0) state_.velocities += h * state_.pull;
+    if (state_.fastening.rows() > 0) state_.velocities += h * state_.fastening;
     state_.velocities *= slowed;
     state_.positions += h * state_.velocities;
   }

@@ -3,15 +3,15 @@
 
 #include <Eigen/Core>
 
-#include "geometry/ribbon_grid.h"
+#include "ribbon_mesh/springs.h"
 
 namespace ribbon {
 
 // The correction of one ribbon: edges along and across are brought back within `limit` of their
-// natural length.
+// rest length.
 class StrainCorrection {
  public:
-  StrainCorrection(const RibbonGrid& grid, double length_m, double width_m, double limit);
+  StrainCorrection(const NaturalSize& size, double limit);
 
   // Is any edge along or across longer or shorter than the limit allows?
   [[nodiscard]] bool any_over_limit(const Eigen::Matrix3Xd& positions) const;
@@ -23,13 +23,13 @@ class StrainCorrection {
 
  private:
   // Signed change of length that brings an edge back within the limit; 0 within it.
-  [[nodiscard]] double excess_m(double length_m, double natural_m) const;
-  void correct_edge(int a, int b, double natural_m, const Eigen::Vector3d& direction,
+  [[nodiscard]] double excess_m(double length_m, double rest_length_m) const;
+  void correct_edge(int a, int b, double rest_length_m, const Eigen::Vector3d& smoothed,
                     Eigen::Matrix3Xd& positions) const;
 
   RibbonGrid grid_;
-  double along_m_;
-  double across_m_;
+  SpringFamily along_;
+  SpringFamily across_;
   double limit_;
 };
 

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "simulation/state/edge_strain.h"
+
 namespace ribbon {
 
 namespace {
@@ -23,21 +25,16 @@ struct StrainedEdges {
 };
 
 StrainedEdges strained_edges(const NaturalSize& size, const Matrix3Xd& positions) {
-  const RibbonGrid& grid = size.grid;
   StrainedEdges found;
-  const auto look_at = [&](int a, int b, double natural_m) {
-    const double length_m = (positions.col(b) - positions.col(a)).norm();
-    const double strain = std::abs(length_m / natural_m - 1);
-    if (strain > strained) ++found.count;
-    if (strain > found.worst) {
-      found.worst = strain;
-      found.particle = a;
-    }
-  };
-  for (int a = 0; a < grid.particle_count(); ++a) {
-    if (grid.row(a) + 1 < grid.along) look_at(a, a + grid.across, size.along_m());
-    if (grid.column(a) + 1 < grid.across) look_at(a, a + 1, size.across_m());
-  }
+  for (const SpringFamily& family : stretch_families(size))
+    for_each_spring(size.grid, family, [&](int a, int b) {
+      const double strain = std::abs(edge_strain(family, a, b, positions));
+      if (strain > strained) ++found.count;
+      if (strain > found.worst) {
+        found.worst = strain;
+        found.particle = a;
+      }
+    });
   return found;
 }
 

@@ -26,11 +26,9 @@ std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& si
 
 Deformation::Deformation(const Scene& scene, const NaturalSize& size, double particle_mass_kg,
                          Bodies& bodies)
-    : integrator_(
-          create_integrator(scene.time.integrator,
-                            spring_network(size.grid, size.length_m, size.width_m, scene.springs),
-                            {scene.time.step_s, size.grid, particle_mass_kg,
-                             scene.air_resistance_per_s, scene.time.tolerance})),
+    : integrator_(create_integrator(
+          scene.time.integrator, spring_network(size, scene.springs),
+          {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s, scene.time.tolerance})),
       post_step_(post_step_of(scene, size, bodies, *clock_)) {}
 
 PostStepReport Deformation::step(const Matrix3Xd& fastening_force, Cloth& cloth) {

@@ -4,11 +4,11 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "ribbon_mesh/natural_size.h"
 #include "scene/scene.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/integration/integrator.h"
 #include "simulation/state/cloth.h"
-#include "simulation/state/natural_size.h"
 #include "simulation/step/post_step.h"
 #include "simulation/step/stage_clock.h"
 

@@ -23,16 +23,15 @@ constexpr int passages = 4;
 constexpr int surveys_of_stragglers = 3;  // before all particles count as such
 
 StrainLimit strain_limit(const PostStepProperties& properties) {
-  const NaturalSize& size = properties.size;
-  std::vector<LimitedEdges> edges;
-  const auto limit = [&](const EdgeKind& kind) {
-    edges.push_back({kind, aimed_strain(properties.smoothing.strain, kind.rest_length_m,
-                                        properties.rounding_m)});
+  std::vector<LimitedFamily> limited;
+  const auto limit = [&](const SpringFamily& family) {
+    limited.push_back({family, aimed_strain(properties.smoothing.strain, family.rest_length_m,
+                                            properties.rounding_m)});
   };
-  for (const EdgeKind& kind : edges_along_and_across(size)) limit(kind);
+  for (const SpringFamily& family : stretch_families(properties.size)) limit(family);
   if (properties.resists_shear)
-    for (const EdgeKind& kind : diagonals(size)) limit(kind);
-  return {size.grid, std::move(edges)};
+    for (const SpringFamily& family : shear_families(properties.size)) limit(family);
+  return {properties.size.grid, std::move(limited)};
 }
 
 class GatedPostStep : public PostStep {

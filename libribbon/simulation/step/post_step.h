@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "ribbon_mesh/natural_size.h"
 #include "scene/scene.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/state/cloth.h"
-#include "simulation/state/natural_size.h"
 #include "simulation/step/stage_clock.h"
 
 namespace ribbon {

@@ -25,8 +25,7 @@ class PublishedPostStep : public PostStep {
         gaps_(properties.size, {.contact_m = 0.1 * properties.size.shortest_edge_m(),
                                 .thickness_m = properties.thickness_m}),
         repulsion_settings_{.friction = properties.friction},
-        strain_correction_(properties.size.grid, properties.size.length_m, properties.size.width_m,
-                           published_strain_limit),
+        strain_correction_(properties.size, published_strain_limit),
         recovery_settings_{.gap_m = 0.1 * properties.size.shortest_edge_m(),
                            .step_m = 0.5 * properties.size.shortest_edge_m()} {}
 

@@ -6,45 +6,45 @@
 #include <utility>
 
 #include "simulation/contact/gap_lengths.h"
+#include "simulation/state/edge_strain.h"
 
 namespace ribbon {
 
 namespace {
 
-constexpr double negligible_excess = 0.002;  // of an edge's natural length
+constexpr double negligible_excess = 0.002;  // of an edge's rest length
 constexpr double published = 0.1;            // the limit of section 5.5
 constexpr double least_aim = 0.02;
 
-// Moves the two ends of an edge that is too long or too short. By how much of its natural length
-// was it so?
-double tighten_edge(const LimitedEdges& edges, Eigen::Ref<Eigen::Vector3d> a,
+// Moves the two ends of an edge that is too long or too short. By how much of its rest length was
+// it so?
+double tighten_edge(const LimitedFamily& limited, Eigen::Ref<Eigen::Vector3d> a,
                     Eigen::Ref<Eigen::Vector3d> b) {
-  const double rest_length_m = edges.kind.rest_length_m;
   const Eigen::Vector3d apart = b - a;
   const double length_m = apart.norm();
-  const double excess_m = length_m - std::clamp(length_m, (1 - edges.limit) * rest_length_m,
-                                                (1 + edges.limit) * rest_length_m);
-  const Eigen::Vector3d way = 0.5 * excess_m / length_m * apart;
-  a += way;
-  b -= way;
-  return std::abs(excess_m) / rest_length_m;
+  const double excess_m =
+      length_m - std::clamp(length_m, limited.shortest_m(), limited.longest_m());
+  const Eigen::Vector3d correction = 0.5 * excess_m / length_m * apart;
+  a += correction;
+  b -= correction;
+  return std::abs(excess_m) / limited.family.rest_length_m;
 }
 
 // Was any of them beyond its limit by more than is negligible?
-bool tighten_all(const LimitedEdges& edges, const RibbonGrid& grid, RowActivity& activity,
+bool tighten_all(const LimitedFamily& limited, const RibbonGrid& grid, RowActivity& activity,
                  Eigen::Matrix3Xd& positions) {
-  const double shortest_m = (1 - edges.limit) * edges.kind.rest_length_m;
-  const double longest_m = (1 + edges.limit) * edges.kind.rest_length_m;
+  const double shortest_m = limited.shortest_m();
+  const double longest_m = limited.longest_m();
   double worst = 0;
-  for (int row = 0; row + edges.kind.rows < grid.along; ++row) {
-    const int other_row = row + edges.kind.rows;
+  for (int row = 0; row + limited.family.rows < grid.along; ++row) {
+    const int other_row = row + limited.family.rows;
     if (activity.is_resting(row) && activity.is_resting(other_row)) continue;
-    for_each_edge_of_row(grid, edges.kind, row, [&](int a, int b) {
+    for_each_spring_of_row(grid, limited.family, row, [&](int a, int b) {
       const double squared = (positions.col(b) - positions.col(a)).squaredNorm();
       // A collapsed edge has no direction to grow in; its neighbours give it one.
       if ((squared >= shortest_m * shortest_m && squared <= longest_m * longest_m) || squared == 0)
         return;
-      worst = std::max(worst, tighten_edge(edges, positions.col(a), positions.col(b)));
+      worst = std::max(worst, tighten_edge(limited, positions.col(a), positions.col(b)));
       activity.move(row);
       activity.move(other_row);
     });
@@ -54,25 +54,22 @@ bool tighten_all(const LimitedEdges& edges, const RibbonGrid& grid, RowActivity&
 
 }  // namespace
 
-StrainLimit::StrainLimit(const RibbonGrid& grid, std::vector<LimitedEdges> edges)
-    : grid_(grid), edges_(std::move(edges)) {}
+StrainLimit::StrainLimit(const RibbonGrid& grid, std::vector<LimitedFamily> families)
+    : grid_(grid), families_(std::move(families)) {}
 
 bool StrainLimit::tighten(RowActivity& activity, Eigen::Matrix3Xd& positions) const {
   bool any = false;
-  for (std::size_t kind = 0; kind < edges_.size(); ++kind) {
-    activity.begin(kind);
-    any = tighten_all(edges_[kind], grid_, activity, positions) || any;
+  for (std::size_t i = 0; i < families_.size(); ++i) {
+    activity.begin(i);
+    any = tighten_all(families_[i], grid_, activity, positions) || any;
   }
   return any;
 }
 
 double StrainLimit::worst_excess(const Eigen::Matrix3Xd& positions) const {
   double worst = -std::numeric_limits<double>::infinity();
-  for (const LimitedEdges& edges : edges_)
-    for_each_edge(grid_, edges.kind, [&](int a, int b) {
-      const double length_m = (positions.col(b) - positions.col(a)).norm();
-      worst = std::max(worst, std::abs(length_m / edges.kind.rest_length_m - 1) - edges.limit);
-    });
+  for (const auto& [family, limit] : families_)
+    worst = std::max(worst, worst_strain(grid_, family, positions) - limit);
   return worst;
 }
 

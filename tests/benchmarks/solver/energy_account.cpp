@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/integration/spring_networks.h"
+
 namespace ribbon {
 
 namespace {
@@ -14,10 +16,10 @@ constexpr double strain_limit = 0.1;  // paper, section 5.5
 }  // namespace
 
 EnergyAccount::EnergyAccount(const Scene& scene, const RibbonMesh& mesh, const Matrix3Xd& start)
-    : network_(spring_network(mesh.grid, mesh.length_m, mesh.width_m, scene.springs)),
+    : network_(spring_network({mesh.grid, mesh.length_m, mesh.width_m}, scene.springs)),
       step_s_(scene.time.step_s),
       mass_kg_(scene.ribbon.mass_kg / mesh.grid.particle_count()),
-      put_in_j_(elastic_j(start)) {
+      put_in_j_(elastic_energy_j(network_, start)) {
   if (scene.fastening)
     force_.emplace(*scene.fastening, scene.air_resistance_per_s, mesh.grid, start, mass_kg_);
 }
@@ -27,26 +29,16 @@ void EnergyAccount::add_step(const Matrix3Xd& before, const Matrix3Xd& after) {
   if (force_)
     put_in_j_ += std::max(0.0, force_->at(before).leftCols(way.cols()).cwiseProduct(way).sum());
   const double kinetic_j = mass_kg_ / 2 * (way / step_s_).squaredNorm();
-  const double energy_j = elastic_j(after) + kinetic_j;
+  const double energy_j = elastic_energy_j(network_, after) + kinetic_j;
   if (energy_j > 0) most_ = std::max(most_, energy_j / put_in_j_);
   is_explosion_ = is_explosion_ || energy_j > put_in_j_ + at_strain_limit_j();
 }
 
-double EnergyAccount::elastic_j(const Matrix3Xd& positions) const {
-  double sum_j = 0;
-  for (const SpringSet* set : {&network_.stretch, &network_.shear, &network_.bend})
-    for (const Spring& spring : set->springs) {
-      const double length_m = (positions.col(spring.b) - positions.col(spring.a)).norm();
-      sum_j += set->resistance / 2 * std::pow(length_m - spring.rest_length_m, 2);
-    }
-  return sum_j;
-}
-
 double EnergyAccount::at_strain_limit_j() const {
   double sum_j = 0;
-  for (const SpringSet* set : {&network_.stretch, &network_.shear, &network_.bend})
-    for (const Spring& spring : set->springs)
-      sum_j += set->resistance / 2 * std::pow(strain_limit * spring.rest_length_m, 2);
+  for_each_spring(network_, [&](int, int, double rest_length_m, double stiffness) {
+    sum_j += stiffness / 2 * std::pow(strain_limit * rest_length_m, 2);
+  });
   return sum_j;
 }
 

@@ -30,7 +30,6 @@ class EnergyAccount {
   [[nodiscard]] bool is_explosion() const { return is_explosion_; }
 
  private:
-  [[nodiscard]] double elastic_j(const Eigen::Matrix3Xd& positions) const;
   [[nodiscard]] double at_strain_limit_j() const;
 
   SpringNetwork network_;

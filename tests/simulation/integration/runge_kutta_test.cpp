@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "simulation/integration/spring_networks.h"
+
 namespace ribbon::runge_kutta_test {
 
 using Eigen::Matrix3Xd;
@@ -19,25 +21,17 @@ Cloth stretched_pair() {
   return cloth;
 }
 
-SpringNetwork spring_of_pair() {
-  SpringNetwork network;
-  network.stretch = {9, {{0, 1, 1.0}}};
-  return network;
-}
-
-// Moves the cloth `steps` times by step_s.
-void advance(const SpringNetwork& springs, const Matrix3Xd& force, double air_resistance_per_s,
-             double step_s, int steps, Cloth& cloth) {
-  const auto integrator =
-      runge_kutta(springs, {step_s, RibbonGrid{static_cast<int>(cloth.particle_count()), 1},
-                            cloth.particle_mass_kg, air_resistance_per_s});
-  for (int i = 0; i < steps; ++i) integrator->displace(force, cloth);
+// The pair after `steps` steps of step_s.
+Matrix3Xd swung_pair(double step_s, int steps) {
+  Cloth cloth = stretched_pair();
+  const auto integrator = runge_kutta(one_spring(9, 1), {step_s, cloth.particle_mass_kg});
+  for (int i = 0; i < steps; ++i) integrator->displace(Matrix3Xd(3, 0), cloth);
+  return cloth.positions;
 }
 
 double error_after_one_second(int steps) {
-  Cloth cloth = stretched_pair();
-  advance(spring_of_pair(), Matrix3Xd(3, 0), 0, 1.0 / steps, steps, cloth);
-  return std::abs(cloth.positions(0, 1) - cloth.positions(0, 0) - 1 - 0.1 * std::cos(3.0));
+  const Matrix3Xd positions = swung_pair(1.0 / steps, steps);
+  return std::abs(positions(0, 1) - positions(0, 0) - 1 - 0.1 * std::cos(3.0));
 }
 
 TEST(RungeKutta, converges_with_fourth_order) {
@@ -48,11 +42,7 @@ TEST(RungeKutta, converges_with_fourth_order) {
 
 TEST(RungeKutta, divides_a_long_step_into_smaller_ones) {
   // Gershgorin takes the pair for one of frequency sqrt(2 * 9 / 2) = 3, so 2.5 / 3 s are stable.
-  Cloth once = stretched_pair();
-  advance(spring_of_pair(), Matrix3Xd(3, 0), 0, 3.2, 1, once);
-  Cloth four_times = stretched_pair();
-  advance(spring_of_pair(), Matrix3Xd(3, 0), 0, 0.8, 4, four_times);
-  EXPECT_EQ(once.positions, four_times.positions);
+  EXPECT_EQ(swung_pair(3.2, 1), swung_pair(0.8, 4));
 }
 
 TEST(RungeKuttaSubsteps, keep_the_stiffest_sample_of_the_paper_bounded) {
@@ -60,8 +50,8 @@ TEST(RungeKuttaSubsteps, keep_the_stiffest_sample_of_the_paper_bounded) {
   const RibbonGrid grid{12, 8};
   const double mass_kg = 1e-4;
   const SpringNetwork network =
-      spring_network(grid, 1.1, 0.7, {.stretch = 100, .shear = 100, .bend = 100});
-  const auto integrator = runge_kutta(network, {0.01, grid, mass_kg, 0});
+      spring_network({grid, 1.1, 0.7}, {.stretch = 100, .shear = 100, .bend = 100});
+  const auto integrator = runge_kutta(network, {0.01, mass_kg});
   EXPECT_GT(integrator->substeps(), 10);
   Cloth cloth;
   cloth.particle_mass_kg = mass_kg;
@@ -80,8 +70,8 @@ TEST(RungeKuttaSubsteps, keep_the_stiffest_sample_of_the_paper_bounded) {
 
 TEST(RungeKuttaSubsteps, of_the_stiffest_scene_on_the_lightest_ribbon_are_a_number) {
   const RibbonGrid grid{4, 4};
-  const SpringNetwork network = spring_network(grid, 1, 1, {.stretch = 1e12, .shear = 1e12});
-  EXPECT_GT(runge_kutta(network, {1e3, grid, 1e-13, 1e12})->substeps(), 1'000'000);
+  const SpringNetwork network = spring_network({grid, 1, 1}, {.stretch = 1e12, .shear = 1e12});
+  EXPECT_GT(runge_kutta(network, {1e3, 1e-13, 1e12})->substeps(), 1'000'000);
 }
 
 }  // namespace ribbon::runge_kutta_test

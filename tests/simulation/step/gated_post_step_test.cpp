@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "simulation/published/planted_penetrations.h"
-#include "simulation/state/band_edges.h"
+#include "simulation/state/edge_strain.h"
 #include "simulation/step/post_step.h"
 #include "simulation/truncation/surroundings.h"
 
@@ -87,7 +87,7 @@ TEST(GatedPostStep, what_is_pulled_against_contact_stays_within_the_strain_limit
         cloth.velocities(1, p) -= 0.5;
       }
       drift(*post_step, cloth);
-      ASSERT_LE(worst_strain(size, {.stretch = 1, .shear = 1}, cloth.positions) +
+      ASSERT_LE(worst_strain(spring_network(size, {.stretch = 1, .shear = 1}), cloth.positions) +
                     2 * std::sqrt(3) * rounding_m,
                 0.1)
           << step;

@@ -5,12 +5,11 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "geometry/ribbon_grid.h"
 #include "ribbon_mesh/springs.h"
 
 namespace ribbon {
 
-// The matrix A = inertia I + sum of resistance (e_a - e_b) (e_a - e_b)^T over the springs, the same
+// The matrix A = inertia I + sum of stiffness (e_a - e_b) (e_a - e_b)^T over the springs, the same
 // for each axis and however the ribbon lies. No second derivative of inertia and springs exceeds it
 // (Liu, Bargteil, O'Brien and Kavan, "Fast simulation of mass-spring systems", 2013).
 //
@@ -18,10 +17,11 @@ namespace ribbon {
 // does A differ from that of the network. Then cosines across the ribbon are its modes, each of
 // which is solved along the ribbon as a band of five diagonals: no factor fills in, however wide
 // the ribbon is.
-class SpringMetric {
+class QuasiNewtonMatrix {
  public:
-  // The network of the grid. inertia: N/m, above 0, what displacing one particle costs by itself.
-  SpringMetric(const SpringNetwork& network, const RibbonGrid& grid, double inertia);
+  // Of a network whose families reach two rows at most, with each (rows, columns) also its mirror
+  // image (rows, -columns). inertia: N/m, above 0, what displacing one particle costs by itself.
+  QuasiNewtonMatrix(const SpringNetwork& network, double inertia);
 
   // Overwrites `displacement` with A^-1 force, both particles x 3.
   void solve(const Eigen::MatrixX3d& force, Eigen::MatrixX3d& displacement);

@@ -1,4 +1,4 @@
-// The innermost loop of the simulation: what springs pull with.
+// The innermost loop of the simulation: with what springs pull.
 #pragma once
 
 #include <array>
@@ -9,17 +9,17 @@ namespace ribbon {
 // `count` springs of equal rest length one after the other, each array as long. No two arrays
 // overlap but `starts` with `ends`.
 struct SpringRun {
-  std::size_t count = 0;
-  const double* resistance = nullptr;     // N/m
-  double rest_length_m = 0;               // of each; not used where the resistance is 0
+  std::ptrdiff_t count = 0;
+  const double* stiffness = nullptr;      // N/m
+  double rest_length_m = 0;               // of each; not used where the stiffness is 0
   std::array<const double*, 3> starts{};  // the coordinates of their starts and ends, m
   std::array<const double*, 3> ends{};
-  std::array<double*, 3> pull{};     // result: on the start, N
-  double* twice_energy_j = nullptr;  // result: resistance times elongation squared
+  std::array<double*, 3> tension{};  // result: the force on the start, N
+  double* twice_energy_j = nullptr;  // result: stiffness times elongation squared
 };
 
 // Fills in the results. Uses the widest registers that the processor has; each spring is computed
 // by itself in the same operations, so that the bits are the same with any.
-void compute_pull(const SpringRun& run);
+void compute_tension(const SpringRun& run);
 
 }  // namespace ribbon

@@ -8,41 +8,38 @@
 
 namespace ribbon {
 
-// The forces and the energy of a network, over flat arrays: the springs of one rest
-// length that lead equally far through the numbering of the particles are one family. A ribbon has
-// two families a kind, so that springs are computed one after the other without looking up their
-// ends. The results are the same
-// bits for any number of threads, compiler and optimisation.
+// The forces and the energy of a network, over flat arrays: the springs of a family are computed
+// one after the other, without looking up their ends. The results are the same bits for any number
+// of threads, compiler and optimisation.
 class SpringForces {
  public:
-  SpringForces(const SpringNetwork& network, int particle_count);
+  explicit SpringForces(const SpringNetwork& network);
 
   // Overwrites `forces` (particles x 3, N) with the force of all springs on each particle:
-  // resistance times elongation, along the spring. A spring without length has no direction and
+  // stiffness times elongation, along the spring. A spring without length has no direction and
   // exerts none. positions: particles x 3, m. Returns the elastic energy, J: half of each
-  // resistance times elongation squared.
+  // stiffness times elongation squared.
   double forces(const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
 
   [[nodiscard]] bool empty() const { return families_.empty(); }
 
  private:
-  // Spring i of a family leads from particle i to particle i + offset; where there is none its
-  // resistance is 0.
+  // Spring i of a family leads from particle i to particle i + offset. Where that would reach over
+  // a selvage, into the next row, there is none: its stiffness is 0.
   struct Family {
     Eigen::Index offset = 0;
     double rest_length_m = 0;
-    Eigen::ArrayXd resistance;  // N/m
+    Eigen::ArrayXd stiffness;  // N/m
   };
 
   // What the springs at one range of particles need while they are computed.
   struct Workspace {
-    Eigen::MatrixX3d pull;           // N, of each spring on the particle where it starts
+    Eigen::MatrixX3d tension;        // N, of each spring on the particle where it starts
     Eigen::VectorXd twice_energy_j;  // of each spring
     double energy_j = 0;             // of the springs that start in the range
   };
 
-  void add(const Spring& spring, double resistance);
-  Family& family_with_room(const Spring& spring);
+  void add(const SpringFamily& family, double stiffness, const RibbonGrid& grid);
   void forces_on(Eigen::Index begin, Eigen::Index end, const Eigen::MatrixX3d& positions,
                  Eigen::MatrixX3d& forces);
 
@@ -54,6 +51,6 @@ class SpringForces {
 
 // An upper bound of the fastest angular frequency (rad/s) at which any particle can swing on its
 // springs, however the ribbon lies.
-double fastest_frequency(const SpringNetwork& network, int particle_count, double particle_mass_kg);
+double fastest_frequency(const SpringNetwork& network, double particle_mass_kg);
 
 }  // namespace ribbon

@@ -1,0 +1,130 @@
+#include "simulation/integration/quasi_newton_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "parallel/parallel.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
+using Eigen::MatrixX3d;
+using Eigen::MatrixXd;
+
+// Of the springs: the factor could not tell less from rounding.
+constexpr double least_inertia = 1e-12;
+
+// What a path mirrored at both ends has for its modes.
+MatrixXd cosines(int count) {
+  MatrixXd modes(count, count);
+  for (int mode = 0; mode < count; ++mode)
+    for (int column = 0; column < count; ++column)
+      modes(mode, column) = std::sqrt((mode == 0 ? 1.0 : 2.0) / count) *
+                            std::cos(std::numbers::pi * mode * (column + 0.5) / count);
+  return modes;
+}
+
+// How much each of these modes is changed by springs between columns so far apart.
+ArrayXd cost_of_modes(int count, int apart) {
+  ArrayXd cost(count);
+  for (int mode = 0; mode < count; ++mode)
+    cost[mode] = count > apart ? 2 - 2 * std::cos(std::numbers::pi * mode * apart / count) : 0.0;
+  return cost;
+}
+
+// A in these modes, which do not mix: one column for each row of the ribbon, one row for each mode.
+struct Diagonals {
+  ArrayXXd main;
+  std::array<ArrayXd, 2> beside;  // one and two rows off the main one, the same for all rows
+};
+
+// A spring counts at both of its ends. Within a row its cost is that of the mode; between two rows
+// of amplitudes a and b, both families of a mirrored pair together cost
+// 2 (a^2 + b^2) - 2 (2 - cost of the mode) a b.
+Diagonals diagonals_of(const SpringNetwork& network, double inertia) {
+  const auto [along, across] = network.grid;
+  Diagonals result{ArrayXXd::Constant(across, along, inertia),
+                   {ArrayXd::Zero(across), ArrayXd::Zero(across)}};
+  for (const SpringKind* kind : network.kinds()) {
+    ArrayXXd main = ArrayXXd::Zero(across, along);
+    std::array<ArrayXd, 2> beside{ArrayXd::Zero(across), ArrayXd::Zero(across)};
+    for (const SpringFamily& family : kind->families) {
+      const ArrayXd cost = cost_of_modes(across, std::abs(family.columns));
+      if (family.rows == 0) {
+        main.colwise() += cost;
+      } else {
+        main.leftCols(along - family.rows) += 1;
+        main.rightCols(along - family.rows) += 1;
+        beside[family.rows - 1] += 1 - cost / 2;
+      }
+    }
+    result.main += kind->stiffness * main;
+    for (int i = 0; i < 2; ++i) result.beside[i] -= kind->stiffness * beside[i];
+  }
+  return result;
+}
+
+}  // namespace
+
+QuasiNewtonMatrix::QuasiNewtonMatrix(const SpringNetwork& network, double inertia)
+    : grid_(network.grid),
+      modes_(cosines(grid_.across)),
+      one_before_(ArrayXXd::Zero(grid_.across, grid_.along)),
+      two_before_(one_before_),
+      inverse_(one_before_) {
+  double stiffness = 0;
+  for (const SpringKind* kind : network.kinds()) stiffness += kind->stiffness;
+  factor(network, std::max(inertia, 8 * least_inertia * stiffness));
+}
+
+void QuasiNewtonMatrix::factor(const SpringNetwork& network, double inertia) {
+  auto [diagonals, beside] = diagonals_of(network, inertia);
+  for (int row = 0; row < grid_.along; ++row) {
+    auto diagonal = diagonals.col(row);
+    auto one = one_before_.col(row);
+    auto two = two_before_.col(row);
+    if (row >= 2) {
+      two = beside[1] * inverse_.col(row - 2);
+      diagonal -= two.square() / inverse_.col(row - 2);
+    }
+    if (row >= 1) {
+      one = beside[0];
+      if (row >= 2) one -= beside[1] * one_before_.col(row - 1);
+      one *= inverse_.col(row - 1);
+      diagonal -= one.square() / inverse_.col(row - 1);
+    }
+    inverse_.col(row) = 1 / diagonal;
+  }
+}
+
+void QuasiNewtonMatrix::solve(const MatrixX3d& force, MatrixX3d& displacement) {
+  displacement.resize(force.rows(), 3);
+  parallel_ranges(3, 1, [&](std::size_t axis, std::size_t) {
+    const Eigen::Map<const MatrixXd> forces(force.col(axis).data(), grid_.across, grid_.along);
+    Eigen::Map<MatrixXd> displacements(displacement.col(axis).data(), grid_.across, grid_.along);
+    MatrixXd& amplitudes = amplitudes_[axis];
+    amplitudes.noalias() = modes_ * forces;
+    solve_along(amplitudes);
+    displacements.noalias() = modes_.transpose() * amplitudes;
+  });
+}
+
+void QuasiNewtonMatrix::solve_along(MatrixXd& amplitudes) const {
+  for (int row = 1; row < grid_.along; ++row) {
+    auto here = amplitudes.col(row).array();
+    here -= one_before_.col(row) * amplitudes.col(row - 1).array();
+    if (row >= 2) here -= two_before_.col(row) * amplitudes.col(row - 2).array();
+  }
+  amplitudes.array() *= inverse_;
+  for (int row = grid_.along - 2; row >= 0; --row) {
+    auto here = amplitudes.col(row).array();
+    here -= one_before_.col(row + 1) * amplitudes.col(row + 1).array();
+    if (row + 2 < grid_.along) here -= two_before_.col(row + 2) * amplitudes.col(row + 2).array();
+  }
+}
+
+}  // namespace ribbon

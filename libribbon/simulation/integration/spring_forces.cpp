@@ -1,0 +1,105 @@
+#include "simulation/integration/spring_forces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "parallel/parallel.h"
+#include "simulation/integration/spring_run.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixX3d;
+
+// So many particles are at least one task: their springs fit the fast memory of a core.
+constexpr Index least_grain = 1024;
+// Each range also computes springs that belong to the one before it; at most one in eight.
+constexpr Index grain_per_offset = 8;
+
+}  // namespace
+
+SpringForces::SpringForces(const SpringNetwork& network)
+    : particle_count_(network.grid.particle_count()) {
+  for (const SpringKind* kind : network.kinds())
+    for (const SpringFamily& family : kind->families) add(family, kind->stiffness, network.grid);
+  Index farthest = 0;
+  for (const Family& family : families_) farthest = std::max(farthest, family.offset);
+  grain_ = std::max(least_grain, grain_per_offset * farthest);
+  workspaces_.resize((particle_count_ + grain_ - 1) / grain_);
+  for (Workspace& workspace : workspaces_) {
+    const Index most = std::min(grain_, particle_count_) + farthest;
+    workspace.tension.resize(most, 3);
+    workspace.twice_energy_j.resize(most);
+  }
+}
+
+void SpringForces::add(const SpringFamily& family, double stiffness, const RibbonGrid& grid) {
+  const Index offset = grid.particle(family.rows, family.columns);
+  if (stiffness == 0 || offset >= particle_count_) return;
+  Family added{offset, family.rest_length_m, ArrayXd::Zero(particle_count_ - offset)};
+  for_each_spring(grid, family, [&](int a, int) { added.stiffness[a] = stiffness; });
+  families_.push_back(std::move(added));
+}
+
+// Family by family: first the tension of each spring that starts or ends at the range, then what
+// the particles of the range get of it.
+void SpringForces::forces_on(Index begin, Index end, const MatrixX3d& positions,
+                             MatrixX3d& forces) {
+  Workspace& workspace = workspaces_[begin / grain_];
+  forces.middleRows(begin, end - begin).setZero();
+  workspace.energy_j = 0;
+  for (const Family& family : families_) {
+    // Workspace and springs from the first that ends in the range to the last that starts in it.
+    const Index begin_run = begin - family.offset;
+    const Index first = std::max<Index>(0, begin_run);
+    const Index last = std::max(first, std::min(end, particle_count_ - family.offset));
+    auto tension = workspace.tension.topRows(end - begin_run);
+    auto twice_energy_j = workspace.twice_energy_j.head(end - begin_run);
+    tension.topRows(first - begin_run).setZero();
+    tension.bottomRows(end - last).setZero();
+    twice_energy_j.tail(end - last).setZero();
+    SpringRun run{.count = last - first,
+                  .stiffness = family.stiffness.data() + first,
+                  .rest_length_m = family.rest_length_m,
+                  .twice_energy_j = twice_energy_j.data() + (first - begin_run)};
+    for (int axis = 0; axis < 3; ++axis) {
+      run.starts[axis] = positions.col(axis).data() + first;
+      run.ends[axis] = run.starts[axis] + family.offset;
+      run.tension[axis] = tension.col(axis).data() + (first - begin_run);
+    }
+    compute_tension(run);
+    forces.middleRows(begin, end - begin) +=
+        tension.bottomRows(end - begin) - tension.topRows(end - begin);
+    workspace.energy_j += twice_energy_j.tail(end - begin).sum() / 2;
+  }
+}
+
+double SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
+  forces.resize(particle_count_, 3);
+  const auto body = [&](std::size_t begin, std::size_t end) {
+    forces_on(begin, end, positions, forces);
+  };
+  parallel_ranges(particle_count_, grain_, std::ref(body));
+  double energy_j = 0;
+  for (const Workspace& workspace : workspaces_) energy_j += workspace.energy_j;
+  return energy_j;
+}
+
+double fastest_frequency(const SpringNetwork& network, double particle_mass_kg) {
+  std::vector<double> sums(network.grid.particle_count());
+  for (const SpringKind* kind : network.kinds())
+    for (const SpringFamily& family : kind->families)
+      for_each_spring(network.grid, family, [&](int a, int b) {
+        sums[a] += kind->stiffness;
+        sums[b] += kind->stiffness;
+      });
+  // Gershgorin: no eigenvalue of the stiffness exceeds twice the largest sum at one particle.
+  return std::sqrt(2 * *std::max_element(sums.begin(), sums.end()) / particle_mass_kg);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,25 @@
+// How far edges are stretched or shrunk from their rest length.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "ribbon_mesh/springs.h"
+
+namespace ribbon {
+
+// (length - rest length) / rest length of the edge from particle a to b of a family; above 0 where
+// it is stretched. positions, here and below: 3 x at least all particles.
+inline double edge_strain(const SpringFamily& family, int a, int b,
+                          const Eigen::Matrix3Xd& positions) {
+  return (positions.col(b) - positions.col(a)).norm() / family.rest_length_m - 1;
+}
+
+// The largest |strain| of a family's edges.
+double worst_strain(const RibbonGrid& grid, const SpringFamily& family,
+                    const Eigen::Matrix3Xd& positions);
+
+// Of the stretch and shear springs, as far as they have stiffness; 0 without any. Bending springs
+// shorten wherever cloth folds: that is no strain.
+double worst_strain(const SpringNetwork& springs, const Eigen::Matrix3Xd& positions);
+
+}  // namespace ribbon
