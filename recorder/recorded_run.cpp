@@ -28,7 +28,7 @@ Result<std::string> with_settings(const fs::path& file, std::string text,
   return text;
 }
 
-NaturalSize natural_size_of(const RecordingHeader& header) {
+RestSize rest_size_of(const RecordingHeader& header) {
   return {header.grid, header.ribbon_length_m, header.ribbon_width_m};
 }
 
@@ -37,7 +37,7 @@ Result<SimulatedFrames> from_checkpoint(const RecordingReader& reader, const Sce
                                         std::uint32_t frame) {
   const auto checkpoint = reader.read_checkpoint(frame);
   if (!checkpoint) return tl::unexpected(checkpoint.error());
-  auto fastening = FasteningProcessor::restore(scene, natural_size_of(reader.header()),
+  auto fastening = FasteningProcessor::restore(scene, rest_size_of(reader.header()),
                                                reader.header().obstacle, checkpoint->state);
   if (!fastening) return tl::unexpected(fastening.error());
   return SimulatedFrames(scene, *std::move(fastening), static_cast<int>(frame));

@@ -4,16 +4,16 @@
 
 namespace ribbon {
 
-std::array<SpringFamily, 2> stretch_families(const NaturalSize& size) {
+std::array<SpringFamily, 2> stretch_families(const RestSize& size) {
   return {{{1, 0, size.along_m()}, {0, 1, size.across_m()}}};
 }
 
-std::array<SpringFamily, 2> shear_families(const NaturalSize& size) {
+std::array<SpringFamily, 2> shear_families(const RestSize& size) {
   const double diagonal_m = std::hypot(size.along_m(), size.across_m());
   return {{{1, 1, diagonal_m}, {1, -1, diagonal_m}}};
 }
 
-SpringNetwork spring_network(const NaturalSize& size, const SpringScene& stiffness) {
+SpringNetwork spring_network(const RestSize& size, const SpringScene& stiffness) {
   return {.grid = size.grid,
           .stretch = {stiffness.stretch, stretch_families(size)},
           .shear = {stiffness.shear, shear_families(size)},

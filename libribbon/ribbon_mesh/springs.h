@@ -5,7 +5,7 @@
 #include <array>
 
 #include "geometry/ribbon_grid.h"
-#include "ribbon_mesh/natural_size.h"
+#include "ribbon_mesh/rest_size.h"
 #include "scene/scene.h"
 
 namespace ribbon {
@@ -35,10 +35,10 @@ struct SpringNetwork {
 };
 
 // Of a flat band: the edges along and across, and those of both diagonals.
-std::array<SpringFamily, 2> stretch_families(const NaturalSize& size);
-std::array<SpringFamily, 2> shear_families(const NaturalSize& size);
+std::array<SpringFamily, 2> stretch_families(const RestSize& size);
+std::array<SpringFamily, 2> shear_families(const RestSize& size);
 
-SpringNetwork spring_network(const NaturalSize& size, const SpringScene& stiffness);
+SpringNetwork spring_network(const RestSize& size, const SpringScene& stiffness);
 
 // Calls visit(a, b) with the two particles of each spring that leads from a row, by column.
 template <class Visit>

@@ -40,11 +40,11 @@ Vector3d tangent(const Matrix3Xd& line, Eigen::Index i) {
   return (line.col(after) - line.col(before)).normalized();
 }
 
-// The unit vector orthogonal to `direction` that is closest to `wish`.
-Vector3d made_orthogonal(const Vector3d& wish, const Vector3d& direction) {
-  const Vector3d rest = wish - wish.dot(direction) * direction;
-  return rest.norm() > 1e-9 * wish.norm() ? Vector3d(rest.normalized())
-                                          : Vector3d(direction.unitOrthogonal());
+// The unit vector orthogonal to `direction` that is closest to `preferred`.
+Vector3d made_orthogonal(const Vector3d& preferred, const Vector3d& direction) {
+  const Vector3d rest = preferred - preferred.dot(direction) * direction;
+  return rest.norm() > 1e-9 * preferred.norm() ? Vector3d(rest.normalized())
+                                               : Vector3d(direction.unitOrthogonal());
 }
 
 }  // namespace
@@ -52,25 +52,26 @@ Vector3d made_orthogonal(const Vector3d& wish, const Vector3d& direction) {
 Matrix3Xd width_vectors(const Matrix3Xd& centre_line, const Vector3d& axis, double width_m) {
   assert(centre_line.cols() >= 2 && width_m > 0);
   const double spacing_m = (centre_line.col(1) - centre_line.col(0)).norm();
-  Matrix3Xd wish = averaged(turning(centre_line, spacing_m), 1);
+  Matrix3Xd preferred = averaged(turning(centre_line, spacing_m), 1);
 
   // A piece counts as straight when it turns on a larger radius than this many widths.
   const double straight_per_m = 1 / (4 * width_m);
-  for (Eigen::Index i = 0; i < wish.cols(); ++i) {
-    if (wish.col(i).dot(axis) < 0) wish.col(i) *= -1;
-    wish.col(i) += straight_per_m * axis;
-    wish.col(i).normalize();
+  for (Eigen::Index i = 0; i < preferred.cols(); ++i) {
+    if (preferred.col(i).dot(axis) < 0) preferred.col(i) *= -1;
+    preferred.col(i) += straight_per_m * axis;
+    preferred.col(i).normalize();
   }
-  wish.col(0) = axis;
-  // A band that twists within less than its width stretches its selvages, so the wish is smoothed
-  // over two widths. Of the reaches tried on the samples this one strains their start least.
+  preferred.col(0) = axis;
+  // A band that twists within less than its width stretches its selvages, so the preferred
+  // directions are smoothed over two widths. Of the reaches tried on the samples this one strains
+  // their start least.
   const auto reach = static_cast<Eigen::Index>(std::lround(width_m / spacing_m));
-  wish = averaged(averaged(wish, reach), reach);
-  wish.col(0) = axis;
+  preferred = averaged(averaged(preferred, reach), reach);
+  preferred.col(0) = axis;
 
-  Matrix3Xd result(3, wish.cols());
-  for (Eigen::Index i = 0; i < wish.cols(); ++i)
-    result.col(i) = made_orthogonal(wish.col(i), tangent(centre_line, i));
+  Matrix3Xd result(3, preferred.cols());
+  for (Eigen::Index i = 0; i < preferred.cols(); ++i)
+    result.col(i) = made_orthogonal(preferred.col(i), tangent(centre_line, i));
   return result;
 }
 

@@ -78,7 +78,7 @@ void visit_start(StateArchive& archive, StartReport& start) {
 
 }  // namespace
 
-FasteningProcessor::FasteningProcessor(const Scene& scene, const NaturalSize& size,
+FasteningProcessor::FasteningProcessor(const Scene& scene, const RestSize& size,
                                        const std::optional<TriangleMesh>& obstacle,
                                        Matrix3Xd vertices)
     : step_s_(scene.time.step_s),
@@ -94,7 +94,7 @@ FasteningProcessor::FasteningProcessor(const Scene& scene, const NaturalSize& si
 
 Result<FasteningProcessor> FasteningProcessor::create(const Scene& wished, const RibbonMesh& ribbon,
                                                       const std::optional<TriangleMesh>& obstacle) {
-  const NaturalSize size = natural_size(ribbon, 1);
+  const RestSize size = rest_size(ribbon, 1);
   Matrix3Xd vertices = all_vertices(ribbon.positions, obstacle);
   const auto precise = check_precision(wished, size, vertices);
   if (!precise) return tl::unexpected(precise.error());
@@ -121,7 +121,7 @@ Result<void> FasteningProcessor::begin(const Scene& scene, const RibbonMesh& rib
   } else {
     start_ = recover_as_published();
   }
-  if (scene.fastening) hands_.emplace(scene, ribbon.grid, ribbon.length_m, cloth_);
+  if (scene.fastening) hands_.emplace(scene, size_, cloth_);
   deformation_.clock().reset();
   return {};
 }
@@ -135,7 +135,7 @@ StartReport FasteningProcessor::recover_as_published() {
           .penetrating_edges = report.penetrating_edges};
 }
 
-Result<FasteningProcessor> FasteningProcessor::restore(const Scene& wished, const NaturalSize& size,
+Result<FasteningProcessor> FasteningProcessor::restore(const Scene& wished, const RestSize& size,
                                                        const std::optional<TriangleMesh>& obstacle,
                                                        std::string_view state, Settings settings) {
   if (auto narrow = check_width(wished, size.grid); !narrow) return tl::unexpected(narrow.error());
@@ -153,7 +153,7 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& wished, cons
   FasteningProcessor processor(scene, size, obstacle, all_vertices(nowhere, obstacle));
   if (auto few = check_substeps(scene, processor.deformation_.substeps()); !few)
     return tl::unexpected(few.error());
-  if (scene.fastening) processor.hands_.emplace(scene, size.grid, size.length_m, processor.cloth_);
+  if (scene.fastening) processor.hands_.emplace(scene, size, processor.cloth_);
   StateArchive archive(state);
   processor.visit_state(archive, settings);
   if (auto read = archive.finish(); !read) return refused(read.error());
@@ -213,7 +213,7 @@ StepReport FasteningProcessor::step() {
   return {.recovery_iterations = report.recovery_iterations,
           .penetrating_edges = report.penetrating_edges,
           .held_back = report.held_back,
-          .pull = hands_ ? hands_->share() : 1};
+          .pull = hands_ ? hands_->force_fraction() : 1};
 }
 
 std::optional<Tightness> FasteningProcessor::tightness() {

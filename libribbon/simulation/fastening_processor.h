@@ -10,7 +10,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
-#include "ribbon_mesh/natural_size.h"
+#include "ribbon_mesh/rest_size.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/scene.h"
 #include "simulation/contact/pair_gaps.h"
@@ -28,7 +28,7 @@ struct StepReport {
   int recovery_iterations = 0;  // of Figure 15
   int penetrating_edges = 0;    // left over, of ribbon and obstacle; none with the gate
   int held_back = 0;            // particles that the gate did not let go all of their way
-  double pull = 1;              // the share of the fastening force that the hands applied
+  double pull = 1;              // the fraction of the fastening force that the hands applied
 };
 
 // Is a run to go on exactly as it would have, or with other settings?
@@ -38,7 +38,7 @@ enum class Settings { as_before, changed };
 struct Tightness {
   double progress = 1;       // of the last two seconds against the command; 1: free, 0: locked
   double contact_share = 0;  // of the rows, that touch another part of the ribbon or the obstacle
-  double rope_length = 0;    // natural length of the knotted part over the ribbon's width
+  double rope_length = 0;    // rest length of the knotted part over the ribbon's width
 };
 
 // Fastens one ribbon, step by step. What the scene does not name (springs, obstacle, fastening) is
@@ -57,7 +57,7 @@ class FasteningProcessor {
   // contact, the recording's rounding and whether there are obstacle and fastening, from the same
   // places and speeds; tightness is then measured anew. Fails where the state is not one of such a
   // scene, and where springs and air divide each step into too many parts.
-  static Result<FasteningProcessor> restore(const Scene& wished, const NaturalSize& size,
+  static Result<FasteningProcessor> restore(const Scene& wished, const RestSize& size,
                                             const std::optional<TriangleMesh>& obstacle,
                                             std::string_view state,
                                             Settings settings = Settings::as_before);
@@ -105,7 +105,7 @@ class FasteningProcessor {
   [[nodiscard]] long steps_at(double time_s) const;
 
  private:
-  FasteningProcessor(const Scene& scene, const NaturalSize& size,
+  FasteningProcessor(const Scene& scene, const RestSize& size,
                      const std::optional<TriangleMesh>& obstacle, Eigen::Matrix3Xd vertices);
 
   Result<void> begin(const Scene& scene, const RibbonMesh& ribbon);
@@ -122,7 +122,7 @@ class FasteningProcessor {
   std::unique_ptr<Bodies> bodies_;  // at a fixed place: the deformation refers to it
   Deformation deformation_;
   std::optional<Hands> hands_;
-  NaturalSize size_;
+  RestSize size_;
   PairGaps gaps_;
   StartReport start_;
   double guaranteed_gap_m_ = 0;

@@ -60,7 +60,7 @@ FasteningProcessor begun(const Case& run) {
   return FasteningProcessor::create(run.scene, mesh_of_loop(run.scene), run.obstacle).value();
 }
 
-NaturalSize size_of(const Scene& scene) {
+RestSize size_of(const Scene& scene) {
   const RibbonMesh mesh = mesh_of_loop(scene);
   return {mesh.grid, mesh.length_m, mesh.width_m};
 }

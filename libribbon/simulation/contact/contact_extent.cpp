@@ -47,7 +47,7 @@ std::vector<Touches> touched_rows(Bodies& bodies, const PairGaps& gaps,
 
 }  // namespace
 
-ContactExtent contact_extent(Bodies& bodies, const NaturalSize& size, const PairGaps& gaps,
+ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairGaps& gaps,
                              const Matrix3Xd& positions) {
   const std::vector<Touches> rows = touched_rows(bodies, gaps, positions);
   const auto free = std::count(rows.begin(), rows.end(), Touches::nothing);

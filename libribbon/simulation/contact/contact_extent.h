@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "ribbon_mesh/natural_size.h"
+#include "ribbon_mesh/rest_size.h"
 #include "simulation/contact/pair_gaps.h"
 #include "simulation/detection/bodies.h"
 
@@ -11,13 +11,13 @@ namespace ribbon {
 
 struct ContactExtent {
   double share = 0;      // of the rows, that touch another part of the ribbon or the obstacle
-  double knotted_m = 0;  // natural length from the first to the last row that touches the ribbon
+  double knotted_m = 0;  // rest length from the first to the last row that touches the ribbon
 };
 
 // Rows touch where two features that share no vertex lie within one and a half times the distance
 // at which contact begins: what rests on something rests at about that distance. positions: 3 x
 // vertices. Costs a detection; `bodies` are refitted to the positions.
-ContactExtent contact_extent(Bodies& bodies, const NaturalSize& size, const PairGaps& gaps,
+ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairGaps& gaps,
                              const Eigen::Matrix3Xd& positions);
 
 }  // namespace ribbon

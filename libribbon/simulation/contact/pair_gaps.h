@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ribbon_mesh/natural_size.h"
+#include "ribbon_mesh/rest_size.h"
 #include "simulation/contact/gap_lengths.h"
 #include "simulation/detection/feature_pairs.h"
 
@@ -15,7 +15,7 @@ namespace ribbon {
 // at most.
 class PairGaps {
  public:
-  PairGaps(const NaturalSize& size, const GapLengths& lengths) : size_(size), lengths_(lengths) {}
+  PairGaps(const RestSize& size, const GapLengths& lengths) : size_(size), lengths_(lengths) {}
 
   [[nodiscard]] double hard_m(const FeaturePair& pair) const {
     return is_thick() ? std::max(lengths_.hard_m, 0.5 * thick_contact_m(pair)) : lengths_.hard_m;
@@ -36,7 +36,7 @@ class PairGaps {
   [[nodiscard]] double thick_contact_m(const FeaturePair& pair) const;
   [[nodiscard]] double natural_distance_m(const FeaturePair& pair) const;
 
-  NaturalSize size_;
+  RestSize size_;
   GapLengths lengths_;
 };
 

@@ -1,4 +1,4 @@
-// The pre-step fastening force (paper, section 5.2, Figure 6, footnote 2).
+// The pre-step fastening force (paper, section 5.2, Figure 6).
 #pragma once
 
 #include <Eigen/Core>
@@ -9,18 +9,21 @@
 
 namespace ribbon {
 
-// Moves particles toward their end of the ribbon: the first half of the rows toward the first end,
-// the second half toward the second. The force points along the smoothed direction of the ribbon
-// (averaged over as many rows to either side as the ribbon is particles wide, so that it fades
-// where the ribbon is crumpled).
+// Pulls every particle toward the end of the ribbon that its half belongs to. Footnote 2 of the
+// paper: on a particle of row i it is f_i in the second half and -f_i in the first,
 //
-// Distributed, it is proportional to the particle's distance from the centre axis. By its ends, it
-// acts on the last rows only, as many as the ribbon is particles wide, and is the same everywhere:
-// so strong that each end draws its half of the ribbon against the air at the scene's speed.
+//   f_i = sum of (P_j - P_j-1) / sum of |P_j - P_j-1| * l_i,  j = i - m ... i + m,
+//
+// where m is the number of particles across. The quotient is the smoothed tangent, which is short
+// where the ribbon is crumpled. The strength l_i is proportional to the distance from the centre
+// axis.
+//
+// Beside the paper, pull = "ends": the force acts on the last m rows alone, with one strength, so
+// that each end draws its half of the ribbon against the air at the scene's speed.
 class FasteningForce {
  public:
   // start: 3 x at least all particles, the ribbon at the start, whose mean distance from the axis
-  // is where the scene's speed holds for a distributed force.
+  // is where the scene's speed holds.
   FasteningForce(const FasteningScene& scene, double air_resistance_per_s, const RibbonGrid& grid,
                  const Eigen::Matrix3Xd& start, double particle_mass_kg);
 
@@ -34,17 +37,13 @@ class FasteningForce {
 
  private:
   [[nodiscard]] double distance_from_axis_m(const Eigen::Vector3d& position) const;
+  // l_i above, N.
   [[nodiscard]] double strength_n(int particle, const Eigen::Vector3d& position) const;
-  // Distributed, on a particle for each metre between it and the axis.
-  [[nodiscard]] double newton_per_m() const;
 
-  FasteningPull pull_;
+  FasteningScene scene_;
   RibbonGrid grid_;
-  Eigen::Vector3d axis_point_m_;
-  Eigen::Vector3d axis_direction_;
   int held_rows_;  // at each end, when pulled by the ends
   double newton_per_m_s_;
-  double speed_m_s_;
   double mean_distance_m_ = 0;  // from the axis, at the start
 };
 

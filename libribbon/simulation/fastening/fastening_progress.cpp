@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace ribbon {
 
@@ -28,9 +29,7 @@ void FasteningProgress::visit_memory(StateArchive& archive) {
   auto& [grid, step, air_resistance, lag, steps_per_slot, steps_in_slot, slot, slots, is_full] =
       *this;
   archive.visit(steps_in_slot, 0, steps_per_slot);
-  auto place = static_cast<std::int64_t>(slot);
-  archive.visit(place, 0, static_cast<std::int64_t>(slots.size()) - 1);
-  slot = static_cast<std::size_t>(place);
+  archive.visit(slot, 0, std::ssize(slots) - 1);
   for (Slot& sums : slots)
     for (auto* halves : {&sums.moved_m, &sums.commanded_m})
       for (double& metres : *halves) archive.visit(metres);
@@ -40,46 +39,46 @@ void FasteningProgress::visit_memory(StateArchive& archive) {
 // The oldest slot makes room when this one has had its steps.
 FasteningProgress::Slot& FasteningProgress::slot_of_this_step() {
   if (steps_in_slot_ == steps_per_slot_) {
-    slot_ = (slot_ + 1) % slots_.size();
+    slot_ = (slot_ + 1) % std::ssize(slots_);
     slots_[slot_] = {};
     steps_in_slot_ = 0;
   }
   ++steps_in_slot_;
-  is_full_ = is_full_ || (slot_ + 1 == slots_.size() && steps_in_slot_ == steps_per_slot_);
+  is_full_ = is_full_ || (slot_ + 1 == std::ssize(slots_) && steps_in_slot_ == steps_per_slot_);
   return slots_[slot_];
 }
 
-// For how long a free particle that started at rest would have to move at the commanded speed to
-// get as far as it does in this step.
-double FasteningProgress::free_way_s() {
+// For how long a free particle that started at rest would have to move at the commanded velocity to
+// get as far as it does in this step: v' = air (command - v).
+double FasteningProgress::free_travel_s() {
   const double lost = -std::expm1(-air_resistance_per_s_ * step_s_);
-  const double way_s = step_s_ - lag_ * lost / air_resistance_per_s_;
+  const double travel_s = step_s_ - lag_ * lost / air_resistance_per_s_;
   lag_ *= 1 - lost;
-  return way_s;
+  return travel_s;
 }
 
 void FasteningProgress::add(const Matrix3Xd& command, const Matrix3Xd& before,
                             const Matrix3Xd& after) {
   Slot& slot = slot_of_this_step();
-  const double way_s = free_way_s();
+  const double travel_s = free_travel_s();
   for (int particle = 0; particle < grid_.particle_count(); ++particle) {
     const double speed_m_s = command.col(particle).norm();
     if (speed_m_s == 0) continue;
-    const std::size_t half = 2 * grid_.row(particle) < grid_.along ? 0 : 1;
+    const int half = 2 * grid_.row(particle) < grid_.along ? 0 : 1;
     slot.moved_m[half] +=
         command.col(particle).dot(after.col(particle) - before.col(particle)) / speed_m_s;
-    slot.commanded_m[half] += speed_m_s * way_s;
+    slot.commanded_m[half] += speed_m_s * travel_s;
   }
 }
 
 double FasteningProgress::recent() const {
   Slot sum;
   for (const Slot& slot : slots_)
-    for (std::size_t half = 0; half < 2; ++half) {
+    for (int half = 0; half < 2; ++half) {
       sum.moved_m[half] += slot.moved_m[half];
       sum.commanded_m[half] += slot.commanded_m[half];
     }
-  const auto progress = [&sum](std::size_t half) {
+  const auto progress = [&sum](int half) {
     return sum.commanded_m[half] > 0 ? sum.moved_m[half] / sum.commanded_m[half] : 1;
   };
   return std::max(progress(0), progress(1));

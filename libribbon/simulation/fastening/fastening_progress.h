@@ -1,9 +1,9 @@
-// How far fastening gets, against how far it was told to.
+// How far fastening gets, against how far the force would take a free ribbon.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/ribbon_grid.h"
@@ -11,17 +11,17 @@
 
 namespace ribbon {
 
-// The way that the particles of each half went along the pull in the last two seconds, over the way
-// that they would have gone without springs and contact. A ribbon that slides through its knot from
-// one half to the other is as far from locked as one that is drawn tight, so the faster half
-// counts.
+// The distance that the particles of each half went along the force in the last two seconds, over
+// the distance that they would have gone without springs and contact. A ribbon that slides through
+// its knot from one half to the other is as far from locked as one that is drawn tight, so the
+// faster half counts.
 class FasteningProgress {
  public:
   // air_resistance_per_s > 0: what a free particle is slowed by; steps of step_s.
   FasteningProgress(const RibbonGrid& grid, double step_s, double air_resistance_per_s);
 
-  // One step. command: 3 x particles, m/s, the speeds that all of the fastening force would reach;
-  // before, after: 3 x at least all particles.
+  // One step. command: 3 x particles, m/s, the terminal velocities that all of the fastening force
+  // would reach against the air; before, after: 3 x at least all particles.
   void add(const Eigen::Matrix3Xd& command, const Eigen::Matrix3Xd& before,
            const Eigen::Matrix3Xd& after);
 
@@ -37,22 +37,23 @@ class FasteningProgress {
   void visit_memory(StateArchive& archive);
 
  private:
-  // Sums of some steps.
+  // Sums of some steps: the last two seconds are a ring of slots, so that none is stored for each
+  // step.
   struct Slot {
     std::array<double, 2> moved_m{};  // of the first and the second half
     std::array<double, 2> commanded_m{};
   };
 
   Slot& slot_of_this_step();
-  double free_way_s();
+  double free_travel_s();
 
   RibbonGrid grid_;
   double step_s_;
   double air_resistance_per_s_;
-  double lag_ = 1;  // by how much a free particle falls short of the command, as a share
+  double lag_ = 1;  // the fraction of the command that a free particle still falls short of
   int steps_per_slot_;
   int steps_in_slot_ = 0;
-  std::size_t slot_ = 0;  // of the last step
+  std::int64_t slot_ = 0;  // of the last step
   std::vector<Slot> slots_;
   bool is_full_ = false;
 };

@@ -11,25 +11,24 @@ namespace {
 
 constexpr double standstill = 0.03;
 
-// Forces as the speeds that they reach against the air.
-Matrix3Xd commanded(const Matrix3Xd& forces, double newton_per_m_s, double highest_m_s) {
-  Matrix3Xd command = forces / newton_per_m_s;
-  for (auto velocity : command.colwise()) {
+// Which forces reach against the air, but no more than highest_m_s.
+Matrix3Xd terminal_velocities(const Matrix3Xd& forces, double newton_per_m_s, double highest_m_s) {
+  Matrix3Xd velocities = forces / newton_per_m_s;
+  for (auto velocity : velocities.colwise()) {
     const double speed_m_s = velocity.norm();
     if (speed_m_s > highest_m_s) velocity *= highest_m_s / speed_m_s;
   }
-  return command;
+  return velocities;
 }
 
 }  // namespace
 
-Hands::Hands(const Scene& scene, const RibbonGrid& grid, double length_m, const Cloth& cloth)
-    : force_(*scene.fastening, scene.air_resistance_per_s, grid, cloth.positions,
+Hands::Hands(const Scene& scene, const RestSize& size, const Cloth& cloth)
+    : force_(*scene.fastening, scene.air_resistance_per_s, size.grid, cloth.positions,
              cloth.particle_mass_kg),
-      progress_(grid, scene.time.step_s, scene.air_resistance_per_s),
+      progress_(size.grid, scene.time.step_s, scene.air_resistance_per_s),
       highest_m_s_(scene.fastening->max_speed_m_s.value_or(std::numeric_limits<double>::max())) {
-  if (scene.fastening->yield_strain)
-    yielding_.emplace(grid, length_m, *scene.fastening->yield_strain);
+  if (scene.fastening->yield_strain) yielding_.emplace(size, *scene.fastening->yield_strain);
   if (scene.fastening->max_speed_m_s)
     speed_limit_.emplace(*scene.fastening->max_speed_m_s, cloth.particle_mass_kg,
                          scene.air_resistance_per_s, scene.time.step_s);
@@ -38,10 +37,10 @@ Hands::Hands(const Scene& scene, const RibbonGrid& grid, double length_m, const 
 Matrix3Xd Hands::pull(const Cloth& cloth) {
   before_ = cloth.positions.leftCols(cloth.particle_count());
   Matrix3Xd force = force_.at(cloth.positions);
-  command_ = commanded(force, force_.newton_per_m_s(), highest_m_s_);
-  if (yielding_) share_ = yielding_->feel(cloth.positions);
-  force *= share_;
-  if (speed_limit_) speed_limit_->lower(cloth.velocities, force);
+  command_ = terminal_velocities(force, force_.newton_per_m_s(), highest_m_s_);
+  if (yielding_) force_fraction_ = yielding_->force_fraction(cloth.positions);
+  force *= force_fraction_;
+  if (speed_limit_) speed_limit_->apply(cloth.velocities, force);
   return force;
 }
 
@@ -50,11 +49,11 @@ void Hands::follow(const Cloth& cloth) {
 }
 
 void Hands::visit_state(StateArchive& archive) {
-  auto& [force, yielding, speed_limit, memory, highest, share, command_of_step, before_step] =
-      *this;
+  auto& [force, yielding, speed_limit, progress, highest, force_fraction, command_of_step,
+         before_step] = *this;
   force.visit_state(archive);
-  archive.visit(share);
-  memory.visit_state(archive);
+  archive.visit(force_fraction);
+  progress.visit_state(archive);
 }
 
 bool Hands::are_stopped() const {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "geometry/ribbon_grid.h"
+#include "ribbon_mesh/rest_size.h"
 #include "scene/scene.h"
 #include "simulation/fastening/fastening_force.h"
 #include "simulation/fastening/fastening_progress.h"
@@ -15,26 +15,28 @@
 
 namespace ribbon {
 
-// Pull, feel how the ribbon resists, and know when it is tight. What the scene does not name, yield
-// and max_speed, is neither held nor computed.
+// They pull with the fastening force, or with a fraction of it where they yield, feel how the
+// ribbon resists, and know when it is tight. What the scene does not name, yield and max_speed, is
+// neither held nor computed.
 class Hands {
  public:
   // The scene has a fastening; cloth is the ribbon at its start.
-  Hands(const Scene& scene, const RibbonGrid& grid, double length_m, const Cloth& cloth);
+  Hands(const Scene& scene, const RestSize& size, const Cloth& cloth);
 
   // The force for the next step, 3 x particles, N.
   Eigen::Matrix3Xd pull(const Cloth& cloth);
 
-  // After the step.
+  // After the step: how far did the ribbon follow?
   void follow(const Cloth& cloth);
 
-  // The share of the fastening force that they applied last; 1 where they do not yield.
-  [[nodiscard]] double share() const { return share_; }
+  // The fraction of the fastening force that they applied last; 1 where they do not yield.
+  [[nodiscard]] double force_fraction() const { return force_fraction_; }
 
   // FasteningProgress::recent().
   [[nodiscard]] double progress() const { return progress_.recent(); }
 
-  // Over the last two seconds the ribbon went less than 3 % of the way that it was told to go.
+  // Over the last two seconds the ribbon went less than 3 % of the distance that the force would
+  // take it without springs and contact.
   [[nodiscard]] bool are_stopped() const;
 
   // All but what they remember of the last two seconds, which is of use only to hands that go on
@@ -48,7 +50,7 @@ class Hands {
   std::optional<SpeedLimit> speed_limit_;
   FasteningProgress progress_;
   double highest_m_s_;
-  double share_ = 1;
+  double force_fraction_ = 1;
   Eigen::Matrix3Xd command_;  // m/s, of the present step
   Eigen::Matrix3Xd before_;   // positions, of the present step
 };

@@ -13,7 +13,7 @@ SpeedLimit::SpeedLimit(double highest_m_s, double particle_mass_kg, double air_r
       newton_per_gained_(particle_mass_kg * air_resistance_per_s /
                          -std::expm1(-air_resistance_per_s * step_s)) {}
 
-void SpeedLimit::lower(const Eigen::Matrix3Xd& velocities, Eigen::Matrix3Xd& forces) const {
+void SpeedLimit::apply(const Eigen::Matrix3Xd& velocities, Eigen::Matrix3Xd& forces) const {
   for (Eigen::Index particle = 0; particle < forces.cols(); ++particle) {
     const double force_n = forces.col(particle).norm();
     if (force_n == 0) continue;

@@ -1,4 +1,4 @@
-// Hands that do not pull what already moves fast enough.
+// Hands do not pull what already moves fast enough.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,15 +12,14 @@ class SpeedLimit {
   SpeedLimit(double highest_m_s, double particle_mass_kg, double air_resistance_per_s,
              double step_s);
 
-  // Lowers each force (3 x particles, N), keeping its direction, so that over a step it brings a
-  // free particle of that velocity (3 x particles, m/s) to no more than the limit along its
-  // direction; to nothing where the particle is so fast that air alone does not slow it down
-  // enough.
-  void lower(const Eigen::Matrix3Xd& velocities, Eigen::Matrix3Xd& forces) const;
+  // Scales each force (3 x particles, N) down, so that over a step it brings a free particle of
+  // that velocity (3 x particles, m/s) to no more than the limit along the force; to nothing where
+  // the particle is so fast that air alone does not slow it down enough.
+  void apply(const Eigen::Matrix3Xd& velocities, Eigen::Matrix3Xd& forces) const;
 
  private:
   double highest_m_s_;
-  double kept_;               // the share of its speed that the air leaves a particle in a step
+  double kept_;               // the fraction of its speed that the air leaves a particle in a step
   double newton_per_gained_;  // force that makes a particle gain 1 m/s in a step
 };
 

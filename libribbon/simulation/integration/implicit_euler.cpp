@@ -1,7 +1,7 @@
 // Backward Euler as the minimum of inertia plus energy, found by a quasi-Newton method (Liu,
 // Bouaziz and Kavan, "Quasi-Newton methods for real-time simulation of hyperelastic materials",
-// 2017): a constant matrix of the springs stands for the second derivatives, and L-BFGS corrects it
-// on the way.
+// 2017): a constant matrix of the springs stands for the second derivatives, and L-BFGS corrects
+// it.
 #include <algorithm>
 #include <cmath>
 #include <optional>

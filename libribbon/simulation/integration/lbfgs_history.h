@@ -1,4 +1,4 @@
-// What a quasi-Newton method has learned of the second derivatives on its way (L-BFGS).
+// What a quasi-Newton method has learned of the second derivatives so far (L-BFGS).
 #pragma once
 
 #include <Eigen/Core>

@@ -7,7 +7,7 @@ namespace ribbon {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-StrainCorrection::StrainCorrection(const NaturalSize& size, double limit)
+StrainCorrection::StrainCorrection(const RestSize& size, double limit)
     : grid_(size.grid),
       along_(stretch_families(size)[0]),
       across_(stretch_families(size)[1]),

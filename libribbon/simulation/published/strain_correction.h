@@ -11,7 +11,7 @@ namespace ribbon {
 // rest length.
 class StrainCorrection {
  public:
-  StrainCorrection(const NaturalSize& size, double limit);
+  StrainCorrection(const RestSize& size, double limit);
 
   // Is any edge along or across longer or shorter than the limit allows?
   [[nodiscard]] bool any_over_limit(const Eigen::Matrix3Xd& positions) const;

@@ -50,7 +50,7 @@ class StartSearch {
   }
 
   [[nodiscard]] double shortest_edge_m() const {
-    return natural_size(ribbon_, share_).shortest_edge_m();
+    return rest_size(ribbon_, share_).shortest_edge_m();
   }
 
   std::optional<Encounter> encounter() {
@@ -111,7 +111,7 @@ class StartSearch {
   [[nodiscard]] std::string place_of(int particle) const {
     const int row = ribbon_.grid.row(particle);
     return "row " + std::to_string(row + 1) + " of " + std::to_string(ribbon_.grid.along) + ", " +
-           metres(row * natural_size(ribbon_, 1).along_m()) + " from its first end";
+           metres(row * rest_size(ribbon_, 1).along_m()) + " from its first end";
   }
 
   [[nodiscard]] bool of_obstacle(const Encounter& encounter) const {

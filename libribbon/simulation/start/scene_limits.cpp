@@ -47,7 +47,7 @@ Result<void> recording_tells_positions(const Scene& scene, double rounding_m, do
           " or more");
 }
 
-Result<void> recording_keeps_the_gap(const Scene& scene, const NaturalSize& size,
+Result<void> recording_keeps_the_gap(const Scene& scene, const RestSize& size,
                                      const GapLengths& lengths, double rounding_m) {
   if (recorded_gap_m(lengths, rounding_m) > 0) return {};
   if (is_lossless(scene))
@@ -66,21 +66,20 @@ Result<void> recording_keeps_the_gap(const Scene& scene, const NaturalSize& size
 
 }  // namespace
 
-double recorded_reach_m(const Scene& scene, const NaturalSize& size, const Matrix3Xd& positions) {
+double recorded_reach_m(const Scene& scene, const RestSize& size, const Matrix3Xd& positions) {
   if (!is_lossless(scene)) return std::numeric_limits<double>::max();
   const double far_m = farthest_m(positions.leftCols(size.grid.particle_count())) + size.length_m;
   return std::exp2(std::ceil(std::log2(2 * far_m)));
 }
 
-Scene with_single_rounding(Scene scene, const NaturalSize& size, double reach_m) {
+Scene with_single_rounding(Scene scene, const RestSize& size, double reach_m) {
   // Half of the spacing of the numbers below the reach, a power of two.
   if (is_lossless(scene))
     scene.recording.max_position_error = std::ldexp(reach_m, -25) / size.length_m;
   return scene;
 }
 
-Result<void> check_precision(const Scene& scene, const NaturalSize& size,
-                             const Matrix3Xd& positions) {
+Result<void> check_precision(const Scene& scene, const RestSize& size, const Matrix3Xd& positions) {
   const double rounding_m =
       with_single_rounding(scene, size, recorded_reach_m(scene, size, positions))
           .recording.max_position_error_m(size.length_m);

@@ -12,12 +12,12 @@ namespace ribbon {
 // How far from 0 recorded coordinates may come without breaking what is promised: where the scene
 // wants positions recorded without loss a power of two, at least twice what the ribbon reaches at
 // its start (3 x vertices) and could reach by its length; the largest number otherwise.
-double recorded_reach_m(const Scene& scene, const NaturalSize& size,
+double recorded_reach_m(const Scene& scene, const RestSize& size,
                         const Eigen::Matrix3Xd& positions);
 
 // A scene that wants no loss knows the rounding to single precision within its reach as its
 // max_position_error; others stay as they are.
-Scene with_single_rounding(Scene scene, const NaturalSize& size, double reach_m);
+Scene with_single_rounding(Scene scene, const RestSize& size, double reach_m);
 
 // positions: 3 x vertices, the ribbon of `size` and then the obstacle. Fails, naming the setting
 // and its limit, where
@@ -26,7 +26,7 @@ Scene with_single_rounding(Scene scene, const NaturalSize& size, double reach_m)
 // - recorded coordinates, in single precision, cannot hold recording.max_position_error,
 // - what recording may move a coordinate by uses up that gap (not with contact = "paper", which
 //   keeps none).
-Result<void> check_precision(const Scene& scene, const NaturalSize& size,
+Result<void> check_precision(const Scene& scene, const RestSize& size,
                              const Eigen::Matrix3Xd& positions);
 
 // Fails where the ribbon is too wide, in particles, for its integrator: `implicit` solves in as

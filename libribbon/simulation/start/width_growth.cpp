@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3Xd;
 
 constexpr double growth = 1.05;            // of the width, from one stage to the next
-constexpr double strained = 0.15;          // of an edge's natural length
+constexpr double strained = 0.15;          // of an edge's rest length
 constexpr int strained_edges_percent = 1;  // that a settled band may have
 constexpr int steps_per_stage = 60;        // at most, to settle
 constexpr int rounds_a_width = 2;          // after each of them
@@ -24,7 +24,7 @@ struct StrainedEdges {
   int particle = 0;  // the first of the worst edge
 };
 
-StrainedEdges strained_edges(const NaturalSize& size, const Matrix3Xd& positions) {
+StrainedEdges strained_edges(const RestSize& size, const Matrix3Xd& positions) {
   StrainedEdges found;
   for (const SpringFamily& family : stretch_families(size))
     for_each_spring(size.grid, family, [&](int a, int b) {
@@ -45,7 +45,7 @@ bool are_few(const StrainedEdges& edges, const RibbonGrid& grid) {
 
 }  // namespace
 
-NaturalSize natural_size(const RibbonMesh& ribbon, double share) {
+RestSize rest_size(const RibbonMesh& ribbon, double share) {
   return {ribbon.grid, ribbon.length_m, share * ribbon.width_m};
 }
 
@@ -65,7 +65,7 @@ GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double sha
   GrowthReport report;
   double scale = 1;
   while (true) {
-    const NaturalSize size = natural_size(ribbon, share);
+    const RestSize size = rest_size(ribbon, share);
     Deformation deformation(scene, size, cloth.particle_mass_kg, bodies);
     deformation.move(rows_scaled(size.grid, scale, cloth.positions), cloth);
     StrainedEdges edges;

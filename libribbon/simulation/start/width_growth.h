@@ -12,7 +12,7 @@
 namespace ribbon {
 
 // `ribbon` with `share` (above 0) of its width.
-NaturalSize natural_size(const RibbonMesh& ribbon, double share);
+RestSize rest_size(const RibbonMesh& ribbon, double share);
 
 // `positions` (3 x at least all particles) with every row of the ribbon scaled about its centre.
 Eigen::Matrix3Xd rows_scaled(const RibbonGrid& grid, double scale,
@@ -27,7 +27,7 @@ struct GrowthReport {
 // Raises the natural width of the band, which lies free at `share` of it, to all of it, by 5 % at a
 // time. Each time the rows wish to be scaled up likewise; then the band takes steps without force,
 // at rest before each, until it has settled: until at most 1 % of its edges, along and across, are
-// off their natural length by more than 15 %. At its full width it goes on, within the same number
+// off their rest length by more than 15 %. At its full width it goes on, within the same number
 // of steps, until none is. Ends early where it does not settle: it has no room. All motion passes
 // the contact of the scene, which must be the gate.
 GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double share, Bodies& bodies,

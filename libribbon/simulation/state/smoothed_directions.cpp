@@ -24,10 +24,10 @@ Matrix3Xd smoothed_directions_along(const RibbonGrid& grid, const Matrix3Xd& pos
     const int last = std::min(grid.along - 1, i + reach);
     for (int j = 0; j < grid.across; ++j) {
       const double length_m = length_up_to(j, last) - length_up_to(j, first);
-      const Eigen::Vector3d way =
+      const Eigen::Vector3d chord =
           positions.col(grid.particle(last, j)) - positions.col(grid.particle(first, j));
       directions.col(grid.particle(i, j)) =
-          length_m > 0 ? Eigen::Vector3d(way / length_m) : Eigen::Vector3d::Zero().eval();
+          length_m > 0 ? Eigen::Vector3d(chord / length_m) : Eigen::Vector3d::Zero().eval();
     }
   }
   return directions;

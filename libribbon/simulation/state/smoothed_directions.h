@@ -1,4 +1,4 @@
-// Which way the ribbon runs where it is wrinkled (paper, footnote 2 and section 5.5).
+// Smoothed tangents of a ribbon that may be wrinkled (paper, footnote 2 and section 5.5).
 #pragma once
 
 #include <Eigen/Core>

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& size, Bodies& bodies,
+std::unique_ptr<PostStep> post_step_of(const Scene& scene, const RestSize& size, Bodies& bodies,
                                        StageClock& clock) {
   const PostStepProperties properties{
       .size = size,
@@ -24,7 +24,7 @@ std::unique_ptr<PostStep> post_step_of(const Scene& scene, const NaturalSize& si
 
 }  // namespace
 
-Deformation::Deformation(const Scene& scene, const NaturalSize& size, double particle_mass_kg,
+Deformation::Deformation(const Scene& scene, const RestSize& size, double particle_mass_kg,
                          Bodies& bodies)
     : integrator_(create_integrator(
           scene.time.integrator, spring_network(size, scene.springs),

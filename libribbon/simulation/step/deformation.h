@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "ribbon_mesh/natural_size.h"
+#include "ribbon_mesh/rest_size.h"
 #include "scene/scene.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/integration/integrator.h"
@@ -20,7 +20,7 @@ inline constexpr int settling_rounds = 50;
 class Deformation {
  public:
   // Springs, air and contact as the scene wants them. `bodies` must outlive the deformation.
-  Deformation(const Scene& scene, const NaturalSize& size, double particle_mass_kg, Bodies& bodies);
+  Deformation(const Scene& scene, const RestSize& size, double particle_mass_kg, Bodies& bodies);
 
   // Figure 5 from the displacement on. fastening_force: 3 x particles, N, or no columns for none.
   PostStepReport step(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);

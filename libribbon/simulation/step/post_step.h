@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "ribbon_mesh/natural_size.h"
+#include "ribbon_mesh/rest_size.h"
 #include "scene/scene.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/state/cloth.h"
@@ -15,7 +15,7 @@ namespace ribbon {
 
 // What the post-step needs to know of a ribbon and its recording.
 struct PostStepProperties {
-  NaturalSize size;
+  RestSize size;
   double step_s = 0;              // turns corrections of positions into velocities
   bool resists_shear = true;      // are diagonals kept within the strain limit, too?
   double rounding_m = 0;          // how far recording may move a coordinate

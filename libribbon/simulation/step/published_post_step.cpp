@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-constexpr double published_strain_limit = 0.1;  // of the natural length (section 5.5)
+constexpr double published_strain_limit = 0.1;  // of the rest length (section 5.5)
 constexpr int most_corrections = 10;            // at most, in one step (section 5.5)
 constexpr int most_repulsions = 10;             // of detection and repulsion, at most
 

@@ -10,7 +10,7 @@ namespace ribbon::contact_extent_test {
 using Eigen::Matrix3Xd;
 
 constexpr RibbonGrid grid{21, 5};
-constexpr NaturalSize size{grid, 20, 4};  // edges of 1 m: contact begins at 0.2 m, touch at 0.3 m
+constexpr RestSize size{grid, 20, 4};  // edges of 1 m: contact begins at 0.2 m, touch at 0.3 m
 const PairGaps gaps(size, gap_lengths(1, 0, 0));
 
 TEST(ContactExtent, of_a_flat_ribbon_is_nothing) {

@@ -11,7 +11,7 @@ using Kind = FeaturePair::Kind;
 constexpr RibbonGrid grid{10, 4};
 
 // Rows 0.1 m and columns 0.2 m apart.
-constexpr NaturalSize size{grid, 0.9, 0.6};
+constexpr RestSize size{grid, 0.9, 0.6};
 
 // The cloth is 0.3 m thick.
 PairGaps thick() {

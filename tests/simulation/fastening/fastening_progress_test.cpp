@@ -26,10 +26,10 @@ class Progress : public testing::Test {
  protected:
   // `steps` steps in which the halves go at these speeds, m/s, along their commands.
   void go(int steps, double first_m_s, double second_m_s) {
-    Matrix3Xd way = command() / 0.5 * step_s;
-    way.leftCols(10) *= first_m_s;
-    way.rightCols(10) *= second_m_s;
-    for (int step = 0; step < steps; ++step) progress_.add(command(), at_, at_ + way);
+    Matrix3Xd moved = command() / 0.5 * step_s;
+    moved.leftCols(10) *= first_m_s;
+    moved.rightCols(10) *= second_m_s;
+    for (int step = 0; step < steps; ++step) progress_.add(command(), at_, at_ + moved);
   }
 
   Matrix3Xd at_ = flat_ribbon(grid);
@@ -42,12 +42,13 @@ TEST_F(Progress, is_1_before_anything_was_commanded) {
   EXPECT_EQ(progress_.recent(), 1);
 }
 
-// By hand: v' = a (c - v) has v(t) = c (1 - exp(-a t)), and its way is c (t - (1 - exp(-a t)) / a).
+// By hand: v' = a (c - v) has v(t) = c (1 - exp(-a t)), and its distance is c (t - (1 - exp(-a t))
+// / a).
 TEST_F(Progress, of_free_particles_is_1_from_the_first_step_on) {
-  const auto way_s = [](double t) { return t + std::expm1(-air_per_s * t) / air_per_s; };
+  const auto travel_s = [](double t) { return t + std::expm1(-air_per_s * t) / air_per_s; };
   for (int step = 0; step < 50; ++step) {
-    const Matrix3Xd way = command() * (way_s((step + 1) * step_s) - way_s(step * step_s));
-    progress_.add(command(), at_, at_ + way);
+    const Matrix3Xd moved = command() * (travel_s((step + 1) * step_s) - travel_s(step * step_s));
+    progress_.add(command(), at_, at_ + moved);
     ASSERT_NEAR(progress_.recent(), 1, 1e-9) << step;
   }
 }
@@ -75,7 +76,7 @@ TEST_F(Progress, falls_below_0_when_the_ribbon_draws_the_hands_back) {
   EXPECT_NEAR(progress_.recent(), -0.1, 1e-3);
 }
 
-TEST_F(Progress, only_the_way_along_the_pull_counts) {
+TEST_F(Progress, only_motion_along_the_force_counts) {
   for (int step = 0; step < 300; ++step)
     progress_.add(command(), at_, at_.colwise() + Vector3d(0, 0.1, 0.1));
   EXPECT_EQ(progress_.recent(), 0);

@@ -8,8 +8,7 @@ namespace ribbon::hands_test {
 
 using Eigen::Matrix3Xd;
 
-constexpr RibbonGrid grid{101, 2};
-constexpr double length_m = 100;
+constexpr RestSize size{{101, 2}, 100, 1};
 
 Scene scene_of_hands() {
   Scene scene;
@@ -21,13 +20,13 @@ Scene scene_of_hands() {
 }
 
 Cloth cloth_at_rest(double stretch = 1) {
-  Cloth cloth{flat_ribbon(grid), Matrix3Xd::Zero(3, grid.particle_count()), 0.5};
+  Cloth cloth{flat_ribbon(size.grid), Matrix3Xd::Zero(3, size.grid.particle_count()), 0.5};
   cloth.positions.row(0) *= stretch;
   return cloth;
 }
 
 Hands hands_of(const Scene& scene) {
-  return {scene, grid, length_m, cloth_at_rest()};
+  return {scene, size, cloth_at_rest()};
 }
 
 TEST(Hands, pull_with_all_of_the_force_whatever_the_stretch_unless_they_yield) {
@@ -38,7 +37,7 @@ TEST(Hands, pull_with_all_of_the_force_whatever_the_stretch_unless_they_yield) {
   scene.fastening->yield_strain = 0.05;
   Hands yielding = hands_of(scene);
   EXPECT_TRUE(yielding.pull(stretched).isApprox(0.5 * stubborn));
-  EXPECT_NEAR(yielding.share(), 0.5, 1e-9);
+  EXPECT_NEAR(yielding.force_fraction(), 0.5, 1e-9);
 }
 
 TEST(Hands, with_a_speed_limit_do_not_pull_what_is_too_fast) {
@@ -49,6 +48,18 @@ TEST(Hands, with_a_speed_limit_do_not_pull_what_is_too_fast) {
   EXPECT_EQ(hands_of(scene).pull(cloth).norm(), 0);
 }
 
+// Hands that pull for `steps` steps, in each of which the ribbon moves so far along their pull, and
+// is then put back.
+void pull(Hands& hands, int steps, double moved_m) {
+  Cloth cloth = cloth_at_rest();
+  for (int step = 0; step < steps; ++step) {
+    const Eigen::RowVectorXd direction = hands.pull(cloth).row(0).cwiseSign();
+    cloth.positions.row(0) += moved_m * direction;
+    hands.follow(cloth);
+    cloth.positions.row(0) -= moved_m * direction;
+  }
+}
+
 // By hand: those who want at most 1 m/s and get it lack nothing.
 TEST(Hands, command_no_more_than_the_speed_limit) {
   Scene scene = scene_of_hands();
@@ -56,23 +67,15 @@ TEST(Hands, command_no_more_than_the_speed_limit) {
   scene.fastening->max_speed_m_s = 1;
   scene.air_resistance_per_s = 1000;
   Hands hands = hands_of(scene);
-  Cloth cloth = cloth_at_rest();
-  for (int step = 0; step < 30; ++step) {
-    const Matrix3Xd pull = hands.pull(cloth);
-    cloth.positions.row(0) += 0.1 * pull.row(0).cwiseSign();
-    hands.follow(cloth);
-    cloth.positions.row(0) -= 0.1 * pull.row(0).cwiseSign();
-  }
+  pull(hands, 30, 0.1);
   EXPECT_NEAR(hands.progress(), 1, 1e-2);
 }
 
 TEST(Hands, are_stopped_when_nothing_followed_for_two_seconds) {
   Hands hands = hands_of(scene_of_hands());
-  const Cloth cloth = cloth_at_rest();
   for (int step = 0; step < 20; ++step) {
     EXPECT_FALSE(hands.are_stopped()) << "too early to tell";
-    hands.pull(cloth);
-    hands.follow(cloth);
+    pull(hands, 1, 0);
   }
   EXPECT_TRUE(hands.are_stopped());
   EXPECT_EQ(hands.progress(), 0);
@@ -80,13 +83,7 @@ TEST(Hands, are_stopped_when_nothing_followed_for_two_seconds) {
 
 TEST(Hands, are_not_stopped_while_the_ribbon_springs_back) {
   Hands hands = hands_of(scene_of_hands());
-  Cloth cloth = cloth_at_rest();
-  for (int step = 0; step < 40; ++step) {
-    const Matrix3Xd pull = hands.pull(cloth);
-    cloth.positions.row(0) -= 0.05 * pull.row(0).cwiseSign();
-    hands.follow(cloth);
-    cloth.positions.row(0) += 0.05 * pull.row(0).cwiseSign();
-  }
+  pull(hands, 40, -0.05);
   EXPECT_LT(hands.progress(), -0.03);
   EXPECT_FALSE(hands.are_stopped());
 }

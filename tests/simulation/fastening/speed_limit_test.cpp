@@ -15,9 +15,9 @@ constexpr double step_s = 0.1;
 
 const SpeedLimit limit(2, mass_kg, air_per_s, step_s);
 
-Vector3d lowered(const Vector3d& velocity, const Vector3d& force) {
+Vector3d limited(const Vector3d& velocity, const Vector3d& force) {
   Matrix3Xd forces = force;
-  limit.lower(velocity, forces);
+  limit.apply(velocity, forces);
   return forces;
 }
 
@@ -30,31 +30,31 @@ double speed_after_a_step(double speed_m_s, double force_n) {
 TEST(SpeedLimit, leaves_a_force_alone_that_does_not_reach_it) {
   const Vector3d force(3, 0, 0);
   EXPECT_LT(speed_after_a_step(0, 3), 2);
-  EXPECT_EQ(lowered(Vector3d::Zero(), force), force);
+  EXPECT_EQ(limited(Vector3d::Zero(), force), force);
 }
 
 TEST(SpeedLimit, a_strong_force_reaches_it_in_one_step_and_no_more) {
-  const Vector3d force = lowered(Vector3d(0.5, 0, 0), Vector3d(1000, 0, 0));
+  const Vector3d force = limited(Vector3d(0.5, 0, 0), Vector3d(1000, 0, 0));
   EXPECT_NEAR(speed_after_a_step(0.5, force.x()), 2, 1e-12);
 }
 
 TEST(SpeedLimit, at_the_limit_what_the_air_takes_is_still_made_up_for) {
-  EXPECT_NEAR(lowered(Vector3d(2, 0, 0), Vector3d(1000, 0, 0)).x(), mass_kg * air_per_s * 2, 1e-12);
+  EXPECT_NEAR(limited(Vector3d(2, 0, 0), Vector3d(1000, 0, 0)).x(), mass_kg * air_per_s * 2, 1e-12);
 }
 
 TEST(SpeedLimit, does_not_pull_what_is_much_too_fast) {
-  EXPECT_EQ(lowered(Vector3d(10, 0, 0), Vector3d(1, 0, 0)), Vector3d::Zero());
+  EXPECT_EQ(limited(Vector3d(10, 0, 0), Vector3d(1, 0, 0)), Vector3d::Zero());
 }
 
 TEST(SpeedLimit, only_the_speed_along_the_force_counts) {
   const Vector3d force(0, 3, 0);
-  EXPECT_EQ(lowered(Vector3d(10, 0, 0), force), force);
+  EXPECT_EQ(limited(Vector3d(10, 0, 0), force), force);
 }
 
 TEST(SpeedLimit, keeps_the_direction_and_minds_no_force_at_all) {
-  const Vector3d force = lowered(Vector3d::Zero(), Vector3d(300, 0, 400));
+  const Vector3d force = limited(Vector3d::Zero(), Vector3d(300, 0, 400));
   EXPECT_TRUE(force.normalized().isApprox(Vector3d(0.6, 0, 0.8)));
-  EXPECT_EQ(lowered(Vector3d(1, 1, 1), Vector3d::Zero()), Vector3d::Zero());
+  EXPECT_EQ(limited(Vector3d(1, 1, 1), Vector3d::Zero()), Vector3d::Zero());
 }
 
 }  // namespace ribbon::speed_limit_test

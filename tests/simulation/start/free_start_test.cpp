@@ -74,7 +74,7 @@ TEST(FreeStart, a_ribbon_too_wide_for_its_crossing_is_grown_into_it) {
   EXPECT_EQ(start_of_width(0.6), StartKind::grown);
 }
 
-TEST(FreeStart, a_grown_ribbon_has_its_natural_size) {
+TEST(FreeStart, a_grown_ribbon_has_its_rest_size) {
   const Scene scene = scene_of_crossing(0.45);
   const RibbonMesh mesh = mesh_of(scene);
   const auto fastening = FasteningProcessor::create(scene, mesh, std::nullopt).value();
@@ -216,7 +216,7 @@ TEST(FreeStart, leaves_behind_nothing_that_the_gate_does_without) {
   const RibbonMesh mesh = mesh_of(scene);
   Bodies bodies{mesh.grid, std::nullopt};
   Cloth cloth{mesh.positions, Matrix3Xd::Zero(3, mesh.positions.cols()), 0.001};
-  Deformation deformation(scene, natural_size(mesh, 1), cloth.particle_mass_kg, bodies);
+  Deformation deformation(scene, rest_size(mesh, 1), cloth.particle_mass_kg, bodies);
   ASSERT_TRUE(find_free_start(scene, mesh, bodies, deformation, cloth).has_value());
   deformation.step({3, 0}, cloth);
   EXPECT_FALSE(bodies.ribbon.exists());

@@ -17,7 +17,7 @@ struct Band {
   Cloth cloth{mesh.positions, Matrix3Xd::Zero(3, mesh.positions.cols()), 0.001};
 
   Deformation deformation(double share_of_width) {
-    return {scene, natural_size(mesh, share_of_width), cloth.particle_mass_kg, bodies};
+    return {scene, rest_size(mesh, share_of_width), cloth.particle_mass_kg, bodies};
   }
 };
 

@@ -15,7 +15,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 constexpr RibbonGrid grid{21, 5};
-constexpr NaturalSize size{grid, 20, 4};  // edges of 1 m: a hard gap of 0.05, contact from 0.2 m on
+constexpr RestSize size{grid, 20, 4};  // edges of 1 m: a hard gap of 0.05, contact from 0.2 m on
 constexpr double step_s = 0.1;
 
 Cloth cloth_at(const Matrix3Xd& positions) {

@@ -9,7 +9,7 @@ namespace ribbon::contact_constraints_test {
 using Eigen::Matrix3Xd;
 
 constexpr RibbonGrid grid{5, 3};
-constexpr NaturalSize size{grid, 4, 2};
+constexpr RestSize size{grid, 4, 2};
 const PairGaps gaps{size, {.hard_m = 0.05, .contact_m = 0.2}};
 constexpr SurveyLengths lengths{.reach_m = 0.2, .slack_m = 0.1, .longest_way_m = 4};
 

@@ -7,7 +7,7 @@
 
 namespace ribbon {
 
-struct NaturalSize {
+struct RestSize {
   RibbonGrid grid;
   double length_m = 0;
   double width_m = 0;
