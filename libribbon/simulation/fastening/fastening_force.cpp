@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simulation/state/smoothed_directions.h"
+#include "simulation/state/smoothed_tangents.h"
 
 namespace ribbon {
 
@@ -41,7 +41,7 @@ double FasteningForce::strength_n(int particle, const Vector3d& position) const 
 }
 
 Matrix3Xd FasteningForce::at(const Matrix3Xd& positions) const {
-  Matrix3Xd forces = smoothed_directions_along(grid_, positions);
+  Matrix3Xd forces = smoothed_tangents(grid_, positions);
   for (int particle = 0; particle < grid_.particle_count(); ++particle) {
     const int twice_from_middle = 2 * grid_.row(particle) - (grid_.along - 1);
     const double sign = twice_from_middle > 0 ? 1 : twice_from_middle < 0 ? -1 : 0;

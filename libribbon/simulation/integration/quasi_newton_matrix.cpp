@@ -42,9 +42,9 @@ struct Diagonals {
   std::array<ArrayXd, 2> beside;  // one and two rows off the main one, the same for all rows
 };
 
-// A spring counts at both of its ends. Within a row its cost is that of the mode; between two rows
-// of amplitudes a and b, both families of a mirrored pair together cost
-// 2 (a^2 + b^2) - 2 (2 - cost of the mode) a b.
+// A spring counts at both of its ends. Within a row, a family costs what the mode does; between two
+// rows of amplitudes a and b it costs a^2 + b^2 - 2 (1 - cost / 2) a b, half of what it costs
+// together with its mirror image.
 Diagonals diagonals_of(const SpringNetwork& network, double inertia) {
   const auto [along, across] = network.grid;
   Diagonals result{ArrayXXd::Constant(across, along, inertia),

@@ -1,6 +1,6 @@
 #include "simulation/published/strain_correction.h"
 
-#include "simulation/state/smoothed_directions.h"
+#include "simulation/state/smoothed_tangents.h"
 
 namespace ribbon {
 
@@ -45,7 +45,7 @@ void StrainCorrection::correct_edge(int a, int b, double rest_length_m, const Ve
 }
 
 void StrainCorrection::apply(Matrix3Xd& positions) const {
-  const Matrix3Xd directions = smoothed_directions_along(grid_, positions);
+  const Matrix3Xd directions = smoothed_tangents(grid_, positions);
   for_each_spring(grid_, along_, [&](int a, int b) {
     correct_edge(a, b, along_.rest_length_m, directions.col(a) + directions.col(b), positions);
   });

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "simulation/state/smoothed_directions.h"
+#include "simulation/state/smoothed_tangents.h"
 
 namespace ribbon::fastening_force_test {
 
@@ -30,18 +30,18 @@ Matrix3Xd forces_on_straight(const FasteningScene& scene, double air_per_s = 1) 
   return force_on_straight(scene, air_per_s).at(straight(grid));
 }
 
-TEST(SmoothedDirections, of_a_straight_ribbon_are_its_direction) {
-  const Matrix3Xd directions = smoothed_directions_along(grid, straight(grid));
+TEST(SmoothedTangents, of_a_straight_ribbon_are_its_direction) {
+  const Matrix3Xd directions = smoothed_tangents(grid, straight(grid));
   for (int p = 0; p < grid.particle_count(); ++p)
     EXPECT_TRUE(directions.col(p).isApprox(Vector3d::UnitX())) << p;
 }
 
-TEST(SmoothedDirections, fade_where_the_ribbon_is_folded) {
+TEST(SmoothedTangents, fade_where_the_ribbon_is_folded) {
   // By hand: x is 0, 1, 0, 1, ... along each column, so that edges cancel in pairs.
   const RibbonGrid folded{8, 2};
   Matrix3Xd positions = straight(folded);
   for (int p = 0; p < folded.particle_count(); ++p) positions(0, p) = folded.row(p) % 2;
-  const Matrix3Xd directions = smoothed_directions_along(folded, positions);
+  const Matrix3Xd directions = smoothed_tangents(folded, positions);
   // Row 4: rows 1 to 6, five edges of length 1 that add up to -1.
   EXPECT_TRUE(directions.col(folded.particle(4, 0)).isApprox(Vector3d(-0.2, 0, 0)));
 }

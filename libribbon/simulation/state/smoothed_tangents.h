@@ -10,7 +10,6 @@ namespace ribbon {
 // For each particle: the sum of the edges along its column, over as many rows to either side as the
 // ribbon is particles wide, divided by the sum of their lengths. Length 1 where the ribbon is
 // straight, less where it is crumpled. 3 x particles.
-Eigen::Matrix3Xd smoothed_directions_along(const RibbonGrid& grid,
-                                           const Eigen::Matrix3Xd& positions);
+Eigen::Matrix3Xd smoothed_tangents(const RibbonGrid& grid, const Eigen::Matrix3Xd& positions);
 
 }  // namespace ribbon

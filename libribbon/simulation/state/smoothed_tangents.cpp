@@ -1,4 +1,4 @@
-#include "simulation/state/smoothed_directions.h"
+#include "simulation/state/smoothed_tangents.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@ namespace ribbon {
 
 using Eigen::Matrix3Xd;
 
-Matrix3Xd smoothed_directions_along(const RibbonGrid& grid, const Matrix3Xd& positions) {
+Matrix3Xd smoothed_tangents(const RibbonGrid& grid, const Matrix3Xd& positions) {
   const int reach = grid.across;
   // The edges of a stretch of a column add up to the difference of its ends; their lengths come
   // from running sums.
