@@ -45,7 +45,7 @@ TEST_P(Sample, starts_free_of_intersections_and_stays_so) {
 TEST_P(Sample, says_its_particles_in_its_name) {
   const Scene scene = read_scene(GetParam()).value();
   EXPECT_EQ(scene.name, GetParam().stem().string());
-  EXPECT_TRUE(scene.name.ends_with("-" + std::to_string(scene.ribbon.across) + "x" +
+  EXPECT_TRUE(scene.name.ends_with('-' + std::to_string(scene.ribbon.across) + 'x' +
                                    std::to_string(scene.ribbon.along)));
 }
 
