@@ -52,7 +52,8 @@ std::vector<TurnSums> turn_sums(const ObjectAxis& axis, const Eigen::Matrix3Xd& 
 // ribbon away.
 Eigen::ArrayXd nearest_other_strand_m(const Eigen::Matrix3Xd& middles, double spacing_m,
                                       double width_m) {
-  const auto apart = static_cast<Eigen::Index>(std::ceil(2 * width_m / spacing_m));
+  const auto count = static_cast<double>(middles.cols());
+  const auto apart = static_cast<Eigen::Index>(std::ceil(std::min(2 * width_m / spacing_m, count)));
   Eigen::ArrayXd squared =
       Eigen::ArrayXd::Constant(middles.cols(), std::numeric_limits<double>::infinity());
   for (Eigen::Index i = 0; i < middles.cols(); ++i)
