@@ -103,9 +103,9 @@ RecordingHeader header_of(const RecordingReader& source, const BranchRequest& re
 
 Result<void> copy_frames(RecordingReader& source, int count, RecordingWriter& target) {
   for (int frame = 0; frame < count; ++frame) {
-    const auto lattice = source.read_lattice(frame);
-    if (!lattice) return tl::unexpected(lattice.error());
-    if (auto appended = target.append(*source.numbers(frame), **lattice); !appended)
+    const auto quantised = source.read_quantised(frame);
+    if (!quantised) return tl::unexpected(quantised.error());
+    if (auto appended = target.append(*source.numbers(frame), **quantised); !appended)
       return appended;
   }
   return {};

@@ -13,7 +13,7 @@
 #include "playback/recording_reader.h"
 #include "recorder/recorded_frames.h"
 #include "recording/records/header_record.h"
-#include "recording/writer/archive_encoder.h"
+#include "recording/writer/compact_encoder.h"
 #include "recording/writer/record_file.h"
 #include "recording/writer/recording_writer.h"
 #include "recording/writer/references.h"
@@ -41,10 +41,10 @@ class PartFile {
   fs::path path_;
 };
 
-// Writes the frames of one recording into another, in the order of the archive.
-class Archiver {
+// Writes the frames of one recording into another, in the order of compaction_plan().
+class Compactor {
  public:
-  Archiver(RecordingReader& source, RecordingWriter& target)
+  Compactor(RecordingReader& source, RecordingWriter& target)
       : source_(source),
         target_(target),
         encoder_(codec_parameters(source.header()), source.header().max_position_error_m),
@@ -53,17 +53,17 @@ class Archiver {
   Result<void> take(const PlannedFrame& planned) {
     const std::uint32_t frame = planned.frame;
     if (planned.references.size() == 0) forget_group();
-    const auto lattice = source_.read_lattice(static_cast<int>(frame));
-    if (!lattice) return tl::unexpected(lattice.error());
-    const LatticeFrame& decoded = coded_[frame] = **lattice;
-    const ArchivedFrame archived = encoder_.encode(
+    const auto quantised = source_.read_quantised(static_cast<int>(frame));
+    if (!quantised) return tl::unexpected(quantised.error());
+    const QuantisedFrame& decoded = coded_[frame] = **quantised;
+    const CompactedFrame compacted = encoder_.encode(
         decoded, planned.references,
-        [this](std::uint32_t reference) -> const LatticeFrame& { return coded_.at(reference); });
+        [this](std::uint32_t reference) -> const QuantisedFrame& { return coded_.at(reference); });
     auto written = target_.append_encoded({.frame = frame,
-                                           .encoding = archived.encoded.encoding,
-                                           .references = archived.references,
+                                           .encoding = compacted.encoded.encoding,
+                                           .references = compacted.references,
                                            .numbers = *source_.numbers(static_cast<int>(frame)),
-                                           .geometry = archived.encoded.geometry});
+                                           .geometry = compacted.encoded.geometry});
     return written && has_checkpoint(frame) ? take_checkpoint(frame) : written;
   }
 
@@ -84,9 +84,9 @@ class Archiver {
 
   RecordingReader& source_;
   RecordingWriter& target_;
-  ArchiveEncoder encoder_;
+  CompactEncoder encoder_;
   std::vector<std::uint32_t> checkpoints_;
-  std::map<std::uint32_t, LatticeFrame> coded_;  // of this group, by number
+  std::map<std::uint32_t, QuantisedFrame> coded_;  // of this group, by number
 };
 
 // Nothing is left out of a recording without its owner's knowing.
@@ -99,11 +99,11 @@ Result<void> check_whole(const fs::path& path, RecordingReader& source) {
 // Whether all frames have been taken: not where the observer gives up.
 Result<bool> copy(RecordingReader& source, RecordingWriter& target,
                   const std::function<bool(int done, int total)>& go_on) {
-  Archiver archiver(source, target);
+  Compactor compactor(source, target);
   int done = 0;
   for (const PlannedFrame& planned :
-       archive_plan(static_cast<std::uint32_t>(source.frame_count()))) {
-    if (auto taken = archiver.take(planned); !taken) return tl::unexpected(taken.error());
+       compaction_plan(static_cast<std::uint32_t>(source.frame_count()))) {
+    if (auto taken = compactor.take(planned); !taken) return tl::unexpected(taken.error());
     if (go_on && !go_on(++done, source.frame_count())) return false;
   }
   for (const Session& session : source.sessions())

@@ -26,7 +26,7 @@ struct Compaction {
   bool operator==(const Compaction&) const = default;
 };
 
-// Rewrites a recording with frames predicted from both sides (archive_plan()): decoded, each has
+// Rewrites a recording with frames predicted from both sides (compaction_plan()): decoded, each has
 // the same bits, and header, numbers, sessions and ending are the same. Of the checkpoints those
 // stay that kept_checkpoints() names. The smaller one is written beside it, read again and compared
 // with it frame by frame, forced to the disk and only then put in its place, in one step: whenever

@@ -24,9 +24,9 @@ RecordingHeader header_of(const Scene& scene, const std::string& writer, const S
   header.frames_per_second = scene.recording.frames_per_second;
   header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
   header.entropy_tables = standard_entropy_tables();
-  header.lattice_step_m =
-      lattice_step_m(header.max_position_error_m, start.fastening.positions().cwiseAbs().maxCoeff(),
-                     ribbon.length_m);
+  header.quantisation_step_m =
+      quantisation_step_m(header.max_position_error_m,
+                          start.fastening.positions().cwiseAbs().maxCoeff(), ribbon.length_m);
   header.obstacle = obstacle;
   header.stated_gap_m = start.fastening.guaranteed_gap_m();
   header.centre_axis = centre_axis(scene);

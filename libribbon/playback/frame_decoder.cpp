@@ -32,7 +32,7 @@ FrameDecoder::Slot* FrameDecoder::at_hand(std::uint32_t frame) {
 // reference does not lie earlier in the file, so that there are no circles. With `all` also what is
 // at hand.
 std::optional<std::vector<std::uint32_t>> FrameDecoder::needed(std::uint32_t frame, bool all) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> found;  // by place in the file
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> found;  // by offset in the file
   std::vector<std::uint32_t> open = {frame};
   std::unordered_set<std::uint32_t> seen = {frame};
   while (!open.empty()) {
@@ -64,7 +64,7 @@ bool FrameDecoder::is_readable(std::uint32_t frame) {
   return needed(frame, true).has_value();
 }
 
-const LatticeFrame* FrameDecoder::decode(std::uint32_t frame) {
+const QuantisedFrame* FrameDecoder::decode(std::uint32_t frame) {
   begin_of_call_ = ++uses_;
   if (slots_.size() > slots_kept) slots_.resize(slots_kept);
   const auto frames = needed(frame, false);
@@ -73,7 +73,7 @@ const LatticeFrame* FrameDecoder::decode(std::uint32_t frame) {
     if (!decode_one(next)) return nullptr;
   Slot* slot = at_hand(frame);
   slot->last_use = ++uses_;
-  return &slot->lattice;
+  return &slot->quantised;
 }
 
 // One that this call does not need: the one that has not been used for longest, or a new one.
@@ -110,14 +110,14 @@ bool FrameDecoder::decode_record(const IndexedFrame& entry, Slot& slot) {
   if (!record || record->recording_id != start_.recording_id || record->frame != entry.frame ||
       record->references != entry.references)
     return false;
-  std::vector<const LatticeFrame*> references;
+  std::vector<const QuantisedFrame*> references;
   for (const std::uint32_t reference : entry.references) {
     Slot* decoded = at_hand(reference);
     if (decoded == nullptr) return false;
     decoded->last_use = ++uses_;
-    references.push_back(&decoded->lattice);
+    references.push_back(&decoded->quantised);
   }
-  return decoder_.decode(record->encoding, record->geometry, references, slot.lattice);
+  return decoder_.decode(record->encoding, record->geometry, references, slot.quantised);
 }
 
 }  // namespace ribbon

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "playback/recording_contents.h"
-#include "recording/codec/lattice_frame.h"
 #include "recording/codec/position_decoder.h"
+#include "recording/codec/quantised_frame.h"
 
 namespace ribbon {
 
@@ -25,13 +25,13 @@ class FrameDecoder {
 
   // Nothing where the frame cannot be decoded. Decodes only what is not at hand from earlier calls.
   // Valid until the next call.
-  const LatticeFrame* decode(std::uint32_t frame);
+  const QuantisedFrame* decode(std::uint32_t frame);
 
  private:
   struct Slot {
     std::uint32_t frame = 0;
     std::uint64_t last_use = 0;
-    LatticeFrame lattice;
+    QuantisedFrame quantised;
   };
 
   std::optional<std::vector<std::uint32_t>> needed(std::uint32_t frame, bool all);

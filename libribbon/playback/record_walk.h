@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "playback/random_access_file.h"
-#include "recording/records/record.h"
+#include "recording/records/record_head.h"
 
 namespace ribbon {
 

@@ -6,7 +6,7 @@
 
 #include "recording/records/checkpoint_record.h"
 #include "recording/records/frame_record.h"
-#include "recording/records/record.h"
+#include "recording/records/record_head.h"
 #include "recording/records/session_record.h"
 
 namespace ribbon {
@@ -62,7 +62,7 @@ bool RecordingContents::trust_directory() {
   return true;
 }
 
-std::optional<Index> RecordingContents::read_index(const IndexPlace& place) const {
+std::optional<Index> RecordingContents::read_index(const IndexLocation& place) const {
   const std::string record = file_.read(place.offset, place.record_bytes);
   const auto payload = whole_record(record, RecordType::index);
   if (!payload) return std::nullopt;
@@ -182,7 +182,7 @@ const char* RecordingContents::take_frame(const WalkStep& step) {
 const char* RecordingContents::take_index(const WalkStep& step) {
   const auto index = parse_index_payload(step.payload, start_.recording_id, step.offset);
   if (!index) return foreign;
-  indices_.push_back(place_of(*index, step.offset, static_cast<std::uint32_t>(step.length)));
+  indices_.push_back(location_of(*index, step.offset, static_cast<std::uint32_t>(step.length)));
   index_is_loaded_.push_back(true);
   if (!index->frames.empty()) table_.extend(indices_.back().highest_frame + 1);
   return nullptr;

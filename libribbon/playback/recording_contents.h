@@ -47,8 +47,8 @@ class RecordingContents {
   // Where the last whole record ends.
   [[nodiscard]] std::uint64_t end() const { return end_; }
   // The index records, and what one of them tells; nothing where that is not what was promised.
-  [[nodiscard]] const std::vector<IndexPlace>& indices() const { return indices_; }
-  [[nodiscard]] std::optional<Index> read_index(const IndexPlace& place) const;
+  [[nodiscard]] const std::vector<IndexLocation>& indices() const { return indices_; }
+  [[nodiscard]] std::optional<Index> read_index(const IndexLocation& place) const;
 
  private:
   bool trust_directory();
@@ -69,7 +69,7 @@ class RecordingContents {
   const RecordingStart& start_;
   FrameTable table_;
   std::vector<IndexedOther> others_;
-  std::vector<IndexPlace> indices_;
+  std::vector<IndexLocation> indices_;
   std::vector<bool> index_is_loaded_;  // not all of them are while the directory is trusted
   std::vector<bool> page_is_loaded_;   // likewise, of the table
   std::vector<Damage> damage_;

@@ -151,17 +151,17 @@ void RecordingReader::check() {
 }
 
 Result<void> RecordingReader::read(int index, Eigen::Matrix3Xf& positions) {
-  const auto decoded = read_lattice(index);
+  const auto decoded = read_quantised(index);
   if (!decoded) return tl::unexpected(decoded.error());
   (*decoded)->positions(positions);
   return {};
 }
 
-Result<const LatticeFrame*> RecordingReader::read_lattice(int index) {
+Result<const QuantisedFrame*> RecordingReader::read_quantised(int index) {
   assert(index >= 0 && index < frame_count());
   State& state = *state_;
   const auto frame = static_cast<std::uint32_t>(index);
-  const LatticeFrame* decoded = state.surely([&] { return state.decoder.decode(frame); });
+  const QuantisedFrame* decoded = state.surely([&] { return state.decoder.decode(frame); });
   if (decoded == nullptr)
     return failure(state.path.string() + ": frame " + std::to_string(index + 1),
                    "is damaged or builds on a frame that is",

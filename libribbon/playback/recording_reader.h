@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "playback/damage.h"
-#include "recording/codec/lattice_frame.h"
+#include "recording/codec/quantised_frame.h"
 #include "recording/records/recording.h"
 #include "result/result.h"
 
@@ -70,7 +70,7 @@ class RecordingReader {
   Result<void> read(int index, Eigen::Matrix3Xf& positions);
 
   // The same frame as other frames are predicted from it. Valid until the next call.
-  Result<const LatticeFrame*> read_lattice(int index);
+  Result<const QuantisedFrame*> read_quantised(int index);
 
  private:
   struct State;

@@ -5,7 +5,7 @@
 
 #include "recording/coding/checksum.h"
 #include "recording/records/header_record.h"
-#include "recording/records/record.h"
+#include "recording/records/record_head.h"
 
 namespace ribbon {
 

@@ -19,7 +19,7 @@ namespace {
 // those whose index record is lost.
 Index not_indexed(RecordingContents& contents) {
   std::set<std::uint64_t> indexed;  // by offset
-  for (const IndexPlace& place : contents.indices()) {
+  for (const IndexLocation& place : contents.indices()) {
     const auto index = contents.read_index(place);
     if (!index) continue;
     for (const IndexedFrame& frame : index->frames) indexed.insert(frame.offset);
@@ -72,8 +72,8 @@ Result<RecordingWriter> resume_recording(const std::filesystem::path& path) {
                        .not_indexed = not_indexed(contents),
                        .recent = {}};
   for (const std::uint32_t reference : live_references(so_far.frames))
-    if (const LatticeFrame* lattice = decoder.decode(reference))
-      so_far.recent.push_back({reference, *lattice});
+    if (const QuantisedFrame* quantised = decoder.decode(reference))
+      so_far.recent.push_back({reference, *quantised});
   if (auto cut = target->cut(contents.end()); !cut) return tl::unexpected(std::move(cut.error()));
   return RecordingWriter(std::move(*target), std::move(so_far));
 }

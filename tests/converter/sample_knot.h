@@ -61,8 +61,8 @@ inline SampleKnot sample_knot(RibbonGrid grid = {.along = 12, .across = 4},
   knot.header.frames_per_second = 50;
   // Single precision cannot keep the usual bound a kilometre away.
   knot.header.max_position_error_m = 1e-5 * knot.header.ribbon_length_m + 1e-6 * origin.norm();
-  knot.header.lattice_step_m =
-      lattice_step_m(knot.header.max_position_error_m, origin.norm() + knot.header.ribbon_length_m);
+  knot.header.quantisation_step_m = quantisation_step_m(
+      knot.header.max_position_error_m, origin.norm() + knot.header.ribbon_length_m);
   knot.header.obstacle = sample_obstacle(origin.cast<float>());
   for (const double phase : {0.0, 0.7, 1.4, 0.0, 2.1})
     knot.frames.emplace_back(sample_wave(grid, phase).colwise() + origin);

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double bound_m = 1e-4;
 
-std::vector<LatticeFrame> reference_frames(const CodecParameters& parameters, int count) {
+std::vector<QuantisedFrame> reference_frames(const CodecParameters& parameters, int count) {
   PositionEncoder encoder(parameters, bound_m);
-  std::vector<LatticeFrame> frames;
+  std::vector<QuantisedFrame> frames;
   frames.reserve(static_cast<std::size_t>(count));
   for (int turn = 0; turn < count; ++turn)
     frames.push_back(encoder.encode(wave(parameters.grid, turn), {}).value().frame);
@@ -24,11 +24,11 @@ std::vector<LatticeFrame> reference_frames(const CodecParameters& parameters, in
 
 void decode(const CodecParameters& parameters, int references, FrameEncoding encoding,
             std::string_view geometry) {
-  const std::vector<LatticeFrame> frames = reference_frames(parameters, references);
-  std::vector<const LatticeFrame*> pointers;
+  const std::vector<QuantisedFrame> frames = reference_frames(parameters, references);
+  std::vector<const QuantisedFrame*> pointers;
   pointers.reserve(frames.size());
-  for (const LatticeFrame& frame : frames) pointers.push_back(&frame);
-  LatticeFrame decoded;
+  for (const QuantisedFrame& frame : frames) pointers.push_back(&frame);
+  QuantisedFrame decoded;
   if (!PositionDecoder(parameters).decode(encoding, geometry, pointers, decoded)) return;
   Eigen::Matrix3Xf positions;
   decoded.positions(positions);
@@ -44,10 +44,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzInput input(data, size);
   const int along = input.between(2, 48);
   const int across = input.between(2, 33);
-  const bool on_lattice = input.between(0, 3) > 0;
+  const bool uniform = input.between(0, 3) > 0;
   const auto encoding = static_cast<FrameEncoding>(input.between(0, 1));
   const int references = input.between(0, static_cast<int>(most_references));
   const ExactCopy geometry(input.rest());
-  decode(parameters_for({along, across}, on_lattice), references, encoding, geometry.view());
+  decode(parameters_for({along, across}, uniform), references, encoding, geometry.view());
   return 0;
 }

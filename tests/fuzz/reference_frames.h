@@ -8,11 +8,11 @@
 
 namespace ribbon {
 
-// The parameters for a grid, on a lattice of 2^-16 m or on that of all single-precision numbers.
-inline CodecParameters parameters_for(const RibbonGrid& grid, bool on_lattice) {
+// The parameters for a grid: steps of 2^-16 m, or exact single precision.
+inline CodecParameters parameters_for(const RibbonGrid& grid, bool uniform) {
   CodecParameters parameters;
   parameters.grid = grid;
-  parameters.step_m = on_lattice ? 0x1p-16F : 0;
+  parameters.step_m = uniform ? 0x1p-16F : 0;
   return parameters;
 }
 

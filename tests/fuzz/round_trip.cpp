@@ -28,7 +28,7 @@ Task take_task(FuzzInput& input) {
   const double reach_m = reaches_m[input.between(0, static_cast<int>(reaches_m.size()) - 1)];
   Task task{{}, bound_m};
   task.parameters.grid = grid;
-  task.parameters.step_m = lattice_step_m(bound_m, reach_m);
+  task.parameters.step_m = quantisation_step_m(bound_m, reach_m);
   return task;
 }
 
@@ -73,9 +73,9 @@ class Motion {
   Eigen::Matrix3Xd positions_;
 };
 
-std::vector<const LatticeFrame*> take_references(const std::vector<LatticeFrame>& frames,
-                                                 FuzzInput& input) {
-  std::vector<const LatticeFrame*> references;
+std::vector<const QuantisedFrame*> take_references(const std::vector<QuantisedFrame>& frames,
+                                                   FuzzInput& input) {
+  std::vector<const QuantisedFrame*> references;
   if (frames.empty()) return references;
   const int count = static_cast<int>(frames.size());
   for (int i = input.between(0, static_cast<int>(most_references)); i > 0; --i)
@@ -101,7 +101,7 @@ void check_bound(const Eigen::Matrix3Xf& decoded, const Eigen::Matrix3Xd& positi
 
 // A frame through the codec; what a decoder has of it is added to `frames`.
 void check_frame(const Task& task, const Eigen::Matrix3Xd& positions, PositionEncoder& encoder,
-                 PositionDecoder& decoder, FuzzInput& input, std::vector<LatticeFrame>& frames) {
+                 PositionDecoder& decoder, FuzzInput& input, std::vector<QuantisedFrame>& frames) {
   const auto references = take_references(frames, input);
   const auto encoded = encoder.encode(positions, references);
   const auto again = PositionEncoder(task.parameters, task.bound_m).encode(positions, references);
@@ -111,7 +111,7 @@ void check_frame(const Task& task, const Eigen::Matrix3Xd& positions, PositionEn
   must(encoded->encoding == again->encoding && encoded->geometry == again->geometry,
        "the same frame gives the same bytes");
   const ExactCopy geometry(encoded->geometry);
-  LatticeFrame decoded;
+  QuantisedFrame decoded;
   must(decoder.decode(encoded->encoding, geometry.view(), references, decoded),
        "what was encoded can be decoded");
   Eigen::Matrix3Xf ours;
@@ -134,7 +134,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   PositionEncoder encoder(task.parameters, task.bound_m);
   PositionDecoder decoder(task.parameters);
   Motion motion(task.parameters.grid);
-  std::vector<LatticeFrame> frames;
+  std::vector<QuantisedFrame> frames;
   frames.reserve(most_frames);  // references point into it
   for (int i = 0; i < most_frames && !input.rest().empty(); ++i)
     check_frame(task, motion.next(input), encoder, decoder, input, frames);

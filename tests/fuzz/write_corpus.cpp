@@ -57,27 +57,27 @@ void write_round_trips(const std::filesystem::path& folder) {
 }
 
 // A frame with `references` before it, as hostile_geometry.cpp reads it.
-std::string geometry(const RibbonGrid& grid, bool on_lattice, int references) {
+std::string geometry(const RibbonGrid& grid, bool uniform, int references) {
   constexpr double bound_m = 1e-4;
-  PositionEncoder encoder(parameters_for(grid, on_lattice), bound_m);
-  std::vector<LatticeFrame> frames;
+  PositionEncoder encoder(parameters_for(grid, uniform), bound_m);
+  std::vector<QuantisedFrame> frames;
   frames.reserve(static_cast<std::size_t>(references));
   for (int turn = 0; turn < references; ++turn)
     frames.push_back(encoder.encode(wave(grid, turn), {}).value().frame);
-  std::vector<const LatticeFrame*> pointers;
+  std::vector<const QuantisedFrame*> pointers;
   pointers.reserve(frames.size());
-  for (const LatticeFrame& frame : frames) pointers.push_back(&frame);
+  for (const QuantisedFrame& frame : frames) pointers.push_back(&frame);
   const EncodedFrame encoded = encoder.encode(wave(grid, references), pointers).value();
-  return bytes({grid.along - 2, grid.across - 2, on_lattice ? 1 : 0,
+  return bytes({grid.along - 2, grid.across - 2, uniform ? 1 : 0,
                 static_cast<int>(encoded.encoding), references}) +
          encoded.geometry;
 }
 
 void write_geometries(const std::filesystem::path& folder) {
-  for (const bool on_lattice : {false, true})
+  for (const bool uniform : {false, true})
     for (int references = 0; references <= static_cast<int>(most_references); ++references)
-      write(folder / ((on_lattice ? "lattice_" : "exact_") + std::to_string(references)),
-            geometry({17, 6}, on_lattice, references));
+      write(folder / ((uniform ? "quantised_" : "exact_") + std::to_string(references)),
+            geometry({17, 6}, uniform, references));
 }
 
 RecordingHeader header_of(double max_error_m) {
@@ -91,7 +91,7 @@ RecordingHeader header_of(double max_error_m) {
   header.ribbon_width_m = 0.02;
   header.frames_per_second = 60;
   header.max_position_error_m = max_error_m;
-  header.lattice_step_m = lattice_step_m(max_error_m, 1);
+  header.quantisation_step_m = quantisation_step_m(max_error_m, 1);
   return header;
 }
 

@@ -52,7 +52,7 @@ TEST(Verify, the_sample_is_in_order) {
 TEST(Verify, the_frame_with_the_largest_strain_is_named) {
   RecordingHeader exact = sample_header();  // rounding would strain the ribbon more than its twist
   exact.max_position_error_m = 0;
-  exact.lattice_step_m = 0;
+  exact.quantisation_step_m = 0;
   std::vector<Eigen::Matrix3Xd> frames;
   frames.reserve(7);
   for (int frame = 0; frame < 7; ++frame) frames.push_back(sample_positions(frame));

@@ -16,7 +16,7 @@
 #include "recording/coding/bytes.h"
 #include "recording/coding/checksum.h"
 #include "recording/records/header_record.h"
-#include "recording/records/record.h"
+#include "recording/records/record_head.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
 
@@ -354,10 +354,10 @@ TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
   std::uint64_t first_index = 0;
   {
     auto writer = RecordingWriter::create(path_, sample_header({3, 2}));
-    LatticeFrame last;
+    QuantisedFrame last;
     for (std::uint32_t frame = 0; frame < 258; ++frame) {
       if (frame == 256) first_index = writer->bytes_written();
-      std::vector<const LatticeFrame*> needed;
+      std::vector<const QuantisedFrame*> needed;
       FrameRecord record{.frame = frame, .numbers = sample_numbers(static_cast<int>(frame))};
       if (frame % 16 != 1) needed.push_back(&last);
       if (frame == 0) needed.clear();

@@ -270,7 +270,7 @@ TEST_F(ResumedRecording, stale_blocks_of_another_recording_are_never_its_frames)
     ASSERT_TRUE(writer.finish().has_value());
   }
   const std::string stale = read_file(other_path).value();
-  ASSERT_EQ(stale.size(), whole_.size()) << "records must lie at the same places";
+  ASSERT_EQ(stale.size(), whole_.size()) << "records must lie at the same offsets";
   auto truth = RecordingReader::open(whole_path_);
   constexpr std::size_t block = 4096;
   for (std::size_t at = block; at + block < whole_.size(); at += block) {

@@ -94,7 +94,7 @@ TEST_F(Branch, its_header_tells_where_it_came_from_and_holds_its_own_scene) {
   EXPECT_EQ(header.scene_name, "fast");
   EXPECT_EQ(header.writer, "brancher");
   EXPECT_EQ(read_scene(target(), header.scene_text)->fastening->speed_m_s, 1);
-  EXPECT_EQ(header.lattice_step_m, before.header().lattice_step_m);
+  EXPECT_EQ(header.quantisation_step_m, before.header().quantisation_step_m);
   EXPECT_FALSE(before.header().origin.has_value());
 }
 
@@ -130,7 +130,7 @@ TEST_F(Branch, without_loss_stays_without_loss) {
                      with_setting("", scene.text, "recording.max_position_error=0").value())
               .value();
   record_source(scene);
-  EXPECT_EQ(RecordingReader::open(source())->header().lattice_step_m, 0);
+  EXPECT_EQ(RecordingReader::open(source())->header().quantisation_step_m, 0);
   EXPECT_GT(RecordingReader::open(source())->header().stated_gap_m, 0);
   ASSERT_EQ(refusal(20, {}), "");
   EXPECT_EQ(common_frames(), 61);

@@ -86,7 +86,7 @@ TEST_F(Compacted, every_frame_has_the_same_bits_and_the_file_is_smaller) {
   for (const double bound_m : {1e-5, 0.0}) {
     RecordingHeader header = sample_header();
     header.max_position_error_m = bound_m;
-    header.lattice_step_m = lattice_step_m(bound_m, 1);
+    header.quantisation_step_m = quantisation_step_m(bound_m, 1);
     record_waves(header);
     const auto before = frames_of(file_);
     const std::uintmax_t bytes_before = fs::file_size(file_);
@@ -136,7 +136,7 @@ TEST_F(Compacted, a_jump_shows_what_playing_shows) {
 }
 
 // Plain frames help no others; those around them must do without.
-TEST_F(Compacted, frames_beyond_the_lattice_stay_as_they_are) {
+TEST_F(Compacted, frames_beyond_the_reach_of_quantised_positions_stay_as_they_are) {
   {
     auto writer = RecordingWriter::create(file_, sample_header()).value();
     for (int frame = 0; frame < frames; ++frame) {

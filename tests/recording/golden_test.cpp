@@ -69,7 +69,7 @@ RecordingHeader golden_header() {
   header.ribbon_width_m = 0.125;
   header.frames_per_second = 64;
   header.max_position_error_m = 0x1p-15;
-  header.lattice_step_m = 0x1p-15;
+  header.quantisation_step_m = 0x1p-15;
   header.entropy_tables = standard_entropy_tables();
   TriangleMesh tetrahedron{"tetrahedron", Eigen::Matrix3Xf(3, 4), Eigen::Matrix3Xi(3, 4)};
   tetrahedron.vertices << 0, 1, 0, 0,  //

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from recorded_lattice import Damaged, LatticeCodec
+from recorded_positions import Damaged, PositionCodec
 from zstd_frames import zstd_content
 
 SIGNATURE = b"\x89RBN\r\n\x1a\n"
@@ -92,7 +92,7 @@ class Header:
             raise Damaged(f"this is version {self.major} of the format")
         self.along, self.across = fields.take("II")
         self.length_m, self.width_m, self.frames_per_second = fields.take("ddd")
-        self.max_position_error_m, self.lattice_step_m = fields.take("dd")
+        self.max_position_error_m, self.quantisation_step_m = fields.take("dd")
         self.scene_name, self.writer, self.scene_text = (fields.text() for _ in range(3))
         self.uv = np.frombuffer(fields.block(), "<f4").reshape(-1, 2)
         self.obstacle = self.take_obstacle(fields) if fields.take("B") == 1 else None
@@ -201,7 +201,7 @@ class Recording:
         self.directory = None
         for offset, kind, payload in found[1:]:
             self.take(offset, kind, payload)
-        self.codec = LatticeCodec(self.header)
+        self.codec = PositionCodec(self.header)
         self.decoded = {}
 
     def take(self, offset, kind, payload):
@@ -283,12 +283,12 @@ class Recording:
 
     def positions(self, number):
         """Coordinates of a frame, 3 x particles, f32."""
-        return self.codec.coordinates(self.lattice(number))
+        return self.codec.coordinates(self.frame(number))
 
-    def lattice(self, number):
+    def frame(self, number):
         if number not in self.decoded:
             frame = self.frames[number]
-            references = [self.lattice(reference) for reference in frame.references]
+            references = [self.frame(reference) for reference in frame.references]
             self.decoded[number] = self.codec.decode(frame.encoding, frame.geometry, references)
         return self.decoded[number]
 

@@ -42,7 +42,7 @@ const std::vector<Kind> kinds = {
     {.name = "coarse", .grid = {40, 16}, .max_error_m = 1e-2, .frames = 20},
     {.name = "exact", .grid = {40, 16}, .max_error_m = 0, .frames = 20},
     {.name = "flat", .grid = {12, 5}, .max_error_m = 0, .frames = 20, .flat = true},
-    {.name = "beyond_the_lattice",
+    {.name = "beyond_the_reach",
      .grid = {20, 5},
      .max_error_m = 1e-5,
      .frames = 12,
@@ -60,7 +60,7 @@ RecordingHeader header_of(const Kind& kind) {
   header.ribbon_width_m = 0.006 * (kind.grid.across - 1);
   header.frames_per_second = 60;
   header.max_position_error_m = kind.max_error_m;
-  header.lattice_step_m = lattice_step_m(kind.max_error_m, 2);
+  header.quantisation_step_m = quantisation_step_m(kind.max_error_m, 2);
   if (kind.rich) header.entropy_tables = standard_entropy_tables();
   if (!kind.rich) return header;
   header.obstacle =
@@ -72,7 +72,7 @@ RecordingHeader header_of(const Kind& kind) {
 }
 
 // A wave that goes over the ribbon, shaken from frame 10 on; every fifth frame of what reaches
-// beyond the lattice does so.
+// beyond the reach of quantised positions does so.
 Eigen::Matrix3Xd positions_at(const Kind& kind, int frame) {
   std::mt19937 random(static_cast<unsigned>(frame));
   const double shake = frame < 10 ? 1e-6 : 1e-4;

@@ -49,11 +49,11 @@ CodecParameters parameters_for(const RibbonGrid& grid, double max_error_m) {
   parameters.grid = grid;
   parameters.ribbon_length_m = 0.01 * grid.along;
   parameters.ribbon_width_m = 0.006 * grid.across;
-  parameters.step_m = lattice_step_m(max_error_m, 4);
+  parameters.step_m = quantisation_step_m(max_error_m, 4);
   return parameters;
 }
 
-void add_frame(const EncodedFrame& encoded, const LatticeFrame& decoded, Hash& hash) {
+void add_frame(const EncodedFrame& encoded, const QuantisedFrame& decoded, Hash& hash) {
   hash.add(static_cast<std::uint32_t>(encoded.encoding));
   for (const char byte : encoded.geometry) hash.add(static_cast<unsigned char>(byte));
   Eigen::Matrix3Xf positions;
@@ -63,20 +63,20 @@ void add_frame(const EncodedFrame& encoded, const LatticeFrame& decoded, Hash& h
 }
 
 // What frames become that were recorded and are predicted anew, from those around them.
-void add_archived(const RibbonGrid& grid, double max_error_m, Hash& hash) {
+void add_compacted(const RibbonGrid& grid, double max_error_m, Hash& hash) {
   const CodecParameters parameters = parameters_for(grid, max_error_m);
   PositionEncoder encoder(parameters, max_error_m);
   PositionDecoder decoder(parameters);
-  std::vector<LatticeFrame> frames;
+  std::vector<QuantisedFrame> frames;
   for (int frame = 0; frame < 8; ++frame)
     frames.push_back(encoder.rounded(positions_at(grid, frame)).value());
   for (const std::vector<std::size_t>& around :
        {std::vector<std::size_t>{3}, {3, 5}, {3, 5, 2}, {3, 5, 2, 6}}) {
-    std::vector<const LatticeFrame*> references;
+    std::vector<const QuantisedFrame*> references;
     for (const std::size_t reference : around) references.push_back(&frames[reference]);
     const EncodedFrame encoded =
-        encoder.encode_rounded(frames[4], references, Prediction::between, Fit::thorough);
-    LatticeFrame decoded;
+        encoder.encode_rounded(frames[4], references, Prediction::b, Fit::thorough);
+    QuantisedFrame decoded;
     ASSERT_TRUE(decoder.decode(encoded.encoding, encoded.geometry, references, decoded));
     add_frame(encoded, decoded, hash);
   }
@@ -87,16 +87,16 @@ void add_motion(const RibbonGrid& grid, double max_error_m, Hash& hash) {
   const CodecParameters parameters = parameters_for(grid, max_error_m);
   PositionEncoder encoder(parameters, max_error_m);
   PositionDecoder decoder(parameters);
-  std::vector<LatticeFrame> frames(12);
+  std::vector<QuantisedFrame> frames(12);
   for (std::uint32_t frame = 0; frame < frames.size(); ++frame) {
-    std::vector<const LatticeFrame*> references;
+    std::vector<const QuantisedFrame*> references;
     for (const std::uint32_t reference : live_references(frame))
       references.push_back(&frames[reference]);
     const auto encoded =
         encoder.encode(positions_at(grid, static_cast<int>(frame)), references).value();
     ASSERT_TRUE(decoder.decode(encoded.encoding, encoded.geometry, references, frames[frame]));
     add_frame(encoded, frames[frame], hash);
-    LatticeFrame by_another;
+    QuantisedFrame by_another;
     ASSERT_TRUE(PositionDecoder(parameters)
                     .decode(encoded.encoding, encoded.geometry, references, by_another));
     Eigen::Matrix3Xf positions;
@@ -113,7 +113,7 @@ std::uint64_t hash_of_motions() {
        {RibbonGrid{40, 16}, RibbonGrid{33, 7}, RibbonGrid{9, 2}, RibbonGrid{2, 37}, {150, 3}})
     for (const double max_error_m : {1e-3, 1e-5, 1e-6, 0.0}) {
       add_motion(grid, max_error_m, hash);
-      add_archived(grid, max_error_m, hash);
+      add_compacted(grid, max_error_m, hash);
     }
   return hash.value();
 }

@@ -59,7 +59,7 @@ RecordingHeader sample_header() {
   header.ribbon_width_m = 0.1;
   header.frames_per_second = 50;
   header.max_position_error_m = 1e-5;
-  header.lattice_step_m = lattice_step_m(header.max_position_error_m, 1);
+  header.quantisation_step_m = quantisation_step_m(header.max_position_error_m, 1);
   header.obstacle = octahedron();
   header.stated_gap_m = 1e-4;
   header.centre_axis = CentreAxis{{0, 0.5, 0}, {0, 0.6, 0.8}};

@@ -84,16 +84,16 @@ int shift_for(const NormalEquations& solved) {
                     20);
 }
 
-std::vector<CellGroup> groups_of(const ParityPlanes& planes, int plane, int begin, int end) {
+std::vector<CellGroup> groups_of(const PolyphasePlanes& planes, int plane, int begin, int end) {
   std::vector<CellGroup> groups;
   for (int b = begin; b < end; ++b)
-    for (int a = 0; a < planes.rows(plane); a += ParityPlanes::lane_quantum)
+    for (int a = 0; a < planes.rows(plane); a += PolyphasePlanes::lane_quantum)
       groups.push_back({plane, planes.cell(plane, a, b),
-                        std::min(ParityPlanes::lane_quantum, planes.rows(plane) - a)});
+                        std::min(PolyphasePlanes::lane_quantum, planes.rows(plane) - a)});
   return groups;
 }
 
-std::vector<CellGroup> groups_of(const ParityPlanes& planes, std::size_t stage) {
+std::vector<CellGroup> groups_of(const PolyphasePlanes& planes, std::size_t stage) {
   if (stage == first_column) return groups_of(planes, 0, 0, 1);
   if (stage == coarse) return groups_of(planes, 0, 1, planes.columns(0));
   if (stage == diagonal) return groups_of(planes, 3, 0, planes.columns(3));
@@ -113,7 +113,7 @@ void thin_out(std::vector<CellGroup>& groups, std::size_t wanted) {
 class WeightFit {
  public:
   WeightFit(const PredictedFrame& frame, Fit fit) : frame_(frame), fit_(fit) {
-    if (!frame.on_lattice) unit_ = mean_change();
+    if (!frame.uniform) unit_ = mean_change();
   }
 
   [[nodiscard]] RecordedWeights run() const {
@@ -151,7 +151,7 @@ class WeightFit {
                    rounded);
   }
 
-  // Without a lattice there is no step that would tell what restless is.
+  // Without a quantisation step nothing else tells what restless is.
   [[nodiscard]] float mean_change() const {
     double sum = 0;
     double count = 0;
@@ -168,9 +168,9 @@ class WeightFit {
       const auto value = [&](std::size_t k) {
         return static_cast<double>(frame_.reference_values[k][c][cell]);
       };
-      const bool between = frame_.prediction == Prediction::between;
-      sum += between ? std::abs((value(3) - value(1)) - (value(0) - value(2)))
-                     : std::abs((value(0) - value(1)) - (value(1) - value(2)));
+      const bool is_b = frame_.prediction == Prediction::b;
+      sum += is_b ? std::abs((value(3) - value(1)) - (value(0) - value(2)))
+                  : std::abs((value(0) - value(1)) - (value(1) - value(2)));
     }
     return sum / 3;
   }
@@ -190,8 +190,8 @@ RecordedWeights fit_weights(const PredictedFrame& frame, Fit fit) {
   return WeightFit(frame, fit).run();
 }
 
-WithinWeights fit_within_weights(const ParityPlanes& planes, const PlaneFields<float>& values) {
-  WithinWeights weights;
+IntraWeights fit_intra_weights(const PolyphasePlanes& planes, const PlaneFields<float>& values) {
+  IntraWeights weights;
   for (const std::size_t stage : {std::size_t{0}, std::size_t{1}}) {
     NormalEquations equations(2);
     const int plane = stage == 0 ? 3 : 1;
@@ -200,11 +200,11 @@ WithinWeights fit_within_weights(const ParityPlanes& planes, const PlaneFields<f
       for (int b = 0; b < planes.columns(plane); ++b)
         for (std::size_t c = 0; c < 3; ++c) {
           const float* x = values[c].data() + planes.cell(plane, a, b);
-          const auto mean_of = [&](std::initializer_list<std::pair<int, int>> places) {
+          const auto mean_of = [&](std::initializer_list<std::pair<int, int>> steps) {
             double sum = 0;
-            for (const auto& [di, dj] : places)
+            for (const auto& [di, dj] : steps)
               sum += static_cast<double>(x[planes.step(plane, di, dj)]);
-            return sum / static_cast<double>(places.size());
+            return sum / static_cast<double>(steps.size());
           };
           const double along = stage == 0 ? 0 : mean_of({{-1, 0}, {1, 0}});
           const double across = stage == 0 ? 0 : mean_of({{0, -1}, {0, 1}});

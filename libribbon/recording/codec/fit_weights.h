@@ -17,7 +17,7 @@ enum class Fit : std::uint8_t { quick, thorough };
 // arithmetic in a fixed order.
 RecordedWeights fit_weights(const PredictedFrame& frame, Fit fit);
 
-// Likewise within a frame; values: of all particles, borders continued plane by plane.
-WithinWeights fit_within_weights(const ParityPlanes& planes, const PlaneFields<float>& values);
+// Likewise for an intra frame; values: of all particles, borders continued plane by plane.
+IntraWeights fit_intra_weights(const PolyphasePlanes& planes, const PlaneFields<float>& values);
 
 }  // namespace ribbon

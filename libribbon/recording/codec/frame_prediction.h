@@ -1,12 +1,12 @@
-// A frame between its values and its ranks: what the encoder and the decoder have in common.
+// Values of a frame to residuals and back: what the encoder and the decoder have in common.
 #pragma once
 
 #include <span>
 
 #include "recording/codec/codec_parameters.h"
 #include "recording/codec/frame_loops.h"
-#include "recording/codec/lattice_frame.h"
-#include "recording/codec/rank_blocks.h"
+#include "recording/codec/quantised_frame.h"
+#include "recording/codec/residual_blocks.h"
 
 namespace ribbon {
 
@@ -16,30 +16,30 @@ class FramePrediction {
   explicit FramePrediction(const CodecParameters& parameters);
 
   // Begins a frame. references: none of them plain, and they must live until it ends; none at all:
-  // it is predicted within itself.
-  void begin(Prediction prediction, std::span<const LatticeFrame* const> references);
+  // it is an intra frame.
+  void begin(Prediction prediction, std::span<const QuantisedFrame* const> references);
 
   [[nodiscard]] Prediction prediction() const { return frame_.prediction; }
-  [[nodiscard]] const ParityPlanes& planes() const { return planes_; }
+  [[nodiscard]] const PolyphasePlanes& planes() const { return planes_; }
 
-  Weights weights{};               // used unless the frame is predicted within itself
-  WithinWeights within_weights{};  // used if it is
+  Weights weights{};             // of P and B frames
+  IntraWeights intra_weights{};  // of intra frames
 
-  // Makes the values of `frame` from ranks.
-  void decode(Ranks& ranks, LatticeFrame& frame);
+  // Makes the values of `frame` from residuals.
+  void decode(Residuals& residuals, QuantisedFrame& frame);
 
-  // Takes the frame that is to be fitted and ranked.
-  void set(LatticeFrame& frame);
+  // Takes the frame that is to be fitted and encoded.
+  void set(QuantisedFrame& frame);
   // What it is fitted to, its motion included, borders closed.
   [[nodiscard]] const PredictedFrame& predicted() const { return frame_; }
   [[nodiscard]] const PlaneFields<float>& motion() const { return motion_; }
-  // Makes the ranks of the frame.
-  void rank(Ranks& ranks);
+  // Makes the residuals of the frame.
+  void encode(Residuals& residuals);
 
  private:
-  void set_fields(LatticeFrame& frame);
+  void set_fields(QuantisedFrame& frame);
 
-  ParityPlanes planes_;
+  PolyphasePlanes planes_;
   PlaneFields<float> motion_;
   PredictedFrame frame_;
 };

@@ -1,7 +1,7 @@
 #include "recording/codec/position_decoder.h"
 
 #include "recording/codec/frame_prediction.h"
-#include "recording/codec/rank_blocks.h"
+#include "recording/codec/residual_blocks.h"
 #include "recording/coding/bytes.h"
 #include "recording/coding/compression.h"
 #include "recording/coding/varint.h"
@@ -27,7 +27,7 @@ bool take_weights(std::string_view& bytes, Prediction prediction, Weights& weigh
   return taken;
 }
 
-bool take_within_weights(std::string_view& bytes, WithinWeights& weights) {
+bool take_intra_weights(std::string_view& bytes, IntraWeights& weights) {
   ByteTaker taker(bytes);
   for (MiddleWeights& stage : weights) {
     stage.pairs = static_cast<float>(taker.take<std::int8_t>()) / 64;
@@ -48,15 +48,15 @@ struct PositionDecoder::State {
   CodecParameters parameters;
   Decompressor decompressor;
   FramePrediction frame_prediction;
-  RankUnpacker unpacker;
-  Ranks ranks;
+  ResidualUnpacker unpacker;
+  Residuals residuals;
 
-  bool decode_plain(std::string_view geometry, LatticeFrame& frame);
-  bool decode_lattice(std::string_view geometry, std::span<const LatticeFrame* const> references,
-                      LatticeFrame& frame);
+  bool decode_plain(std::string_view geometry, QuantisedFrame& frame);
+  bool decode_quantised(std::string_view geometry,
+                        std::span<const QuantisedFrame* const> references, QuantisedFrame& frame);
 };
 
-bool PositionDecoder::State::decode_plain(std::string_view geometry, LatticeFrame& frame) {
+bool PositionDecoder::State::decode_plain(std::string_view geometry, QuantisedFrame& frame) {
   const auto particles = static_cast<std::size_t>(parameters.grid.particle_count());
   const auto content = decompressor.decompress(geometry, particles * 12);
   if (!content || content->size() != particles * 12) return false;
@@ -67,22 +67,21 @@ bool PositionDecoder::State::decode_plain(std::string_view geometry, LatticeFram
   return frame.plain_positions.allFinite();
 }
 
-bool PositionDecoder::State::decode_lattice(std::string_view geometry,
-                                            std::span<const LatticeFrame* const> references,
-                                            LatticeFrame& frame) {
+bool PositionDecoder::State::decode_quantised(std::string_view geometry,
+                                              std::span<const QuantisedFrame* const> references,
+                                              QuantisedFrame& frame) {
   ByteTaker taker(geometry);
   const auto prediction = taker.take<std::uint8_t>();
   geometry = taker.rest();
-  if (!taker.complete() || prediction > static_cast<std::uint8_t>(Prediction::between) ||
+  if (!taker.complete() || prediction > static_cast<std::uint8_t>(Prediction::b) ||
       (prediction == 0) != references.empty())
     return false;
   frame_prediction.begin(static_cast<Prediction>(prediction), references);
-  const bool taken =
-      prediction == 0
-          ? take_within_weights(geometry, frame_prediction.within_weights)
-          : take_weights(geometry, frame_prediction.prediction(), frame_prediction.weights);
-  if (!taken || !unpacker.unpack(geometry, ranks)) return false;
-  frame_prediction.decode(ranks, frame);
+  const bool taken = prediction == 0 ? take_intra_weights(geometry, frame_prediction.intra_weights)
+                                     : take_weights(geometry, frame_prediction.prediction(),
+                                                    frame_prediction.weights);
+  if (!taken || !unpacker.unpack(geometry, residuals)) return false;
+  frame_prediction.decode(residuals, frame);
   return frame.is_finite();
 }
 
@@ -93,12 +92,13 @@ PositionDecoder& PositionDecoder::operator=(PositionDecoder&&) noexcept = defaul
 PositionDecoder::~PositionDecoder() = default;
 
 bool PositionDecoder::decode(FrameEncoding encoding, std::string_view geometry,
-                             std::span<const LatticeFrame* const> references, LatticeFrame& frame) {
+                             std::span<const QuantisedFrame* const> references,
+                             QuantisedFrame& frame) {
   frame.grid = state_->parameters.grid;
   frame.step_m = state_->parameters.step_m;
   frame.plain = encoding == FrameEncoding::plain;
   return frame.plain ? state_->decode_plain(geometry, frame)
-                     : state_->decode_lattice(geometry, usable(references), frame);
+                     : state_->decode_quantised(geometry, usable(references), frame);
 }
 
 }  // namespace ribbon

@@ -6,8 +6,7 @@
 #include <string_view>
 
 #include "recording/codec/codec_parameters.h"
-#include "recording/codec/lattice_frame.h"
-#include "recording/codec/lattice_frame.h"
+#include "recording/codec/quantised_frame.h"
 
 namespace ribbon {
 
@@ -22,7 +21,7 @@ class PositionDecoder {
   // references: the frames that the encoder had, in its order. False, with `frame` undefined, when
   // the geometry is not valid. `frame` may have been used before: its memory is used again.
   bool decode(FrameEncoding encoding, std::string_view geometry,
-              std::span<const LatticeFrame* const> references, LatticeFrame& frame);
+              std::span<const QuantisedFrame* const> references, QuantisedFrame& frame);
 
  private:
   struct State;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "recording/codec/frame_prediction.h"
-#include "recording/codec/rank_blocks.h"
+#include "recording/codec/residual_blocks.h"
 #include "recording/coding/bytes.h"
 #include "recording/coding/compression.h"
 #include "recording/coding/varint.h"
@@ -20,7 +20,7 @@ void put_weights(RecordedWeights weights, Prediction prediction, std::string& by
   weights.for_each(prediction, [&](std::int32_t number) { put_varint(bytes, zigzag(number)); });
 }
 
-void put_within_weights(const WithinWeights& weights, std::string& bytes) {
+void put_intra_weights(const IntraWeights& weights, std::string& bytes) {
   for (const MiddleWeights& stage : weights) {
     put<std::int8_t>(bytes, static_cast<std::int8_t>(64 * stage.pairs));
     put<std::int8_t>(bytes, static_cast<std::int8_t>(64 * stage.outer));
@@ -46,21 +46,21 @@ struct PositionEncoder::State {
   double max_error_m;
   Compressor compressor;
   FramePrediction frame_prediction;
-  RankPacker packer;
-  Ranks ranks;
+  ResidualPacker packer;
+  Residuals residuals;
 
-  void set_column(const Eigen::Matrix3Xd& positions, int plane, int b, LatticeFrame& frame) const;
-  [[nodiscard]] std::optional<LatticeFrame> on_lattice(const Eigen::Matrix3Xd& positions) const;
-  [[nodiscard]] bool within_bound(const LatticeFrame& frame,
+  void set_column(const Eigen::Matrix3Xd& positions, int plane, int b, QuantisedFrame& frame) const;
+  [[nodiscard]] std::optional<QuantisedFrame> quantised(const Eigen::Matrix3Xd& positions) const;
+  [[nodiscard]] bool within_bound(const QuantisedFrame& frame,
                                   const Eigen::Matrix3Xd& positions) const;
-  std::string lattice_geometry(LatticeFrame& frame, Prediction prediction,
-                               std::span<const LatticeFrame* const> references, Fit fit);
-  std::string plain_geometry(const LatticeFrame& frame);
+  std::string quantised_geometry(QuantisedFrame& frame, Prediction prediction,
+                                 std::span<const QuantisedFrame* const> references, Fit fit);
+  std::string plain_geometry(const QuantisedFrame& frame);
 };
 
 void PositionEncoder::State::set_column(const Eigen::Matrix3Xd& positions, int plane, int b,
-                                        LatticeFrame& frame) const {
-  const ParityPlanes& planes = frame_prediction.planes();
+                                        QuantisedFrame& frame) const {
+  const PolyphasePlanes& planes = frame_prediction.planes();
   const double over_step = 1 / static_cast<double>(parameters.step_m);
   const std::size_t cell = planes.cell(plane, 0, b);
   const Triple<float*> values = {&frame.values[0][cell], &frame.values[1][cell],
@@ -74,24 +74,23 @@ void PositionEncoder::State::set_column(const Eigen::Matrix3Xd& positions, int p
                                                               : position[c]);
 }
 
-std::optional<LatticeFrame> PositionEncoder::State::on_lattice(
+std::optional<QuantisedFrame> PositionEncoder::State::quantised(
     const Eigen::Matrix3Xd& positions) const {
-  const ParityPlanes& planes = frame_prediction.planes();
-  LatticeFrame frame;
+  const PolyphasePlanes& planes = frame_prediction.planes();
+  QuantisedFrame frame;
   frame.grid = parameters.grid;
   frame.step_m = parameters.step_m;
-  if (parameters.step_m > 0 &&
-      !(positions.cwiseAbs().maxCoeff() <
-        (largest_lattice_number - 1) * static_cast<double>(parameters.step_m)))
+  if (parameters.step_m > 0 && !(positions.cwiseAbs().maxCoeff() <
+                                 (largest_quantised - 1) * static_cast<double>(parameters.step_m)))
     return std::nullopt;
   for (auto& component : frame.values) component.resize(planes.cells());
-  for (int plane = 0; plane < ParityPlanes::count; ++plane)
+  for (int plane = 0; plane < PolyphasePlanes::count; ++plane)
     for (int b = 0; b < planes.columns(plane); ++b) set_column(positions, plane, b, frame);
   frame.continue_values();
   return frame;
 }
 
-bool PositionEncoder::State::within_bound(const LatticeFrame& frame,
+bool PositionEncoder::State::within_bound(const QuantisedFrame& frame,
                                           const Eigen::Matrix3Xd& positions) const {
   Eigen::Matrix3Xf decoded;
   frame.positions(decoded);
@@ -100,28 +99,28 @@ bool PositionEncoder::State::within_bound(const LatticeFrame& frame,
   return (decoded.cast<double>() - positions).cwiseAbs().maxCoeff() <= max_error_m;
 }
 
-std::string PositionEncoder::State::lattice_geometry(
-    LatticeFrame& frame, Prediction prediction, std::span<const LatticeFrame* const> references,
+std::string PositionEncoder::State::quantised_geometry(
+    QuantisedFrame& frame, Prediction prediction, std::span<const QuantisedFrame* const> references,
     Fit fit) {
   frame_prediction.begin(prediction, references);
   frame_prediction.set(frame);
   std::string bytes;
   put<std::uint8_t>(bytes, static_cast<std::uint8_t>(frame_prediction.prediction()));
-  if (frame_prediction.prediction() == Prediction::within) {
-    frame_prediction.within_weights =
-        fit_within_weights(frame_prediction.planes(), frame_prediction.motion());
-    put_within_weights(frame_prediction.within_weights, bytes);
+  if (frame_prediction.prediction() == Prediction::intra) {
+    frame_prediction.intra_weights =
+        fit_intra_weights(frame_prediction.planes(), frame_prediction.motion());
+    put_intra_weights(frame_prediction.intra_weights, bytes);
   } else {
     const RecordedWeights recorded = fit_weights(frame_prediction.predicted(), fit);
     frame_prediction.weights = recorded.weights();
     put_weights(recorded, frame_prediction.prediction(), bytes);
   }
-  frame_prediction.rank(ranks);
-  packer.append(ranks, bytes);
+  frame_prediction.encode(residuals);
+  packer.append(residuals, bytes);
   return bytes;
 }
 
-std::string PositionEncoder::State::plain_geometry(const LatticeFrame& frame) {
+std::string PositionEncoder::State::plain_geometry(const QuantisedFrame& frame) {
   std::string content;
   for (const float coordinate : frame.plain_positions.transpose().reshaped())
     put<float>(content, coordinate);
@@ -138,7 +137,7 @@ const SymbolRuns& PositionEncoder::symbol_runs() const {
   return state_->packer.runs();
 }
 
-Result<LatticeFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions) const {
+Result<QuantisedFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions) const {
   const RibbonGrid& grid = state_->parameters.grid;
   const bool is_finite = positions.allFinite();
   for (int particle = 0; !is_finite && particle < grid.particle_count(); ++particle)
@@ -148,9 +147,9 @@ Result<LatticeFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions)
                          std::to_string(grid.column(particle)) +
                          " across has a position that is not finite",
                      "the simulation has become unstable: choose a smaller time step");
-  auto frame = state_->on_lattice(positions);
+  auto frame = state_->quantised(positions);
   if (frame && state_->within_bound(*frame, positions)) return *std::move(frame);
-  LatticeFrame plain;
+  QuantisedFrame plain;
   plain.grid = grid;
   plain.plain = true;
   plain.plain_positions = positions.cast<float>();
@@ -161,18 +160,18 @@ Result<LatticeFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions)
                  "allow a larger max_position_error or move the scene towards the origin");
 }
 
-EncodedFrame PositionEncoder::encode_rounded(LatticeFrame frame,
-                                             std::span<const LatticeFrame* const> references,
+EncodedFrame PositionEncoder::encode_rounded(QuantisedFrame frame,
+                                             std::span<const QuantisedFrame* const> references,
                                              Prediction prediction, Fit fit) {
-  const FrameEncoding encoding = frame.plain ? FrameEncoding::plain : FrameEncoding::lattice;
-  std::string geometry = frame.plain
-                             ? state_->plain_geometry(frame)
-                             : state_->lattice_geometry(frame, prediction, usable(references), fit);
+  const FrameEncoding encoding = frame.plain ? FrameEncoding::plain : FrameEncoding::quantised;
+  std::string geometry =
+      frame.plain ? state_->plain_geometry(frame)
+                  : state_->quantised_geometry(frame, prediction, usable(references), fit);
   return {encoding, std::move(geometry), std::move(frame)};
 }
 
 Result<EncodedFrame> PositionEncoder::encode(const Eigen::Matrix3Xd& positions,
-                                             std::span<const LatticeFrame* const> references,
+                                             std::span<const QuantisedFrame* const> references,
                                              Prediction prediction) {
   auto frame = rounded(positions);
   if (!frame) return tl::unexpected(std::move(frame.error()));

@@ -8,9 +8,9 @@
 
 #include "recording/codec/codec_parameters.h"
 #include "recording/codec/fit_weights.h"
-#include "recording/codec/lattice_frame.h"
 #include "recording/codec/prediction_weights.h"
-#include "recording/codec/rank_blocks.h"
+#include "recording/codec/quantised_frame.h"
+#include "recording/codec/residual_blocks.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -18,7 +18,7 @@ namespace ribbon {
 struct EncodedFrame {
   FrameEncoding encoding{};
   std::string geometry;
-  LatticeFrame frame;  // as a decoder will have it
+  QuantisedFrame frame;  // as a decoder will have it
 };
 
 // Keeps working memory between calls and nothing else: equal arguments give equal bytes.
@@ -32,19 +32,21 @@ class PositionEncoder {
   ~PositionEncoder();
 
   // What a decoder will make of positions (3 x particles in metres), however they are encoded.
-  // Compares it with them, so the bound does not rest on an argument. Fails, with a place still to
-  // be filled in, when a coordinate is not finite or single precision is too coarse for the bound.
-  [[nodiscard]] Result<LatticeFrame> rounded(const Eigen::Matrix3Xd& positions) const;
+  // Compares it with them, so the bound does not rest on an argument. Fails, with the
+  // error's place still to be filled in, when a coordinate is not finite or single precision is too
+  // coarse for the bound.
+  [[nodiscard]] Result<QuantisedFrame> rounded(const Eigen::Matrix3Xd& positions) const;
 
   // Positions, rounded and encoded. references: at most most_references decoded frames, in the
   // order in which the decoder will get them; plain ones, and those after one, are no help.
   // prediction: how they lie around the frame. Fails where rounded() does.
   Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions,
-                              std::span<const LatticeFrame* const> references,
-                              Prediction prediction = Prediction::forward);
+                              std::span<const QuantisedFrame* const> references,
+                              Prediction prediction = Prediction::p);
 
   // A rounded or a decoded frame: it decodes to the same bits. Plain ones stay plain.
-  EncodedFrame encode_rounded(LatticeFrame frame, std::span<const LatticeFrame* const> references,
+  EncodedFrame encode_rounded(QuantisedFrame frame,
+                              std::span<const QuantisedFrame* const> references,
                               Prediction prediction, Fit fit);
 
   // What entropy coding was given for the last frame, of which entropy tables can be made.

@@ -9,9 +9,9 @@ namespace ribbon {
 
 // What a frame is predicted from.
 enum class Prediction : std::uint8_t {
-  within = 0,   // itself alone
-  forward = 1,  // up to three frames before it, the nearest first
-  between = 2   // the frame before and the one after it, then the next ones outwards
+  intra = 0,  // itself alone
+  p = 1,      // up to three frames before it, the nearest first
+  b = 2       // the frame before and the one after it, then the next ones outwards
 };
 
 // Particles are predicted from the past, that is the frames referred to, and from neighbours in
@@ -25,20 +25,20 @@ enum PredictionStage : std::size_t {
 inline constexpr std::size_t prediction_stage_count = 4;
 
 inline constexpr std::size_t most_near_taps = 4;
-inline constexpr std::size_t forward_past_taps = 10;
-inline constexpr std::size_t most_past_taps = 13;  // the last three only between two frames
-inline constexpr std::size_t most_taps = most_near_taps + most_past_taps;
+inline constexpr std::size_t p_past_taps = 10;
+inline constexpr std::size_t b_past_taps = 13;  // the last three only of B frames
+inline constexpr std::size_t most_taps = most_near_taps + b_past_taps;
 
 constexpr std::size_t near_taps_of(std::size_t stage) {
   return stage == first_column ? 0 : stage == coarse ? 3 : most_near_taps;
 }
 constexpr std::size_t past_taps_of(Prediction prediction) {
-  return prediction == Prediction::between ? most_past_taps : forward_past_taps;
+  return prediction == Prediction::b ? b_past_taps : p_past_taps;
 }
 
 struct StageWeights {
   std::array<float, most_near_taps> near{};
-  std::array<float, most_past_taps> past{};
+  std::array<float, b_past_taps> past{};
 };
 using Weights = std::array<StageWeights, prediction_stage_count>;
 
@@ -46,7 +46,7 @@ using Weights = std::array<StageWeights, prediction_stage_count>;
 struct RecordedWeights {
   struct Stage {
     std::array<std::int32_t, most_near_taps> near{};
-    std::array<std::int32_t, most_past_taps> past{};
+    std::array<std::int32_t, b_past_taps> past{};
   };
   int shift = 0;
   std::array<Stage, prediction_stage_count> stages{};
@@ -66,13 +66,13 @@ void RecordedWeights::for_each(Prediction prediction, Visit visit) {
   }
 }
 
-// Within a frame plane 0 continues straight lines; the others lie in the middle of the four around
-// them, corrected by two differences with these weights.
+// In an intra frame plane 0 continues straight lines; the others lie in the middle of the four
+// around them, corrected by two differences with these weights.
 struct MiddleWeights {
   float pairs = 0;  // the neighbours along the ribbon against those across it
   float outer = 0;  // four that are further away along the ribbon against the four
 };
 inline constexpr std::size_t middle_stage_count = 2;  // diagonal, cross
-using WithinWeights = std::array<MiddleWeights, middle_stage_count>;
+using IntraWeights = std::array<MiddleWeights, middle_stage_count>;
 
 }  // namespace ribbon

@@ -11,44 +11,44 @@ namespace {
 
 constexpr std::size_t row_bytes = 28;
 
-std::string table(const std::vector<IndexPlace>& indices) {
+std::string table(const std::vector<IndexLocation>& indices) {
   std::string bytes;
   bytes.reserve(indices.size() * row_bytes);
-  for (const IndexPlace& index : indices) put<std::uint64_t>(bytes, index.offset);
-  for (const IndexPlace& index : indices) put<std::uint32_t>(bytes, index.record_bytes);
-  for (const IndexPlace& index : indices) put<std::uint32_t>(bytes, index.lowest_frame);
-  for (const IndexPlace& index : indices) put<std::uint32_t>(bytes, index.highest_frame);
-  for (const IndexPlace& index : indices) put<std::uint32_t>(bytes, index.frames);
-  for (const IndexPlace& index : indices) put<std::uint32_t>(bytes, index.others);
+  for (const IndexLocation& index : indices) put<std::uint64_t>(bytes, index.offset);
+  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.record_bytes);
+  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.lowest_frame);
+  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.highest_frame);
+  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.frames);
+  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.others);
   return bytes;
 }
 
-void parse_table(std::string_view bytes, std::vector<IndexPlace>& indices) {
+void parse_table(std::string_view bytes, std::vector<IndexLocation>& indices) {
   ByteTaker taker(bytes);
-  for (IndexPlace& index : indices) index.offset = taker.take<std::uint64_t>();
-  for (IndexPlace& index : indices) index.record_bytes = taker.take<std::uint32_t>();
-  for (IndexPlace& index : indices) index.lowest_frame = taker.take<std::uint32_t>();
-  for (IndexPlace& index : indices) index.highest_frame = taker.take<std::uint32_t>();
-  for (IndexPlace& index : indices) index.frames = taker.take<std::uint32_t>();
-  for (IndexPlace& index : indices) index.others = taker.take<std::uint32_t>();
+  for (IndexLocation& index : indices) index.offset = taker.take<std::uint64_t>();
+  for (IndexLocation& index : indices) index.record_bytes = taker.take<std::uint32_t>();
+  for (IndexLocation& index : indices) index.lowest_frame = taker.take<std::uint32_t>();
+  for (IndexLocation& index : indices) index.highest_frame = taker.take<std::uint32_t>();
+  for (IndexLocation& index : indices) index.frames = taker.take<std::uint32_t>();
+  for (IndexLocation& index : indices) index.others = taker.take<std::uint32_t>();
 }
 
-bool lies_before(const IndexPlace& index, std::uint64_t offset) {
+bool lies_before(const IndexLocation& index, std::uint64_t offset) {
   return index.offset <= offset && index.record_bytes >= record_head_bytes &&
          index.record_bytes <= offset - index.offset && index.lowest_frame <= index.highest_frame;
 }
 
-bool has_frames_within(const IndexPlace& index, std::uint32_t frames) {
+bool has_frames_within(const IndexLocation& index, std::uint32_t frames) {
   return index.frames == 0 || index.highest_frame < frames;
 }
 
 }  // namespace
 
-IndexPlace place_of(const Index& index, std::uint64_t offset, std::uint32_t record_bytes) {
-  IndexPlace place{.offset = offset,
-                   .record_bytes = record_bytes,
-                   .frames = static_cast<std::uint32_t>(index.frames.size()),
-                   .others = static_cast<std::uint32_t>(index.others.size())};
+IndexLocation location_of(const Index& index, std::uint64_t offset, std::uint32_t record_bytes) {
+  IndexLocation place{.offset = offset,
+                      .record_bytes = record_bytes,
+                      .frames = static_cast<std::uint32_t>(index.frames.size()),
+                      .others = static_cast<std::uint32_t>(index.others.size())};
   if (index.frames.empty()) return place;
   const auto [lowest, highest] = std::minmax_element(
       index.frames.begin(), index.frames.end(),
@@ -88,8 +88,8 @@ std::optional<Directory> parse_directory_payload(std::string_view payload,
   if (!content) return std::nullopt;
   directory.indices.resize(count);
   parse_table(*content, directory.indices);
-  const bool valid =
-      std::all_of(directory.indices.begin(), directory.indices.end(), [&](const IndexPlace& index) {
+  const bool valid = std::all_of(
+      directory.indices.begin(), directory.indices.end(), [&](const IndexLocation& index) {
         return lies_before(index, offset) && has_frames_within(index, directory.frames);
       });
   return valid ? std::optional(std::move(directory)) : std::nullopt;

@@ -13,7 +13,7 @@
 namespace ribbon {
 
 // An index record, and what it tells about.
-struct IndexPlace {
+struct IndexLocation {
   std::uint64_t offset = 0;
   std::uint32_t record_bytes = 0;
   std::uint32_t lowest_frame = 0;
@@ -22,12 +22,12 @@ struct IndexPlace {
   std::uint32_t others = 0;
 };
 
-IndexPlace place_of(const Index& index, std::uint64_t offset, std::uint32_t record_bytes);
+IndexLocation location_of(const Index& index, std::uint64_t offset, std::uint32_t record_bytes);
 
 struct Directory {
   std::uint32_t frames = 0;  // one more than the highest frame number
   RunEnding ending = RunEnding::unknown;
-  std::vector<IndexPlace> indices;
+  std::vector<IndexLocation> indices;
 };
 
 std::string directory_payload(std::uint32_t recording_id, const Directory& directory);

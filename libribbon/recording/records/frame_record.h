@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "recording/codec/lattice_frame.h"
+#include "recording/codec/quantised_frame.h"
 #include "recording/records/recording.h"
 #include "recording/records/reference_list.h"
 

@@ -139,9 +139,9 @@ bool is_positive(double number) {
 }
 
 // Positions must stay within single precision whatever their numbers are.
-bool is_lattice_step(double step_m) {
+bool is_quantisation_step(double step_m) {
   return step_m >= 0 &&
-         step_m * largest_lattice_number <= static_cast<double>(std::numeric_limits<float>::max());
+         step_m * largest_quantised <= static_cast<double>(std::numeric_limits<float>::max());
 }
 
 bool is_positive_or_zero(double number) {
@@ -176,7 +176,7 @@ std::string header_payload(const RecordingHeader& header) {
   put<double>(bytes, header.ribbon_width_m);
   put<double>(bytes, header.frames_per_second);
   put<double>(bytes, header.max_position_error_m);
-  put<double>(bytes, header.lattice_step_m);
+  put<double>(bytes, header.quantisation_step_m);
   put_string(bytes, header.scene_name);
   put_string(bytes, header.writer);
   put_string(bytes, header.scene_text);
@@ -206,7 +206,7 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   header.ribbon_width_m = taker.take<double>();
   header.frames_per_second = taker.take<double>();
   header.max_position_error_m = taker.take<double>();
-  header.lattice_step_m = taker.take<double>();
+  header.quantisation_step_m = taker.take<double>();
   header.scene_name = take_string(taker);
   header.writer = take_string(taker);
   header.scene_text = take_string(taker);
@@ -218,11 +218,12 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (!take_axis(taker, header.centre_axis) || !take_tables(taker, header.entropy_tables) ||
       !take_origin(taker, header.origin))
     return damaged();
-  const bool valid =
-      taker.complete() && !header.scene_name.empty() && is_positive(header.ribbon_length_m) &&
-      is_positive(header.ribbon_width_m) && is_positive(header.frames_per_second) &&
-      is_positive_or_zero(header.max_position_error_m) && is_lattice_step(header.lattice_step_m) &&
-      is_positive_or_zero(header.stated_gap_m) && header.uv.allFinite();
+  const bool valid = taker.complete() && !header.scene_name.empty() &&
+                     is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&
+                     is_positive(header.frames_per_second) &&
+                     is_positive_or_zero(header.max_position_error_m) &&
+                     is_quantisation_step(header.quantisation_step_m) &&
+                     is_positive_or_zero(header.stated_gap_m) && header.uv.allFinite();
   if (!valid) return damaged();
   return header;
 }

@@ -14,8 +14,8 @@ bool is_recordable(const RibbonGrid& grid);
 
 std::string header_payload(const RecordingHeader& header);
 
-// Fails, with a place still to be filled in, when the payload is of another major version or
-// not valid in itself.
+// Fails, with the error's place still to be filled in, when the payload is of another major version
+// or not valid in itself.
 Result<RecordingHeader> parse_header_payload(std::string_view payload);
 
 }  // namespace ribbon

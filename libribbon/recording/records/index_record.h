@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "recording/records/frame_record.h"
-#include "recording/records/record.h"
+#include "recording/records/record_head.h"
 
 namespace ribbon {
 

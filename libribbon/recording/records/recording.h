@@ -38,7 +38,7 @@ struct RecordingHeader {
   double frames_per_second = 0;
   // Bound on every recorded coordinate; 0: each is the truth rounded to single precision.
   double max_position_error_m = 0;
-  double lattice_step_m = 0;                // see CodecParameters, and lattice_step_m()
+  double quantisation_step_m = 0;           // see CodecParameters, and quantisation_step_m()
   std::vector<std::string> entropy_tables;  // see CodecParameters; at most 64
   std::optional<TriangleMesh> obstacle;
   // The writer guarantees that features that share no vertex (ribbon and ribbon, ribbon and
@@ -51,7 +51,7 @@ struct RecordingHeader {
 
 inline CodecParameters codec_parameters(const RecordingHeader& header) {
   return {header.grid, header.ribbon_length_m, header.ribbon_width_m,
-          static_cast<float>(header.lattice_step_m), header.entropy_tables};
+          static_cast<float>(header.quantisation_step_m), header.entropy_tables};
 }
 
 // How tight a ribbon is that is being fastened.
@@ -62,8 +62,8 @@ struct TightnessNumbers {
                           // mean of the steps since the last frame
   float pull = 0;         // share of the fastening force that was applied, mean of the same steps
   float contact = 0;      // share of the rows that touch another part of the ribbon or the obstacle
-  float rope_length = 0;  // natural length from the first to the last row that touches another part
-                          // of the ribbon, over the ribbon's width
+  float rope_length = 0;  // rest length from the first to the last row that touches another part of
+                          // the ribbon, over the ribbon's width
 
   bool operator==(const TightnessNumbers&) const = default;
 };

@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "recording/records/record.h"
+#include "recording/records/record_head.h"
 
 namespace ribbon {
 
-IndexBuilder::IndexBuilder(std::vector<IndexPlace> indices, Index waiting)
+IndexBuilder::IndexBuilder(std::vector<IndexLocation> indices, Index waiting)
     : indices_(std::move(indices)), waiting_(std::move(waiting)) {
   waiting_.previous = indices_.empty() ? 0 : indices_.back().offset;
 }
@@ -16,7 +16,7 @@ std::string IndexBuilder::record(std::uint32_t recording_id) const {
 }
 
 void IndexBuilder::written(std::uint64_t offset, std::uint32_t record_bytes) {
-  indices_.push_back(place_of(waiting_, offset, record_bytes));
+  indices_.push_back(location_of(waiting_, offset, record_bytes));
   waiting_ = {};
   waiting_.previous = offset;
 }

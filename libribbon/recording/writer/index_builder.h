@@ -13,7 +13,7 @@ namespace ribbon {
 class IndexBuilder {
  public:
   // indices: those that the file has. waiting: what lies in the file and in none of them.
-  explicit IndexBuilder(std::vector<IndexPlace> indices = {}, Index waiting = {});
+  explicit IndexBuilder(std::vector<IndexLocation> indices = {}, Index waiting = {});
 
   void add(const IndexedFrame& frame) { waiting_.frames.push_back(frame); }
   void add(const IndexedOther& other) { waiting_.others.push_back(other); }
@@ -29,10 +29,10 @@ class IndexBuilder {
   [[nodiscard]] std::string record(std::uint32_t recording_id) const;
   void written(std::uint64_t offset, std::uint32_t record_bytes);
 
-  [[nodiscard]] const std::vector<IndexPlace>& indices() const { return indices_; }
+  [[nodiscard]] const std::vector<IndexLocation>& indices() const { return indices_; }
 
  private:
-  std::vector<IndexPlace> indices_;
+  std::vector<IndexLocation> indices_;
   Index waiting_;
 };
 

@@ -10,7 +10,7 @@
 #include "recording/coding/checksum.h"
 #include "recording/records/checkpoint_record.h"
 #include "recording/records/header_record.h"
-#include "recording/records/record.h"
+#include "recording/records/record_head.h"
 #include "recording/records/session_record.h"
 #include "recording/writer/index_builder.h"
 #include "recording/writer/references.h"
@@ -68,9 +68,9 @@ struct RecordingWriter::State {
   Result<void> write(std::string_view records);
   Result<void> write_index();
   Result<void> write_other(RecordType type, std::uint32_t frame, std::string_view payload);
-  Result<LatticeFrame> rounded(const Eigen::Matrix3Xd& positions);
-  EncodedFrame encode(LatticeFrame lattice, ReferenceList& references);
-  void remember(LatticeFrame lattice);
+  Result<QuantisedFrame> rounded(const Eigen::Matrix3Xd& positions);
+  EncodedFrame encode(QuantisedFrame quantised, ReferenceList& references);
+  void remember(QuantisedFrame quantised);
 };
 
 Result<void> RecordingWriter::State::write(std::string_view records) {
@@ -100,39 +100,39 @@ Result<void> RecordingWriter::State::write_other(RecordType type, std::uint32_t 
   return written;
 }
 
-Result<LatticeFrame> RecordingWriter::State::rounded(const Eigen::Matrix3Xd& positions) {
+Result<QuantisedFrame> RecordingWriter::State::rounded(const Eigen::Matrix3Xd& positions) {
   const Timing timing(figures.encoding_s);
-  auto lattice = encoder.rounded(positions);
-  if (!lattice)
-    lattice.error().place = file.path().string() + ": frame " + std::to_string(frames + 1);
-  return lattice;
+  auto quantised = encoder.rounded(positions);
+  if (!quantised)
+    quantised.error().place = file.path().string() + ": frame " + std::to_string(frames + 1);
+  return quantised;
 }
 
 // Predicted from those of the frames it should be predicted from that are still at hand; after
 // damage these may be fewer.
-EncodedFrame RecordingWriter::State::encode(LatticeFrame lattice, ReferenceList& references) {
+EncodedFrame RecordingWriter::State::encode(QuantisedFrame quantised, ReferenceList& references) {
   const Timing timing(figures.encoding_s);
-  std::vector<const LatticeFrame*> lattices;
+  std::vector<const QuantisedFrame*> found_frames;
   for (const std::uint32_t wanted : live_references(frames)) {
     const auto found = std::find_if(recent.begin(), recent.end(), [wanted](const auto& decoded) {
       return decoded.frame == wanted;
     });
     if (found == recent.end()) continue;
     references.push_back(wanted);
-    lattices.push_back(&found->lattice);
+    found_frames.push_back(&found->quantised);
   }
-  return encoder.encode_rounded(std::move(lattice), lattices, Prediction::forward, Fit::quick);
+  return encoder.encode_rounded(std::move(quantised), found_frames, Prediction::p, Fit::quick);
 }
 
-void RecordingWriter::State::remember(LatticeFrame lattice) {
+void RecordingWriter::State::remember(QuantisedFrame quantised) {
   if (recent.size() < most_references) {
-    recent.push_back({last_frame, std::move(lattice)});
+    recent.push_back({last_frame, std::move(quantised)});
     return;
   }
   const auto oldest = std::min_element(
       recent.begin(), recent.end(),
       [](const DecodedFrame& a, const DecodedFrame& b) { return a.frame < b.frame; });
-  *oldest = {last_frame, std::move(lattice)};
+  *oldest = {last_frame, std::move(quantised)};
 }
 
 RecordingWriter::RecordingWriter(RecordFile file, RecordedSoFar so_far)
@@ -162,16 +162,16 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& pat
 
 Result<void> RecordingWriter::append(const FrameNumbers& numbers,
                                      const Eigen::Matrix3Xd& positions) {
-  auto lattice = state_->rounded(positions);
-  if (!lattice) return tl::unexpected(std::move(lattice.error()));
-  return append(numbers, *std::move(lattice));
+  auto quantised = state_->rounded(positions);
+  if (!quantised) return tl::unexpected(std::move(quantised.error()));
+  return append(numbers, *std::move(quantised));
 }
 
-Result<void> RecordingWriter::append(const FrameNumbers& numbers, LatticeFrame lattice) {
+Result<void> RecordingWriter::append(const FrameNumbers& numbers, QuantisedFrame quantised) {
   State& state = *state_;
-  assert(lattice.grid == state.header.grid);
+  assert(quantised.grid == state.header.grid);
   ReferenceList references;
-  EncodedFrame encoded = state.encode(std::move(lattice), references);
+  EncodedFrame encoded = state.encode(std::move(quantised), references);
   const std::uint32_t frame = state.frames;
   auto appended = append_encoded({.frame = frame,
                                   .encoding = encoded.encoding,

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "recording/codec/lattice_frame.h"
+#include "recording/codec/quantised_frame.h"
 #include "recording/records/directory_record.h"
 #include "recording/records/frame_record.h"
 #include "recording/records/recording.h"
@@ -19,17 +19,17 @@ namespace ribbon {
 // A frame as it will be decoded.
 struct DecodedFrame {
   std::uint32_t frame = 0;  // from 0
-  LatticeFrame lattice;
+  QuantisedFrame quantised;
 };
 
 // What a writer must know of a recording to go on with it.
 struct RecordedSoFar {
   RecordingHeader header;
   std::uint32_t recording_id = 0;
-  std::uint32_t frames = 0;               // one more than the highest frame number
-  std::vector<IndexPlace> indices = {};   // the index records that are there
-  Index not_indexed = {};                 // what lies in the file and in none of them
-  std::vector<DecodedFrame> recent = {};  // those that the next frame may be predicted from
+  std::uint32_t frames = 0;                 // one more than the highest frame number
+  std::vector<IndexLocation> indices = {};  // the index records that are there
+  Index not_indexed = {};                   // what lies in the file and in none of them
+  std::vector<DecodedFrame> recent = {};    // those that the next frame may be predicted from
 };
 
 // Wall time that a writer has taken so far.
@@ -60,8 +60,8 @@ class RecordingWriter {
   // The next frame. positions: 3 x particles in metres. Fails as well where they cannot be encoded
   // within the bound, and can then be called again.
   Result<void> append(const FrameNumbers& numbers, const Eigen::Matrix3Xd& positions);
-  // The next frame as it was decoded from a recording on the same lattice.
-  Result<void> append(const FrameNumbers& numbers, LatticeFrame lattice);
+  // The next frame as it was decoded from a recording with the same quantisation step.
+  Result<void> append(const FrameNumbers& numbers, QuantisedFrame quantised);
 
   // A frame of any number that was encoded by others; its references were appended before. The
   // recording id is that of this recording whatever `frame` says.

@@ -49,12 +49,12 @@ ReferenceList live_references(std::uint32_t frame) {
   return references;
 }
 
-std::vector<PlannedFrame> archive_plan(std::uint32_t frames) {
+std::vector<PlannedFrame> compaction_plan(std::uint32_t frames) {
   std::vector<PlannedFrame> plan;
   plan.reserve(frames);
   if (frames > 0) plan.push_back({0});
   for (std::uint32_t first = 0; first + 1 < frames;) {
-    const std::uint32_t last = std::min(first + archive_group_frames, frames - 1);
+    const std::uint32_t last = std::min(first + compact_group_frames, frames - 1);
     plan.push_back({last});
     for (Halving group(first, last); !group.is_done();) group.halve(plan);
     first = last;

@@ -41,8 +41,9 @@ struct CodecTask {
   RibbonGrid grid;
   RecordingHeader header;  // of the recording that the frames are from
   double bound_m = 0;      // on the error of every coordinate; 0: the same floats
-  double largest_m = 0;  // of all coordinates, so that a lattice can leave room for their rounding
-  double start_m = 0;    // likewise in the first frame
+  double largest_m =
+      0;               // of all coordinates, so that quantisation can leave room for their rounding
+  double start_m = 0;  // likewise in the first frame
 };
 
 // Frames are measured in blocks of so many, which codecs cut into groups.

@@ -1,4 +1,4 @@
-// Codecs of integers put to work on floats: a lattice, differences in time, and the codec.
+// Codecs of integers put to work on floats: quantisation, differences in time, and the codec.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace ribbon {
 
 class IntegerCodec : public FrameCodec {
  public:
-  // step: as of lattice_step().
+  // step: as of quantisation_step().
   IntegerCodec(Layout layout, float step, TimeDifference difference, SignForm sign)
       : floats_(layout), step_(step), form_{0, difference, sign} {}
 
@@ -60,7 +60,7 @@ std::vector<CodecRow::Make> integer_settings(Rest... rest) {
        {TimeDifference::none, TimeDifference::first, TimeDifference::second})
     for (const SignForm sign : {SignForm::zigzag, SignForm::biased})
       settings.push_back([=](const CodecTask& task) -> std::unique_ptr<FrameCodec> {
-        const auto step = lattice_step(task);
+        const auto step = quantisation_step(task);
         if (!step) return nullptr;
         return std::make_unique<Codec>(*step, difference, sign, rest...);
       });

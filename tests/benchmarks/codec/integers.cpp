@@ -100,7 +100,7 @@ RIBBON_CLONED void join(const unsigned char* planes, std::size_t count, std::uin
 
 }  // namespace
 
-std::optional<float> lattice_step(const CodecTask& task) {
+std::optional<float> quantisation_step(const CodecTask& task) {
   if (task.bound_m == 0) return 0.0F;
   // The product of step and value is rounded by at most half of its last place.
   const double step = 2 * (task.bound_m - std::ldexp(task.largest_m + task.bound_m, -24));

@@ -10,20 +10,20 @@
 
 namespace ribbon {
 
-// The step between the values of a lattice, a single-precision number, so that the nearest value,
-// rounded to single precision, is within the bound. 0, which stands for the bits of the floats,
-// where the bound is 0; nothing where floats are too coarse for it.
-std::optional<float> lattice_step(const CodecTask& task);
+// The quantisation step, a single-precision number, so that the nearest value, rounded to single
+// precision, is within the bound. 0, which stands for the bits of the floats, where the bound is 0;
+// nothing where floats are too coarse for it.
+std::optional<float> quantisation_step(const CodecTask& task);
 
-// The nearest values of the lattice. With step 0 the bits of the floats, turned so that they are
-// ordered as the floats are.
+// The nearest quantised values. With step 0 the bits of the floats, turned so that they are ordered
+// as the floats are.
 void to_integers(std::span<const float> floats, float step, std::span<std::uint32_t> integers);
 
 // And back.
 void to_floats(std::span<const std::uint32_t> integers, float step, std::span<float> floats);
 
-// How a value is foretold from the same place in the frames before: not at all, as it was in the
-// last one, or as if it went on as it went.
+// How a value is foretold from the same coordinate in the frames before: not at all, as it was in
+// the last one, or as if it went on as it went.
 enum class TimeDifference { none, first, second };
 
 // How a residual of either sign becomes bytes that are much alike: 0, -1, 1, -2, ... as 0, 1, 2, 3,

@@ -170,7 +170,7 @@ std::vector<CodecRow::Make> settings(const MakeGeometry& make) {
   for (const TimeDifference difference :
        {TimeDifference::none, TimeDifference::first, TimeDifference::second})
     settings.emplace_back([=](const CodecTask& task) -> std::unique_ptr<FrameCodec> {
-      const auto step = lattice_step(task);
+      const auto step = quantisation_step(task);
       if (!step || *step == 0) return nullptr;
       return std::make_unique<Draco>(*step, difference, SignForm::plain, make(task.grid));
     });

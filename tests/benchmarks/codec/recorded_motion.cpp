@@ -17,8 +17,8 @@ double RecordedMotion::start_m() const {
   return frames.front().cwiseAbs().maxCoeff();
 }
 
-double RecordedMotion::lattice_step_m(double bound_m) const {
-  return ribbon::lattice_step_m(bound_m, start_m(), header.ribbon_length_m);
+double RecordedMotion::quantisation_step_m(double bound_m) const {
+  return ribbon::quantisation_step_m(bound_m, start_m(), header.ribbon_length_m);
 }
 
 Result<RecordedMotion> read_motion(const std::filesystem::path& path) {

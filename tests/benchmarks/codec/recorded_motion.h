@@ -15,9 +15,9 @@ struct RecordedMotion {
   std::vector<FrameNumbers> numbers;     // of each frame
   std::vector<Eigen::Matrix3Xf> frames;  // 3 x particles each, metres
 
-  [[nodiscard]] double largest_m() const;                     // of all coordinates
-  [[nodiscard]] double start_m() const;                       // of those of the first frame
-  [[nodiscard]] double lattice_step_m(double bound_m) const;  // that a recorder would choose
+  [[nodiscard]] double largest_m() const;                          // of all coordinates
+  [[nodiscard]] double start_m() const;                            // of those of the first frame
+  [[nodiscard]] double quantisation_step_m(double bound_m) const;  // that a recorder would choose
 };
 
 // All frames of a recording; fails where one cannot be read.

@@ -48,13 +48,13 @@ void note(const SymbolRuns& runs, SamplesByKind& samples) {
 void encode(const RecordedMotion& motion, double relative_bound, SamplesByKind& samples) {
   RecordingHeader header = motion.header;
   header.max_position_error_m = relative_bound * header.ribbon_length_m;
-  header.lattice_step_m = motion.lattice_step_m(header.max_position_error_m);
+  header.quantisation_step_m = motion.quantisation_step_m(header.max_position_error_m);
   header.entropy_tables.clear();
   PositionEncoder encoder(codec_parameters(header), header.max_position_error_m);
-  std::vector<LatticeFrame> frames;
+  std::vector<QuantisedFrame> frames;
   frames.reserve(motion.frames.size());
   for (const Eigen::Matrix3Xf& positions : motion.frames) {
-    std::vector<const LatticeFrame*> references;
+    std::vector<const QuantisedFrame*> references;
     for (const std::uint32_t reference : live_references(static_cast<std::uint32_t>(frames.size())))
       references.push_back(&frames[reference]);
     auto encoded = encoder.encode(positions.cast<double>(), references);

@@ -34,7 +34,7 @@ Result<void> record(const RecordedMotion& motion, double bound_m, int frames,
                     const std::filesystem::path& path) {
   RecordingHeader header = motion.header;
   header.max_position_error_m = bound_m;
-  header.lattice_step_m = motion.lattice_step_m(bound_m);
+  header.quantisation_step_m = motion.quantisation_step_m(bound_m);
   auto writer = RecordingWriter::create(path, header);
   if (!writer) return tl::unexpected(writer.error());
   for (int frame = 0; frame < frames; ++frame) {

@@ -41,7 +41,7 @@ struct Outcome {
   bool operator==(const Outcome&) const = default;
 };
 
-// Every kind of prediction: within, forward with one, two and three references, between two frames
+// Every kind of prediction: intra, P with one, two and three references, B between two frames
 // with two and four.
 Outcome run(const RibbonGrid& grid, double step_m, double max_error_m) {
   const CodecParameters codec{grid, 1, 0.1, static_cast<float>(step_m), standard_entropy_tables()};
@@ -50,16 +50,16 @@ Outcome run(const RibbonGrid& grid, double step_m, double max_error_m) {
   auto frames = restless_frames(grid, 8);
   if (max_error_m == 0)
     for (auto& frame : frames) frame = frame.cast<float>().cast<double>().eval();
-  std::vector<LatticeFrame> decoded(frames.size());
+  std::vector<QuantisedFrame> decoded(frames.size());
   Outcome outcome;
   const auto take = [&](std::size_t frame, const std::vector<std::size_t>& references,
                         Prediction prediction) {
-    std::vector<const LatticeFrame*> pointers;
+    std::vector<const QuantisedFrame*> pointers;
     pointers.reserve(references.size());
     for (const std::size_t reference : references) pointers.push_back(&decoded[reference]);
     const auto encoded = encoder.encode(frames[frame], pointers, prediction);
     ASSERT_TRUE(encoded.has_value()) << encoded.error().sentence();
-    EXPECT_EQ(encoded->encoding, FrameEncoding::lattice);
+    EXPECT_EQ(encoded->encoding, FrameEncoding::quantised);
     ASSERT_TRUE(decoder.decode(encoded->encoding, encoded->geometry, pointers, decoded[frame]));
     Eigen::Matrix3Xf positions;
     decoded[frame].positions(positions);
@@ -67,29 +67,29 @@ Outcome run(const RibbonGrid& grid, double step_m, double max_error_m) {
     outcome.geometry.push_back(encoded->geometry);
     outcome.positions.push_back(positions);
   };
-  take(0, {}, Prediction::forward);
-  take(1, {0}, Prediction::forward);
-  take(2, {1, 0}, Prediction::forward);
-  take(3, {2, 1, 0}, Prediction::forward);
-  take(7, {}, Prediction::between);
-  take(5, {3, 7}, Prediction::between);
-  take(4, {3, 5, 2, 7}, Prediction::between);
-  take(6, {5, 7, 3}, Prediction::between);
+  take(0, {}, Prediction::p);
+  take(1, {0}, Prediction::p);
+  take(2, {1, 0}, Prediction::p);
+  take(3, {2, 1, 0}, Prediction::p);
+  take(7, {}, Prediction::b);
+  take(5, {3, 7}, Prediction::b);
+  take(4, {3, 5, 2, 7}, Prediction::b);
+  take(6, {5, 7, 3}, Prediction::b);
   return outcome;
 }
 
 TEST_F(InstructionSets, all_give_the_same_bits) {
   for (const RibbonGrid grid : {RibbonGrid{40, 16}, {33, 17}, {2, 2}, {9, 5}, {3, 70}})
-    for (const bool on_lattice : {true, false}) {
+    for (const bool uniform : {true, false}) {
       choose_instruction_set(InstructionSet::baseline);
-      const double bound_m = on_lattice ? 1e-5 : 0;
-      const double step_m = on_lattice ? static_cast<double>(lattice_step_m(bound_m, 2)) : 0;
+      const double bound_m = uniform ? 1e-5 : 0;
+      const double step_m = uniform ? static_cast<double>(quantisation_step_m(bound_m, 2)) : 0;
       const Outcome expected = run(grid, step_m, bound_m);
       for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
         if (loops_for(set) == nullptr) continue;
         choose_instruction_set(set);
         EXPECT_TRUE(run(grid, step_m, bound_m) == expected)
-            << grid.along << " x " << grid.across << (on_lattice ? "" : " without a lattice");
+            << grid.along << " x " << grid.across << (uniform ? "" : " in exact single precision");
       }
     }
 }

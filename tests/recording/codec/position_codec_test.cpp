@@ -20,7 +20,7 @@ namespace ribbon::position_codec_test {
 constexpr double bound_m = 1e-5;
 
 CodecParameters parameters(const RibbonGrid& grid, double max_error_m, double reach_m) {
-  return {grid, 1, 0.1, lattice_step_m(max_error_m, reach_m), {}};
+  return {grid, 1, 0.1, quantisation_step_m(max_error_m, reach_m), {}};
 }
 
 // Encodes and decodes frames as the live profile does.
@@ -31,7 +31,7 @@ class RoundTrip {
 
   // Every coordinate must keep the bound. Returns the geometry.
   EncodedFrame take(const Eigen::Matrix3Xd& truth) {
-    std::vector<const LatticeFrame*> references;
+    std::vector<const QuantisedFrame*> references;
     for (const std::uint32_t reference :
          live_references(static_cast<std::uint32_t>(decoded_.size())))
       references.push_back(&decoded_[reference]);
@@ -40,7 +40,7 @@ class RoundTrip {
       ADD_FAILURE() << encoded.error().sentence();
       return {};
     }
-    LatticeFrame frame;
+    QuantisedFrame frame;
     EXPECT_TRUE(decoder_.decode(encoded->encoding, encoded->geometry, references, frame));
     Eigen::Matrix3Xf positions;
     frame.positions(positions);
@@ -57,7 +57,7 @@ class RoundTrip {
   PositionEncoder encoder_;
   PositionDecoder decoder_;
   double max_error_m_;
-  std::vector<LatticeFrame> decoded_;
+  std::vector<QuantisedFrame> decoded_;
 };
 
 std::vector<FrameEncoding> round_trip(const CodecParameters& codec, double max_error_m,
@@ -90,7 +90,7 @@ const RibbonGrid sample_grid{40, 6};
 TEST(PositionCodec, a_twisting_ribbon_stays_within_the_bound) {
   for (const FrameEncoding encoding :
        round_trip(parameters(sample_grid, bound_m, 1), bound_m, sample_frames(70)))
-    EXPECT_EQ(encoding, FrameEncoding::lattice);
+    EXPECT_EQ(encoding, FrameEncoding::quantised);
 }
 
 TEST(PositionCodec, unrelated_random_frames_stay_within_the_bound) {
@@ -126,7 +126,7 @@ TEST(PositionCodec, a_bound_of_zero_keeps_every_bit_of_single_precision) {
 TEST(PositionCodec, numbers_half_of_all_numbers_away_from_their_prediction_come_back) {
   Eigen::Matrix3Xd positions = Eigen::Matrix3Xd::Zero(3, 16);
   positions(0, 0) = 1;
-  // Its place among all single-precision numbers is 2^31 below that of 1, which predicts it.
+  // Its ordinal among all single-precision numbers is 2^31 below that of 1, which predicts it.
   positions(0, 2) = std::bit_cast<float>(0xC07FFFFFU);
   RoundTrip(parameters({4, 4}, 0, 1), 0).take(positions);
 }
@@ -153,31 +153,31 @@ TEST(PositionCodec, far_from_the_origin_rounding_counts_towards_the_bound) {
   const CodecParameters codec = parameters(sample_grid, bound_m, 81);
   EXPECT_GT(codec.step_m, bound_m);
   EXPECT_LT(codec.step_m, 1.1 * bound_m);
-  EXPECT_EQ(round_trip(codec, bound_m, frames)[0], FrameEncoding::lattice);
+  EXPECT_EQ(round_trip(codec, bound_m, frames)[0], FrameEncoding::quantised);
 }
 
-TEST(PositionCodec, frames_beyond_the_reach_of_the_lattice_are_plain) {
+TEST(PositionCodec, frames_beyond_the_reach_of_quantised_positions_are_plain) {
   std::vector<Eigen::Matrix3Xd> frames = sample_frames(5);
   for (std::size_t frame = 1; frame < 3; ++frame) frames[frame].array() += 1000;
   const auto encodings = round_trip(parameters(sample_grid, 3.2e-5, 1), 3.2e-5, frames);
   ASSERT_EQ(encodings.size(), 5U);
-  EXPECT_EQ(encodings[0], FrameEncoding::lattice);
+  EXPECT_EQ(encodings[0], FrameEncoding::quantised);
   EXPECT_EQ(encodings[1], FrameEncoding::plain);
   EXPECT_EQ(encodings[2], FrameEncoding::plain);
-  EXPECT_EQ(encodings[3], FrameEncoding::lattice);
+  EXPECT_EQ(encodings[3], FrameEncoding::quantised);
 }
 
 TEST(PositionCodec, a_ribbon_is_expected_to_be_drawn_its_length_away_where_the_bound_allows) {
-  EXPECT_EQ(lattice_step_m(1e-5, 2, 4), lattice_step_m(1e-5, 6));
-  EXPECT_EQ(lattice_step_m(4e-7, 6), 0);
-  EXPECT_EQ(lattice_step_m(4e-7, 2, 4), lattice_step_m(4e-7, 3));
-  EXPECT_GT(lattice_step_m(4e-7, 2, 4), 0);
-  EXPECT_EQ(lattice_step_m(0, 2, 4), 0);
+  EXPECT_EQ(quantisation_step_m(1e-5, 2, 4), quantisation_step_m(1e-5, 6));
+  EXPECT_EQ(quantisation_step_m(4e-7, 6), 0);
+  EXPECT_EQ(quantisation_step_m(4e-7, 2, 4), quantisation_step_m(4e-7, 3));
+  EXPECT_GT(quantisation_step_m(4e-7, 2, 4), 0);
+  EXPECT_EQ(quantisation_step_m(0, 2, 4), 0);
 }
 
-TEST(PositionCodec, where_rounding_uses_up_the_bound_the_lattice_is_that_of_single_precision) {
-  EXPECT_EQ(lattice_step_m(bound_m, 100), 0);
-  EXPECT_EQ(lattice_step_m(0, 1), 0);
+TEST(PositionCodec, where_rounding_uses_up_the_bound_positions_are_exact_single_precision) {
+  EXPECT_EQ(quantisation_step_m(bound_m, 100), 0);
+  EXPECT_EQ(quantisation_step_m(0, 1), 0);
   std::vector<Eigen::Matrix3Xd> frames = sample_frames(5);
   for (Eigen::Matrix3Xd& frame : frames) frame.array() += 100;
   round_trip(parameters(sample_grid, bound_m, 101), bound_m, frames);
@@ -213,7 +213,7 @@ TEST(PositionCodec, what_was_coded_before_does_not_matter) {
     PositionEncoder encoder(codec, bound_m);
     PositionDecoder decoder(codec);
     std::vector<EncodedFrame> frames;
-    std::vector<std::array<const LatticeFrame*, 2>> references;
+    std::vector<std::array<const QuantisedFrame*, 2>> references;
     frames.reserve(12);
     for (unsigned seed = 0; seed < 12; ++seed) {
       const bool first = seed < 2;
@@ -224,7 +224,7 @@ TEST(PositionCodec, what_was_coded_before_does_not_matter) {
                                     std::span(references.back()).first(first ? 0 : 2))));
     }
     for (std::size_t k : {11U, 2U, 7U, 0U, 3U, 9U, 1U}) {
-      LatticeFrame decoded;
+      QuantisedFrame decoded;
       const auto used = std::span(references[k]).first(k < 2 ? 0 : 2);
       ASSERT_TRUE(decoder.decode(frames[k].encoding, frames[k].geometry, used, decoded));
       Eigen::Matrix3Xf positions;
@@ -256,8 +256,8 @@ TEST(PositionCodec, damaged_geometry_does_no_harm) {
   const EncodedFrame key = trip.take(noise(15, 1, 1));
   const EncodedFrame delta = trip.take(noise(15, 1, 2));
   PositionDecoder decoder(codec);
-  const LatticeFrame* reference = &key.frame;
-  LatticeFrame decoded;
+  const QuantisedFrame* reference = &key.frame;
+  QuantisedFrame decoded;
   Eigen::Matrix3Xf positions;
   for (const bool predicted : {false, true}) {
     const EncodedFrame& frame = predicted ? delta : key;

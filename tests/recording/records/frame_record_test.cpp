@@ -9,7 +9,7 @@ namespace ribbon::frame_record_test {
 FrameRecord record(std::size_t references, bool tightness) {
   FrameRecord frame{.recording_id = 0x1234,
                     .frame = 300,
-                    .encoding = FrameEncoding::lattice,
+                    .encoding = FrameEncoding::quantised,
                     .numbers = sample_numbers(7),
                     .geometry = "geometry"};
   for (std::size_t k = 0; k < references; ++k)

@@ -202,22 +202,22 @@ TEST(RecordingWriter, frames_encoded_by_others_may_come_in_any_order) {
   const auto path = temporary_file("any order.rbn");
   const RecordingHeader header = sample_header();
   PositionEncoder encoder(codec_parameters(header), header.max_position_error_m);
-  std::vector<LatticeFrame> lattices(5);
+  std::vector<QuantisedFrame> frames(5);
   const std::vector<std::vector<std::uint32_t>> references = {{}, {0, 2}, {0, 4}, {2, 4}, {0}};
   {
     auto writer = RecordingWriter::create(path, header);
     for (const std::uint32_t frame : {0U, 4U, 2U, 1U, 3U}) {
-      std::vector<const LatticeFrame*> needed;
+      std::vector<const QuantisedFrame*> needed;
       FrameRecord record{.frame = frame, .numbers = sample_numbers(static_cast<int>(frame))};
       for (const std::uint32_t reference : references[frame]) {
         record.references.push_back(reference);
-        needed.push_back(&lattices[reference]);
+        needed.push_back(&frames[reference]);
       }
       auto encoded = encoder.encode(sample_positions(static_cast<int>(frame)), needed);
       record.encoding = encoded->encoding;
       record.geometry = encoded->geometry;
       ASSERT_TRUE(writer->append_encoded(record).has_value());
-      lattices[frame] = std::move(encoded->frame);
+      frames[frame] = std::move(encoded->frame);
     }
     EXPECT_EQ(writer->frames_written(), 5U);
     ASSERT_TRUE(writer->finish().has_value());

@@ -1,4 +1,4 @@
-#include "recording/writer/archive_encoder.h"
+#include "recording/writer/compact_encoder.h"
 
 #include <algorithm>
 #include <utility>
@@ -15,30 +15,30 @@ ReferenceList first_of(const ReferenceList& references, std::size_t count) {
   return first;
 }
 
-std::vector<const LatticeFrame*> lattices_of(const ReferenceList& references,
-                                             const ArchiveEncoder::Decoded& decoded) {
-  std::vector<const LatticeFrame*> lattices;
-  for (const std::uint32_t reference : references) lattices.push_back(&decoded(reference));
-  return lattices;
+std::vector<const QuantisedFrame*> frames_of(const ReferenceList& references,
+                                             const CompactEncoder::Decoded& decoded) {
+  std::vector<const QuantisedFrame*> frames;
+  for (const std::uint32_t reference : references) frames.push_back(&decoded(reference));
+  return frames;
 }
 
 }  // namespace
 
 // What a frame may be predicted from, and how.
-struct ArchiveEncoder::Way {
-  Prediction prediction = Prediction::within;
+struct CompactEncoder::Way {
+  Prediction prediction = Prediction::intra;
   ReferenceList references = {};
 };
 
 // Where the motion is not smooth, fewer references or none may do better.
-ArchiveEncoder::Way ArchiveEncoder::smallest(const LatticeFrame& frame,
+CompactEncoder::Way CompactEncoder::smallest(const QuantisedFrame& frame,
                                              const ReferenceList& planned, const Decoded& decoded) {
   Way best;
-  const ReferenceList all = first_of(planned, usable(lattices_of(planned, decoded)).size());
+  const ReferenceList all = first_of(planned, usable(frames_of(planned, decoded)).size());
   if (frame.plain || all.size() == 0) return best;
   std::size_t fewest_bytes = encode(frame, best, decoded, Fit::quick).geometry.size();
-  for (const Way& way : {Way{Prediction::between, all}, Way{Prediction::between, first_of(all, 2)},
-                         Way{Prediction::forward, first_of(all, 3)}}) {
+  for (const Way& way : {Way{Prediction::b, all}, Way{Prediction::b, first_of(all, 2)},
+                         Way{Prediction::p, first_of(all, 3)}}) {
     const std::size_t bytes = encode(frame, way, decoded, Fit::quick).geometry.size() +
                               sizeof(std::uint32_t) * way.references.size();
     if (bytes >= fewest_bytes) continue;
@@ -48,13 +48,13 @@ ArchiveEncoder::Way ArchiveEncoder::smallest(const LatticeFrame& frame,
   return best;
 }
 
-EncodedFrame ArchiveEncoder::encode(const LatticeFrame& frame, const Way& way,
+EncodedFrame CompactEncoder::encode(const QuantisedFrame& frame, const Way& way,
                                     const Decoded& decoded, Fit fit) {
-  return encoder_.encode_rounded(frame, lattices_of(way.references, decoded), way.prediction, fit);
+  return encoder_.encode_rounded(frame, frames_of(way.references, decoded), way.prediction, fit);
 }
 
-ArchivedFrame ArchiveEncoder::encode(const LatticeFrame& frame, const ReferenceList& planned,
-                                     const Decoded& decoded) {
+CompactedFrame CompactEncoder::encode(const QuantisedFrame& frame, const ReferenceList& planned,
+                                      const Decoded& decoded) {
   const Way way = smallest(frame, planned, decoded);
   return {encode(frame, way, decoded, Fit::thorough), way.references};
 }

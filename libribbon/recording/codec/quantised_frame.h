@@ -1,4 +1,5 @@
-// A decoded frame: every coordinate as a whole number of steps (FORMAT.md, section 8.1).
+// A decoded frame: quantised positions, every coordinate a whole number of steps (FORMAT.md,
+// section 8.1).
 #pragma once
 
 #include <Eigen/Core>
@@ -6,19 +7,19 @@
 #include <span>
 
 #include "geometry/ribbon_grid.h"
-#include "recording/codec/parity_planes.h"
+#include "recording/codec/polyphase_planes.h"
 
 namespace ribbon {
 
 // How a frame's record holds its positions.
-enum class FrameEncoding : std::uint32_t { plain = 0, lattice = 1 };
+enum class FrameEncoding : std::uint32_t { plain = 0, quantised = 1 };
 
 // What other frames are predicted from, unless it is plain.
-struct LatticeFrame {
+struct QuantisedFrame {
   RibbonGrid grid;
-  float step_m = 0;  // 0: the lattice of all single-precision numbers
-  // Steps, whole numbers up to largest_lattice_number in magnitude; metres where the step is 0. By
-  // cell of ParityPlanes(grid), continued over the ribbon's border in straight lines.
+  float step_m = 0;  // 0: exact single precision
+  // Steps, whole numbers up to largest_quantised in magnitude; metres where the step is 0. By cell
+  // of PolyphasePlanes(grid), continued over the ribbon's border in straight lines.
   PlaneFields<float> values;
   bool plain = false;
   Eigen::Matrix3Xf plain_positions;  // of a plain frame, which has no values
@@ -32,6 +33,6 @@ struct LatticeFrame {
 };
 
 // Those of the references that can be used: all before the first plain one.
-std::span<const LatticeFrame* const> usable(std::span<const LatticeFrame* const> references);
+std::span<const QuantisedFrame* const> usable(std::span<const QuantisedFrame* const> references);
 
 }  // namespace ribbon

@@ -1,10 +1,10 @@
-#include "recording/records/record.h"
+#include "recording/records/record_head.h"
 
 #include <gtest/gtest.h>
 
 #include "recording/coding/checksum.h"
 
-namespace ribbon::record_test {
+namespace ribbon::record_head_test {
 
 TEST(Checksum, it_is_the_crc_32_of_zlib) {
   EXPECT_EQ(checksum("123456789"), 0xCBF43926U);  // the check value of the CRC catalogue
@@ -44,4 +44,4 @@ TEST(Record, an_unknown_type_has_a_valid_head) {
   EXPECT_EQ(static_cast<int>(head->type), 77);
 }
 
-}  // namespace ribbon::record_test
+}  // namespace ribbon::record_head_test

@@ -1,4 +1,4 @@
-#include "recording/codec/lattice_frame.h"
+#include "recording/codec/quantised_frame.h"
 
 #include <cmath>
 #include <utility>
@@ -10,7 +10,7 @@ namespace ribbon {
 namespace {
 
 // What lies one beyond the end of a straight line through the last two.
-void continue_over_border(const ParityPlanes& planes, std::vector<float>& values) {
+void continue_over_border(const PolyphasePlanes& planes, std::vector<float>& values) {
   const int along = planes.grid().along;
   const int across = planes.grid().across;
   const auto continued = [&](int i, int j, int di, int dj) {
@@ -32,24 +32,24 @@ void continue_over_border(const ParityPlanes& planes, std::vector<float>& values
 
 }  // namespace
 
-void LatticeFrame::positions(Eigen::Matrix3Xf& positions) const {
+void QuantisedFrame::positions(Eigen::Matrix3Xf& positions) const {
   if (plain) {
     positions = plain_positions;
     return;
   }
   positions.resize(3, grid.particle_count());
-  loops().positions(ParityPlanes(grid), {values[0].data(), values[1].data(), values[2].data()},
+  loops().positions(PolyphasePlanes(grid), {values[0].data(), values[1].data(), values[2].data()},
                     step_m > 0 ? step_m : 1, positions.data());
 }
 
-void LatticeFrame::continue_values() {
-  const ParityPlanes planes(grid);
+void QuantisedFrame::continue_values() {
+  const PolyphasePlanes planes(grid);
   for (auto& component : values) continue_over_border(planes, component);
 }
 
-bool LatticeFrame::is_finite() const {
+bool QuantisedFrame::is_finite() const {
   if (step_m > 0) return true;
-  const ParityPlanes planes(grid);
+  const PolyphasePlanes planes(grid);
   bool finite = true;
   for (const auto& component : values)
     for (int i = 0; i < grid.along; ++i)
@@ -58,7 +58,7 @@ bool LatticeFrame::is_finite() const {
   return finite;
 }
 
-std::span<const LatticeFrame* const> usable(std::span<const LatticeFrame* const> references) {
+std::span<const QuantisedFrame* const> usable(std::span<const QuantisedFrame* const> references) {
   std::size_t count = 0;
   while (count < references.size() && !references[count]->plain) ++count;
   return references.first(count);

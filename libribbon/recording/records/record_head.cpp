@@ -1,4 +1,4 @@
-#include "recording/records/record.h"
+#include "recording/records/record_head.h"
 
 #include "recording/coding/bytes.h"
 #include "recording/coding/checksum.h"

@@ -14,7 +14,7 @@ namespace ribbon {
 // memory columns come one behind the other, for ribbons are much longer than wide. All planes have
 // the same size and a border, so that the neighbours of a whole column lie at constant distances:
 // what is predicted from them is predicted side by side.
-class ParityPlanes {
+class PolyphasePlanes {
  public:
   static constexpr int count = 4;
   // The order in which they are predicted and written.
@@ -23,7 +23,7 @@ class ParityPlanes {
   // last particle must be made good afterwards where it belongs to the border.
   static constexpr int lane_quantum = 16;
 
-  explicit ParityPlanes(const RibbonGrid& grid)
+  explicit PolyphasePlanes(const RibbonGrid& grid)
       : grid_(grid),
         stride_(std::ptrdiff_t{lane_quantum} *
                 (((grid.along + 1) / 2 + 2 * border + lane_quantum - 1) / lane_quantum)),

@@ -6,10 +6,10 @@ import numpy as np
 
 from zstd_frames import zstd_content
 
-PLAIN, LATTICE = 0, 1
-WITHIN, FORWARD, BETWEEN = 0, 1, 2
+PLAIN, QUANTISED = 0, 1
+INTRA, P_FRAME, B_FRAME = 0, 1, 2
 PLANE_ORDER = (0, 3, 1, 2)
-BLOCK_RANKS = 64
+BLOCK_RESIDUALS = 64
 BLOCK_COLUMNS = 4
 LARGEST_NUMBER = 2**24
 F = np.float32
@@ -62,15 +62,16 @@ class Frame:
         return self.coordinates is not None
 
 
-class LatticeCodec:
+class PositionCodec:
     def __init__(self, header):
         self.header = header
         self.along, self.across = header.along, header.across
-        self.step = F(header.lattice_step_m)
+        self.step = F(header.quantisation_step_m)
         unit = float(self.step) if self.step > 0 else 1.0
-        natural = [header.length_m / (self.along - 1) / unit, header.width_m / (self.across - 1) / unit]
-        self.over_rest = [F(1) / F(length * length) for length in natural]
-        self.places = [plane_of(self.along, self.across, plane) for plane in PLANE_ORDER]
+        rest_along = header.length_m / (self.along - 1) / unit
+        rest_across = header.width_m / (self.across - 1) / unit
+        self.over_rest = [F(1) / F(length * length) for length in (rest_along, rest_across)]
+        self.planes = [plane_of(self.along, self.across, plane) for plane in PLANE_ORDER]
         self.blocks = [b for plane in PLANE_ORDER for b in blocks_of(self.along, self.across, plane)]
 
     def coordinates(self, frame):
@@ -84,41 +85,41 @@ class LatticeCodec:
         if encoding == PLAIN:
             content = zstd_content(geometry, 12 * self.along * self.across)
             return Frame(coordinates=np.frombuffer(content, "<f4").reshape(3, -1))
-        if encoding != LATTICE:
+        if encoding != QUANTISED:
             raise Damaged(f"encoding {encoding} is not known")
         counting = []
         for reference in references:
             if reference.plain:
                 break
             counting.append(reference)
-        return self.decode_lattice(Content(geometry), counting)
+        return self.decode_quantised(Content(geometry), counting)
 
-    def decode_lattice(self, content, references):
+    def decode_quantised(self, content, references):
         """Section 8.3."""
         prediction = content.bytes(1)[0]
-        if (prediction == WITHIN) != (not references) or prediction > BETWEEN:
+        if (prediction == INTRA) != (not references) or prediction > B_FRAME:
             raise Damaged("a prediction does not go with the references")
-        if prediction == WITHIN:
+        if prediction == INTRA:
             weights = [F(w) / F(64) for w in struct.unpack("4b", content.bytes(4))]
         else:
             weights = take_weights(content, prediction)
-        rank_grid = np.zeros((3, self.along, self.across), "i8")
-        take_ranks(content, self.header.entropy_tables, self.blocks, rank_grid)
+        residual_grid = np.zeros((3, self.along, self.across), "i8")
+        take_residuals(content, self.header.entropy_tables, self.blocks, residual_grid)
         frame = Frame(np.zeros((3, self.along, self.across), "f4"))
         with np.errstate(over="ignore", invalid="ignore"):
-            if prediction == WITHIN:
-                self.rebuild_within(frame, rank_grid, weights)
+            if prediction == INTRA:
+                self.rebuild_intra(frame, residual_grid, weights)
             else:
-                self.rebuild_moved(frame, rank_grid, weights, prediction, references)
+                self.rebuild_inter(frame, residual_grid, weights, prediction, references)
         return frame
 
     # Section 8.4.
 
-    def set_numbers(self, frame, where, predicted, ranks, reference=None):
+    def set_numbers(self, frame, where, predicted, residuals, reference=None):
         """where: an index into the grid behind the component."""
         where = (slice(None), *where)
-        odd = ranks % 2 == 1
-        half = (ranks + 1) // 2
+        odd = residuals % 2 == 1
+        half = (residuals + 1) // 2
         if self.step > 0:
             m = np.where(np.isnan(predicted), F(-(2.0**30)), predicted)
             m = np.clip(m, F(-(2.0**30)), F(2.0**30))
@@ -136,27 +137,27 @@ class LatticeCodec:
             numbers = wrapped(ordered(v.view("i4")).astype("i8") + np.where(odd, half, -half))
             frame.values[where] = ordered(numbers).view("f4")
 
-    # Section 8.5, within.
+    # Section 8.5, intra.
 
-    def rebuild_within(self, frame, ranks, weights):
-        self.rebuild_coarse(frame, ranks)
+    def rebuild_intra(self, frame, residuals, weights):
+        self.rebuild_coarse(frame, residuals)
         pairs3, outer3, pairs, outer = weights
         del pairs3  # plane 3 has none
-        i, j = self.places[1]
+        i, j = self.planes[1]
         x = self.continued(frame, [0])
         middle = ((x(i - 1, j - 1) + x(i - 1, j + 1)) + (x(i + 1, j - 1) + x(i + 1, j + 1))) * F(0.25)
         far = ((x(i - 3, j - 1) + x(i - 3, j + 1)) + (x(i + 3, j - 1) + x(i + 3, j + 1))) * F(0.25)
-        self.set_numbers(frame, (i, j), middle + outer3 * (far - middle), ranks[:, i, j])
+        self.set_numbers(frame, (i, j), middle + outer3 * (far - middle), residuals[:, i, j])
         x = self.continued(frame, [0, 3])
-        for i, j in self.places[2:]:
+        for i, j in self.planes[2:]:
             along = (x(i - 1, j) + x(i + 1, j)) * F(0.5)
             across = (x(i, j - 1) + x(i, j + 1)) * F(0.5)
             middle = (along + across) * F(0.5)
             far = ((x(i - 2, j - 1) + x(i - 2, j + 1)) + (x(i + 2, j - 1) + x(i + 2, j + 1))) * F(0.25)
             m = (middle + pairs * (along - across)) + outer * (far - middle)
-            self.set_numbers(frame, (i, j), m, ranks[:, i, j])
+            self.set_numbers(frame, (i, j), m, residuals[:, i, j])
 
-    def rebuild_coarse(self, frame, ranks):
+    def rebuild_coarse(self, frame, residuals):
         """Plane 0, one particle after the other, row by row: each needs only what lies before it."""
         plane = frame.values[:, ::2, ::2]
         rows, columns = plane.shape[1:]
@@ -172,7 +173,7 @@ class LatticeCodec:
                     m = upper[:, 0]
                 else:
                     m = upper[:, b] + (plane[:, a, b - 1] - upper[:, b - 1])
-                self.set_numbers(frame, (2 * a, 2 * b), m, ranks[:, 2 * a, 2 * b])
+                self.set_numbers(frame, (2 * a, 2 * b), m, residuals[:, 2 * a, 2 * b])
 
     def continued(self, frame, planes):
         """x(i, j) for particles of these planes and beyond their borders."""
@@ -187,27 +188,27 @@ class LatticeCodec:
 
         return values
 
-    # Section 8.5, forward and between.
+    # Section 8.5, P and B.
 
-    def rebuild_moved(self, frame, ranks, weights, prediction, references):
+    def rebuild_inter(self, frame, residuals, weights, prediction, references):
         first = references[0]
         terms = self.past_terms(prediction, references)
-        self.rebuild_coarse_moved(frame, ranks, weights[:2], terms, first)
+        self.rebuild_coarse_inter(frame, residuals, weights[:2], terms, first)
         motion = self.nearest(frame.values - first.values, [0])
         near, past = weights[2]
-        i, j = self.places[1]
+        i, j = self.planes[1]
         around = [(i - 1, j - 1), (i - 1, j + 1), (i + 1, j - 1), (i + 1, j + 1)]
-        m = terms(past)[:, i, j] + paired(near, [motion(*place) for place in around])
-        self.set_numbers(frame, (i, j), m, ranks[:, i, j], first)
+        m = terms(past)[:, i, j] + paired(near, [motion(*cell) for cell in around])
+        self.set_numbers(frame, (i, j), m, residuals[:, i, j], first)
         motion = self.nearest(frame.values - first.values, [0, 3])
         near, past = weights[3]
         expected = terms(past)
-        for i, j in self.places[2:]:
+        for i, j in self.planes[2:]:
             around = [(i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)]
-            m = expected[:, i, j] + paired(near, [motion(*place) for place in around])
-            self.set_numbers(frame, (i, j), m, ranks[:, i, j], first)
+            m = expected[:, i, j] + paired(near, [motion(*cell) for cell in around])
+            self.set_numbers(frame, (i, j), m, residuals[:, i, j], first)
 
-    def rebuild_coarse_moved(self, frame, ranks, weights, terms, first):
+    def rebuild_coarse_inter(self, frame, residuals, weights, terms, first):
         """Stages 0 and 1: plane 0, column after column."""
         (_, past), (near, next_past) = weights
         expected = terms(past)[:, ::2, ::2]
@@ -221,7 +222,7 @@ class LatticeCodec:
                 taps = near[0] * moved[:, before] + near[1] * moved
                 m = next_expected[:, :, b] + (taps + near[2] * moved[:, after])
             where = (2 * rows, np.full_like(rows, 2 * b))
-            self.set_numbers(frame, where, m, ranks[:, ::2, 2 * b], first)
+            self.set_numbers(frame, where, m, residuals[:, ::2, 2 * b], first)
 
     def nearest(self, motion, planes):
         """q(i, j) for particles of these planes; beyond a plane's border that of its nearest cell."""
@@ -238,12 +239,12 @@ class LatticeCodec:
     def past_terms(self, prediction, references):
         """A function of the weights c0, c1, ...: past(i, j), 3 x along x across."""
         values = [extended(extended(r.values, 1, 1), 2, 1) for r in references]
-        instead = [None, 0, 1 if prediction == FORWARD else 0, 1]
+        instead = [None, 0, 1 if prediction == P_FRAME else 0, 1]
         for k in range(len(values), 4):
             values.append(values[instead[k]])
         a, b, c, d = values
         p, second, v = Shifted(a), Shifted(b), Shifted(a - b)
-        w = Shifted(b - c if prediction == FORWARD else a - c)
+        w = Shifted(b - c if prediction == P_FRAME else a - c)
         u = Shifted(d - b)
 
         def past(c):
@@ -252,7 +253,7 @@ class LatticeCodec:
             along = self.springs(p, (1, 0), c[6], c[8])
             across = self.springs(p, (0, 1), c[7], c[9])
             sum_of_all = (line + sides) + (along + across)
-            if prediction == FORWARD:
+            if prediction == P_FRAME:
                 return sum_of_all
             second_along = self.springs(second, (1, 0), F(0), c[11])
             second_across = self.springs(second, (0, 1), F(0), c[12])
@@ -333,20 +334,20 @@ def take_weights(content, prediction):
     def take(count):
         return [F(zigzag(content.varint())) * F(2.0**-shift) for _ in range(count)]
 
-    past = 10 if prediction == FORWARD else 13
+    past = 10 if prediction == P_FRAME else 13
     return [(take(near), take(past)) for near in (0, 3, 4, 4)]
 
 
 # Section 8.6.
 
 
-# Symbols in a byte and the escape of forms 1 to 7.
-FORMS = [(4, 3), (2, 5), (2, 7), (2, 11), (1, 31), (1, 63), (1, 127)]
+# Symbols in a byte and the escape of modes 1 to 7.
+MODES = [(4, 3), (2, 5), (2, 7), (2, 11), (1, 31), (1, 63), (1, 127)]
 
 
-def form_of(number):
+def mode_of(number):
     """Symbols in a byte, escape, low bits, run."""
-    per_byte, escape = FORMS[min(number, 7) - 1]
+    per_byte, escape = MODES[min(number, 7) - 1]
     return per_byte, escape, max(0, number - 7), min(number, 7)
 
 
@@ -355,7 +356,7 @@ def blocks_of(along, across, plane):
     rows, columns = np.arange(plane // 2, along, 2), np.arange(plane % 2, across, 2)
     for b in range(0, len(columns), BLOCK_COLUMNS):
         chosen = columns[b : b + BLOCK_COLUMNS]
-        length = BLOCK_RANKS // {1: 1, 2: 2, 3: 4, 4: 4}[len(chosen)]
+        length = BLOCK_RESIDUALS // {1: 1, 2: 2, 3: 4, 4: 4}[len(chosen)]
         for a in range(0, len(rows), length):
             yield [(rows[a : a + length], np.full(len(rows[a : a + length]), j)) for j in chosen]
 
@@ -370,58 +371,59 @@ def take_run(content, tables, run, symbols):
     return zstd_content(b"\x28\xb5\x2f\xfd\x00" + content.bytes(size), symbols, table)
 
 
-def take_forms(content, tables, blocks):
-    """The form of each block, by component."""
+def take_modes(content, tables, blocks):
+    """The mode of each block, by component."""
     steps = take_run(content, tables, 0, 3 * blocks)
     for component in range(3):
-        form, forms = 0, []
+        mode, modes = 0, []
         for step in steps[component * blocks : (component + 1) * blocks]:
-            form += zigzag(step)
-            if not 0 <= form <= 31:
-                raise Damaged(f"there is no form {form}")
-            forms.append(form)
-        yield forms
+            mode += zigzag(step)
+            if not 0 <= mode <= 31:
+                raise Damaged(f"there is no mode {mode}")
+            modes.append(mode)
+        yield modes
 
 
-def take_ranks(content, tables, blocks, rank_grid):
-    """Puts the ranks of each component where they belong in the grid."""
-    forms = list(take_forms(content, tables, len(blocks)))
+def take_residuals(content, tables, blocks, residual_grid):
+    """Puts the residuals of each component where they belong in the grid."""
+    modes = list(take_modes(content, tables, len(blocks)))
     run_bytes = [0] * 8
-    for component in forms:
+    for component in modes:
         for number, block in zip(component, blocks, strict=True):
             if number > 0:
-                per_byte, _, _, run = form_of(number)
+                per_byte, _, _, run = mode_of(number)
                 run_bytes[run] += sum(-(-len(i) // per_byte) for i, _ in block)
     runs = [Content(take_run(content, tables, run, run_bytes[run])) for run in range(1, 8)]
-    for component, component_forms in enumerate(forms):
-        for number, block in zip(component_forms, blocks, strict=True):
+    for component, component_modes in enumerate(modes):
+        for number, block in zip(component_modes, blocks, strict=True):
             for i, j in block:
-                rank_grid[component, i, j] = take_symbols(runs, number, len(i), content)
-    add_low_bits(rank_grid, forms, blocks, content.rest())
+                residual_grid[component, i, j] = take_symbols(runs, number, len(i), content)
+    add_low_bits(residual_grid, modes, blocks, content.rest())
 
 
 def take_symbols(runs, number, count, content):
-    """The ranks of a column of a block but for their low bits; escapes are taken from the content."""
+    """The residuals of a column of a block without low bits; takes escapes from the content."""
     if number == 0:
         return [0] * count
-    per_byte, escape, _, run = form_of(number)
+    per_byte, escape, _, run = mode_of(number)
     bits = 8 // per_byte
     data = runs[run - 1].bytes(-(-count // per_byte))
     high = [(data[k // per_byte] >> (k % per_byte * bits)) & ((1 << bits) - 1) for k in range(count)]
     return [symbol if symbol < escape else symbol + content.varint() for symbol in high]
 
 
-def add_low_bits(rank_grid, forms, blocks, data):
+def add_low_bits(residual_grid, modes, blocks, data):
     bits, at = int.from_bytes(data, "little"), 0
-    for component, component_forms in enumerate(forms):
-        for number, block in zip(component_forms, blocks, strict=True):
-            low_bits = form_of(number)[2] if number > 0 else 0
+    for component, component_modes in enumerate(modes):
+        for number, block in zip(component_modes, blocks, strict=True):
+            low_bits = mode_of(number)[2] if number > 0 else 0
             if low_bits == 0:
                 continue
             for column in block:
                 for i, j in zip(*column, strict=True):
                     low = (bits >> at) & ((1 << low_bits) - 1)
-                    rank_grid[component, i, j] = (rank_grid[component, i, j] << low_bits) | low
+                    high = residual_grid[component, i, j]
+                    residual_grid[component, i, j] = (high << low_bits) | low
                     at += low_bits
     if len(data) != (at + 7) // 8:
         raise Damaged("a frame's geometry has another length than it needs")
