@@ -8,9 +8,13 @@
 
 namespace ribbon {
 
-bool write_all(int descriptor, std::string_view bytes) {
+bool FileDescriptor::close() {
+  return !is_open() || ::close(std::exchange(number_, -1)) == 0;
+}
+
+bool write_all(const FileDescriptor& file, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    const ssize_t written = ::write(file.number(), bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(written));
@@ -22,12 +26,18 @@ std::string last_error_text() {
   return std::error_code(errno, std::generic_category()).message();
 }
 
+Result<void> create_folder_of(const std::filesystem::path& path) {
+  std::error_code code;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
+  if (!code) return {};
+  return failure(path.parent_path().string(), "cannot be created (" + code.message() + ")",
+                 "choose a folder that you may write to");
+}
+
 void sync_folder_of(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
+  const FileDescriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.is_open()) ::fsync(opened.number());
 }
 
 }  // namespace ribbon

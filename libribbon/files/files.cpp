@@ -26,22 +26,16 @@ Result<std::string> read_file(const std::filesystem::path& path) {
 }
 
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
-  std::error_code code;
-  if (path.has_parent_path()) {
-    std::filesystem::create_directories(path.parent_path(), code);
-    if (code)
-      return failure(path.parent_path().string(), "cannot be created (" + code.message() + ")",
-                     "choose a folder that you may write to");
-  }
+  if (auto created = create_folder_of(path); !created) return created;
   const std::filesystem::path temporary = path.string() + ".part" + std::to_string(::getpid());
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0)
+  FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (!file.is_open())
     return failure(path.string(), "cannot be written (" + last_error_text() + ")",
                    "choose a folder that you may write to");
   // Forced to the disk before the rename: a power cut must not leave an empty file under the name.
-  const bool written = write_all(descriptor, bytes) && ::fsync(descriptor) == 0;
+  const bool written = write_all(file, bytes) && ::fsync(file.number()) == 0;
   std::string problem = written ? "" : last_error_text();
-  if (::close(descriptor) != 0 && problem.empty()) problem = last_error_text();
+  if (!file.close() && problem.empty()) problem = last_error_text();
   if (problem.empty() && ::rename(temporary.c_str(), path.c_str()) != 0)
     problem = last_error_text();
   if (!problem.empty()) {

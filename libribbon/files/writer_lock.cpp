@@ -19,14 +19,14 @@ struct flock whole_file() {
 
 }  // namespace
 
-bool lock_for_writing(int descriptor) {
+bool lock_for_writing(const FileDescriptor& file) {
   struct flock lock = whole_file();
-  return ::fcntl(descriptor, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES);
+  return ::fcntl(file.number(), F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES);
 }
 
-bool is_locked_for_writing(int descriptor) {
+bool is_locked_for_writing(const FileDescriptor& file) {
   struct flock lock = whole_file();
-  return ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  return ::fcntl(file.number(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
 }  // namespace ribbon

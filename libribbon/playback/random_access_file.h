@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 
+#include "files/descriptor.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -12,12 +14,6 @@ namespace ribbon {
 class RandomAccessFile {
  public:
   static Result<RandomAccessFile> open(const std::filesystem::path& path);
-
-  RandomAccessFile(RandomAccessFile&& other) noexcept;
-  RandomAccessFile& operator=(RandomAccessFile&& other) noexcept;
-  RandomAccessFile(const RandomAccessFile&) = delete;
-  RandomAccessFile& operator=(const RandomAccessFile&) = delete;
-  ~RandomAccessFile();
 
   // As it was when opened or when update_size() was called last.
   [[nodiscard]] std::uint64_t size() const { return size_; }
@@ -33,8 +29,8 @@ class RandomAccessFile {
   [[nodiscard]] std::string read(std::uint64_t offset, std::uint64_t count) const;
 
  private:
-  RandomAccessFile(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
-  int descriptor_ = -1;
+  RandomAccessFile(FileDescriptor file, std::uint64_t size) : file_(std::move(file)), size_(size) {}
+  FileDescriptor file_;
   std::uint64_t size_ = 0;
 };
 

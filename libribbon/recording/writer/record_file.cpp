@@ -6,24 +6,13 @@
 
 #include <cassert>
 #include <cerrno>
-#include <system_error>
 #include <utility>
 
-#include "files/descriptor.h"
 #include "files/writer_lock.h"
 
 namespace ribbon {
 
 namespace {
-
-Result<void> create_folder_of(const std::filesystem::path& path) {
-  std::error_code code;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
-  if (code)
-    return failure(path.parent_path().string(), "cannot be created (" + code.message() + ")",
-                   "choose a folder that you may write to");
-  return {};
-}
 
 // Pipes and devices cannot be forced to the disk, and need not be.
 bool is_on_disk(int answer) {
@@ -31,46 +20,24 @@ bool is_on_disk(int answer) {
 }
 
 // Another file may have taken its name before it was locked.
-bool is_still_at(const std::filesystem::path& path, int descriptor) {
+bool is_still_at(const std::filesystem::path& path, const FileDescriptor& file) {
   struct stat opened {};
   struct stat named {};
-  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+  return ::fstat(file.number(), &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
 }  // namespace
 
-RecordFile::RecordFile(std::filesystem::path path, int descriptor)
-    : path_(std::move(path)), descriptor_(descriptor) {}
-
-RecordFile::RecordFile(RecordFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      size_(other.size_),
-      name_is_safe_(other.name_is_safe_) {}
-
-RecordFile& RecordFile::operator=(RecordFile&& other) noexcept {
-  std::swap(path_, other.path_);
-  std::swap(descriptor_, other.descriptor_);
-  std::swap(size_, other.size_);
-  std::swap(name_is_safe_, other.name_is_safe_);
-  return *this;
-}
-
-RecordFile::~RecordFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 Result<RecordFile> RecordFile::open(const std::filesystem::path& path, int flags) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
-  if (descriptor < 0)
+  FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666));
+  if (!file.is_open())
     return failure(path.string(), "cannot be written (" + last_error_text() + ")",
                    "choose a file that you may write to");
-  RecordFile file(path, descriptor);
-  if (!lock_for_writing(descriptor) || !is_still_at(path, descriptor))
+  if (!lock_for_writing(file) || !is_still_at(path, file))
     return failure(path.string(), "is being written by another program",
                    "wait until that has ended, or choose another file");
-  return file;
+  return RecordFile(path, std::move(file));
 }
 
 Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
@@ -78,7 +45,7 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
     return tl::unexpected(std::move(created.error()));
   auto file = open(path, O_CREAT);
   // Emptied only now that nobody else writes it. Pipes and devices are empty anyway.
-  if (file && ::ftruncate(file->descriptor_, 0) != 0 && errno != EINVAL)
+  if (file && ::ftruncate(file->file_.number(), 0) != 0 && errno != EINVAL)
     return file->cannot_be_written(last_error_text());
   return file;
 }
@@ -87,15 +54,16 @@ Result<RecordFile> RecordFile::open(const std::filesystem::path& path) {
   auto file = open(path, 0);
   struct stat status {};
   if (!file) return file;
-  if (::fstat(file->descriptor_, &status) != 0) return file->cannot_be_written(last_error_text());
+  if (::fstat(file->file_.number(), &status) != 0)
+    return file->cannot_be_written(last_error_text());
   file->size_ = static_cast<std::uint64_t>(status.st_size);
-  ::lseek(file->descriptor_, 0, SEEK_END);
+  ::lseek(file->file_.number(), 0, SEEK_END);
   return file;
 }
 
 Result<void> RecordFile::append(std::string_view records) {
-  assert(descriptor_ >= 0 && "not after close()");
-  if (write_all(descriptor_, records)) {
+  assert(file_.is_open() && "not after close()");
+  if (write_all(file_, records)) {
     size_ += records.size();
     return {};
   }
@@ -105,21 +73,21 @@ Result<void> RecordFile::append(std::string_view records) {
 }
 
 Result<void> RecordFile::cut(std::uint64_t size) {
-  if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0 ||
-      ::lseek(descriptor_, static_cast<off_t>(size), SEEK_SET) < 0)
+  if (::ftruncate(file_.number(), static_cast<off_t>(size)) != 0 ||
+      ::lseek(file_.number(), static_cast<off_t>(size), SEEK_SET) < 0)
     return cannot_be_written(last_error_text());
   size_ = size;
   return {};
 }
 
 Result<void> RecordFile::sync() {
-  if (!is_on_disk(::fdatasync(descriptor_))) return may_be_lost(last_error_text());
+  if (!is_on_disk(::fdatasync(file_.number()))) return may_be_lost(last_error_text());
   if (!std::exchange(name_is_safe_, true)) sync_folder_of(path_);
   return {};
 }
 
 Result<void> RecordFile::close() {
-  if (::close(std::exchange(descriptor_, -1)) != 0) return may_be_lost(last_error_text());
+  if (!file_.close()) return may_be_lost(last_error_text());
   return {};
 }
 

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
+#include "files/descriptor.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -17,12 +19,6 @@ class RecordFile {
 
   // Opens and locks an older file, to append to it. Fails likewise.
   static Result<RecordFile> open(const std::filesystem::path& path);
-
-  RecordFile(RecordFile&& other) noexcept;
-  RecordFile& operator=(RecordFile&& other) noexcept;
-  RecordFile(const RecordFile&) = delete;
-  RecordFile& operator=(const RecordFile&) = delete;
-  ~RecordFile();
 
   // Whole records only.
   [[nodiscard]] std::uint64_t size() const { return size_; }
@@ -42,13 +38,14 @@ class RecordFile {
   Result<void> close();
 
  private:
-  RecordFile(std::filesystem::path path, int descriptor);
+  RecordFile(std::filesystem::path path, FileDescriptor file)
+      : path_(std::move(path)), file_(std::move(file)) {}
   static Result<RecordFile> open(const std::filesystem::path& path, int flags);
   [[nodiscard]] tl::unexpected<Error> cannot_be_written(const std::string& reason) const;
   [[nodiscard]] tl::unexpected<Error> may_be_lost(const std::string& reason) const;
 
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  FileDescriptor file_;
   std::uint64_t size_ = 0;
   bool name_is_safe_ = false;  // the folder's entry is on the disk, too
 };
