@@ -56,9 +56,9 @@ class Compactor {
     const auto quantised = source_.read_quantised(static_cast<int>(frame));
     if (!quantised) return tl::unexpected(quantised.error());
     const QuantisedFrame& decoded = coded_[frame] = **quantised;
-    const CompactedFrame compacted = encoder_.encode(
-        decoded, planned.references,
-        [this](std::uint32_t reference) -> const QuantisedFrame& { return coded_.at(reference); });
+    const CompactedFrame compacted =
+        encoder_.encode(decoded, planned.references,
+                        [this](std::uint32_t reference) { return &coded_.at(reference); });
     auto written = target_.append_encoded({.frame = frame,
                                            .encoding = compacted.encoded.encoding,
                                            .references = compacted.references,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "playback/resume.h"
+#include "continuation/resume_recording.h"
 #include "recorder/recorded_run.h"
 #include "recorder/stopwatch.h"
 

@@ -1,4 +1,4 @@
-#include "playback/resume.h"
+#include "continuation/resume_recording.h"
 
 #include <algorithm>
 #include <set>
@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "playback/frame_decoder.h"
-#include "playback/random_access_file.h"
 #include "playback/recording_contents.h"
 #include "playback/recording_start.h"
 #include "recording/writer/references.h"
@@ -19,8 +18,8 @@ namespace {
 // those whose index record is lost.
 Index not_indexed(RecordingContents& contents) {
   std::set<std::uint64_t> indexed;  // by offset
-  for (const IndexLocation& place : contents.indices()) {
-    const auto index = contents.read_index(place);
+  for (const IndexLocation& location : contents.indices()) {
+    const auto index = contents.read_index(location);
     if (!index) continue;
     for (const IndexedFrame& frame : index->frames) indexed.insert(frame.offset);
     for (const IndexedOther& other : index->others) indexed.insert(other.offset);
@@ -37,42 +36,28 @@ Index not_indexed(RecordingContents& contents) {
   return rest;
 }
 
-struct Source {
-  RandomAccessFile file;
-  RecordingStart start;
-};
-
-Result<Source> open_source(const std::filesystem::path& path) {
-  auto file = RandomAccessFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  auto start = read_start(*file, path);
-  if (!start) return tl::unexpected(std::move(start.error()));
-  return Source{*std::move(file), *std::move(start)};
-}
-
 }  // namespace
 
 Result<RecordingWriter> resume_recording(const std::filesystem::path& path) {
   // Read before it is opened for writing, so that what is no recording is told as such,
-  if (auto opened = open_source(path); !opened) return tl::unexpected(std::move(opened.error()));
+  if (auto opened = open_recording(path); !opened) return tl::unexpected(std::move(opened.error()));
   auto target = RecordFile::open(path);
   if (!target) return tl::unexpected(std::move(target.error()));
-  // and again now that nobody else can write it, or put another file in its place.
-  auto opened = open_source(path);
+  // and again now that nobody else can write it, or put another file under its name.
+  auto opened = open_recording(path);
   if (!opened) return tl::unexpected(std::move(opened.error()));
-  auto& [source, start] = *opened;
-  RecordingContents contents(source, start);
+  RecordingContents contents(*std::move(opened));
   contents.check();
-  FrameDecoder decoder(source, start, contents);
 
-  RecordedSoFar so_far{.header = start.header,
-                       .recording_id = start.recording_id,
+  RecordedSoFar so_far{.header = contents.start().header,
+                       .recording_id = contents.start().recording_id,
                        .frames = contents.frames_before_end(),
                        .indices = contents.indices(),
                        .not_indexed = not_indexed(contents),
                        .recent = {}};
+  FrameDecoder decoder(so_far.header);
   for (const std::uint32_t reference : live_references(so_far.frames))
-    if (const QuantisedFrame* quantised = decoder.decode(reference))
+    if (const QuantisedFrame* quantised = decoder.decode(contents, reference))
       so_far.recent.push_back({reference, *quantised});
   if (auto cut = target->cut(contents.end()); !cut) return tl::unexpected(std::move(cut.error()));
   return RecordingWriter(std::move(*target), std::move(so_far));

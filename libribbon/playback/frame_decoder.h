@@ -16,16 +16,15 @@ namespace ribbon {
 
 class FrameDecoder {
  public:
-  // Keeps references to all of them.
-  FrameDecoder(const RandomAccessFile& file, const RecordingStart& start,
-               RecordingContents& contents);
+  // Of one recording, whose contents all calls are to get.
+  explicit FrameDecoder(const RecordingHeader& header) : decoder_(codec_parameters(header)) {}
 
   // Are the frame and all that it needs there? What the contents say, and what decode() found out.
-  bool is_readable(std::uint32_t frame);
+  bool is_readable(RecordingContents& contents, std::uint32_t frame);
 
   // Nothing where the frame cannot be decoded. Decodes only what is not at hand from earlier calls.
   // Valid until the next call.
-  const QuantisedFrame* decode(std::uint32_t frame);
+  const QuantisedFrame* decode(RecordingContents& contents, std::uint32_t frame);
 
  private:
   struct Slot {
@@ -34,15 +33,13 @@ class FrameDecoder {
     QuantisedFrame quantised;
   };
 
-  std::optional<std::vector<std::uint32_t>> needed(std::uint32_t frame, bool all);
+  std::optional<std::vector<std::uint32_t>> needed(RecordingContents& contents, std::uint32_t frame,
+                                                   bool all);
   Slot* at_hand(std::uint32_t frame);
   Slot& free_slot();
-  bool decode_one(std::uint32_t frame);
-  bool decode_record(const IndexedFrame& entry, Slot& slot);
+  bool decode_one(RecordingContents& contents, std::uint32_t frame);
+  bool decode_record(const RecordingContents& contents, const IndexedFrame& entry, Slot& slot);
 
-  const RandomAccessFile& file_;
-  const RecordingStart& start_;
-  RecordingContents& contents_;
   PositionDecoder decoder_;
   std::vector<std::unique_ptr<Slot>> slots_;  // decoded frames
   std::uint64_t uses_ = 0;                    // a clock for last_use

@@ -17,8 +17,8 @@ constexpr const char* foreign = "a record does not belong here";
 
 }  // namespace
 
-RecordingContents::RecordingContents(const RandomAccessFile& file, const RecordingStart& start)
-    : file_(file), start_(start) {
+RecordingContents::RecordingContents(OpenedRecording recording)
+    : file_(std::move(recording.file)), start_(std::move(recording.start)) {
   start_over();
   if (!trust_directory()) check();
 }
@@ -62,12 +62,12 @@ bool RecordingContents::trust_directory() {
   return true;
 }
 
-std::optional<Index> RecordingContents::read_index(const IndexLocation& place) const {
-  const std::string record = file_.read(place.offset, place.record_bytes);
+std::optional<Index> RecordingContents::read_index(const IndexLocation& location) const {
+  const std::string record = file_.read(location.offset, location.record_bytes);
   const auto payload = whole_record(record, RecordType::index);
   if (!payload) return std::nullopt;
-  auto index = parse_index_payload(*payload, start_.recording_id, place.offset);
-  if (!index || index->frames.size() != place.frames || index->others.size() != place.others)
+  auto index = parse_index_payload(*payload, start_.recording_id, location.offset);
+  if (!index || index->frames.size() != location.frames || index->others.size() != location.others)
     return std::nullopt;
   return index;
 }
@@ -121,8 +121,11 @@ void RecordingContents::check() {
   walk();
 }
 
-void RecordingContents::refresh() {
+bool RecordingContents::refresh() {
+  if (!file_.update_size()) return true;
+  if (file_.size() < end_) return false;
   walk();
+  return true;
 }
 
 void RecordingContents::walk() {

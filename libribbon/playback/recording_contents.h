@@ -17,12 +17,16 @@ namespace ribbon {
 
 class RecordingContents {
  public:
-  // Keeps references to both. Trusts the directory where there is one and loads index records as
-  // they are needed; walks through the file otherwise.
-  RecordingContents(const RandomAccessFile& file, const RecordingStart& start);
+  // Trusts the directory where there is one and loads index records as they are needed; walks
+  // through the file otherwise.
+  explicit RecordingContents(OpenedRecording recording);
 
-  // Walks on from where it has ended, after the file has grown.
-  void refresh();
+  [[nodiscard]] const RandomAccessFile& file() const { return file_; }
+  [[nodiscard]] const RecordingStart& start() const { return start_; }
+
+  // Finds out what the file has gained. False, finding out nothing, where it has become shorter
+  // than what was read of it.
+  bool refresh();
 
   // Walks through all of the file, unless that has been done: what it found counts, not what the
   // directory says.
@@ -48,7 +52,7 @@ class RecordingContents {
   [[nodiscard]] std::uint64_t end() const { return end_; }
   // The index records, and what one of them tells; nothing where that is not what was promised.
   [[nodiscard]] const std::vector<IndexLocation>& indices() const { return indices_; }
-  [[nodiscard]] std::optional<Index> read_index(const IndexLocation& place) const;
+  [[nodiscard]] std::optional<Index> read_index(const IndexLocation& location) const;
 
  private:
   bool trust_directory();
@@ -65,8 +69,8 @@ class RecordingContents {
   const char* take_session(const WalkStep& step);
   const char* take_other(const WalkStep& step, std::uint32_t frame, std::uint32_t frames);
 
-  const RandomAccessFile& file_;
-  const RecordingStart& start_;
+  RandomAccessFile file_;
+  RecordingStart start_;
   FrameTable table_;
   std::vector<IndexedOther> others_;
   std::vector<IndexLocation> indices_;

@@ -4,11 +4,12 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "playback/damage.h"
+#include "playback/frame_decoder.h"
+#include "playback/recording_contents.h"
 #include "recording/codec/quantised_frame.h"
 #include "recording/records/recording.h"
 #include "result/result.h"
@@ -23,10 +24,6 @@ class RecordingReader {
   // the file otherwise. A cut-off tail is a normal end. Fails when the file cannot be read or its
   // header is not valid.
   static Result<RecordingReader> open(const std::filesystem::path& path);
-
-  RecordingReader(RecordingReader&&) noexcept;
-  RecordingReader& operator=(RecordingReader&&) noexcept;
-  ~RecordingReader();
 
   [[nodiscard]] const RecordingHeader& header() const;
   [[nodiscard]] std::uint32_t recording_id() const;
@@ -73,9 +70,14 @@ class RecordingReader {
   Result<const QuantisedFrame*> read_quantised(int index);
 
  private:
-  struct State;
-  explicit RecordingReader(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  RecordingReader(std::filesystem::path path, OpenedRecording recording);
+  [[nodiscard]] std::string read_record(const IndexedOther& other) const;
+  template <class Question>
+  auto surely(Question question) const;
+
+  std::filesystem::path path_;
+  mutable RecordingContents contents_;
+  mutable FrameDecoder decoder_;
 };
 
 }  // namespace ribbon

@@ -9,6 +9,8 @@
 
 namespace ribbon {
 
+namespace {
+
 Result<RecordingStart> read_start(const RandomAccessFile& file, const std::filesystem::path& path) {
   const bool signed_file = file.read(0, file_signature.size()) == file_signature;
   const auto head = parse_record_head(file.read(file_signature.size(), record_head_bytes));
@@ -27,6 +29,16 @@ Result<RecordingStart> read_start(const RandomAccessFile& file, const std::files
   }
   return RecordingStart{std::move(*header), head->payload_checksum,
                         payload_offset + head->payload_bytes, signed_file};
+}
+
+}  // namespace
+
+Result<OpenedRecording> open_recording(const std::filesystem::path& path) {
+  auto file = RandomAccessFile::open(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  auto start = read_start(*file, path);
+  if (!start) return tl::unexpected(std::move(start.error()));
+  return OpenedRecording{*std::move(file), *std::move(start)};
 }
 
 }  // namespace ribbon

@@ -17,7 +17,12 @@ struct RecordingStart {
   bool signature_is_right = true;  // the header alone shows that it is a recording, too
 };
 
-// Fails when `file` (of that name) is no recording or its header is not valid.
-Result<RecordingStart> read_start(const RandomAccessFile& file, const std::filesystem::path& path);
+struct OpenedRecording {
+  RandomAccessFile file;
+  RecordingStart start;
+};
+
+// Fails when `path` cannot be read, is no recording or its header is not valid.
+Result<OpenedRecording> open_recording(const std::filesystem::path& path);
 
 }  // namespace ribbon

@@ -1,5 +1,5 @@
 // Recordings that go on after their writer has ended, however it ended.
-#include "playback/resume.h"
+#include "continuation/resume_recording.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
 
-namespace ribbon::resume_test {
+namespace ribbon::resume_recording_test {
 
 constexpr int frames = 300;  // more than one index record
 const SessionNote note{SessionReason::resumed, "tests", ""};
@@ -295,4 +295,4 @@ TEST_F(ResumedRecording, stale_blocks_of_another_recording_are_never_its_frames)
   }
 }
 
-}  // namespace ribbon::resume_test
+}  // namespace ribbon::resume_recording_test

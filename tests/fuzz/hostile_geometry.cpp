@@ -11,25 +11,11 @@
 namespace ribbon {
 namespace {
 
-constexpr double bound_m = 1e-4;
-
-std::vector<QuantisedFrame> reference_frames(const CodecParameters& parameters, int count) {
-  PositionEncoder encoder(parameters, bound_m);
-  std::vector<QuantisedFrame> frames;
-  frames.reserve(static_cast<std::size_t>(count));
-  for (int turn = 0; turn < count; ++turn)
-    frames.push_back(encoder.encode(wave(parameters.grid, turn), {}).value().frame);
-  return frames;
-}
-
 void decode(const CodecParameters& parameters, int references, FrameEncoding encoding,
             std::string_view geometry) {
-  const std::vector<QuantisedFrame> frames = reference_frames(parameters, references);
-  std::vector<const QuantisedFrame*> pointers;
-  pointers.reserve(frames.size());
-  for (const QuantisedFrame& frame : frames) pointers.push_back(&frame);
+  const ReferenceFrames frames(parameters, references);
   QuantisedFrame decoded;
-  if (!PositionDecoder(parameters).decode(encoding, geometry, pointers, decoded)) return;
+  if (!PositionDecoder(parameters).decode(encoding, geometry, frames.pointers(), decoded)) return;
   Eigen::Matrix3Xf positions;
   decoded.positions(positions);
   must(positions.cols() == parameters.grid.particle_count(), "a decoded frame has all particles");

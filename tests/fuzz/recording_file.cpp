@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "continuation/resume_recording.h"
 #include "fuzz/must.h"
 #include "fuzz/repaired_checksums.h"
 #include "playback/recording_reader.h"
-#include "playback/resume.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);

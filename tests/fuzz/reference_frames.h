@@ -1,10 +1,12 @@
-// What the geometry that a fuzzer makes is decoded with.
+// What the geometry that a fuzzer makes is decoded with, and from.
 #pragma once
 
 #include <Eigen/Core>
 #include <cmath>
+#include <vector>
 
 #include "recording/codec/codec_parameters.h"
+#include "recording/codec/position_encoder.h"
 
 namespace ribbon {
 
@@ -24,5 +26,27 @@ inline Eigen::Matrix3Xd wave(const RibbonGrid& grid, int turn) {
         0.1 * std::sin(0.1 * (grid.row(p) + turn));
   return positions;
 }
+
+inline constexpr double reference_bound_m = 1e-4;
+
+// The first frames of that wave, each an intra frame.
+class ReferenceFrames {
+ public:
+  ReferenceFrames(const CodecParameters& parameters, int count) {
+    PositionEncoder encoder(parameters, reference_bound_m);
+    for (int turn = 0; turn < count; ++turn)
+      frames_.push_back(encoder.encode(wave(parameters.grid, turn), {}).value().frame);
+    for (const QuantisedFrame& frame : frames_) pointers_.push_back(&frame);
+  }
+
+  ReferenceFrames(const ReferenceFrames&) = delete;
+  ReferenceFrames& operator=(const ReferenceFrames&) = delete;
+
+  [[nodiscard]] const std::vector<const QuantisedFrame*>& pointers() const { return pointers_; }
+
+ private:
+  std::vector<QuantisedFrame> frames_;
+  std::vector<const QuantisedFrame*> pointers_;
+};
 
 }  // namespace ribbon

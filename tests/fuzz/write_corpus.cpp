@@ -58,16 +58,11 @@ void write_round_trips(const std::filesystem::path& folder) {
 
 // A frame with `references` before it, as hostile_geometry.cpp reads it.
 std::string geometry(const RibbonGrid& grid, bool uniform, int references) {
-  constexpr double bound_m = 1e-4;
-  PositionEncoder encoder(parameters_for(grid, uniform), bound_m);
-  std::vector<QuantisedFrame> frames;
-  frames.reserve(static_cast<std::size_t>(references));
-  for (int turn = 0; turn < references; ++turn)
-    frames.push_back(encoder.encode(wave(grid, turn), {}).value().frame);
-  std::vector<const QuantisedFrame*> pointers;
-  pointers.reserve(frames.size());
-  for (const QuantisedFrame& frame : frames) pointers.push_back(&frame);
-  const EncodedFrame encoded = encoder.encode(wave(grid, references), pointers).value();
+  const CodecParameters parameters = parameters_for(grid, uniform);
+  const ReferenceFrames before(parameters, references);
+  const EncodedFrame encoded = PositionEncoder(parameters, reference_bound_m)
+                                   .encode(wave(grid, references), before.pointers())
+                                   .value();
   return bytes({grid.along - 2, grid.across - 2, uniform ? 1 : 0,
                 static_cast<int>(encoded.encoding), references}) +
          encoded.geometry;

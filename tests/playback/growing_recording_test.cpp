@@ -6,7 +6,7 @@
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
-#include "playback/resume.h"
+#include "continuation/resume_recording.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/background_writer.h"
 

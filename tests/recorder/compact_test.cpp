@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "commandline/tool_run.h"
-#include "playback/resume.h"
+#include "continuation/resume_recording.h"
 #include "recorder/frames_of.h"
 #include "recorder/process.h"
 #include "recorder/record.h"

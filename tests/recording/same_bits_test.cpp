@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "recording/codec/frame_loops.h"
+#include "parallel/instruction_set.h"
 #include "recording/codec/position_decoder.h"
 #include "recording/codec/position_encoder.h"
 #include "recording/writer/references.h"
@@ -72,8 +72,7 @@ void add_compacted(const RibbonGrid& grid, double max_error_m, Hash& hash) {
     frames.push_back(encoder.rounded(positions_at(grid, frame)).value());
   for (const std::vector<std::size_t>& around :
        {std::vector<std::size_t>{3}, {3, 5}, {3, 5, 2}, {3, 5, 2, 6}}) {
-    std::vector<const QuantisedFrame*> references;
-    for (const std::size_t reference : around) references.push_back(&frames[reference]);
+    const auto references = frames_of(around, [&](std::size_t k) { return &frames[k]; });
     const EncodedFrame encoded =
         encoder.encode_rounded(frames[4], references, Prediction::b, Fit::thorough);
     QuantisedFrame decoded;
@@ -89,9 +88,8 @@ void add_motion(const RibbonGrid& grid, double max_error_m, Hash& hash) {
   PositionDecoder decoder(parameters);
   std::vector<QuantisedFrame> frames(12);
   for (std::uint32_t frame = 0; frame < frames.size(); ++frame) {
-    std::vector<const QuantisedFrame*> references;
-    for (const std::uint32_t reference : live_references(frame))
-      references.push_back(&frames[reference]);
+    const auto references =
+        frames_of(live_references(frame), [&](std::uint32_t k) { return &frames[k]; });
     const auto encoded =
         encoder.encode(positions_at(grid, static_cast<int>(frame)), references).value();
     ASSERT_TRUE(decoder.decode(encoded.encoding, encoded.geometry, references, frames[frame]));
@@ -125,14 +123,10 @@ constexpr std::uint64_t expected = 10486487614994297171U;
 class SameBitsBy : public testing::TestWithParam<InstructionSet> {
  protected:
   void SetUp() override {
-    if (loops_for(GetParam()) == nullptr) GTEST_SKIP() << "this processor does not have it";
+    if (!is_available(GetParam())) GTEST_SKIP() << "this processor does not have it";
     choose_instruction_set(GetParam());
   }
-  void TearDown() override {
-    for (const InstructionSet set :
-         {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
-      if (loops_for(set) != nullptr) choose_instruction_set(set);
-  }
+  void TearDown() override { choose_instruction_set(best_instruction_set()); }
 };
 
 TEST_P(SameBitsBy, every_build_and_processor) {

@@ -1,3 +1,4 @@
+#ifdef __x86_64__
 #include "recording/codec/frame_loops_context.h"
 
 namespace ribbon {
@@ -17,4 +18,5 @@ extern const FrameLoops avx2_loops;
 #pragma clang attribute pop
 #else
 #pragma GCC pop_options
+#endif
 #endif

@@ -77,18 +77,7 @@ struct FrameLoops {
                     float* positions);
 };
 
-enum class InstructionSet { baseline, avx2, avx512 };
-
-// The loops for an instruction set; null where this processor or build does not have it.
-const FrameLoops* loops_for(InstructionSet set);
-
-// Those for the best set that there is, or the one chosen last.
+// Those for instruction_set(): all give the same bits.
 const FrameLoops& loops();
-
-// The best set that this processor has.
-InstructionSet best_instruction_set();
-
-// For tests and measurements: all are to give the same bits. Not while others read or write.
-void choose_instruction_set(InstructionSet set);
 
 }  // namespace ribbon

@@ -25,7 +25,6 @@ FramePrediction::FramePrediction(const CodecParameters& parameters) : planes_(pa
   for (auto& component : motion_) component.assign(planes_.cells(), 0);
   const bool uniform = parameters.step_m > 0;
   const double unit_m = uniform ? static_cast<double>(parameters.step_m) : 1;
-  frame_.planes = &planes_;
   frame_.uniform = uniform;
   frame_.over_along_rest_squared =
       over_squared(parameters.ribbon_length_m / (parameters.grid.along - 1) / unit_m);
@@ -36,6 +35,7 @@ FramePrediction::FramePrediction(const CodecParameters& parameters) : planes_(pa
 void FramePrediction::begin(Prediction prediction,
                             std::span<const QuantisedFrame* const> references) {
   assert(references.empty() || prediction != Prediction::intra);
+  frame_.planes = &planes_;  // anew: the whole may have moved since
   frame_.prediction = references.empty() ? Prediction::intra : prediction;
   if (references.empty()) return;
   // For want of a second frame the first, of a third the second (P) or the first (B), of a fourth

@@ -1,9 +1,6 @@
 #include "recording/codec/position_decoder.h"
 
-#include "recording/codec/frame_prediction.h"
-#include "recording/codec/residual_blocks.h"
 #include "recording/coding/bytes.h"
-#include "recording/coding/compression.h"
 #include "recording/coding/varint.h"
 
 namespace ribbon {
@@ -39,66 +36,43 @@ bool take_intra_weights(std::string_view& bytes, IntraWeights& weights) {
 
 }  // namespace
 
-struct PositionDecoder::State {
-  explicit State(const CodecParameters& codec)
-      : parameters(codec),
-        frame_prediction(codec),
-        unpacker(frame_prediction.planes(), codec.entropy_tables) {}
-
-  CodecParameters parameters;
-  Decompressor decompressor;
-  FramePrediction frame_prediction;
-  ResidualUnpacker unpacker;
-  Residuals residuals;
-
-  bool decode_plain(std::string_view geometry, QuantisedFrame& frame);
-  bool decode_quantised(std::string_view geometry,
-                        std::span<const QuantisedFrame* const> references, QuantisedFrame& frame);
-};
-
-bool PositionDecoder::State::decode_plain(std::string_view geometry, QuantisedFrame& frame) {
-  const auto particles = static_cast<std::size_t>(parameters.grid.particle_count());
-  const auto content = decompressor.decompress(geometry, particles * 12);
+bool PositionDecoder::decode_plain(std::string_view geometry, QuantisedFrame& frame) {
+  const auto particles = static_cast<std::size_t>(parameters_.grid.particle_count());
+  const auto content = decompressor_.decompress(geometry, particles * 12);
   if (!content || content->size() != particles * 12) return false;
   ByteTaker taker(*content);
-  frame.plain_positions.resize(3, parameters.grid.particle_count());
+  frame.plain_positions.resize(3, parameters_.grid.particle_count());
   for (Eigen::Index c = 0; c < 3; ++c)
     for (float& coordinate : frame.plain_positions.row(c)) coordinate = taker.take<float>();
   return frame.plain_positions.allFinite();
 }
 
-bool PositionDecoder::State::decode_quantised(std::string_view geometry,
-                                              std::span<const QuantisedFrame* const> references,
-                                              QuantisedFrame& frame) {
+bool PositionDecoder::decode_quantised(std::string_view geometry,
+                                       std::span<const QuantisedFrame* const> references,
+                                       QuantisedFrame& frame) {
   ByteTaker taker(geometry);
   const auto prediction = taker.take<std::uint8_t>();
   geometry = taker.rest();
   if (!taker.complete() || prediction > static_cast<std::uint8_t>(Prediction::b) ||
       (prediction == 0) != references.empty())
     return false;
-  frame_prediction.begin(static_cast<Prediction>(prediction), references);
-  const bool taken = prediction == 0 ? take_intra_weights(geometry, frame_prediction.intra_weights)
-                                     : take_weights(geometry, frame_prediction.prediction(),
-                                                    frame_prediction.weights);
-  if (!taken || !unpacker.unpack(geometry, residuals)) return false;
-  frame_prediction.decode(residuals, frame);
+  frame_prediction_.begin(static_cast<Prediction>(prediction), references);
+  const bool taken = prediction == 0 ? take_intra_weights(geometry, frame_prediction_.intra_weights)
+                                     : take_weights(geometry, frame_prediction_.prediction(),
+                                                    frame_prediction_.weights);
+  if (!taken || !unpacker_.unpack(geometry, residuals_)) return false;
+  frame_prediction_.decode(residuals_, frame);
   return frame.is_finite();
 }
-
-PositionDecoder::PositionDecoder(const CodecParameters& parameters)
-    : state_(std::make_unique<State>(parameters)) {}
-PositionDecoder::PositionDecoder(PositionDecoder&&) noexcept = default;
-PositionDecoder& PositionDecoder::operator=(PositionDecoder&&) noexcept = default;
-PositionDecoder::~PositionDecoder() = default;
 
 bool PositionDecoder::decode(FrameEncoding encoding, std::string_view geometry,
                              std::span<const QuantisedFrame* const> references,
                              QuantisedFrame& frame) {
-  frame.grid = state_->parameters.grid;
-  frame.step_m = state_->parameters.step_m;
+  frame.grid = parameters_.grid;
+  frame.step_m = parameters_.step_m;
   frame.plain = encoding == FrameEncoding::plain;
-  return frame.plain ? state_->decode_plain(geometry, frame)
-                     : state_->decode_quantised(geometry, usable(references), frame);
+  return frame.plain ? decode_plain(geometry, frame)
+                     : decode_quantised(geometry, usable(references), frame);
 }
 
 }  // namespace ribbon

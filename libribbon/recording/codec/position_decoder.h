@@ -1,22 +1,24 @@
 // Bytes to the positions of a frame (FORMAT.md, section 8).
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string_view>
 
 #include "recording/codec/codec_parameters.h"
+#include "recording/codec/frame_prediction.h"
 #include "recording/codec/quantised_frame.h"
+#include "recording/codec/residual_blocks.h"
+#include "recording/coding/compression.h"
 
 namespace ribbon {
 
 // Keeps working memory between calls and nothing else: equal arguments give equal frames.
 class PositionDecoder {
  public:
-  explicit PositionDecoder(const CodecParameters& parameters);
-  PositionDecoder(PositionDecoder&&) noexcept;
-  PositionDecoder& operator=(PositionDecoder&&) noexcept;
-  ~PositionDecoder();
+  explicit PositionDecoder(const CodecParameters& parameters)
+      : parameters_(parameters),
+        frame_prediction_(parameters),
+        unpacker_(frame_prediction_.planes(), parameters.entropy_tables) {}
 
   // references: the frames that the encoder had, in its order. False, with `frame` undefined, when
   // the geometry is not valid. `frame` may have been used before: its memory is used again.
@@ -24,8 +26,15 @@ class PositionDecoder {
               std::span<const QuantisedFrame* const> references, QuantisedFrame& frame);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  bool decode_plain(std::string_view geometry, QuantisedFrame& frame);
+  bool decode_quantised(std::string_view geometry,
+                        std::span<const QuantisedFrame* const> references, QuantisedFrame& frame);
+
+  CodecParameters parameters_;
+  Decompressor decompressor_;
+  FramePrediction frame_prediction_;
+  ResidualUnpacker unpacker_;
+  Residuals residuals_;
 };
 
 }  // namespace ribbon

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
-#include "recording/codec/frame_prediction.h"
-#include "recording/codec/residual_blocks.h"
 #include "recording/coding/bytes.h"
-#include "recording/coding/compression.h"
 #include "recording/coding/varint.h"
 
 namespace ribbon {
@@ -35,53 +31,30 @@ double nearest(double steps) {
 
 }  // namespace
 
-struct PositionEncoder::State {
-  State(const CodecParameters& codec, double error)
-      : parameters(codec),
-        max_error_m(error),
-        frame_prediction(codec),
-        packer(frame_prediction.planes(), codec.entropy_tables) {}
-
-  CodecParameters parameters;
-  double max_error_m;
-  Compressor compressor;
-  FramePrediction frame_prediction;
-  ResidualPacker packer;
-  Residuals residuals;
-
-  void set_column(const Eigen::Matrix3Xd& positions, int plane, int b, QuantisedFrame& frame) const;
-  [[nodiscard]] std::optional<QuantisedFrame> quantised(const Eigen::Matrix3Xd& positions) const;
-  [[nodiscard]] bool within_bound(const QuantisedFrame& frame,
-                                  const Eigen::Matrix3Xd& positions) const;
-  std::string quantised_geometry(QuantisedFrame& frame, Prediction prediction,
-                                 std::span<const QuantisedFrame* const> references, Fit fit);
-  std::string plain_geometry(const QuantisedFrame& frame);
-};
-
-void PositionEncoder::State::set_column(const Eigen::Matrix3Xd& positions, int plane, int b,
-                                        QuantisedFrame& frame) const {
-  const PolyphasePlanes& planes = frame_prediction.planes();
-  const double over_step = 1 / static_cast<double>(parameters.step_m);
+void PositionEncoder::set_column(const Eigen::Matrix3Xd& positions, int plane, int b,
+                                 QuantisedFrame& frame) const {
+  const PolyphasePlanes& planes = frame_prediction_.planes();
+  const double over_step = 1 / static_cast<double>(parameters_.step_m);
   const std::size_t cell = planes.cell(plane, 0, b);
   const Triple<float*> values = {&frame.values[0][cell], &frame.values[1][cell],
                                  &frame.values[2][cell]};
-  const double* position =
-      positions.data() + std::ptrdiff_t{3} * parameters.grid.particle(plane / 2, 2 * b + plane % 2);
+  const int first = parameters_.grid.particle(plane / 2, 2 * b + plane % 2);
+  const double* position = positions.data() + std::ptrdiff_t{3} * first;
   for (int a = 0; a < planes.rows(plane);
-       ++a, position += std::ptrdiff_t{6} * parameters.grid.across)
+       ++a, position += std::ptrdiff_t{6} * parameters_.grid.across)
     for (std::size_t c = 0; c < 3; ++c)
-      values[c][a] = static_cast<float>(parameters.step_m > 0 ? nearest(position[c] * over_step)
-                                                              : position[c]);
+      values[c][a] = static_cast<float>(parameters_.step_m > 0 ? nearest(position[c] * over_step)
+                                                               : position[c]);
 }
 
-std::optional<QuantisedFrame> PositionEncoder::State::quantised(
-    const Eigen::Matrix3Xd& positions) const {
-  const PolyphasePlanes& planes = frame_prediction.planes();
+std::optional<QuantisedFrame> PositionEncoder::quantised(const Eigen::Matrix3Xd& positions) const {
+  const PolyphasePlanes& planes = frame_prediction_.planes();
   QuantisedFrame frame;
-  frame.grid = parameters.grid;
-  frame.step_m = parameters.step_m;
-  if (parameters.step_m > 0 && !(positions.cwiseAbs().maxCoeff() <
-                                 (largest_quantised - 1) * static_cast<double>(parameters.step_m)))
+  frame.grid = parameters_.grid;
+  frame.step_m = parameters_.step_m;
+  if (parameters_.step_m > 0 &&
+      !(positions.cwiseAbs().maxCoeff() <
+        (largest_quantised - 1) * static_cast<double>(parameters_.step_m)))
     return std::nullopt;
   for (auto& component : frame.values) component.resize(planes.cells());
   for (int plane = 0; plane < PolyphasePlanes::count; ++plane)
@@ -90,55 +63,45 @@ std::optional<QuantisedFrame> PositionEncoder::State::quantised(
   return frame;
 }
 
-bool PositionEncoder::State::within_bound(const QuantisedFrame& frame,
-                                          const Eigen::Matrix3Xd& positions) const {
+bool PositionEncoder::within_bound(const QuantisedFrame& frame,
+                                   const Eigen::Matrix3Xd& positions) const {
   Eigen::Matrix3Xf decoded;
   frame.positions(decoded);
   if (!decoded.allFinite()) return false;
-  if (max_error_m == 0) return decoded == positions.cast<float>();
-  return (decoded.cast<double>() - positions).cwiseAbs().maxCoeff() <= max_error_m;
+  if (max_error_m_ == 0) return decoded == positions.cast<float>();
+  return (decoded.cast<double>() - positions).cwiseAbs().maxCoeff() <= max_error_m_;
 }
 
-std::string PositionEncoder::State::quantised_geometry(
-    QuantisedFrame& frame, Prediction prediction, std::span<const QuantisedFrame* const> references,
-    Fit fit) {
-  frame_prediction.begin(prediction, references);
-  frame_prediction.set(frame);
+std::string PositionEncoder::quantised_geometry(QuantisedFrame& frame, Prediction prediction,
+                                                std::span<const QuantisedFrame* const> references,
+                                                Fit fit) {
+  frame_prediction_.begin(prediction, references);
+  frame_prediction_.set(frame);
   std::string bytes;
-  put<std::uint8_t>(bytes, static_cast<std::uint8_t>(frame_prediction.prediction()));
-  if (frame_prediction.prediction() == Prediction::intra) {
-    frame_prediction.intra_weights =
-        fit_intra_weights(frame_prediction.planes(), frame_prediction.motion());
-    put_intra_weights(frame_prediction.intra_weights, bytes);
+  put<std::uint8_t>(bytes, static_cast<std::uint8_t>(frame_prediction_.prediction()));
+  if (frame_prediction_.prediction() == Prediction::intra) {
+    frame_prediction_.intra_weights =
+        fit_intra_weights(frame_prediction_.planes(), frame_prediction_.motion());
+    put_intra_weights(frame_prediction_.intra_weights, bytes);
   } else {
-    const RecordedWeights recorded = fit_weights(frame_prediction.predicted(), fit);
-    frame_prediction.weights = recorded.weights();
-    put_weights(recorded, frame_prediction.prediction(), bytes);
+    const RecordedWeights recorded = fit_weights(frame_prediction_.predicted(), fit);
+    frame_prediction_.weights = recorded.weights();
+    put_weights(recorded, frame_prediction_.prediction(), bytes);
   }
-  frame_prediction.encode(residuals);
-  packer.append(residuals, bytes);
+  frame_prediction_.encode(residuals_);
+  packer_.append(residuals_, bytes);
   return bytes;
 }
 
-std::string PositionEncoder::State::plain_geometry(const QuantisedFrame& frame) {
+std::string PositionEncoder::plain_geometry(const QuantisedFrame& frame) {
   std::string content;
   for (const float coordinate : frame.plain_positions.transpose().reshaped())
     put<float>(content, coordinate);
-  return compressor.compress(content);
-}
-
-PositionEncoder::PositionEncoder(const CodecParameters& parameters, double max_error_m)
-    : state_(std::make_unique<State>(parameters, max_error_m)) {}
-PositionEncoder::PositionEncoder(PositionEncoder&&) noexcept = default;
-PositionEncoder& PositionEncoder::operator=(PositionEncoder&&) noexcept = default;
-PositionEncoder::~PositionEncoder() = default;
-
-const SymbolRuns& PositionEncoder::symbol_runs() const {
-  return state_->packer.runs();
+  return compressor_.compress(content);
 }
 
 Result<QuantisedFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions) const {
-  const RibbonGrid& grid = state_->parameters.grid;
+  const RibbonGrid& grid = parameters_.grid;
   const bool is_finite = positions.allFinite();
   for (int particle = 0; !is_finite && particle < grid.particle_count(); ++particle)
     if (!positions.col(particle).allFinite())
@@ -147,13 +110,13 @@ Result<QuantisedFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& position
                          std::to_string(grid.column(particle)) +
                          " across has a position that is not finite",
                      "the simulation has become unstable: choose a smaller time step");
-  auto frame = state_->quantised(positions);
-  if (frame && state_->within_bound(*frame, positions)) return *std::move(frame);
+  auto frame = quantised(positions);
+  if (frame && within_bound(*frame, positions)) return *std::move(frame);
   QuantisedFrame plain;
   plain.grid = grid;
   plain.plain = true;
   plain.plain_positions = positions.cast<float>();
-  if (state_->within_bound(plain, positions)) return plain;
+  if (within_bound(plain, positions)) return plain;
   return failure("",
                  "positions as large as " + std::to_string(positions.cwiseAbs().maxCoeff()) +
                      " m cannot be recorded in single precision within max_position_error",
@@ -164,9 +127,9 @@ EncodedFrame PositionEncoder::encode_rounded(QuantisedFrame frame,
                                              std::span<const QuantisedFrame* const> references,
                                              Prediction prediction, Fit fit) {
   const FrameEncoding encoding = frame.plain ? FrameEncoding::plain : FrameEncoding::quantised;
-  std::string geometry =
-      frame.plain ? state_->plain_geometry(frame)
-                  : state_->quantised_geometry(frame, prediction, usable(references), fit);
+  std::string geometry = frame.plain
+                             ? plain_geometry(frame)
+                             : quantised_geometry(frame, prediction, usable(references), fit);
   return {encoding, std::move(geometry), std::move(frame)};
 }
 

@@ -2,15 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "recording/codec/codec_parameters.h"
 #include "recording/codec/fit_weights.h"
+#include "recording/codec/frame_prediction.h"
 #include "recording/codec/prediction_weights.h"
 #include "recording/codec/quantised_frame.h"
 #include "recording/codec/residual_blocks.h"
+#include "recording/coding/compression.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -26,10 +28,11 @@ class PositionEncoder {
  public:
   // Every decoded coordinate, in single precision, will be within max_error_m of what was encoded;
   // 0: equal to it, rounded to single precision.
-  PositionEncoder(const CodecParameters& parameters, double max_error_m);
-  PositionEncoder(PositionEncoder&&) noexcept;
-  PositionEncoder& operator=(PositionEncoder&&) noexcept;
-  ~PositionEncoder();
+  PositionEncoder(const CodecParameters& parameters, double max_error_m)
+      : parameters_(parameters),
+        max_error_m_(max_error_m),
+        frame_prediction_(parameters),
+        packer_(frame_prediction_.planes(), parameters.entropy_tables) {}
 
   // What a decoder will make of positions (3 x particles in metres), however they are encoded.
   // Compares it with them, so the bound does not rest on an argument. Fails, with the
@@ -50,11 +53,23 @@ class PositionEncoder {
                               Prediction prediction, Fit fit);
 
   // What entropy coding was given for the last frame, of which entropy tables can be made.
-  [[nodiscard]] const SymbolRuns& symbol_runs() const;
+  [[nodiscard]] const SymbolRuns& symbol_runs() const { return packer_.runs(); }
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  void set_column(const Eigen::Matrix3Xd& positions, int plane, int b, QuantisedFrame& frame) const;
+  [[nodiscard]] std::optional<QuantisedFrame> quantised(const Eigen::Matrix3Xd& positions) const;
+  [[nodiscard]] bool within_bound(const QuantisedFrame& frame,
+                                  const Eigen::Matrix3Xd& positions) const;
+  std::string quantised_geometry(QuantisedFrame& frame, Prediction prediction,
+                                 std::span<const QuantisedFrame* const> references, Fit fit);
+  std::string plain_geometry(const QuantisedFrame& frame);
+
+  CodecParameters parameters_;
+  double max_error_m_;
+  Compressor compressor_;
+  FramePrediction frame_prediction_;
+  ResidualPacker packer_;
+  Residuals residuals_;
 };
 
 }  // namespace ribbon

@@ -45,17 +45,17 @@ bool has_frames_within(const IndexLocation& index, std::uint32_t frames) {
 }  // namespace
 
 IndexLocation location_of(const Index& index, std::uint64_t offset, std::uint32_t record_bytes) {
-  IndexLocation place{.offset = offset,
-                      .record_bytes = record_bytes,
-                      .frames = static_cast<std::uint32_t>(index.frames.size()),
-                      .others = static_cast<std::uint32_t>(index.others.size())};
-  if (index.frames.empty()) return place;
+  IndexLocation location{.offset = offset,
+                         .record_bytes = record_bytes,
+                         .frames = static_cast<std::uint32_t>(index.frames.size()),
+                         .others = static_cast<std::uint32_t>(index.others.size())};
+  if (index.frames.empty()) return location;
   const auto [lowest, highest] = std::minmax_element(
       index.frames.begin(), index.frames.end(),
       [](const IndexedFrame& a, const IndexedFrame& b) { return a.frame < b.frame; });
-  place.lowest_frame = lowest->frame;
-  place.highest_frame = highest->frame;
-  return place;
+  location.lowest_frame = lowest->frame;
+  location.highest_frame = highest->frame;
+  return location;
 }
 
 std::string directory_payload(std::uint32_t recording_id, const Directory& directory) {

@@ -77,7 +77,7 @@ std::string frame_table(const std::vector<IndexedFrame>& frames) {
 }
 
 // From gaps to offsets; false where a frame does not lie before `limit`.
-bool place(std::vector<IndexedFrame>& frames, std::uint64_t limit) {
+bool set_offsets(std::vector<IndexedFrame>& frames, std::uint64_t limit) {
   std::uint64_t end = 0;
   for (IndexedFrame& frame : frames) {
     if (frame.offset > limit - end) return false;
@@ -106,7 +106,7 @@ bool parse_frame_table(std::string_view bytes, std::uint64_t limit,
   }
   for (IndexedFrame& frame : frames) frame.offset = taker.take<std::uint64_t>();
   for (IndexedFrame& frame : frames) frame.record_bytes = taker.take<std::uint32_t>();
-  if (!place(frames, limit) || !take_references(taker, frames)) return false;
+  if (!set_offsets(frames, limit) || !take_references(taker, frames)) return false;
   take_tightness(taker, frames);
   return taker.complete();
 }

@@ -5,6 +5,9 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
+
+#include "recording/codec/quantised_frame.h"
 
 namespace ribbon {
 
@@ -30,5 +33,13 @@ class ReferenceList {
   std::array<std::uint32_t, most_references> frames_{};  // 0 behind the last
   std::uint8_t count_ = 0;
 };
+
+// The frames of some numbers, as the codec wants them: frame_of(number) points to each.
+template <class Numbers, class FrameOf>
+std::vector<const QuantisedFrame*> frames_of(const Numbers& references, const FrameOf& frame_of) {
+  std::vector<const QuantisedFrame*> frames;
+  for (const auto reference : references) frames.push_back(frame_of(reference));
+  return frames;
+}
 
 }  // namespace ribbon

@@ -2,10 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
 
 #include "recording/writer/recording_writer.h"
 
@@ -45,8 +51,26 @@ class BackgroundWriter {
   [[nodiscard]] std::uint64_t bytes_written() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  using Clock = std::chrono::steady_clock;
+  using Task = std::function<Result<void>(RecordingWriter&)>;
+
+  void add(Task task, Clock::time_point called);
+  std::optional<Task> next(std::optional<Clock::time_point> sync_at);
+  void run();
+  void note(Result<void> outcome);
+  void end();
+
+  RecordingWriter writer_;  // of the thread alone
+
+  mutable std::mutex mutex_;  // guards everything below
+  std::condition_variable changed_;
+  std::deque<Task> queue_;
+  bool closing_ = false;
+  Result<void> problem_;
+  BackgroundFigures figures_;
+  std::uint64_t bytes_ = 0;
+
+  std::thread thread_;  // begins when all else is there
 };
 
 }  // namespace ribbon

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace ribbon {
 
@@ -13,13 +12,6 @@ ReferenceList first_of(const ReferenceList& references, std::size_t count) {
   for (std::size_t k = 0; k < std::min(count, references.size()); ++k)
     first.push_back(references[k]);
   return first;
-}
-
-std::vector<const QuantisedFrame*> frames_of(const ReferenceList& references,
-                                             const CompactEncoder::Decoded& decoded) {
-  std::vector<const QuantisedFrame*> frames;
-  for (const std::uint32_t reference : references) frames.push_back(&decoded(reference));
-  return frames;
 }
 
 }  // namespace

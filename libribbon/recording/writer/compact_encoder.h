@@ -16,13 +16,13 @@ struct CompactedFrame {
 
 class CompactEncoder {
  public:
-  using Decoded = std::function<const QuantisedFrame&(std::uint32_t frame)>;
+  using Decoded = std::function<const QuantisedFrame*(std::uint32_t frame)>;
 
   CompactEncoder(const CodecParameters& parameters, double max_error_m)
       : encoder_(parameters, max_error_m) {}
 
   // A decoded frame once more, to the same bits, in the smallest of several ways. planned: as of
-  // compaction_plan(); decoded: gives each of them.
+  // compaction_plan(); decoded: points to each of them.
   CompactedFrame encode(const QuantisedFrame& frame, const ReferenceList& planned,
                         const Decoded& decoded);
 

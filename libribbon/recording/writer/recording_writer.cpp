@@ -4,15 +4,11 @@
 #include <cassert>
 #include <chrono>
 #include <utility>
-#include <vector>
 
-#include "recording/codec/position_encoder.h"
 #include "recording/coding/checksum.h"
 #include "recording/records/checkpoint_record.h"
 #include "recording/records/header_record.h"
-#include "recording/records/record_head.h"
 #include "recording/records/session_record.h"
-#include "recording/writer/index_builder.h"
 #include "recording/writer/references.h"
 
 namespace ribbon {
@@ -42,104 +38,79 @@ std::string safe_frames(std::uint32_t frames) {
 
 }  // namespace
 
-struct RecordingWriter::State {
-  State(RecordFile target, RecordedSoFar so_far)
-      : file(std::move(target)),
-        header(std::move(so_far.header)),
-        recording_id(so_far.recording_id),
-        frames(so_far.frames),
-        last_frame(so_far.frames > 0 ? so_far.frames - 1 : 0),
-        synced_frames(so_far.frames),
-        index(std::move(so_far.indices), std::move(so_far.not_indexed)),
-        encoder(codec_parameters(header), header.max_position_error_m),
-        recent(std::move(so_far.recent)) {}
+RecordingWriter::RecordingWriter(RecordFile file, RecordedSoFar so_far)
+    : file_(std::move(file)),
+      header_(std::move(so_far.header)),
+      recording_id_(so_far.recording_id),
+      frames_(so_far.frames),
+      last_frame_(so_far.frames > 0 ? so_far.frames - 1 : 0),
+      synced_frames_(so_far.frames),
+      index_(std::move(so_far.indices), std::move(so_far.not_indexed)),
+      encoder_(codec_parameters(header_), header_.max_position_error_m),
+      recent_(std::move(so_far.recent)) {}
 
-  RecordFile file;
-  RecordingHeader header;
-  std::uint32_t recording_id = 0;
-  std::uint32_t frames = 0;         // one more than the highest frame number
-  std::uint32_t last_frame = 0;     // appended last
-  std::uint32_t synced_frames = 0;  // how many are known to be on the disk
-  IndexBuilder index;
-  PositionEncoder encoder;
-  std::vector<DecodedFrame> recent;  // what the next frame may be predicted from
-  WriterFigures figures;
-
-  Result<void> write(std::string_view records);
-  Result<void> write_index();
-  Result<void> write_other(RecordType type, std::uint32_t frame, std::string_view payload);
-  Result<QuantisedFrame> rounded(const Eigen::Matrix3Xd& positions);
-  EncodedFrame encode(QuantisedFrame quantised, ReferenceList& references);
-  void remember(QuantisedFrame quantised);
-};
-
-Result<void> RecordingWriter::State::write(std::string_view records) {
-  const Timing timing(figures.writing_s);
-  auto written = file.append(records);
+Result<void> RecordingWriter::write(std::string_view records) {
+  const Timing timing(figures_.writing_s);
+  auto written = file_.append(records);
   if (written) return written;
   Error error = std::move(written.error());
-  error.problem += "; " + safe_frames(frames);
-  if (frames > 0) error.remedy = "free some space and resume the run";
+  error.problem += "; " + safe_frames(frames_);
+  if (frames_ > 0) error.remedy = "free some space and resume the run";
   return tl::unexpected(std::move(error));
 }
 
-Result<void> RecordingWriter::State::write_index() {
-  const std::string record = index.record(recording_id);
-  const std::uint64_t offset = file.size();
+Result<void> RecordingWriter::write_index() {
+  const std::string record = index_.record(recording_id_);
+  const std::uint64_t offset = file_.size();
   auto written = write(record);
-  if (written) index.written(offset, static_cast<std::uint32_t>(record.size()));
+  if (written) index_.written(offset, static_cast<std::uint32_t>(record.size()));
   return written;
 }
 
-Result<void> RecordingWriter::State::write_other(RecordType type, std::uint32_t frame,
-                                                 std::string_view payload) {
+Result<void> RecordingWriter::write_other(RecordType type, std::uint32_t frame,
+                                          std::string_view payload) {
   const std::string record = make_record(type, payload);
-  const std::uint64_t offset = file.size();
+  const std::uint64_t offset = file_.size();
   auto written = write(record);
-  if (written) index.add(IndexedOther{type, frame, offset, record.size()});
+  if (written) index_.add(IndexedOther{type, frame, offset, record.size()});
   return written;
 }
 
-Result<QuantisedFrame> RecordingWriter::State::rounded(const Eigen::Matrix3Xd& positions) {
-  const Timing timing(figures.encoding_s);
-  auto quantised = encoder.rounded(positions);
+Result<QuantisedFrame> RecordingWriter::rounded(const Eigen::Matrix3Xd& positions) {
+  const Timing timing(figures_.encoding_s);
+  auto quantised = encoder_.rounded(positions);
   if (!quantised)
-    quantised.error().place = file.path().string() + ": frame " + std::to_string(frames + 1);
+    quantised.error().place = file_.path().string() + ": frame " + std::to_string(frames_ + 1);
   return quantised;
+}
+
+// Nothing where it is no longer at hand.
+const QuantisedFrame* RecordingWriter::recent(std::uint32_t frame) const {
+  const auto found = std::find_if(recent_.begin(), recent_.end(),
+                                  [frame](const auto& decoded) { return decoded.frame == frame; });
+  return found == recent_.end() ? nullptr : &found->quantised;
 }
 
 // Predicted from those of the frames it should be predicted from that are still at hand; after
 // damage these may be fewer.
-EncodedFrame RecordingWriter::State::encode(QuantisedFrame quantised, ReferenceList& references) {
-  const Timing timing(figures.encoding_s);
-  std::vector<const QuantisedFrame*> found_frames;
-  for (const std::uint32_t wanted : live_references(frames)) {
-    const auto found = std::find_if(recent.begin(), recent.end(), [wanted](const auto& decoded) {
-      return decoded.frame == wanted;
-    });
-    if (found == recent.end()) continue;
-    references.push_back(wanted);
-    found_frames.push_back(&found->quantised);
-  }
-  return encoder.encode_rounded(std::move(quantised), found_frames, Prediction::p, Fit::quick);
+EncodedFrame RecordingWriter::encode(QuantisedFrame quantised, ReferenceList& references) {
+  const Timing timing(figures_.encoding_s);
+  for (const std::uint32_t wanted : live_references(frames_))
+    if (recent(wanted) != nullptr) references.push_back(wanted);
+  const auto frames = frames_of(references, [this](std::uint32_t frame) { return recent(frame); });
+  return encoder_.encode_rounded(std::move(quantised), frames, Prediction::p, Fit::quick);
 }
 
-void RecordingWriter::State::remember(QuantisedFrame quantised) {
-  if (recent.size() < most_references) {
-    recent.push_back({last_frame, std::move(quantised)});
+void RecordingWriter::remember(QuantisedFrame quantised) {
+  if (recent_.size() < most_references) {
+    recent_.push_back({last_frame_, std::move(quantised)});
     return;
   }
   const auto oldest = std::min_element(
-      recent.begin(), recent.end(),
+      recent_.begin(), recent_.end(),
       [](const DecodedFrame& a, const DecodedFrame& b) { return a.frame < b.frame; });
-  *oldest = {last_frame, std::move(quantised)};
+  *oldest = {last_frame_, std::move(quantised)};
 }
-
-RecordingWriter::RecordingWriter(RecordFile file, RecordedSoFar so_far)
-    : state_(std::make_unique<State>(std::move(file), std::move(so_far))) {}
-RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
-RecordingWriter& RecordingWriter::operator=(RecordingWriter&&) noexcept = default;
-RecordingWriter::~RecordingWriter() = default;
 
 Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& path,
                                                 const RecordingHeader& header) {
@@ -155,118 +126,92 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& pat
   const std::string payload = header_payload(header);
   RecordingWriter writer(std::move(*file), {.header = header, .recording_id = checksum(payload)});
   auto written =
-      writer.state_->write(std::string(file_signature) + make_record(RecordType::header, payload));
+      writer.write(std::string(file_signature) + make_record(RecordType::header, payload));
   if (!written) return tl::unexpected(std::move(written.error()));
   return writer;
 }
 
 Result<void> RecordingWriter::append(const FrameNumbers& numbers,
                                      const Eigen::Matrix3Xd& positions) {
-  auto quantised = state_->rounded(positions);
+  auto quantised = rounded(positions);
   if (!quantised) return tl::unexpected(std::move(quantised.error()));
   return append(numbers, *std::move(quantised));
 }
 
 Result<void> RecordingWriter::append(const FrameNumbers& numbers, QuantisedFrame quantised) {
-  State& state = *state_;
-  assert(quantised.grid == state.header.grid);
+  assert(quantised.grid == header_.grid);
   ReferenceList references;
-  EncodedFrame encoded = state.encode(std::move(quantised), references);
-  const std::uint32_t frame = state.frames;
+  EncodedFrame encoded = encode(std::move(quantised), references);
+  const std::uint32_t frame = frames_;
   auto appended = append_encoded({.frame = frame,
                                   .encoding = encoded.encoding,
                                   .references = references,
                                   .numbers = numbers,
                                   .geometry = encoded.geometry});
-  if (state.frames > frame) state.remember(std::move(encoded.frame));
+  if (frames_ > frame) remember(std::move(encoded.frame));
   return appended;
 }
 
 Result<void> RecordingWriter::append_encoded(FrameRecord frame) {
-  State& state = *state_;
-  if (state.index.is_due())
-    if (auto written = state.write_index(); !written) return written;
-  frame.recording_id = state.recording_id;
+  if (index_.is_due())
+    if (auto written = write_index(); !written) return written;
+  frame.recording_id = recording_id_;
   const std::string record = make_record(RecordType::frame, frame_payload(frame));
-  const std::uint64_t offset = state.file.size();
-  if (auto written = state.write(record); !written) return written;
-  state.index.add(IndexedFrame{frame.frame, static_cast<std::uint32_t>(record.size()), offset,
-                               frame.references, frame.numbers});
-  state.last_frame = frame.frame;
-  state.frames = std::max(state.frames, frame.frame + 1);
+  const std::uint64_t offset = file_.size();
+  if (auto written = write(record); !written) return written;
+  index_.add(IndexedFrame{frame.frame, static_cast<std::uint32_t>(record.size()), offset,
+                          frame.references, frame.numbers});
+  last_frame_ = frame.frame;
+  frames_ = std::max(frames_, frame.frame + 1);
   return {};
 }
 
 Result<void> RecordingWriter::append_checkpoint(std::uint64_t steps, std::string_view state_bytes) {
-  State& state = *state_;
-  assert(state.frames > 0 && "a checkpoint belongs to a frame");
-  if (state_bytes.size() > largest_state_bytes(state.header.grid))
-    return failure(state.file.path().string(),
+  assert(frames_ > 0 && "a checkpoint belongs to a frame");
+  if (state_bytes.size() > largest_state_bytes(header_.grid))
+    return failure(file_.path().string(),
                    "cannot hold a checkpoint of " + std::to_string(state_bytes.size()) + " bytes",
                    "record without checkpoints");
   std::string payload;
   {
-    const Timing timing(state.figures.encoding_s);
-    payload = checkpoint_payload(state.recording_id, state.last_frame, steps, state_bytes);
+    const Timing timing(figures_.encoding_s);
+    payload = checkpoint_payload(recording_id_, last_frame_, steps, state_bytes);
   }
-  return state.write_other(RecordType::checkpoint, state.last_frame, payload);
+  return write_other(RecordType::checkpoint, last_frame_, payload);
 }
 
 Result<void> RecordingWriter::append_session(const SessionNote& note) {
-  return append_session(Session{state_->frames, note});
+  return append_session(Session{frames_, note});
 }
 
 Result<void> RecordingWriter::append_session(const Session& session) {
-  return state_->write_other(RecordType::session, session.first_frame,
-                             session_payload(state_->recording_id, session));
+  return write_other(RecordType::session, session.first_frame,
+                     session_payload(recording_id_, session));
 }
 
 Result<void> RecordingWriter::sync() {
-  State& state = *state_;
-  const Timing timing(state.figures.syncing_s);
-  auto synced = state.file.sync();
+  const Timing timing(figures_.syncing_s);
+  auto synced = file_.sync();
   if (synced) {
-    state.synced_frames = state.frames;
+    synced_frames_ = frames_;
     return synced;
   }
   Error error = std::move(synced.error());
-  error.problem += "; " + safe_frames(state.synced_frames);
+  error.problem += "; " + safe_frames(synced_frames_);
   return tl::unexpected(std::move(error));
 }
 
 Result<void> RecordingWriter::finish(RunEnding ending) {
-  State& state = *state_;
-  if (state.index.is_waiting())
-    if (auto written = state.write_index(); !written) return written;
-  const std::uint64_t offset = state.file.size();
+  if (index_.is_waiting())
+    if (auto written = write_index(); !written) return written;
+  const std::uint64_t offset = file_.size();
   auto written =
-      state.write(make_record(RecordType::directory,
-                              directory_payload(state.recording_id,
-                                                {state.frames, ending, state.index.indices()})) +
-                  make_record(RecordType::footer, footer_payload(state.recording_id, offset)));
+      write(make_record(RecordType::directory,
+                        directory_payload(recording_id_, {frames_, ending, index_.indices()})) +
+            make_record(RecordType::footer, footer_payload(recording_id_, offset)));
   if (!written) return written;
   if (auto synced = sync(); !synced) return synced;
-  return state.file.close();
-}
-
-const RecordingHeader& RecordingWriter::header() const {
-  return state_->header;
-}
-
-std::uint32_t RecordingWriter::recording_id() const {
-  return state_->recording_id;
-}
-
-std::uint64_t RecordingWriter::bytes_written() const {
-  return state_->file.size();
-}
-
-std::uint32_t RecordingWriter::frames_written() const {
-  return state_->frames;
-}
-
-WriterFigures RecordingWriter::figures() const {
-  return state_->figures;
+  return file_.close();
 }
 
 }  // namespace ribbon

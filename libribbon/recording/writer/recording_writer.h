@@ -3,14 +3,16 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string_view>
 #include <vector>
 
+#include "recording/codec/position_encoder.h"
 #include "recording/codec/quantised_frame.h"
 #include "recording/records/directory_record.h"
 #include "recording/records/frame_record.h"
+#include "recording/records/record_head.h"
 #include "recording/records/recording.h"
+#include "recording/writer/index_builder.h"
 #include "recording/writer/record_file.h"
 #include "result/result.h"
 
@@ -50,10 +52,6 @@ class RecordingWriter {
   // Goes on with a recording that `file` ends with; resume_recording() finds out what there is.
   RecordingWriter(RecordFile file, RecordedSoFar so_far);
 
-  RecordingWriter(RecordingWriter&&) noexcept;
-  RecordingWriter& operator=(RecordingWriter&&) noexcept;
-  ~RecordingWriter();
-
   // All of these hand what they append to the operating system before they return. They fail on a
   // write error; what was written before stays readable, and the sentence says how much that is.
 
@@ -83,16 +81,32 @@ class RecordingWriter {
   // still complete: readers then scan.
   Result<void> finish(RunEnding ending = RunEnding::unknown);
 
-  [[nodiscard]] const RecordingHeader& header() const;
-  [[nodiscard]] std::uint32_t recording_id() const;
-  [[nodiscard]] std::uint64_t bytes_written() const;  // the file's size
-  [[nodiscard]] std::uint32_t frames_written()
-      const;  // since the recording began, lost ones included
-  [[nodiscard]] WriterFigures figures() const;
+  [[nodiscard]] const RecordingHeader& header() const { return header_; }
+  [[nodiscard]] std::uint32_t recording_id() const { return recording_id_; }
+  [[nodiscard]] std::uint64_t bytes_written() const { return file_.size(); }  // the file's size
+  // Since the recording began, lost ones included.
+  [[nodiscard]] std::uint32_t frames_written() const { return frames_; }
+  [[nodiscard]] WriterFigures figures() const { return figures_; }
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  Result<void> write(std::string_view records);
+  Result<void> write_index();
+  Result<void> write_other(RecordType type, std::uint32_t frame, std::string_view payload);
+  Result<QuantisedFrame> rounded(const Eigen::Matrix3Xd& positions);
+  [[nodiscard]] const QuantisedFrame* recent(std::uint32_t frame) const;
+  EncodedFrame encode(QuantisedFrame quantised, ReferenceList& references);
+  void remember(QuantisedFrame quantised);
+
+  RecordFile file_;
+  RecordingHeader header_;
+  std::uint32_t recording_id_ = 0;
+  std::uint32_t frames_ = 0;         // one more than the highest frame number
+  std::uint32_t last_frame_ = 0;     // appended last
+  std::uint32_t synced_frames_ = 0;  // how many are known to be on the disk
+  IndexBuilder index_;
+  PositionEncoder encoder_;
+  std::vector<DecodedFrame> recent_;  // what the next frame may be predicted from
+  WriterFigures figures_;
 };
 
 }  // namespace ribbon

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "parallel/instruction_set.h"
+
 namespace ribbon {
 
 namespace {
@@ -44,24 +46,19 @@ void plain(const SpringRun& run) {
 }
 
 #ifdef __x86_64__
-[[gnu::target("avx2")]] void four_at_a_time(const SpringRun& run) {
+[[gnu::target("avx2")]]
+#endif
+void four_at_a_time(const SpringRun& run) {
   tension_of_each(run);
 }
-
-auto widest() {
-  return __builtin_cpu_supports("avx2") != 0 ? four_at_a_time : plain;
-}
-#else
-auto widest() {
-  return plain;
-}
-#endif
 
 }  // namespace
 
 void compute_tension(const SpringRun& run) {
-  static const auto compute = widest();
-  compute(run);
+  if (instruction_set() == InstructionSet::baseline)
+    plain(run);
+  else
+    four_at_a_time(run);
 }
 
 }  // namespace ribbon

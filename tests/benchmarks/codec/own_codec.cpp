@@ -62,9 +62,8 @@ class OwnCodec : public FrameCodec {
     for (const PlannedFrame& planned : plan_) {
       const auto& [encoded, needed] = encoded_[planned.frame];
       QuantisedFrame& frame = decoded_frames_[planned.frame];
-      std::vector<const QuantisedFrame*> references;
-      for (const std::uint32_t reference : needed)
-        references.push_back(&decoded_frames_[reference]);
+      const auto references = frames_of(
+          needed, [this](std::uint32_t reference) { return &decoded_frames_[reference]; });
       [[maybe_unused]] const bool is_valid =
           decoder_.decode(encoded.encoding, encoded.geometry, references, frame);
       assert(is_valid);
@@ -78,16 +77,16 @@ class OwnCodec : public FrameCodec {
 
  private:
   CompactedFrame live(const PlannedFrame& planned) {
-    std::vector<const QuantisedFrame*> references;
-    for (const std::uint32_t reference : planned.references)
-      references.push_back(&encoded_[reference].encoded.frame);
+    const auto references = frames_of(planned.references, [this](std::uint32_t reference) {
+      return &encoded_[reference].encoded.frame;
+    });
     return {encoder_.encode(positions_[planned.frame], references).value(), planned.references};
   }
 
   CompactedFrame compacted(const PlannedFrame& planned) {
     return compact_encoder_.encode(
         recorded_[planned.frame], planned.references,
-        [this](std::uint32_t reference) -> const QuantisedFrame& { return recorded_[reference]; });
+        [this](std::uint32_t reference) { return &recorded_[reference]; });
   }
 
   Profile profile_;

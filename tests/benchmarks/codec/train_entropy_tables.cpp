@@ -54,9 +54,8 @@ void encode(const RecordedMotion& motion, double relative_bound, SamplesByKind& 
   std::vector<QuantisedFrame> frames;
   frames.reserve(motion.frames.size());
   for (const Eigen::Matrix3Xf& positions : motion.frames) {
-    std::vector<const QuantisedFrame*> references;
-    for (const std::uint32_t reference : live_references(static_cast<std::uint32_t>(frames.size())))
-      references.push_back(&frames[reference]);
+    const auto references = frames_of(live_references(static_cast<std::uint32_t>(frames.size())),
+                                      [&](std::uint32_t k) { return &frames[k]; });
     auto encoded = encoder.encode(positions.cast<double>(), references);
     if (!encoded) return;
     note(encoder.symbol_runs(), samples);

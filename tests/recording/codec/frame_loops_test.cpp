@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "parallel/instruction_set.h"
 #include "recording/codec/entropy_tables.h"
 #include "recording/codec/position_decoder.h"
 #include "recording/codec/position_encoder.h"
@@ -54,9 +55,7 @@ Outcome run(const RibbonGrid& grid, double step_m, double max_error_m) {
   Outcome outcome;
   const auto take = [&](std::size_t frame, const std::vector<std::size_t>& references,
                         Prediction prediction) {
-    std::vector<const QuantisedFrame*> pointers;
-    pointers.reserve(references.size());
-    for (const std::size_t reference : references) pointers.push_back(&decoded[reference]);
+    const auto pointers = frames_of(references, [&](std::size_t k) { return &decoded[k]; });
     const auto encoded = encoder.encode(frames[frame], pointers, prediction);
     ASSERT_TRUE(encoded.has_value()) << encoded.error().sentence();
     EXPECT_EQ(encoded->encoding, FrameEncoding::quantised);
@@ -86,17 +85,12 @@ TEST_F(InstructionSets, all_give_the_same_bits) {
       const double step_m = uniform ? static_cast<double>(quantisation_step_m(bound_m, 2)) : 0;
       const Outcome expected = run(grid, step_m, bound_m);
       for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
-        if (loops_for(set) == nullptr) continue;
+        if (!is_available(set)) continue;
         choose_instruction_set(set);
         EXPECT_TRUE(run(grid, step_m, bound_m) == expected)
             << grid.along << " x " << grid.across << (uniform ? "" : " in exact single precision");
       }
     }
-}
-
-TEST_F(InstructionSets, the_baseline_is_always_there) {
-  EXPECT_NE(loops_for(InstructionSet::baseline), nullptr);
-  EXPECT_EQ(&loops(), loops_for(best_instruction_set()));
 }
 
 }  // namespace ribbon::frame_loops_test

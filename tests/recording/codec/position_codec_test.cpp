@@ -31,10 +31,8 @@ class RoundTrip {
 
   // Every coordinate must keep the bound. Returns the geometry.
   EncodedFrame take(const Eigen::Matrix3Xd& truth) {
-    std::vector<const QuantisedFrame*> references;
-    for (const std::uint32_t reference :
-         live_references(static_cast<std::uint32_t>(decoded_.size())))
-      references.push_back(&decoded_[reference]);
+    const auto references = frames_of(live_references(static_cast<std::uint32_t>(decoded_.size())),
+                                      [this](std::uint32_t k) { return &decoded_[k]; });
     auto encoded = encoder_.encode(truth, references);
     if (!encoded) {
       ADD_FAILURE() << encoded.error().sentence();

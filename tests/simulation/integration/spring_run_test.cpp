@@ -1,0 +1,49 @@
+#include "simulation/integration/spring_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "parallel/instruction_set.h"
+
+namespace ribbon::spring_run_test {
+
+constexpr int count = 37;  // no whole number of registers
+
+// What springs of many lengths, one of them 0, pull with: x, y and z, then twice the energy.
+std::vector<double> tension_by(InstructionSet set) {
+  choose_instruction_set(set);
+  std::vector<double> stiffness(count);
+  std::vector<double> start(3 * count);
+  std::vector<double> end(3 * count);
+  for (int i = 0; i < count; ++i) stiffness[i] = 3 + std::sin(1.0 + i);
+  for (int i = 0; i < 3 * count; ++i) {
+    start[i] = std::cos(3.0 * i);
+    end[i] = i % count == 5 ? start[i] : std::sin(1.0 * i * i);
+  }
+  std::vector<double> result(4 * count);
+  SpringRun run{.count = count,
+                .stiffness = stiffness.data(),
+                .rest_length_m = 0.7,
+                .twice_energy_j = &result[3 * count]};
+  for (int c = 0; c < 3; ++c) {
+    run.starts[c] = &start[c * count];
+    run.ends[c] = &end[c * count];
+    run.tension[c] = &result[c * count];
+  }
+  compute_tension(run);
+  choose_instruction_set(best_instruction_set());
+  return result;
+}
+
+TEST(SpringRun, all_instruction_sets_give_the_same_bits) {
+  const std::vector<double> expected = tension_by(InstructionSet::baseline);
+  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+    if (is_available(set)) {
+      EXPECT_EQ(tension_by(set), expected);
+    }
+  }
+}
+
+}  // namespace ribbon::spring_run_test
