@@ -6,6 +6,13 @@
 
 namespace ribbon {
 
+#ifdef RIBBON_COUNT_BOX_TESTS
+// Told of each test of a box against another, in programs that count them.
+void count_box_test();
+#else
+constexpr void count_box_test() {}
+#endif
+
 struct Box {
   Eigen::Vector3d low;
   Eigen::Vector3d high;
@@ -27,6 +34,7 @@ struct Box {
     return (low.array() <= point.array()).all() && (point.array() <= high.array()).all();
   }
   [[nodiscard]] bool meets(const Box& box) const {
+    count_box_test();
     return low[0] <= box.high[0] && box.low[0] <= high[0] && low[1] <= box.high[1] &&
            box.low[1] <= high[1] && low[2] <= box.high[2] && box.low[2] <= high[2];
   }
@@ -50,6 +58,7 @@ struct MovingBox {
   // Can the two touch at some instant? Not if they lie apart in one coordinate, in the same order,
   // at the start and at the end.
   [[nodiscard]] bool meets(const MovingBox& box) const {
+    count_box_test();
     for (int k = 0; k < 3; ++k)
       if ((start.high[k] < box.start.low[k] && end.high[k] < box.end.low[k]) ||
           (box.start.high[k] < start.low[k] && box.end.high[k] < end.low[k]))
@@ -81,6 +90,7 @@ struct PackedBox {
   }
   // As for moving boxes.
   [[nodiscard]] bool meets(const PackedBox& box) const {
+    count_box_test();
     const Lanes above = (start_low - box.start_high).min(end_low - box.end_high);
     const Lanes below = (box.start_low - start_high).min(box.end_low - end_high);
     return !(above.max(below).maxCoeff() > 0);

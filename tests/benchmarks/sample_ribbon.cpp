@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "curve/space_curve.h"
 #include "obstacle/obstacle.h"
 
 namespace ribbon {
@@ -20,20 +19,24 @@ void refine(Scene& scene, int along, int across) {
 
 }  // namespace
 
+Result<SampleRibbon> ribbon_of(const Scene& scene, TightPassage tight) {
+  const auto curve =
+      generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along, tight);
+  if (!curve) return tl::unexpected(curve.error());
+  SampleRibbon ribbon{scene, generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis),
+                      std::nullopt};
+  if (!scene.obstacle) return ribbon;
+  auto obstacle = read_obstacle(*scene.obstacle);
+  if (!obstacle) return tl::unexpected(obstacle.error());
+  ribbon.obstacle = std::move(*obstacle);
+  return ribbon;
+}
+
 Result<SampleRibbon> sample_ribbon(const std::filesystem::path& scene_file, int along, int across) {
   auto scene = read_scene(scene_file);
   if (!scene) return tl::unexpected(scene.error());
   refine(*scene, along, across);
-  const auto curve = generate_space_curve(scene->curve, scene->ribbon.width_m, along);
-  if (!curve) return tl::unexpected(curve.error());
-  SampleRibbon sample{*scene, generate_ribbon_mesh(*curve, scene->ribbon, scene->curve.axis),
-                      std::nullopt};
-  if (sample.scene.obstacle) {
-    auto obstacle = read_obstacle(*sample.scene.obstacle);
-    if (!obstacle) return tl::unexpected(obstacle.error());
-    sample.obstacle = std::move(*obstacle);
-  }
-  return sample;
+  return ribbon_of(*scene);
 }
 
 }  // namespace ribbon

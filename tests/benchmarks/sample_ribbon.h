@@ -1,9 +1,10 @@
-// The ribbon of a sample scene in any granularity, ready to be simulated.
+// The ribbon and the object of a scene, ready to be simulated; of a sample in any granularity.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 
+#include "curve/space_curve.h"
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
 #include "ribbon_mesh/ribbon_mesh.h"
@@ -16,6 +17,8 @@ struct SampleRibbon {
   RibbonMesh mesh;
   std::optional<TriangleMesh> obstacle;
 };
+
+Result<SampleRibbon> ribbon_of(const Scene& scene, TightPassage tight = TightPassage::refuse);
 
 // With along x across particles and springs that resist lengthwise as the sample's do: across times
 // resistance over along stays the same.

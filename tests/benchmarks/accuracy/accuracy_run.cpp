@@ -4,9 +4,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "benchmarks/sample_ribbon.h"
 #include "benchmarks/solver/energy_account.h"
-#include "curve/space_curve.h"
-#include "obstacle/obstacle.h"
 #include "simulation/fastening_processor.h"
 
 namespace ribbon {
@@ -63,19 +62,11 @@ AccuracyRun run(const Scene& scene, const RibbonMesh& mesh, double duration_s,
 
 Result<AccuracyRun> run_by(const AccuracySetting& setting, Scene scene, double duration_s) {
   set_accuracy(setting.numbers, scene);
-  const auto curve = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along,
-                                          TightPassage::squeeze);
-  if (!curve) return tl::unexpected(curve.error());
-  const RibbonMesh mesh = generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
-  std::optional<TriangleMesh> obstacle;
-  if (scene.obstacle) {
-    auto read = read_obstacle(*scene.obstacle);
-    if (!read) return tl::unexpected(read.error());
-    obstacle = std::move(*read);
-  }
-  auto fastening = FasteningProcessor::create(scene, mesh, obstacle);
+  const auto ribbon = ribbon_of(scene, TightPassage::squeeze);
+  if (!ribbon) return tl::unexpected(ribbon.error());
+  auto fastening = FasteningProcessor::create(scene, ribbon->mesh, ribbon->obstacle);
   if (!fastening) return tl::unexpected(fastening.error());
-  return run(scene, mesh, duration_s, *fastening);
+  return run(scene, ribbon->mesh, duration_s, *fastening);
 }
 
 }  // namespace ribbon

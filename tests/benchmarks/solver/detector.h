@@ -2,14 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstddef>
 #include <memory>
 #include <vector>
 
-namespace benchmark {
+#include "geometry/ribbon_grid.h"
+#include "simulation/detection/feature_pairs.h"
 
-enum class Method {
+namespace ribbon {
+
+enum class DetectionMethod {
   brute_force,        // each triangle against each other
   space_enumeration,  // those that share a cell of a uniform grid (paper, section 5.4.3)
   curvature,          // the hierarchy as published: curvature and boxes
@@ -18,16 +19,12 @@ enum class Method {
 };
 
 // A ribbon that moves during a step; columns are particles, row by row.
-struct Motion {
-  int along = 0;
-  int across = 0;
+struct RibbonMotion {
+  RibbonGrid grid;
   Eigen::Matrix3Xd t0;
   Eigen::Matrix3Xd t1;
   double margin_m = 0;  // pairs that stay farther apart than this do not matter
 };
-
-// Kind (0 vertex and triangle, 1 two edges) and the four vertices, in the order of a FeaturePair.
-using Feature = std::array<int, 5>;
 
 class Detector {
  public:
@@ -35,28 +32,12 @@ class Detector {
 
   // One detection, from positions to pairs of features; what can be kept between the steps of a run
   // was made before.
-  virtual void detect() = 0;
-
-  // The pairs that the last detection listed, in its order.
-  [[nodiscard]] virtual std::vector<Feature> listed() const = 0;
-
-  // Tests of a box against a box (of triangles, edges, vertices or regions) in all detections so
-  // far. 0 where they are not counted.
-  [[nodiscard]] virtual std::size_t box_tests() const = 0;
+  virtual std::vector<FeaturePair> detect() = 0;
 };
 
-}  // namespace benchmark
+// The motion must outlive the detector. cell_factor: size of a cell of the space enumeration, in
+// mean sizes of the boxes.
+std::unique_ptr<Detector> make_detector(DetectionMethod method, const RibbonMotion& motion,
+                                        double cell_factor);
 
-// Every method exists twice: as the product compiles it, and compiled under another name with boxes
-// that count their tests. The motion must outlive the detector.
-// cell_factor: size of a cell of the space enumeration, in mean sizes of the boxes.
-namespace ribbon {
-std::unique_ptr<benchmark::Detector> make_detector(benchmark::Method method,
-                                                   const benchmark::Motion& motion,
-                                                   double cell_factor);
-}
-namespace counted {
-std::unique_ptr<benchmark::Detector> make_detector(benchmark::Method method,
-                                                   const benchmark::Motion& motion,
-                                                   double cell_factor);
-}
+}  // namespace ribbon

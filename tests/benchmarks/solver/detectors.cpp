@@ -1,5 +1,4 @@
 // The one place that knows how the product detects: what changes there is followed here.
-#include "benchmarks/solver/box_tests_made.h"
 #include "benchmarks/solver/detector.h"
 #include "benchmarks/solver/space_enumeration.h"
 #include "simulation/detection/bodies.h"
@@ -10,67 +9,42 @@ namespace ribbon {
 
 namespace {
 
-using benchmark::Feature;
-using benchmark::Method;
-using benchmark::Motion;
-
-class AnyDetector : public benchmark::Detector {
+class BodyDetector : public Detector {
  public:
-  explicit AnyDetector(const Motion& motion)
-      : motion_(motion), bodies_{RibbonGrid{motion.along, motion.across}, std::nullopt} {}
-
-  void detect() final {
-    const std::size_t before = box_tests_made();
-    found_ = find();
-    box_tests_ += box_tests_made() - before;
-  }
-
-  [[nodiscard]] std::vector<Feature> listed() const final {
-    std::vector<Feature> features;
-    for (const FeaturePair& pair : found_) {
-      const auto& v = pair.vertices;
-      features.push_back({static_cast<int>(pair.kind), v[0], v[1], v[2], v[3]});
-    }
-    return features;
-  }
-
-  [[nodiscard]] std::size_t box_tests() const final { return box_tests_; }
+  explicit BodyDetector(const RibbonMotion& motion)
+      : motion_(motion), bodies_{motion.grid, std::nullopt} {}
 
  protected:
-  virtual std::vector<FeaturePair> find() = 0;
-
-  [[nodiscard]] const Motion& motion() const { return motion_; }
+  [[nodiscard]] const RibbonMotion& motion() const { return motion_; }
   Bodies& bodies() { return bodies_; }
 
  private:
-  const Motion& motion_;
+  const RibbonMotion& motion_;
   Bodies bodies_;
-  std::vector<FeaturePair> found_;
-  std::size_t box_tests_ = 0;
 };
 
 // Tests triangles by their own means; the features of the triangles that meet are listed as the
 // product does.
-class ByTriangles : public AnyDetector {
+class ByTriangles : public BodyDetector {
  public:
-  using AnyDetector::AnyDetector;
+  using BodyDetector::BodyDetector;
 
- protected:
-  virtual std::vector<CandidatePair> pairs(const std::vector<MovingBox>& boxes) = 0;
-
-  std::vector<FeaturePair> find() final {
+  std::vector<FeaturePair> detect() final {
     RibbonBody& body = bodies().ribbon;
     const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
     std::vector<MovingBox> grown;
     for (const auto& triangle : body.surface().triangles.colwise()) {
-      grown.push_back(ranges[static_cast<std::size_t>(triangle[0])]);
-      grown.back().include(ranges[static_cast<std::size_t>(triangle[1])]);
-      grown.back().include(ranges[static_cast<std::size_t>(triangle[2])]);
+      grown.push_back(ranges[triangle[0]]);
+      grown.back().include(ranges[triangle[1]]);
+      grown.back().include(ranges[triangle[2]]);
       grown.back().grow(motion().margin_m / 2);
     }
     const RangedSurface surface{body.surface(), ranges};
     return feature_pairs(surface, surface, pairs(grown), motion().margin_m);
   }
+
+ protected:
+  virtual std::vector<CandidatePair> pairs(const std::vector<MovingBox>& boxes) = 0;
 };
 
 class BruteForce : public ByTriangles {
@@ -89,7 +63,7 @@ class BruteForce : public ByTriangles {
 
 class SpaceEnumeration : public ByTriangles {
  public:
-  SpaceEnumeration(const Motion& motion, double cell_factor)
+  SpaceEnumeration(const RibbonMotion& motion, double cell_factor)
       : ByTriangles(motion), cell_factor_(cell_factor) {}
 
  protected:
@@ -109,22 +83,20 @@ class SpaceEnumeration : public ByTriangles {
   double cell_factor_;
 };
 
-class ByCurvature : public AnyDetector {
+class ByCurvature : public BodyDetector {
  public:
-  using AnyDetector::AnyDetector;
+  using BodyDetector::BodyDetector;
 
- protected:
-  std::vector<FeaturePair> find() override {
+  std::vector<FeaturePair> detect() override {
     return swept_pairs_by_curvature(bodies(), motion().t0, motion().t1, motion().margin_m);
   }
 };
 
-class ByBoxes : public AnyDetector {
+class ByBoxes : public BodyDetector {
  public:
-  using AnyDetector::AnyDetector;
+  using BodyDetector::BodyDetector;
 
- protected:
-  std::vector<FeaturePair> find() override {
+  std::vector<FeaturePair> detect() override {
     RibbonBody& body = bodies().ribbon;
     const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
     Hierarchy& hierarchy = body.hierarchy(motion().t0);
@@ -135,12 +107,11 @@ class ByBoxes : public AnyDetector {
   }
 };
 
-class ByPatches : public AnyDetector {
+class ByPatches : public BodyDetector {
  public:
-  using AnyDetector::AnyDetector;
+  using BodyDetector::BodyDetector;
 
- protected:
-  std::vector<FeaturePair> find() override {
+  std::vector<FeaturePair> detect() override {
     return pairs_within_ranges(bodies(), vertex_ranges(motion().t0, motion().t1),
                                motion().margin_m);
   }
@@ -148,18 +119,18 @@ class ByPatches : public AnyDetector {
 
 }  // namespace
 
-std::unique_ptr<benchmark::Detector> make_detector(Method method, const Motion& motion,
-                                                   double cell_factor) {
+std::unique_ptr<Detector> make_detector(DetectionMethod method, const RibbonMotion& motion,
+                                        double cell_factor) {
   switch (method) {
-    case Method::brute_force:
+    case DetectionMethod::brute_force:
       return std::make_unique<BruteForce>(motion);
-    case Method::space_enumeration:
+    case DetectionMethod::space_enumeration:
       return std::make_unique<SpaceEnumeration>(motion, cell_factor);
-    case Method::curvature:
+    case DetectionMethod::curvature:
       return std::make_unique<ByCurvature>(motion);
-    case Method::boxes:
+    case DetectionMethod::boxes:
       return std::make_unique<ByBoxes>(motion);
-    case Method::patches:
+    case DetectionMethod::patches:
       return std::make_unique<ByPatches>(motion);
   }
   return nullptr;

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
-#include "curve/space_curve.h"
+#include "benchmarks/sample_ribbon.h"
 #include "playback/recording_reader.h"
-#include "ribbon_mesh/ribbon_mesh.h"
-#include "scene/scene.h"
 
 namespace ribbon {
 
 namespace {
 
-using benchmark::Motion;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
@@ -21,7 +18,8 @@ constexpr double way_edges = 0.25;
 constexpr double margin_edges = 0.2;
 
 // Drawn from the middle toward its ends.
-Motion in_motion(const RibbonGrid& grid, Matrix3Xd positions, double length_m, double width_m) {
+RibbonMotion in_motion(const RibbonGrid& grid, Matrix3Xd positions, double length_m,
+                       double width_m) {
   const double edge_m = length_m / (grid.along - 1);
   Matrix3Xd moved = positions;
   for (int i = 0; i < grid.along; ++i) {
@@ -33,7 +31,7 @@ Motion in_motion(const RibbonGrid& grid, Matrix3Xd positions, double length_m, d
           way_m * (positions.col(grid.particle(ahead, j)) - positions.col(grid.particle(back, j)))
                       .normalized();
   }
-  return {grid.along, grid.across, std::move(positions), std::move(moved),
+  return {grid, std::move(positions), std::move(moved),
           margin_edges * std::min(edge_m, width_m / (grid.across - 1))};
 }
 
@@ -77,18 +75,14 @@ Matrix3Xd refined(const RibbonGrid& from, const Matrix3Xd& positions, const Ribb
 
 }  // namespace
 
-Result<Motion> loose_ribbon(const std::filesystem::path& scene_file, int along, int across) {
-  auto scene = read_scene(scene_file);
-  if (!scene) return tl::unexpected(scene.error());
-  scene->ribbon.along = along;
-  scene->ribbon.across = across;
-  const auto curve = generate_space_curve(scene->curve, scene->ribbon.width_m, along);
-  if (!curve) return tl::unexpected(curve.error());
-  const RibbonMesh mesh = generate_ribbon_mesh(*curve, scene->ribbon, scene->curve.axis);
+Result<RibbonMotion> loose_ribbon(const std::filesystem::path& scene_file, int along, int across) {
+  const auto ribbon = sample_ribbon(scene_file, along, across);
+  if (!ribbon) return tl::unexpected(ribbon.error());
+  const RibbonMesh& mesh = ribbon->mesh;
   return in_motion(mesh.grid, mesh.positions, mesh.length_m, mesh.width_m);
 }
 
-Result<Motion> tight_ribbon(const std::filesystem::path& recording, int along, int across) {
+Result<RibbonMotion> tight_ribbon(const std::filesystem::path& recording, int along, int across) {
   auto reader = RecordingReader::open(recording);
   if (!reader) return tl::unexpected(reader.error());
   Eigen::Matrix3Xf last;

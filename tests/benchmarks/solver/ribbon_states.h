@@ -10,10 +10,9 @@
 namespace ribbon {
 
 // The ribbon as generated from the scene's drawing, in another granularity.
-Result<benchmark::Motion> loose_ribbon(const std::filesystem::path& scene, int along, int across);
+Result<RibbonMotion> loose_ribbon(const std::filesystem::path& scene, int along, int across);
 
 // The last frame of a recording, interpolated by cubics to another granularity.
-Result<benchmark::Motion> tight_ribbon(const std::filesystem::path& recording, int along,
-                                       int across);
+Result<RibbonMotion> tight_ribbon(const std::filesystem::path& recording, int along, int across);
 
 }  // namespace ribbon

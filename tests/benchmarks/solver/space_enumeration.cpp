@@ -34,11 +34,11 @@ class Cells {
 
 std::size_t slot_of(const Cell& cell, std::size_t slots) {
   const auto part = [&](int axis, std::uint64_t factor) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell[axis])) * factor;
+    return static_cast<std::uint32_t>(cell[axis]) * factor;
   };
   const std::uint64_t mixed =
       part(0, 0x9E3779B97F4A7C15U) ^ part(1, 0xC2B2AE3D27D4EB4FU) ^ part(2, 0x165667B19E3779F9U);
-  return static_cast<std::size_t>(mixed >> 20U) & (slots - 1);
+  return (mixed >> 20U) & (slots - 1);
 }
 
 struct Entry {
@@ -72,8 +72,8 @@ std::vector<CandidatePair> pairs_by_cells(std::span<const Box> boxes, double cel
     for (std::size_t i = first[slot]; i < first[slot + 1]; ++i)
       for (std::size_t j = i + 1; j < first[slot + 1]; ++j) {
         if (entries[i].cell != entries[j].cell) continue;
-        const Box& a = boxes[static_cast<std::size_t>(entries[i].box)];
-        const Box& b = boxes[static_cast<std::size_t>(entries[j].box)];
+        const Box& a = boxes[entries[i].box];
+        const Box& b = boxes[entries[j].box];
         if (!a.meets(b)) continue;
         // Boxes that share several cells are a pair in the first of them only.
         if (cells.at(a.low.cwiseMax(b.low)) == entries[i].cell)
