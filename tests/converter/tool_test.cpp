@@ -8,6 +8,7 @@
 #include "commandline/tool_run.h"
 #include "converter/sample_knot.h"
 #include "files/files.h"
+#include "files/temporary_folder.h"
 #include "playback/recording_reader.h"
 #include "recording/writer/recording_writer.h"
 
@@ -24,13 +25,9 @@ Eigen::Matrix3Xf cached_sample(const std::string& cache, std::size_t sample) {
   return positions;
 }
 
-class Tool : public testing::Test {
+class Tool : public TestInFolder {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / "ribbon-convert" / test->name();
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     recording_ = folder_ / "knot.rbn";
     record(sample_knot());
   }
@@ -62,7 +59,6 @@ class Tool : public testing::Test {
     return read_file(folder_ / file).value();
   }
 
-  fs::path folder_;
   fs::path recording_;
 };
 

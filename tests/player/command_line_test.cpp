@@ -12,6 +12,7 @@
 
 #include "commandline/tool_run.h"
 #include "files/files.h"
+#include "files/temporary_folder.h"
 #include "player/picture/picture.h"
 #include "player/report/follow.h"
 #include "recording/sample_recording.h"
@@ -21,18 +22,12 @@ namespace ribbon::command_line_test {
 
 namespace fs = std::filesystem;
 
-class RibbonPlay : public testing::Test {
+class RibbonPlay : public TestInFolder {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-play-") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     recording_ = folder_ / "knot.rbn";
     write_sample_recording(recording_, 7);
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // Runs it in the test's own folder; small pictures unless told otherwise.
   [[nodiscard]] ToolRun play(const std::string& arguments) const {
     return run_in(folder_, RIBBON_PLAY, arguments);
@@ -59,7 +54,6 @@ class RibbonPlay : public testing::Test {
     return files;
   }
 
-  fs::path folder_;
   fs::path recording_;
 };
 

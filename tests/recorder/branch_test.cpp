@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "files/files.h"
+#include "files/temporary_folder.h"
 #include "recorder/frames_of.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
@@ -14,19 +15,14 @@ namespace fs = std::filesystem;
 
 const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
 
-class Branch : public testing::Test {
+class Branch : public TestInFolder {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-branch-") + test->name());
-    fs::remove_all(folder_);
     std::string text = small_scene_text() + "checkpoint_every = 0.5\n";
     text.replace(text.find("duration = 0.2"), 14, "duration = 2");
     (void)write_file(folder_ / "knot.toml", text);
     record_source(read_scene(folder_ / "knot.toml").value());
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void record_source(const Scene& scene) {
     (void)record(scene, source(), "test", goes_on).value();
     frames_ = frames_of(source());
@@ -49,7 +45,6 @@ class Branch : public testing::Test {
     return difference < 0 ? static_cast<int>(take.size()) : difference;
   }
 
-  fs::path folder_;
   std::vector<PlayedFrame> frames_;
 };
 

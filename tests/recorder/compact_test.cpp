@@ -11,6 +11,7 @@
 
 #include "commandline/tool_run.h"
 #include "continuation/resume_recording.h"
+#include "files/temporary_folder.h"
 #include "recorder/frames_of.h"
 #include "recorder/process.h"
 #include "recorder/record.h"
@@ -36,17 +37,8 @@ Eigen::Matrix3Xd waves(int frame) {
   return positions;
 }
 
-class Compacted : public testing::Test {
+class Compacted : public TestInFolder {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-compact-") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    file_ = folder_ / "knot.rbn";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void record_waves(const RecordingHeader& header, Ending ending = Ending::finished) {
     auto writer = RecordingWriter::create(file_, header).value();
     for (int frame = 0; frame < frames; ++frame) {
@@ -78,8 +70,7 @@ class Compacted : public testing::Test {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
 
-  fs::path folder_;
-  fs::path file_;
+  fs::path file_ = folder_ / "knot.rbn";
 };
 
 TEST_F(Compacted, every_frame_has_the_same_bits_and_the_file_is_smaller) {

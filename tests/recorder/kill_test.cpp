@@ -2,6 +2,8 @@
 // times.
 #include <gtest/gtest.h>
 
+#include "files/files.h"
+#include "files/temporary_folder.h"
 #include "recorder/killed_runs.h"
 #include "recorder/small_scene.h"
 
@@ -10,8 +12,8 @@ namespace ribbon::kill_test {
 namespace fs = std::filesystem;
 
 TEST(KilledRun, plays_and_goes_on_to_the_same_bits) {
-  const fs::path folder = fs::path(testing::TempDir()) / "ribbon-killed-run";
-  fs::remove_all(folder);
+  const TemporaryFolder own;
+  const fs::path& folder = own.path();
   write_small_scene(folder);
   std::string text = small_scene_text();
   text.replace(text.find("duration = 0.2"), 14, "duration = 6");
@@ -23,7 +25,6 @@ TEST(KilledRun, plays_and_goes_on_to_the_same_bits) {
   EXPECT_LT(report.came_to_their_end, 7);
   EXPECT_GT(report.frames_played, 200);
   EXPECT_GT(report.frames_resumed, 4 * 181);
-  fs::remove_all(folder);
 }
 
 }  // namespace ribbon::kill_test

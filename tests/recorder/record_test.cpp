@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "files/temporary_folder.h"
 #include "parallel/parallel.h"
 #include "playback/recording_reader.h"
 #include "recorder/small_scene.h"
@@ -15,22 +16,14 @@ namespace ribbon::record_test {
 
 namespace fs = std::filesystem;
 
-class Record : public testing::Test {
+class Record : public TestInFolder {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-record-") + test->name());
-    fs::remove_all(folder_);
-    scene_ = read_scene(write_small_scene(folder_)).value();
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
+  void SetUp() override { scene_ = read_scene(write_small_scene(folder_)).value(); }
   [[nodiscard]] RunStatistics record_all(const fs::path& file) const {
     return record(scene_, file, "test", {[](int, int, const FrameNumbers&) { return true; }})
         .value();
   }
 
-  fs::path folder_;
   Scene scene_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "files/files.h"
+#include "files/temporary_folder.h"
 #include "recorder/frames_of.h"
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
@@ -16,12 +17,9 @@ namespace fs = std::filesystem;
 
 const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
 
-class ResumeRun : public testing::Test {
+class ResumeRun : public TestInFolder {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-resume-") + test->name());
-    fs::remove_all(folder_);
     file_ = folder_ / "knot.rbn";
     std::string text = small_scene_text() + "checkpoint_every = 0.5\n";
     text.replace(text.find("duration = 0.2"), 14, "duration = 2");
@@ -30,8 +28,6 @@ class ResumeRun : public testing::Test {
     (void)record(scene_, folder_ / "whole.rbn", "test", goes_on);
     whole_ = frames_of(folder_ / "whole.rbn");
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // Ends after so many frames.
   void record_stopped(int frames) {
     const RunObserver observer{
@@ -61,7 +57,6 @@ class ResumeRun : public testing::Test {
     EXPECT_EQ(first_difference(frames_of(reader), whole_), -1);
   }
 
-  fs::path folder_;
   fs::path file_;
   Scene scene_;
   std::vector<PlayedFrame> whole_;

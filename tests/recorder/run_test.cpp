@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 
+#include "files/temporary_folder.h"
 #include "playback/recording_reader.h"
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
@@ -16,17 +17,9 @@ namespace fs = std::filesystem;
 
 const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
 
-class Run : public testing::Test {
+class Run : public TestInFolder {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-run-") + test->name());
-    fs::remove_all(folder_);
-    scene_ = read_scene(write_small_scene(folder_)).value();
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path folder_;
+  void SetUp() override { scene_ = read_scene(write_small_scene(folder_)).value(); }
   Scene scene_;
 };
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "commandline/tool_run.h"
+#include "files/temporary_folder.h"
 #include "playback/recording_reader.h"
 #include "recorder/frames_of.h"
 #include "recorder/process.h"
@@ -16,21 +17,12 @@ namespace ribbon::tool_test {
 
 namespace fs = std::filesystem;
 
-class RibbonRecord : public testing::Test {
+class RibbonRecord : public TestInFolder {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("ribbon-record-tool-") + test->name());
-    fs::remove_all(folder_);
-    write_small_scene(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
+  void SetUp() override { write_small_scene(folder_); }
   [[nodiscard]] ToolRun run(const std::string& arguments, const std::string& before = "") const {
     return run_in(folder_, RIBBON_RECORD, arguments, before);
   }
-
-  fs::path folder_;
 };
 
 // One sentence: one line after the tool's name.

@@ -1,10 +1,8 @@
 #include "recording/sample_recording.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <system_error>
 
 #include "recording/writer/recording_writer.h"
 
@@ -23,25 +21,6 @@ TriangleMesh octahedron() {
       4, 4, 4, 4, 5, 5, 5, 5;
   return mesh;
 }
-
-class TemporaryFolder {
- public:
-  TemporaryFolder()
-      : path_(std::filesystem::path(testing::TempDir()) /
-              ("ribbon test " + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace
 
@@ -110,11 +89,6 @@ void write_sample_recording(const std::filesystem::path& path, int frames, Endin
   positions.reserve(frames);
   for (int frame = 0; frame < frames; ++frame) positions.push_back(sample_positions(frame));
   write_recording(path, sample_header(), positions, ending);
-}
-
-std::filesystem::path temporary_file(const std::string& name) {
-  static const TemporaryFolder folder;
-  return folder.path() / name;
 }
 
 }  // namespace ribbon

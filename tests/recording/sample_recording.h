@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "files/temporary_folder.h"
 #include "recording/records/recording.h"
 
 namespace ribbon {
@@ -36,8 +37,5 @@ void write_sample_recording(const std::filesystem::path& path, int frames,
 // frames. Fails the running test when that does not work.
 void write_recording(const std::filesystem::path& path, const RecordingHeader& header,
                      const std::vector<Eigen::Matrix3Xd>& frames, Ending ending = Ending::finished);
-
-// A path that no other test process uses, in a folder that goes with this process.
-std::filesystem::path temporary_file(const std::string& name);
 
 }  // namespace ribbon
