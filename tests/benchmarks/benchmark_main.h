@@ -10,13 +10,22 @@
 
 namespace ribbon {
 
-// describe(app, options) adds the options to the command line; run(options) does the rest.
+// What a benchmark found out, and whether it is as it should be.
+struct Findings {
+  nlohmann::ordered_json report;
+  ExitCode code = ExitCode::done;
+};
+
+// describe(app, options) adds the options to the command line, run(options) gives a
+// Result<Findings>. All have --json FILE, where the report is written.
 template <class Options, class Describe, class Run>
 int benchmark_main(const char* name, int argc, char** argv, const Describe& describe,
                    const Run& run) {
   return run_tool(name, [&]() -> Result<ExitCode> {
     CLI::App app("", name);
     Options options;
+    std::string file;
+    app.add_option("--json", file, "write the figures there")->type_name("FILE");
     describe(app, options);
     try {
       app.parse(argc, argv);
@@ -25,21 +34,13 @@ int benchmark_main(const char* name, int argc, char** argv, const Describe& desc
     } catch (const CLI::ParseError& problem) {
       return failure("", problem.what(), std::string("see ") + name + " --help");
     }
-    return run(options);
+    const auto findings = run(options);
+    if (!findings) return tl::unexpected(findings.error());
+    if (!file.empty())
+      if (auto written = write_file(file, findings->report.dump(2) + "\n"); !written)
+        return tl::unexpected(written.error());
+    return findings->code;
   });
-}
-
-inline void add_report_option(CLI::App& app, std::string& file) {
-  app.add_option("--json", file, "write the figures there")->type_name("FILE");
-}
-
-// The end of a run: writes the report where a file was named, and answers `code`.
-inline Result<ExitCode> write_report(const nlohmann::ordered_json& report, const std::string& file,
-                                     ExitCode code) {
-  if (!file.empty())
-    if (auto written = write_file(file, report.dump(2) + "\n"); !written)
-      return tl::unexpected(written.error());
-  return code;
 }
 
 }  // namespace ribbon

@@ -30,7 +30,6 @@ constexpr double before_contact_s = 1;
 constexpr double jitter_m = 1e-4;
 
 struct Options {
-  std::string json;
   std::string only;  // the settings whose name holds this text
   int starts = 3;
   double seconds = 12;
@@ -38,7 +37,6 @@ struct Options {
 };
 
 void describe(CLI::App& app, Options& options) {
-  add_report_option(app, options.json);
   app.add_option("--only", options.only, "the settings whose name holds this")->type_name("TEXT");
   app.add_option("--starts", options.starts, "drawn by a trembling hand")
       ->check(CLI::Range(1, 1000));
@@ -162,7 +160,7 @@ void fit_to_fifths(Options& options) {
   options.finest_step_s = 0.01 / std::round(0.01 / options.finest_step_s);
 }
 
-Result<ExitCode> run(Options options) {
+Result<Findings> run(Options options) {
   fit_to_fifths(options);
   set_thread_limit(1);
   std::vector<AccuracySetting> settings = {converged_setting(options.finest_step_s)};
@@ -185,8 +183,7 @@ Result<ExitCode> run(Options options) {
   Json report = Json::array();
   for (const AccuracyFigures& figures : all) report.push_back(json(figures));
   const bool is_any_beaten = tell_beaten(all);
-  return write_report(report, options.json,
-                      is_any_beaten ? ExitCode::answer_is_no : ExitCode::done);
+  return Findings{std::move(report), is_any_beaten ? ExitCode::answer_is_no : ExitCode::done};
 }
 
 }  // namespace

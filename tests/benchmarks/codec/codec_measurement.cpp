@@ -57,7 +57,7 @@ void add_group(FrameCodec& codec, FrameSpan frames, int runs, Sums& sums) {
 }
 
 void add_block(FrameCodec& codec, FrameSpan block, int group_frames, int runs, Sums& sums) {
-  const auto most = static_cast<std::size_t>(group_frames);
+  const std::size_t most = group_frames;
   for (std::size_t at = 0; at < block.size(); at += most)
     add_group(codec, block.subspan(at, std::min(most, block.size() - at)), runs, sums);
 }

@@ -27,15 +27,13 @@ class FloatGroup {
   }
 
   [[nodiscard]] int frames() const { return frames_; }
-  [[nodiscard]] std::size_t frame_values() const {
-    return static_cast<std::size_t>(3 * particles_);
-  }
+  [[nodiscard]] std::size_t frame_values() const { return 3 * particles_; }
   [[nodiscard]] std::vector<float>& values() { return values_; }
   // Where decode() of a codec writes to.
   [[nodiscard]] std::vector<float>& decoded() { return decoded_; }
 
   [[nodiscard]] Eigen::Matrix3Xf decoded(int index) const {
-    const float* frame = decoded_.data() + frame_values() * static_cast<std::size_t>(index);
+    const float* frame = decoded_.data() + frame_values() * index;
     if (layout_ == Layout::interleaved)
       return Eigen::Map<const Eigen::Matrix3Xf>(frame, 3, particles_);
     return Eigen::Map<const Eigen::MatrixX3f>(frame, particles_, 3).transpose();

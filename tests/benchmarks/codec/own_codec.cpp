@@ -72,7 +72,7 @@ class OwnCodec : public FrameCodec {
   }
 
   [[nodiscard]] Eigen::Matrix3Xf decoded(int index) const override {
-    return decoded_positions_[static_cast<std::size_t>(index)];
+    return decoded_positions_[index];
   }
 
  private:

@@ -23,7 +23,7 @@ void add_points(draco::PointCloud& cloud, int particles) {
 
 std::unique_ptr<draco::Mesh> mesh_of(const RibbonGrid& grid) {
   auto mesh = std::make_unique<draco::Mesh>();
-  mesh->SetNumFaces(static_cast<std::size_t>(grid.triangle_count()));
+  mesh->SetNumFaces(grid.triangle_count());
   for (int t = 0; t < grid.triangle_count(); ++t) {
     draco::Mesh::Face face;
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -95,9 +95,7 @@ class PointCloud : public Geometry {
 class EdgebreakerMesh : public Geometry {
  public:
   EdgebreakerMesh(const RibbonGrid& grid, int speed)
-      : mesh_(mesh_of(grid)),
-        speed_(speed),
-        order_(static_cast<std::size_t>(grid.particle_count())) {
+      : mesh_(mesh_of(grid)), speed_(speed), order_(grid.particle_count()) {
     std::iota(order_.begin(), order_.end(), 0);
     std::vector<std::uint32_t> numbers(3 * order_.size());
     for (std::size_t vertex = 0; vertex < order_.size(); ++vertex)

@@ -26,8 +26,7 @@ class Zfp : public FrameCodec {
     floats_.take(frames);
     const Stream stream = make_stream(nullptr);
     const Field field = make_field(floats_.values().data());
-    bytes_.resize(zfp_stream_maximum_size(stream.get(), field.get()) *
-                  static_cast<std::size_t>(fields()));
+    bytes_.resize(zfp_stream_maximum_size(stream.get(), field.get()) * fields());
   }
 
   std::size_t encode() override {
@@ -75,8 +74,7 @@ class Zfp : public FrameCodec {
     const auto across = static_cast<std::size_t>(grid_.across);
     const auto along = static_cast<std::size_t>(grid_.along);
     if (!takes_time_) return {zfp_field_2d(values, zfp_type_float, across, along), zfp_field_free};
-    Field field{zfp_field_3d(values, zfp_type_float, across, along,
-                             static_cast<std::size_t>(floats_.frames())),
+    Field field{zfp_field_3d(values, zfp_type_float, across, along, floats_.frames()),
                 zfp_field_free};
     zfp_field_set_stride_3d(field.get(), 1, grid_.across,
                             std::ptrdiff_t{3} * grid_.particle_count());

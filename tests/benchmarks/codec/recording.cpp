@@ -29,13 +29,11 @@ struct Options {
   int every = 2;
   int long_frames = 50'000;
   std::filesystem::path scratch = std::filesystem::temp_directory_path();
-  std::string json;
 };
 
 constexpr double long_bound = 1e-5;
 
 void describe(CLI::App& app, Options& options) {
-  add_report_option(app, options.json);
   app.add_option("RECORDING", options.recordings, "whose frames are measured")->required();
   app.add_option("--bounds", options.bounds, "on the error, of the ribbon's length; 0: exact")
       ->check(CLI::Range(0.0, 1.0));
@@ -66,7 +64,7 @@ class ScratchFile {
 
 std::vector<FrameSpan> blocks_of(FrameSpan frames, int every) {
   std::vector<FrameSpan> blocks;
-  for (std::size_t at = 0; at < frames.size(); at += static_cast<std::size_t>(every) * block_frames)
+  for (std::size_t at = 0; at < frames.size(); at += every * block_frames)
     blocks.push_back(frames.subspan(at, std::min<std::size_t>(block_frames, frames.size() - at)));
   return blocks;
 }
@@ -155,7 +153,7 @@ Result<void> measure_files(const RecordedMotion& motion, const Options& options,
   return {};
 }
 
-Result<ExitCode> run(const Options& options) {
+Result<Findings> run(const Options& options) {
   Json report;
   ExitCode code = ExitCode::done;
   for (const std::string& path : options.recordings) {
@@ -175,7 +173,7 @@ Result<ExitCode> run(const Options& options) {
         return tl::unexpected(done.error());
     report["recordings"].push_back(std::move(figures));
   }
-  return write_report(report, options.json, code);
+  return Findings{std::move(report), code};
 }
 
 }  // namespace

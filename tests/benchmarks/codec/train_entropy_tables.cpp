@@ -126,7 +126,8 @@ std::string table_of(const Samples& samples, std::span<const unsigned char> symb
          std::string(tree_at(std::string_view(table).substr(head_size)).rest) + content;
 }
 
-Result<ExitCode> train(const Options& options) {
+Result<Findings> train(const Options& options) {
+  Findings tables;
   SamplesByKind samples;
   for (const std::string& recording : options.recordings) {
     const auto motion = read_motion(recording);
@@ -139,11 +140,16 @@ Result<ExitCode> train(const Options& options) {
       return failure("",
                      "the recordings do not give a table for runs of kind " + std::to_string(kind),
                      "take longer recordings");
-    for (const char byte : table)
-      std::printf("%02x", static_cast<unsigned>(static_cast<unsigned char>(byte)));
-    std::printf("\n");
+    std::string hex;
+    for (const char byte : table) {
+      std::array<char, 3> digits{};
+      std::snprintf(digits.data(), digits.size(), "%02x", static_cast<unsigned char>(byte));
+      hex += digits.data();
+    }
+    std::puts(hex.c_str());
+    tables.report.push_back(hex);
   }
-  return ExitCode::done;
+  return tables;
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ double quantile(std::vector<double> values, double share) {
 // 0, 1, ..., last, last - 1, ..., 0, 1, ...
 std::size_t to_and_fro(int frame, std::size_t count) {
   if (count < 2) return 0;
-  const std::size_t at = static_cast<std::size_t>(frame) % (2 * (count - 1));
+  const std::size_t at = frame % (2 * (count - 1));
   return std::min(at, 2 * (count - 1) - at);
 }
 

@@ -32,7 +32,6 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string tight;
-  std::string json;
   int most_particles = 64 * 3200;
 };
 
@@ -232,7 +231,6 @@ Json print_growth(const std::vector<Row>& rows) {
 }
 
 void describe(CLI::App& app, Options& options) {
-  add_report_option(app, options.json);
   app.add_option("--tight", options.tight, "the recording whose last frame is refined")
       ->type_name("RECORDING");
   app.add_option("--most-particles", options.most_particles, "no larger ribbons");
@@ -268,19 +266,19 @@ Result<bool> measure_state(const std::string& tight, int most_particles, Json& r
   return true;
 }
 
-Result<ExitCode> run(const Options& options) {
+Result<Findings> run(const Options& options) {
   Json report;
   std::vector<std::string> states = {""};
   if (!options.tight.empty()) states.push_back(options.tight);
   for (const std::string& tight : states) {
     const auto agreed = measure_state(tight, options.most_particles, report);
     if (!agreed) return tl::unexpected(agreed.error());
-    if (!*agreed) return ExitCode::answer_is_no;
+    if (!*agreed) return Findings{std::move(report), ExitCode::answer_is_no};
   }
   std::puts(
       "\n*: extrapolated with the number of pairs of triangles. One thread but for the last "
       "column.");
-  return write_report(report, options.json, ExitCode::done);
+  return Findings{std::move(report)};
 }
 
 }  // namespace

@@ -22,7 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::string json;
   std::string only;  // the extremes whose name holds this text
   int most_particles = 4000;
   int most_steps = std::numeric_limits<int>::max();
@@ -94,7 +93,6 @@ Json json(const Outcome& outcome) {
 }
 
 void describe(CLI::App& app, Options& options) {
-  add_report_option(app, options.json);
   app.add_option("--only", options.only, "the extremes whose name holds this")->type_name("TEXT");
   app.add_option("--most-particles", options.most_particles, "no larger ribbons");
   app.add_option("--most-steps", options.most_steps, "of each run");
@@ -138,7 +136,7 @@ Json json(const std::string& extreme, const std::vector<Outcome>& outcomes) {
   return row;
 }
 
-Result<ExitCode> run(const Options& options) {
+Result<Findings> run(const Options& options) {
   Json report = Json::array();
   Notes notes;
   bool all_hold = true;
@@ -155,7 +153,7 @@ Result<ExitCode> run(const Options& options) {
       "intersecting pairs and no explosion where none are named. Refused, with the first "
       "number:\n");
   notes.print();
-  return write_report(report, options.json, all_hold ? ExitCode::done : ExitCode::answer_is_no);
+  return Findings{std::move(report), all_hold ? ExitCode::done : ExitCode::answer_is_no};
 }
 
 }  // namespace

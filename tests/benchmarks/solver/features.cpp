@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "benchmarks/benchmark_main.h"
@@ -23,7 +24,6 @@ using Json = nlohmann::ordered_json;
 constexpr int steps_before = 20;
 
 struct Options {
-  std::string json;
   std::string scene = RIBBON_SAMPLES "/overhand-hourglass-8x400.toml";
   int across = 8;
   int steps = 40;
@@ -31,7 +31,6 @@ struct Options {
 };
 
 void describe(CLI::App& app, Options& options) {
-  add_report_option(app, options.json);
   app.add_option("--scene", options.scene, "whose ribbon and object are taken")->type_name("FILE");
   app.add_option("--across", options.across, "particles across")->check(CLI::Range(2, 500));
   app.add_option("--steps", options.steps, "that are measured")->check(CLI::Range(1, 1'000'000));
@@ -56,7 +55,7 @@ void print(const std::string& feature, const StepCost& cost, int particles) {
   std::fflush(stdout);
 }
 
-Result<ExitCode> run(const Options& options) {
+Result<Findings> run(const Options& options) {
   set_thread_limit(options.threads);
   auto full = read_scene(options.scene);
   if (!full) return tl::unexpected(full.error());
@@ -74,7 +73,7 @@ Result<ExitCode> run(const Options& options) {
     report.push_back({{"scene", feature.feature}});
     report.back().update(json_of(*cost, particles));
   }
-  return write_report(report, options.json, ExitCode::done);
+  return Findings{std::move(report)};
 }
 
 }  // namespace

@@ -27,7 +27,6 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string tight;
-  std::string json;
   std::optional<IntegrationMethod> integrator;
   std::optional<double> step_s;
   int steps = 20;
@@ -50,7 +49,6 @@ const std::map<std::string, IntegrationMethod> integrators = {
     {"implicit", IntegrationMethod::implicit}};
 
 void describe(CLI::App& app, Options& options) {
-  add_report_option(app, options.json);
   app.add_option("--tight", options.tight, "the recording whose last frame is refined")
       ->type_name("RECORDING");
   app.add_option("--integrator", options.integrator, "instead of the sample's")
@@ -133,7 +131,7 @@ Result<Json> measure_state(const std::string& tight, const Options& options) {
   return state;
 }
 
-Result<ExitCode> run(const Options& options) {
+Result<Findings> run(const Options& options) {
   set_thread_limit(options.threads);
   Json report;
   std::vector<std::string> states = {""};
@@ -143,7 +141,7 @@ Result<ExitCode> run(const Options& options) {
     if (!state) return tl::unexpected(state.error());
     report[tight.empty() ? "loose" : "tight"] = std::move(*state);
   }
-  return write_report(report, options.json, ExitCode::done);
+  return Findings{std::move(report)};
 }
 
 }  // namespace
