@@ -13,7 +13,7 @@ void set_thread_limit(int threads) {
   limit.reset();
   if (threads > 0)
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                  static_cast<std::size_t>(threads));
+                                                  threads);
 }
 
 void parallel_ranges(std::size_t count, std::size_t grain,

@@ -49,7 +49,7 @@ std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) co
                                 static_cast<off_t>(offset + filled));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;
-    filled += static_cast<std::size_t>(got);
+    filled += got;
   }
   bytes.resize(filled);
   return bytes;

@@ -49,7 +49,7 @@ class DamagedRecording : public testing::Test {
     auto reader = RecordingReader::open(path_);
     truth_.resize(frames);
     for (int frame = 0; frame < frames; ++frame)
-      EXPECT_TRUE(reader->read(frame, truth_[static_cast<std::size_t>(frame)]).has_value());
+      EXPECT_TRUE(reader->read(frame, truth_[frame]).has_value());
   }
 
   static Eigen::Matrix3Xd positions(int frame) {
@@ -77,7 +77,7 @@ class DamagedRecording : public testing::Test {
         lost.push_back(frame);
         continue;
       }
-      EXPECT_EQ(read, truth_.at(static_cast<std::size_t>(frame))) << "frame " << frame;
+      EXPECT_EQ(read, truth_.at(frame)) << "frame " << frame;
       EXPECT_EQ(reader.numbers(frame), sample_numbers(frame));
     }
     return lost;
@@ -91,7 +91,7 @@ class DamagedRecording : public testing::Test {
   // The frame whose record holds this byte; -1 where that is no frame's.
   [[nodiscard]] int frame_at(std::size_t byte) const {
     const int frame = frames_before(byte);
-    return frame < frames && byte >= begin_[static_cast<std::size_t>(frame)] ? frame : -1;
+    return frame < frames && byte >= begin_[frame] ? frame : -1;
   }
 
   // Checkpoints and sessions are there as they were or not at all. How many are not?

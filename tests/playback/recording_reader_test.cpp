@@ -42,14 +42,14 @@ TEST(RecordingReader, jumping_to_a_frame_equals_playing_to_it) {
   ASSERT_TRUE(player.has_value() && jumper.has_value());
   std::vector<Eigen::Matrix3Xf> played(frames);
   for (int frame = 0; frame < frames; ++frame)
-    ASSERT_TRUE(player->read(frame, played[static_cast<std::size_t>(frame)]).has_value());
+    ASSERT_TRUE(player->read(frame, played[frame]).has_value());
   for (int step = 0; step < 3 * frames; ++step) {
     const int frame = (step * 29 + step / 7) % frames;  // back and forth, some of them twice
     Eigen::Matrix3Xf jumped;
     ASSERT_TRUE(jumper->read(frame, jumped).has_value());
-    ASSERT_EQ(jumped, played[static_cast<std::size_t>(frame)]) << "frame " << frame;
+    ASSERT_EQ(jumped, played[frame]) << "frame " << frame;
     ASSERT_TRUE(jumper->read(frame, jumped).has_value());
-    ASSERT_EQ(jumped, played[static_cast<std::size_t>(frame)]) << "frame " << frame << " again";
+    ASSERT_EQ(jumped, played[frame]) << "frame " << frame << " again";
   }
 }
 

@@ -156,8 +156,7 @@ class WeightFit {
     double sum = 0;
     double count = 0;
     for (const CellGroup& group : groups_of(*frame_.planes, diagonal))
-      for (std::size_t cell = group.cell; cell < group.cell + static_cast<std::size_t>(group.count);
-           ++cell, ++count)
+      for (std::size_t cell = group.cell; cell < group.cell + group.count; ++cell, ++count)
         sum += change_at(cell);
     return static_cast<float>(sum / count + 1e-30);
   }

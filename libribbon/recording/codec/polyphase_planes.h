@@ -32,7 +32,7 @@ class PolyphasePlanes {
   [[nodiscard]] const RibbonGrid& grid() const { return grid_; }
   // Cells of all planes with their borders.
   [[nodiscard]] std::size_t cells() const {
-    return static_cast<std::size_t>(count * plane_cells_ + std::ptrdiff_t{2} * lane_quantum);
+    return count * plane_cells_ + std::ptrdiff_t{2} * lane_quantum;
   }
   // From a cell to that of the next column.
   [[nodiscard]] std::ptrdiff_t stride() const { return stride_; }
@@ -43,7 +43,7 @@ class PolyphasePlanes {
 
   // The cell of row a and column b of a plane; its border is two rows and one column wide.
   [[nodiscard]] std::size_t cell(int plane, int a, int b) const {
-    return static_cast<std::size_t>(lane_quantum + plane * plane_cells_ + (b + 1) * stride_ + a);
+    return lane_quantum + plane * plane_cells_ + (b + 1) * stride_ + a;
   }
   // The cell of particle (i, j); i from -1 to along, j from -1 to across: the border of the ribbon.
   [[nodiscard]] std::size_t cell_of(int i, int j) const {

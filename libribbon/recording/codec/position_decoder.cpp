@@ -37,7 +37,7 @@ bool take_intra_weights(std::string_view& bytes, IntraWeights& weights) {
 }  // namespace
 
 bool PositionDecoder::decode_plain(std::string_view geometry, QuantisedFrame& frame) {
-  const auto particles = static_cast<std::size_t>(parameters_.grid.particle_count());
+  const std::size_t particles = parameters_.grid.particle_count();
   const auto content = decompressor_.decompress(geometry, particles * 12);
   if (!content || content->size() != particles * 12) return false;
   ByteTaker taker(*content);

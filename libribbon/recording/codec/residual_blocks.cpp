@@ -32,8 +32,7 @@ struct CodingMode {
     return block.columns * column_bytes(block.length);
   }
   [[nodiscard]] std::size_t column_bytes(std::size_t length) const {
-    const auto per_byte = static_cast<std::size_t>(symbols_per_byte);
-    return (length + per_byte - 1) / per_byte;
+    return (length + symbols_per_byte - 1) / symbols_per_byte;
   }
 };
 
@@ -51,7 +50,7 @@ constexpr auto modes = [] {
 }();
 
 const CodingMode& mode_of(int number) {
-  return modes[static_cast<std::size_t>(number)];
+  return modes[number];
 }
 
 // For residuals of this sum and count.
@@ -97,7 +96,7 @@ void put_symbols(const std::uint32_t* residuals, std::size_t length, const Codin
   for (std::size_t k = 0; k < length; k += per_byte) {
     std::uint32_t byte = 0;
     for (int part = 0; part < per_byte; ++part)
-      if (const std::size_t at = k + static_cast<std::size_t>(part); at < length)
+      if (const std::size_t at = k + part; at < length)
         byte |= std::min(residuals[at] >> mode.low_bits, mode.escape) << (8 / per_byte * part);
     *symbols++ = static_cast<unsigned char>(byte);
   }
@@ -187,7 +186,7 @@ void ResidualPacker::append(const Residuals& residuals, std::string& bytes) {
 ResidualUnpacker::ResidualUnpacker(const PolyphasePlanes& planes,
                                    std::span<const std::string> entropy_tables)
     : cells_(planes.cells()),
-      stride_(static_cast<std::size_t>(planes.stride())),
+      stride_(planes.stride()),
       decompressor_(entropy_tables),
       blocks_(residual_blocks(planes)) {}
 

@@ -44,9 +44,7 @@ using SymbolRuns = std::array<std::string, symbol_kinds>;
 class ResidualPacker {
  public:
   ResidualPacker(const PolyphasePlanes& planes, std::span<const std::string> entropy_tables)
-      : stride_(static_cast<std::size_t>(planes.stride())),
-        blocks_(residual_blocks(planes)),
-        compressor_(entropy_tables) {}
+      : stride_(planes.stride()), blocks_(residual_blocks(planes)), compressor_(entropy_tables) {}
 
   // Appends the residuals to `bytes`, to be followed by nothing else.
   void append(const Residuals& residuals, std::string& bytes);

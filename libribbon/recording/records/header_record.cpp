@@ -27,7 +27,7 @@ constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;
 template <class Stored, class Matrix>
 void put_matrix(std::string& bytes, const Matrix& matrix) {
   std::string content;
-  content.reserve(static_cast<std::size_t>(matrix.size()) * sizeof(Stored));
+  content.reserve(matrix.size() * sizeof(Stored));
   for (const auto number : matrix.reshaped()) put<Stored>(content, static_cast<Stored>(number));
   put_string(bytes, Compressor().compress(content));
 }

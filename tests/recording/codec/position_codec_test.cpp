@@ -69,7 +69,7 @@ std::vector<FrameEncoding> round_trip(const CodecParameters& codec, double max_e
 
 std::vector<Eigen::Matrix3Xd> sample_frames(int count) {
   std::vector<Eigen::Matrix3Xd> frames;
-  frames.reserve(static_cast<std::size_t>(count));
+  frames.reserve(count);
   for (int frame = 0; frame < count; ++frame) frames.push_back(sample_positions(frame));
   return frames;
 }

@@ -44,7 +44,7 @@ TEST(ResidualBlocks, each_particle_lies_in_one_block) {
       EXPECT_LE(block.particles(), 64U);
       for (std::size_t b = 0; b < block.columns; ++b)
         for (std::size_t k = 0; k < block.length; ++k)
-          ++blocks_of.at(block.cell + b * static_cast<std::size_t>(planes.stride()) + k);
+          ++blocks_of.at(block.cell + b * planes.stride() + k);
     }
     for (int i = 0; i < grid.along; ++i)
       for (int j = 0; j < grid.across; ++j) EXPECT_EQ(blocks_of.at(planes.cell_of(i, j)), 1);
