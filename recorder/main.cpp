@@ -37,7 +37,8 @@ class Watch {
             [this](int done, int total) {
               line(total, "frame simulated again").update(done);
               return !interrupt_.requested();
-            }};
+            },
+            [this](const std::string& what) { line(1, "start").update(0, what); }};
   }
   CompactionObserver compaction_observer() {
     const auto drawn_as = [this](const char* unit) {

@@ -43,7 +43,7 @@ Result<RunStatistics> record(const Scene& wished, const std::filesystem::path& r
   const auto obstacle = read_obstacle_of(*scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
   Stopwatch stopwatch;
-  auto start = find_start(*scene, *obstacle);
+  auto start = find_start(*scene, *obstacle, observer.start_sought);
   if (!start) return tl::unexpected(start.error());
   const double start_s = stopwatch.lap();
   // Not before the start has been found: a scene without one leaves an older recording alone.

@@ -18,6 +18,9 @@ struct RunObserver {
   // After each frame that is simulated again to get to where a recording ended: how many of how
   // many, of these. Returns false to give up. May be empty.
   std::function<bool(int done, int total)> frame_simulated_again = {};
+  // Before the first frame, as the search for a start goes on: what becomes of the ribbon. May be
+  // empty.
+  StartObserver start_sought = {};
 };
 
 // Where the user wants a run to end, whatever the scene says; at most one of the two.

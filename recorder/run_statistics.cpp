@@ -60,7 +60,7 @@ std::string right(const std::string& text, std::size_t width) {
 std::string profile_line(const std::string& what, double time_s, double of_s, long times) {
   const double each_ms = times > 0 ? 1000 * time_s / static_cast<double>(times) : 0;
   const double percent = of_s > 0 ? 100 * time_s / of_s : 0;
-  return "  " + left(what, 14) + right(decimals(percent, 1), 6) + " %" +
+  return "  " + left(what, 17) + right(decimals(percent, 1), 6) + " %" +
          right(decimals(each_ms, 3), 11) + " ms\n";
 }
 
@@ -72,8 +72,11 @@ std::string per_step(long count, const RunStatistics& statistics, int digits) {
 
 Json stages_json(const StageSums& stages) {
   Json json;
-  for (std::size_t stage = 0; stage < stage_count; ++stage)
-    json.set(std::string(word_for(static_cast<Stage>(stage))) + "_s", stages.time_s[stage]);
+  for (std::size_t stage = 0; stage < step_stage_count; ++stage) {
+    std::string name(word_for(static_cast<StepStage>(stage)));
+    std::replace(name.begin(), name.end(), ' ', '_');
+    json.set(name + "_s", stages.time_s[stage]);
+  }
   json.set("detections", stages.detections);
   json.set("listed_pairs", stages.listed_pairs);
   json.set("sweeps", stages.sweeps);
@@ -86,9 +89,11 @@ std::string profile_text(const RunStatistics& statistics) {
   const double all_s = statistics.simulation_s + statistics.measuring_s + statistics.recording_s;
   const int frames = statistics.frames - statistics.first_frame;
   std::string text = "a step, " + std::to_string(statistics.computed_steps) + " times:\n";
-  for (std::size_t stage = 0; stage < stage_count; ++stage)
-    text += profile_line(std::string(word_for(static_cast<Stage>(stage))),
-                         statistics.stages.time_s[stage], all_s, statistics.computed_steps);
+  // A step truncates or recovers; the other takes no time.
+  for (std::size_t stage = 0; stage < step_stage_count; ++stage)
+    if (const double time_s = statistics.stages.time_s[stage]; time_s > 0)
+      text += profile_line(std::string(word_for(static_cast<StepStage>(stage))), time_s, all_s,
+                           statistics.computed_steps);
   text += "a frame, " + std::to_string(frames) + " times:\n" +
           profile_line("measuring", statistics.measuring_s, all_s, frames) +
           profile_line("recording", statistics.recording_s, all_s, frames) +

@@ -16,7 +16,7 @@ class StepSums {
     ++steps_;
     recovery_iterations_ += report.recovery_iterations;
     penetrating_edges_ = report.penetrating_edges;
-    held_back_ += report.held_back;
+    truncated_ += report.truncated;
     pull_ += report.pull;
   }
 
@@ -27,15 +27,15 @@ class StepSums {
   [[nodiscard]] std::uint32_t penetrating_edges() const {
     return static_cast<std::uint32_t>(penetrating_edges_);
   }
-  // Per step; before the first one nothing is held back and nobody has yielded.
-  [[nodiscard]] double mean_held_back() const { return steps_ > 0 ? held_back_ / steps_ : 0; }
+  // Per step; before the first one nothing is truncated and nobody has yielded.
+  [[nodiscard]] double mean_truncated() const { return steps_ > 0 ? truncated_ / steps_ : 0; }
   [[nodiscard]] double mean_pull() const { return steps_ > 0 ? pull_ / steps_ : 1; }
 
  private:
   int steps_ = 0;
   long recovery_iterations_ = 0;
   int penetrating_edges_ = 0;
-  double held_back_ = 0;
+  double truncated_ = 0;
   double pull_ = 0;
 };
 
@@ -45,7 +45,7 @@ std::optional<TightnessNumbers> tightness_numbers(FasteningProcessor& fastening,
   if (!tightness) return std::nullopt;
   return TightnessNumbers{
       .progress = static_cast<float>(tightness->progress),
-      .held_back = static_cast<float>(sums.mean_held_back() / static_cast<double>(particles)),
+      .held_back = static_cast<float>(sums.mean_truncated() / static_cast<double>(particles)),
       .pull = static_cast<float>(sums.mean_pull()),
       .contact = static_cast<float>(tightness->contact_share),
       .rope_length = static_cast<float>(tightness->rope_length)};

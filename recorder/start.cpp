@@ -45,11 +45,12 @@ Result<std::optional<TriangleMesh>> read_obstacle_of(const Scene& scene) {
   });
 }
 
-Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
+Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& obstacle,
+                         const StartObserver& observer) {
   const auto curve = centre_line(scene);
   if (!curve) return tl::unexpected(curve.error());
   RibbonMesh ribbon = generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
-  auto fastening = FasteningProcessor::create(scene, ribbon, obstacle);
+  auto fastening = FasteningProcessor::create(scene, ribbon, obstacle, observer);
   if (!fastening) return tl::unexpected(with_tight_passage(scene, fastening.error()));
   if (auto tied = start_is_tied_as_drawn(scene, ribbon, obstacle, *fastening); !tied)
     return tl::unexpected(tied.error());

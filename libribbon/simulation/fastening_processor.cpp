@@ -1,14 +1,24 @@
 #include "simulation/fastening_processor.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "ribbon_mesh/ribbon_mesh.h"
+#include "scene/scene.h"
 #include "simulation/contact/contact_extent.h"
-#include "simulation/contact/gap_lengths.h"
+#include "simulation/contact/contact_lengths.h"
+#include "simulation/contact/pair_distances.h"
+#include "simulation/detection/bodies.h"
+#include "simulation/fastening/hands.h"
+#include "simulation/start/free_start.h"
 #include "simulation/start/scene_limits.h"
 #include "simulation/start/width_growth.h"
+#include "simulation/state/cloth.h"
 #include "simulation/state/edge_strain.h"
+#include "simulation/state/state_archive.h"
+#include "simulation/step/time_step.h"
 
 namespace ribbon {
 
@@ -21,24 +31,9 @@ using Eigen::Matrix3Xd;
 constexpr std::int64_t state_version = 1;
 constexpr std::int64_t most_steps = 4'000'000'000;
 
-// Particles first, the obstacle's vertices behind them.
-Matrix3Xd all_vertices(const Matrix3Xd& particles, const std::optional<TriangleMesh>& obstacle) {
-  Matrix3Xd all(3, particles.cols() + (obstacle ? obstacle->vertices.cols() : 0));
-  all.leftCols(particles.cols()) = particles;
-  if (obstacle) all.rightCols(obstacle->vertices.cols()) = obstacle->vertices.cast<double>();
-  return all;
-}
-
-std::optional<ObstacleBody> obstacle_body(const std::optional<TriangleMesh>& obstacle,
-                                          int first_vertex, const Matrix3Xd& positions) {
+std::optional<ObstacleBody> obstacle_body(const std::optional<TriangleMesh>& obstacle) {
   if (!obstacle) return std::nullopt;
-  return ObstacleBody(collision_surface(obstacle->triangles.array() + first_vertex), positions);
-}
-
-std::unique_ptr<Bodies> bodies_of(const RibbonGrid& grid,
-                                  const std::optional<TriangleMesh>& obstacle,
-                                  const Matrix3Xd& positions) {
-  return std::make_unique<Bodies>(grid, obstacle_body(obstacle, grid.particle_count(), positions));
+  return ObstacleBody(obstacle->triangles, obstacle->vertices.cast<double>());
 }
 
 // What the bytes are, and for whom.
@@ -78,61 +73,166 @@ void visit_start(StateArchive& archive, StartReport& start) {
 
 }  // namespace
 
-FasteningProcessor::FasteningProcessor(const Scene& scene, const RestSize& size,
-                                       const std::optional<TriangleMesh>& obstacle,
-                                       Matrix3Xd vertices)
-    : step_s_(scene.time.step_s),
-      springs_(spring_network(size, scene.springs)),
-      cloth_{std::move(vertices), Matrix3Xd::Zero(3, size.grid.particle_count()),
-             scene.ribbon.mass_kg / size.grid.particle_count()},
-      bodies_(bodies_of(size.grid, obstacle, cloth_.positions)),
-      deformation_(scene, size, cloth_.particle_mass_kg, *bodies_),
-      size_(size),
-      gaps_(size_, gap_lengths(size_.shortest_edge_m(),
-                               scene.recording.max_position_error_m(size.length_m),
-                               scene.ribbon.thickness_m)) {}
+// What a simulation consists of.
+struct FasteningProcessor::Parts {
+  Parts(const Scene& scene, const RestSize& rest_size, const ContactLengths& lengths,
+        const std::optional<TriangleMesh>& obstacle, Matrix3Xd positions);
+
+  Result<void> find_start(const Scene& scene, const RibbonMesh& ribbon,
+                          const ContactLengths& lengths, const StartObserver& observer);
+  StartReport recover_as_published();
+  void go_on_with_other_steps(double other_step_s);
+  void visit_state(StateArchive& archive, Settings settings);
+  [[nodiscard]] Hands* hands_if_any() { return hands ? &*hands : nullptr; }
+
+  double step_s;
+  SpringNetwork springs;
+  std::int64_t steps = 0;
+  std::int64_t steps_before = 0;  // with another step
+  double before_s = 0;            // that they took
+  Cloth cloth;
+  Bodies bodies;
+  TimeStep time_step;
+  std::optional<Hands> hands;
+  RestSize size;
+  PairDistances distances;
+  StartReport start;
+  double guaranteed_gap_m = 0;
+  double reach_m = 0;
+};
+
+FasteningProcessor::Parts::Parts(const Scene& scene, const RestSize& rest_size,
+                                 const ContactLengths& lengths,
+                                 const std::optional<TriangleMesh>& obstacle, Matrix3Xd positions)
+    : step_s(scene.time.step_s),
+      springs(spring_network(rest_size, scene.springs)),
+      cloth{std::move(positions), Matrix3Xd::Zero(3, rest_size.grid.particle_count()),
+            scene.ribbon.mass_kg / rest_size.grid.particle_count()},
+      bodies(rest_size.grid, obstacle_body(obstacle)),
+      time_step(scene, rest_size, lengths, cloth.particle_mass_kg),
+      size(rest_size),
+      distances(size, lengths) {}
+
+FasteningProcessor::FasteningProcessor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+FasteningProcessor::FasteningProcessor(FasteningProcessor&& other) noexcept = default;
+FasteningProcessor& FasteningProcessor::operator=(FasteningProcessor&& other) noexcept = default;
+FasteningProcessor::~FasteningProcessor() = default;
+
+// ---- The start
+// -----------------------------------------------------------------------------------
 
 Result<FasteningProcessor> FasteningProcessor::create(const Scene& wished, const RibbonMesh& ribbon,
-                                                      const std::optional<TriangleMesh>& obstacle) {
+                                                      const std::optional<TriangleMesh>& obstacle,
+                                                      const StartObserver& observer) {
   const RestSize size = rest_size(ribbon, 1);
-  Matrix3Xd vertices = all_vertices(ribbon.positions, obstacle);
-  const auto precise = check_precision(wished, size, vertices);
-  if (!precise) return tl::unexpected(precise.error());
-  const auto narrow = check_width(wished, ribbon.grid);
-  if (!narrow) return tl::unexpected(narrow.error());
-  const double reach_m = recorded_reach_m(wished, size, vertices);
+  const double reach_m = recorded_reach_m(wished, size, ribbon.positions);
   const Scene scene = with_single_rounding(wished, size, reach_m);
-  FasteningProcessor processor(scene, size, obstacle, std::move(vertices));
-  processor.reach_m_ = reach_m;
-  const auto begun = processor.begin(scene, ribbon);
-  if (!begun) return tl::unexpected(begun.error());
-  return processor;
+  const ContactLengths lengths = contact_lengths(scene, size);
+  auto possible = check_precision(wished, size, lengths, ribbon.positions, obstacle);
+  if (possible) possible = check_width(wished, ribbon.grid);
+  if (!possible) return tl::unexpected(possible.error());
+  auto parts = std::make_unique<Parts>(scene, size, lengths, obstacle, ribbon.positions);
+  parts->reach_m = reach_m;
+  const auto found = parts->find_start(scene, ribbon, lengths, observer);
+  if (!found) return tl::unexpected(found.error());
+  return FasteningProcessor(std::move(parts));
 }
 
-Result<void> FasteningProcessor::begin(const Scene& scene, const RibbonMesh& ribbon) {
-  if (auto few = check_substeps(scene, deformation_.substeps()); !few) return few;
+Result<void> FasteningProcessor::Parts::find_start(const Scene& scene, const RibbonMesh& ribbon,
+                                                   const ContactLengths& lengths,
+                                                   const StartObserver& observer) {
+  if (auto few = check_substeps(scene, time_step.substeps()); !few) return few;
   if (scene.contact == ContactMethod::gate) {
-    const auto start = find_free_start(scene, ribbon, *bodies_, deformation_, cloth_);
-    if (!start) return tl::unexpected(start.error());
-    start_ = *start;
-    const double rounding_m = scene.recording.max_position_error_m(ribbon.length_m);
-    guaranteed_gap_m_ =
-        recorded_gap_m(gap_lengths(size_.shortest_edge_m(), rounding_m, 0), rounding_m);
+    const auto found = find_free_start(scene, ribbon, lengths, observer, bodies, time_step, cloth);
+    if (!found) return tl::unexpected(found.error());
+    start = *found;
+    guaranteed_gap_m = recorded_gap_m(lengths);
   } else {
-    start_ = recover_as_published();
+    start = recover_as_published();
   }
-  if (scene.fastening) hands_.emplace(scene, size_, cloth_);
-  deformation_.clock().reset();
+  if (scene.fastening) hands.emplace(scene, size, cloth);
+  time_step.clock().reset();
   return {};
 }
 
 // A band that was bent into a drawn curve is strained here and there, and may be pierced. Before
 // the first step it is corrected and recovered as after any other, without force and at rest.
-StartReport FasteningProcessor::recover_as_published() {
-  const PostStepReport report = deformation_.settle(settling_rounds, cloth_);
+StartReport FasteningProcessor::Parts::recover_as_published() {
+  const StepReport report = time_step.settle(settling_rounds, bodies, cloth);
   return {.kind = report.recovery_iterations > 0 ? StartKind::recovered : StartKind::free,
           .recovery_iterations = report.recovery_iterations,
           .penetrating_edges = report.penetrating_edges};
+}
+
+const StartReport& FasteningProcessor::start() const {
+  return parts_->start;
+}
+
+// ---- The steps
+// -----------------------------------------------------------------------------------
+
+StepReport FasteningProcessor::step() {
+  ++parts_->steps;
+  return parts_->time_step.take(parts_->hands_if_any(), parts_->bodies, parts_->cloth);
+}
+
+double FasteningProcessor::time_s() const {
+  return parts_->before_s +
+         static_cast<double>(parts_->steps - parts_->steps_before) * parts_->step_s;
+}
+
+long FasteningProcessor::steps() const {
+  return parts_->steps;
+}
+
+long FasteningProcessor::steps_at(double time_s) const {
+  const double steps = (time_s - parts_->before_s) / parts_->step_s;
+  return parts_->steps_before + static_cast<long>(std::ceil(steps - 1e-9 * (1 + steps)));
+}
+
+const StageSums& FasteningProcessor::stage_sums() const {
+  return parts_->time_step.clock().sums();
+}
+
+// ---- What became of the ribbon
+// -------------------------------------------------------------------
+
+const Matrix3Xd& FasteningProcessor::positions() const {
+  return parts_->cloth.positions;
+}
+
+double FasteningProcessor::strain() const {
+  return worst_strain(parts_->springs, parts_->cloth.positions);
+}
+
+std::optional<Tightness> FasteningProcessor::tightness() {
+  if (!parts_->hands) return std::nullopt;
+  const ContactExtent contact =
+      contact_extent(parts_->bodies, parts_->size, parts_->distances, parts_->cloth.positions);
+  return Tightness{.progress = parts_->hands->progress(),
+                   .contact_share = contact.share,
+                   .rope_length = contact.knotted_m / parts_->size.width_m};
+}
+
+bool FasteningProcessor::is_tight() const {
+  return parts_->hands && parts_->hands->are_stopped();
+}
+
+double FasteningProcessor::reach_m() const {
+  return parts_->reach_m;
+}
+
+double FasteningProcessor::guaranteed_gap_m() const {
+  return parts_->guaranteed_gap_m;
+}
+
+// ---- The state
+// -----------------------------------------------------------------------------------
+
+std::string FasteningProcessor::state() {
+  StateArchive archive;
+  parts_->visit_state(archive, Settings::as_before);
+  return archive.bytes();
 }
 
 Result<FasteningProcessor> FasteningProcessor::restore(const Scene& wished, const RestSize& size,
@@ -149,87 +249,46 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& wished, cons
   beginning.ignore_rest();
   if (auto read = beginning.finish(); !read) return refused(read.error());
   const Scene scene = with_single_rounding(wished, size, head.reach_m);
-  const Matrix3Xd nowhere = Matrix3Xd::Zero(3, size.grid.particle_count());
-  FasteningProcessor processor(scene, size, obstacle, all_vertices(nowhere, obstacle));
-  if (auto few = check_substeps(scene, processor.deformation_.substeps()); !few)
+  auto parts = std::make_unique<Parts>(scene, size, contact_lengths(scene, size), obstacle,
+                                       Matrix3Xd::Zero(3, size.grid.particle_count()));
+  if (auto few = check_substeps(scene, parts->time_step.substeps()); !few)
     return tl::unexpected(few.error());
-  if (scene.fastening) processor.hands_.emplace(scene, size, processor.cloth_);
+  if (scene.fastening) parts->hands.emplace(scene, size, parts->cloth);
   StateArchive archive(state);
-  processor.visit_state(archive, settings);
+  parts->visit_state(archive, settings);
   if (auto read = archive.finish(); !read) return refused(read.error());
-  return processor;
+  return FasteningProcessor(std::move(parts));
 }
 
-std::string FasteningProcessor::state() {
-  StateArchive archive;
-  visit_state(archive, Settings::as_before);
-  return archive.bytes();
-}
-
-void FasteningProcessor::visit_state(StateArchive& archive, Settings settings) {
-  auto& [step_s, springs, steps, steps_before, before_s, cloth, bodies, deformation, hands, size,
-         gaps, start, guaranteed_gap_m, reach_m] = *this;
+void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings settings) {
+  auto& [step_of_scene, springs_of_scene, steps_now, steps_then, then_s, cloth_now, bodies_now,
+         time_step_of_scene, hands_now, size_of_scene, distances_of_scene, start_then, gap_m,
+         reach_then_m] = *this;
   StateHead head{size.grid, hands.has_value(), step_s, reach_m};
   visit_head(archive, head);
-  reach_m = head.reach_m;
-  archive.visit(steps, 0, most_steps);
-  archive.visit(steps_before, 0, steps);
-  archive.visit(before_s);
-  archive.visit(guaranteed_gap_m);
-  visit_start(archive, start);
-  cloth.visit_state(archive);
-  bodies->visit_state(archive);
-  if (hands) hands->visit_state(archive);
+  reach_then_m = head.reach_m;
+  archive.visit(steps_now, 0, most_steps);
+  archive.visit(steps_then, 0, steps_now);
+  archive.visit(then_s);
+  archive.visit(gap_m);
+  visit_start(archive, start_then);
+  cloth_now.visit_state(archive);
+  bodies_now.visit_state(archive);
+  if (hands_now) hands_now->visit_state(archive);
   if (settings == Settings::changed) {
     archive.ignore_rest();
     go_on_with_other_steps(head.step_s);
   } else {
     if (head.step_s != step_s) archive.refuse("it was made with another time.step");
-    if (hands) hands->visit_memory(archive);
+    if (hands_now) hands_now->visit_memory(archive);
   }
 }
 
-// The clock of the scene that comes takes over from the one whose steps took step_s.
-void FasteningProcessor::go_on_with_other_steps(double step_s) {
-  if (step_s == step_s_) return;
-  before_s_ += static_cast<double>(steps_ - steps_before_) * step_s;
-  steps_before_ = steps_;
-}
-
-long FasteningProcessor::steps_at(double time_s) const {
-  const double steps = (time_s - before_s_) / step_s_;
-  return steps_before_ + static_cast<long>(std::ceil(steps - 1e-9 * (1 + steps)));
-}
-
-StepReport FasteningProcessor::step() {
-  ++steps_;
-  StageClock& clock = deformation_.clock();
-  clock.charge(Stage::fastening);
-  const Matrix3Xd force = hands_ ? hands_->pull(cloth_) : Matrix3Xd(3, 0);
-  const PostStepReport report = deformation_.step(force, cloth_);
-  clock.charge(Stage::fastening);
-  if (hands_) hands_->follow(cloth_);
-  clock.stop();
-  return {.recovery_iterations = report.recovery_iterations,
-          .penetrating_edges = report.penetrating_edges,
-          .held_back = report.held_back,
-          .pull = hands_ ? hands_->force_fraction() : 1};
-}
-
-std::optional<Tightness> FasteningProcessor::tightness() {
-  if (!hands_) return std::nullopt;
-  const ContactExtent contact = contact_extent(*bodies_, size_, gaps_, cloth_.positions);
-  return Tightness{.progress = hands_->progress(),
-                   .contact_share = contact.share,
-                   .rope_length = contact.knotted_m / size_.width_m};
-}
-
-double FasteningProcessor::strain() const {
-  return worst_strain(springs_, cloth_.positions);
-}
-
-Matrix3Xd FasteningProcessor::positions() const {
-  return cloth_.positions.leftCols(cloth_.particle_count());
+// The clock of the scene that comes takes over from the one whose steps took other_step_s.
+void FasteningProcessor::Parts::go_on_with_other_steps(double other_step_s) {
+  if (other_step_s == step_s) return;
+  before_s += static_cast<double>(steps - steps_before) * other_step_s;
+  steps_before = steps;
 }
 
 }  // namespace ribbon

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,25 +10,14 @@
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
 #include "ribbon_mesh/rest_size.h"
-#include "ribbon_mesh/ribbon_mesh.h"
-#include "scene/scene.h"
-#include "simulation/contact/pair_gaps.h"
-#include "simulation/detection/bodies.h"
-#include "simulation/fastening/hands.h"
-#include "simulation/start/free_start.h"
-#include "simulation/state/cloth.h"
-#include "simulation/state/state_archive.h"
-#include "simulation/step/deformation.h"
+#include "simulation/start/start_report.h"
+#include "simulation/step/stage_clock.h"
+#include "simulation/step/step_report.h"
 
 namespace ribbon {
 
-// What one step brought about.
-struct StepReport {
-  int recovery_iterations = 0;  // of Figure 15
-  int penetrating_edges = 0;    // left over, of ribbon and obstacle; none with the gate
-  int held_back = 0;            // particles that the gate did not let go all of their way
-  double pull = 1;              // the fraction of the fastening force that the hands applied
-};
+struct RibbonMesh;
+struct Scene;
 
 // Is a run to go on exactly as it would have, or with other settings?
 enum class Settings { as_before, changed };
@@ -48,9 +36,10 @@ class FasteningProcessor {
   // With the gate the ribbon starts free of intersections, and so stays free. As published, the
   // schemes recover what they can at the start too, and what is left is counted. Fails, with the
   // scene's name, where there is no free start (free_start.h) and where numbers could not hold what
-  // is promised (scene_limits.h).
+  // is promised (scene_limits.h). The search for a start may take minutes, and tells the observer.
   static Result<FasteningProcessor> create(const Scene& wished, const RibbonMesh& ribbon,
-                                           const std::optional<TriangleMesh>& obstacle);
+                                           const std::optional<TriangleMesh>& obstacle,
+                                           const StartObserver& observer = {});
 
   // Goes on from a state() of the same scene, ribbon size and obstacle to the same bits as the
   // processor that was asked for it. With changed settings, which may be any but the particles, the
@@ -62,11 +51,15 @@ class FasteningProcessor {
                                             std::string_view state,
                                             Settings settings = Settings::as_before);
 
+  FasteningProcessor(FasteningProcessor&& other) noexcept;
+  FasteningProcessor& operator=(FasteningProcessor&& other) noexcept;
+  ~FasteningProcessor();
+
   // Everything that the next steps depend on and the scene does not tell (STATE.md).
   [[nodiscard]] std::string state();
 
   // How the ribbon came to its start.
-  [[nodiscard]] const StartReport& start() const { return start_; }
+  [[nodiscard]] const StartReport& start() const;
 
   StepReport step();
 
@@ -77,56 +70,37 @@ class FasteningProcessor {
   std::optional<Tightness> tightness();
 
   // Has the ribbon come to a stop although it is pulled (hands.h)? Never without a fastening.
-  [[nodiscard]] bool is_tight() const { return hands_ && hands_->are_stopped(); }
+  [[nodiscard]] bool is_tight() const;
 
   // A recording without loss (max_position_error = 0) keeps the guaranteed gap as long as no
   // coordinate of a particle is farther from 0 than this: several times as far as at the start.
   // Otherwise the largest number.
-  [[nodiscard]] double reach_m() const { return reach_m_; }
+  [[nodiscard]] double reach_m() const;
 
   // No two features that share no vertex, of the ribbon or of ribbon and obstacle, come nearer than
   // this, even if each coordinate of a particle is moved by the scene's max_position_error, or
   // rounded to single precision where that is 0. 0 with contact = "paper", which guarantees
   // nothing.
-  [[nodiscard]] double guaranteed_gap_m() const { return guaranteed_gap_m_; }
+  [[nodiscard]] double guaranteed_gap_m() const;
 
   // Where the time of all steps went.
-  [[nodiscard]] const StageSums& stage_sums() const { return deformation_.clock().sums(); }
+  [[nodiscard]] const StageSums& stage_sums() const;
 
   // 3 x particles, metres.
-  [[nodiscard]] Eigen::Matrix3Xd positions() const;
-  [[nodiscard]] double time_s() const {
-    return before_s_ + static_cast<double>(steps_ - steps_before_) * step_s_;
-  }
+  [[nodiscard]] const Eigen::Matrix3Xd& positions() const;
+  [[nodiscard]] double time_s() const;
   // Since the start.
-  [[nodiscard]] long steps() const { return steps_; }
+  [[nodiscard]] long steps() const;
   // How many there are at the first step at or after a time. A time that falls on a step up to
   // rounding is on it.
   [[nodiscard]] long steps_at(double time_s) const;
 
  private:
-  FasteningProcessor(const Scene& scene, const RestSize& size,
-                     const std::optional<TriangleMesh>& obstacle, Eigen::Matrix3Xd vertices);
+  struct Parts;  // so that callers need not know what a simulation consists of
 
-  Result<void> begin(const Scene& scene, const RibbonMesh& ribbon);
-  void go_on_with_other_steps(double step_s);
-  void visit_state(StateArchive& archive, Settings settings);
-  StartReport recover_as_published();
+  explicit FasteningProcessor(std::unique_ptr<Parts> parts);
 
-  double step_s_;
-  SpringNetwork springs_;
-  std::int64_t steps_ = 0;
-  std::int64_t steps_before_ = 0;  // with another step
-  double before_s_ = 0;            // that they took
-  Cloth cloth_;
-  std::unique_ptr<Bodies> bodies_;  // at a fixed place: the deformation refers to it
-  Deformation deformation_;
-  std::optional<Hands> hands_;
-  RestSize size_;
-  PairGaps gaps_;
-  StartReport start_;
-  double guaranteed_gap_m_ = 0;
-  double reach_m_ = 0;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace ribbon

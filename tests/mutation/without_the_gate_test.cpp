@@ -16,7 +16,7 @@ class WithoutTheGate : public testing::TestWithParam<const char*> {};
 
 // Ten times the sample's force, unyielding as published: repulsion alone does not stand that.
 TEST_P(WithoutTheGate, both_oracles_find_the_same_intersections) {
-  Scene scene = read_scene(std::string(RIBBON_SAMPLES) + "/" + GetParam()).value();
+  Scene scene = read_scene(std::string(RIBBON_SAMPLES "/") + GetParam()).value();
   scene.fastening->speed_m_s *= 10;
   scene.fastening->yield_strain.reset();
   const SpaceCurve curve =

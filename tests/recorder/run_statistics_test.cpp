@@ -45,7 +45,7 @@ TEST(RunStatistics, fit_on_one_line) {
 
 TEST(RunStatistics, tell_where_the_time_went) {
   RunStatistics statistics = example();
-  statistics.stages.time_s = {0.1, 0.4, 2, 0.5, 0.6, 0.4};
+  statistics.stages.time_s = {0.1, 0.4, 2, 0.5, 0.6, 0.4, 0};
   statistics.stages.detections = 150;
   statistics.stages.listed_pairs = 123'400;
   statistics.stages.sweeps = 1230;
@@ -56,19 +56,19 @@ TEST(RunStatistics, tell_where_the_time_went) {
   EXPECT_EQ(
       profile_text(statistics),
       "a step, 100 times:\n"
-      "  fastening        2.0 %      1.000 ms\n"
-      "  displacement     8.0 %      4.000 ms\n"
-      "  detection       40.0 %     20.000 ms\n"
-      "  repulsion       10.0 %      5.000 ms\n"
-      "  smoothing       12.0 %      6.000 ms\n"
-      "  errors           8.0 %      4.000 ms\n"
+      "  fastening force     2.0 %      1.000 ms\n"
+      "  integration         8.0 %      4.000 ms\n"
+      "  detection          40.0 %     20.000 ms\n"
+      "  repulsion          10.0 %      5.000 ms\n"
+      "  strain correction  12.0 %      6.000 ms\n"
+      "  truncation          8.0 %      4.000 ms\n"
       "a frame, 2 times:\n"
-      "  measuring       15.0 %    375.000 ms\n"
-      "  recording        5.0 %    125.000 ms\n"
+      "  measuring          15.0 %    375.000 ms\n"
+      "  recording           5.0 %    125.000 ms\n"
       "beside these, of the same time:\n"
-      "  encoding        10.0 %    250.000 ms\n"
-      "  writing          2.0 %     50.000 ms\n"
-      "  syncing          1.0 %     25.000 ms\n"
+      "  encoding           10.0 %    250.000 ms\n"
+      "  writing             2.0 %     50.000 ms\n"
+      "  syncing             1.0 %     25.000 ms\n"
       "in a step 1.50 detections, 1234 pairs of features listed, 12.3 sweeps over all edges\n");
 }
 
@@ -80,6 +80,7 @@ TEST(RunStatistics, are_told_to_programs_as_json) {
   EXPECT_EQ(json["worst_penetrating_edges"], 5);
   EXPECT_EQ(json["ending"], "unknown");
   EXPECT_EQ(json["stages"]["detection_s"], 0);
+  EXPECT_EQ(json["stages"]["strain_correction_s"], 0);
   EXPECT_TRUE(json["tightness"].is_null());
 }
 

@@ -9,6 +9,7 @@
 #include "parallel/parallel.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
+#include "simulation/state/state_archive.h"
 
 namespace ribbon::resume_test {
 
@@ -81,7 +82,7 @@ bool are_equal(FasteningProcessor& a, FasteningProcessor& b) {
 
 bool are_equal(const StepReport& a, const StepReport& b) {
   return a.recovery_iterations == b.recovery_iterations &&
-         a.penetrating_edges == b.penetrating_edges && a.held_back == b.held_back &&
+         a.penetrating_edges == b.penetrating_edges && a.truncated == b.truncated &&
          a.pull == b.pull;
 }
 

@@ -8,7 +8,6 @@ namespace ribbon {
 
 namespace {
 
-using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
@@ -30,8 +29,8 @@ Vector3d between(FeaturePair::Kind kind, const Corners& x) {
 
 }  // namespace
 
-std::optional<Collision> find_collision(const FeaturePair& pair, const Matrix3Xd& t0,
-                                        const Matrix3Xd& t1, double gap_m) {
+std::optional<Collision> find_collision(const FeaturePair& pair, const VertexPositions& t0,
+                                        const VertexPositions& t1, double gap_m) {
   const Corners x0 = corners(pair, t0);
   const Corners x1 = corners(pair, t1);
   const Vector3d direction0 = separating_direction(pair.kind, x0);

@@ -17,11 +17,11 @@ struct Collision {
   double separation_m = 0;  // of the contact points along the normal at the end; negative: passed
 };
 
-// Do the two features collide on their straight way from `t0` to `t1` (3 x vertices each)? They do
+// Do the two features collide on their straight way from `t0` to `t1`? They do
 // when one passes through the other, or when they end closer than gap_m on the side on which they
 // began. The instant of passing is found with the signed distance taken as linear over the step, so
 // that a pair that turns far within one step may be missed.
-std::optional<Collision> find_collision(const FeaturePair& pair, const Eigen::Matrix3Xd& t0,
-                                        const Eigen::Matrix3Xd& t1, double gap_m);
+std::optional<Collision> find_collision(const FeaturePair& pair, const VertexPositions& t0,
+                                        const VertexPositions& t1, double gap_m);
 
 }  // namespace ribbon

@@ -17,28 +17,28 @@ constexpr double touching = 1.5;  // of the distance at which contact begins
 
 enum class Touches : char { nothing, obstacle, ribbon };
 
-bool touch(const FeaturePair& pair, const PairGaps& gaps, const Matrix3Xd& positions) {
+bool touch(const FeaturePair& pair, const PairDistances& gaps, const VertexPositions& positions) {
   const auto x = corners(pair, positions);
-  return (x * closest_weights(pair.kind, x)).norm() <= touching * gaps.contact_m(pair);
+  return (x * closest_weights(pair.kind, x)).norm() <= touching * gaps.activation_m(pair);
 }
 
-std::vector<Touches> touched_rows(Bodies& bodies, const PairGaps& gaps,
+std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& gaps,
                                   const Matrix3Xd& positions) {
-  const int particles = bodies.grid.particle_count();
-  std::vector<Touches> rows(static_cast<std::size_t>(bodies.grid.along), Touches::nothing);
-  const double reach_m = touching * gaps.largest_contact_m();
-  const auto row_of = [&](int particle) -> Touches& {
-    return rows[static_cast<std::size_t>(bodies.grid.row(particle))];
-  };
+  const VertexPositions vertices = bodies.vertices(positions);
+  std::vector<Touches> rows(bodies.grid.along, Touches::nothing);
+  const double reach_m = touching * gaps.largest_activation_m();
+  const auto row_of = [&](int particle) -> Touches& { return rows[bodies.grid.row(particle)]; };
   for (const FeaturePair& pair :
        pairs_within_ranges(bodies, vertex_ranges(positions, positions), reach_m)) {
     const bool with_obstacle = std::any_of(pair.vertices.begin(), pair.vertices.end(),
-                                           [&](int vertex) { return vertex >= particles; });
+                                           [&](int vertex) { return !bodies.is_particle(vertex); });
     const Touches what = with_obstacle ? Touches::obstacle : Touches::ribbon;
-    const auto is_news = [&](int vertex) { return vertex < particles && row_of(vertex) < what; };
+    const auto is_news = [&](int vertex) {
+      return bodies.is_particle(vertex) && row_of(vertex) < what;
+    };
     // Most pairs of a knot tell nothing new, and distances take time.
     if (std::none_of(pair.vertices.begin(), pair.vertices.end(), is_news)) continue;
-    if (!touch(pair, gaps, positions)) continue;
+    if (!touch(pair, gaps, vertices)) continue;
     for (const int vertex : pair.vertices)
       if (is_news(vertex)) row_of(vertex) = what;
   }
@@ -47,7 +47,7 @@ std::vector<Touches> touched_rows(Bodies& bodies, const PairGaps& gaps,
 
 }  // namespace
 
-ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairGaps& gaps,
+ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairDistances& gaps,
                              const Matrix3Xd& positions) {
   const std::vector<Touches> rows = touched_rows(bodies, gaps, positions);
   const auto free = std::count(rows.begin(), rows.end(), Touches::nothing);

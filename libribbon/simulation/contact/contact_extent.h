@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "ribbon_mesh/rest_size.h"
-#include "simulation/contact/pair_gaps.h"
+#include "simulation/contact/pair_distances.h"
 #include "simulation/detection/bodies.h"
 
 namespace ribbon {
@@ -16,8 +16,8 @@ struct ContactExtent {
 
 // Rows touch where two features that share no vertex lie within one and a half times the distance
 // at which contact begins: what rests on something rests at about that distance. positions: 3 x
-// vertices. Costs a detection; `bodies` are refitted to the positions.
-ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairGaps& gaps,
+// particles. Costs a detection; `bodies` are refitted to the positions.
+ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairDistances& gaps,
                              const Eigen::Matrix3Xd& positions);
 
 }  // namespace ribbon

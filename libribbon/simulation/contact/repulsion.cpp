@@ -1,70 +1,89 @@
 #include "simulation/contact/repulsion.h"
 
 #include <algorithm>
+#include <optional>
+
+#include "simulation/contact/friction.h"
 
 namespace ribbon {
 
 namespace {
 
-using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-// The vector from the contact point of the second feature to that of the first, of any quantity
-// that the particles have; the vertices beyond its columns have none.
+// The vector from the contact point of the second feature to that of the first.
 Vector3d between_contact_points(const FeaturePair& pair, const Collision& collision,
-                                const Eigen::Ref<const Matrix3Xd>& of_vertex) {
+                                const VertexPositions& positions) {
   Vector3d result = Vector3d::Zero();
-  for (int k = 0; k < 4; ++k) {
-    const int vertex = pair.vertices[static_cast<std::size_t>(k)];
-    if (vertex < of_vertex.cols()) result += collision.weights[k] * of_vertex.col(vertex);
-  }
+  for (int k = 0; k < 4; ++k) result += collision.weights[k] * positions[pair.vertices[k]];
+  return result;
+}
+
+// The velocity of the contact point of the first feature as seen from that of the second.
+Vector3d relative_velocity(const FeaturePair& pair, const Collision& collision,
+                           const Cloth& cloth) {
+  Vector3d result = Vector3d::Zero();
+  for (int k = 0; k < 4; ++k)
+    if (pair.vertices[k] < cloth.particle_count())
+      result += collision.weights[k] * cloth.velocities.col(pair.vertices[k]);
   return result;
 }
 
 // How far the contact points part per unit of impulse between them.
-double mobility_of(const FeaturePair& pair, const Collision& collision, const Cloth& cloth) {
-  double mobility = 0;
+double effective_inverse_mass(const FeaturePair& pair, const Collision& collision,
+                              const Cloth& cloth) {
+  double sum = 0;
   for (int k = 0; k < 4; ++k)
-    mobility += collision.weights[k] * collision.weights[k] *
-                cloth.inverse_mass(pair.vertices[static_cast<std::size_t>(k)]);
-  return mobility;
-}
-
-// Coulomb: what is taken from `sliding` across the normal is at most `friction` times `pressed`.
-Vector3d rubbed_off(const Vector3d& sliding, const Vector3d& normal, double friction,
-                    double pressed) {
-  const Vector3d across = sliding - normal.dot(sliding) * normal;
-  const double length = across.norm();
-  return length > 0 ? Vector3d(-std::min(1.0, friction * pressed / length) * across)
-                    : Vector3d::Zero();
+    if (pair.vertices[k] < cloth.particle_count())
+      sum += collision.weights[k] * collision.weights[k] * (1 / cloth.particle_mass_kg);
+  return sum;
 }
 
 }  // namespace
 
 void repel(const FeaturePair& pair, const Collision& collision, double gap_m,
-           const RepulsionSettings& settings, const Matrix3Xd& before, Cloth& cloth) {
-  const double mobility = mobility_of(pair, collision, cloth);
-  if (mobility == 0) return;
-  const Vector3d apart = between_contact_points(pair, collision, cloth.positions);
-  const Vector3d velocity = between_contact_points(pair, collision, cloth.velocities);
-  const double distance_m = collision.normal.dot(apart);
-  const double speed_m_s = collision.normal.dot(velocity);  // positive: parting
+           const RepulsionSettings& settings, const VertexPositions& before,
+           const VertexPositions& now, Cloth& cloth) {
+  const double inverse_mass = effective_inverse_mass(pair, collision, cloth);
+  if (inverse_mass == 0) return;
+  const Vector3d& normal = collision.normal;
+  const Vector3d apart = between_contact_points(pair, collision, now);
+  const Vector3d velocity = relative_velocity(pair, collision, cloth);
+  const double distance_m = normal.dot(apart);
+  const double speed_m_s = normal.dot(velocity);  // positive: parting
   const double opened_m = std::max(0.0, gap_m - distance_m);
   const double gained_m_s = speed_m_s < 0 ? -(1 + settings.restitution) * speed_m_s : 0;
-  Vector3d moved = opened_m * collision.normal;
-  Vector3d accelerated = gained_m_s * collision.normal;
+  Vector3d moved = opened_m * normal;
+  Vector3d accelerated = gained_m_s * normal;
   if (settings.friction > 0) {
     const Vector3d slid = apart - between_contact_points(pair, collision, before);
-    moved += rubbed_off(slid, collision.normal, settings.friction, opened_m);
-    accelerated += rubbed_off(velocity, collision.normal, settings.friction, gained_m_s);
+    moved += friction_impulse(slid, normal, settings.friction, opened_m);
+    accelerated += friction_impulse(velocity, normal, settings.friction, gained_m_s);
   }
   for (int k = 0; k < 4; ++k) {
-    const int vertex = pair.vertices[static_cast<std::size_t>(k)];
+    const int vertex = pair.vertices[k];
     if (vertex >= cloth.particle_count()) continue;
-    const double share = collision.weights[k] * cloth.inverse_mass(vertex) / mobility;
-    cloth.positions.col(vertex) += share * moved;
-    cloth.velocities.col(vertex) += share * accelerated;
+    const double part = collision.weights[k] * (1 / cloth.particle_mass_kg) / inverse_mass;
+    cloth.positions.col(vertex) += part * moved;
+    cloth.velocities.col(vertex) += part * accelerated;
   }
+}
+
+bool repel_once(std::span<const FeaturePair> pairs, const PairDistances& gaps,
+                const RepulsionSettings& settings, const Bodies& bodies,
+                const Eigen::Matrix3Xd& before, Cloth& cloth) {
+  const VertexPositions start = bodies.vertices(before);
+  const VertexPositions now = bodies.vertices(cloth.positions);
+  bool any = false;
+  for (const FeaturePair& pair : pairs) {
+    // Earlier repulsions of this round count: each pair is tested where its vertices are by now.
+    const double gap_m = gaps.activation_m(pair);
+    const std::optional<Collision> collision = find_collision(pair, start, now, gap_m);
+    if (!collision) continue;
+    repel(pair, *collision, gap_m, settings, start, now, cloth);
+    any = true;
+  }
+  return any;
 }
 
 }  // namespace ribbon

@@ -1,7 +1,11 @@
-// Adding repulsions (paper, section 5.4.2).
+// Updating velocity and displacement of what collides (paper, section 5.4.2).
 #pragma once
 
+#include <span>
+
 #include "simulation/contact/collision.h"
+#include "simulation/contact/pair_distances.h"
+#include "simulation/detection/bodies.h"
 #include "simulation/state/cloth.h"
 
 namespace ribbon {
@@ -12,12 +16,19 @@ struct RepulsionSettings {
 };
 
 // Moves the colliding pair apart until the contact points are gap_m apart along the normal, and
-// gives its vertices new velocities if they approach: after the collision they part with
-// `restitution` times the speed at which they met. With friction, what the contact points have slid
-// over each other since `before` (3 x vertices) and the speed at which they slide are reduced by at
-// most `friction` times the change along the normal. All changes conserve momentum; the obstacle's
-// vertices, of boundless mass, stay.
+// gives its particles new velocities if they approach: after the collision they part with
+// `restitution` times the speed at which they met. With friction (friction.h), what the contact
+// points have slid over each other since `before` and the speed at which they slide are reduced.
+// All changes conserve momentum. `now`: the cloth's present positions and the obstacle's vertices,
+// which are boundlessly heavy (paper, section 5.1) and stay.
 void repel(const FeaturePair& pair, const Collision& collision, double gap_m,
-           const RepulsionSettings& settings, const Eigen::Matrix3Xd& before, Cloth& cloth);
+           const RepulsionSettings& settings, const VertexPositions& before,
+           const VertexPositions& now, Cloth& cloth);
+
+// Repels once each of `pairs` that collides on its straight way from `before` (3 x particles) to
+// the cloth's present positions, or ends closer than contact begins. Was there one?
+bool repel_once(std::span<const FeaturePair> pairs, const PairDistances& gaps,
+                const RepulsionSettings& settings, const Bodies& bodies,
+                const Eigen::Matrix3Xd& before, Cloth& cloth);
 
 }  // namespace ribbon

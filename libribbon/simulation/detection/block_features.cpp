@@ -8,9 +8,8 @@ namespace {
 
 template <std::size_t n>
 BoxedFeature<n> boxed(const std::array<int, n>& vertices, std::span<const PackedBox> boxes) {
-  BoxedFeature<n> feature{vertices, boxes[static_cast<std::size_t>(vertices[0])]};
-  for (std::size_t k = 1; k < n; ++k)
-    feature.box.include(boxes[static_cast<std::size_t>(vertices[k])]);
+  BoxedFeature<n> feature{vertices, boxes[vertices[0]]};
+  for (std::size_t k = 1; k < n; ++k) feature.box.include(boxes[vertices[k]]);
   return feature;
 }
 
@@ -47,7 +46,7 @@ void list_all(std::span<const BoxedFeature<n>> some, const PackedBox& around,
 
 BlockFeatures::BlockFeatures(const RibbonGrid& grid, int row, int column,
                              std::span<const PackedBox> boxes)
-    : box_(boxes[static_cast<std::size_t>(grid.particle(block_side * row, block_side * column))]) {
+    : box_(boxes[grid.particle(block_side * row, block_side * column)]) {
   const int end_row = std::min(block_side * (row + 1), grid.along - 1);
   const int end_column = std::min(block_side * (column + 1), grid.across - 1);
   // The last particles belong to the next block, if there is one.
@@ -56,7 +55,7 @@ BlockFeatures::BlockFeatures(const RibbonGrid& grid, int row, int column,
   for (int i = block_side * row; i <= end_row; ++i)
     for (int j = block_side * column; j <= end_column; ++j) {
       const int here = grid.particle(i, j);
-      box_.include(boxes[static_cast<std::size_t>(here)]);
+      box_.include(boxes[here]);
       if (has_row(i) && has_column(j)) vertices_.add(boxed<1>({here}, boxes));
       if (i < end_row && has_column(j)) edges_.add(boxed<2>({here, here + grid.across}, boxes));
       if (j < end_column && has_row(i)) edges_.add(boxed<2>({here, here + 1}, boxes));
@@ -87,21 +86,23 @@ void BlockFeatures::list_between(const BlockFeatures& other,
   list_all(edges_.all(), box_, other.edges_.all(), found);
 }
 
-void BlockFeatures::list_with(const CollisionSurface& surface, int triangle,
-                              std::span<const PackedBox> boxes,
+void BlockFeatures::list_with(const CollisionSurface& obstacle, int first_vertex, int triangle,
+                              const std::array<PackedBox, 3>& corners,
                               std::vector<FeaturePair>& found) const {
-  const Eigen::Vector3i corners = surface.triangles.col(triangle);
-  const auto whole = boxed<3>({corners[0], corners[1], corners[2]}, boxes);
+  const Eigen::Vector3i vertices = obstacle.triangles.col(triangle).array() + first_vertex;
+  BoxedFeature<3> whole{{vertices[0], vertices[1], vertices[2]}, corners[0]};
+  whole.box.include(corners[1]);
+  whole.box.include(corners[2]);
   if (!whole.box.meets(box_)) return;
   for (const BoxedFeature<1>& vertex : vertices_.all()) list(vertex, whole, found);
   for (int c = 0; c < 3; ++c) {
-    if (surface.answers_for_vertex(triangle, c))
+    if (obstacle.answers_for_vertex(triangle, c))
       for (const BoxedFeature<3>& own : triangles_.all())
-        list(boxed<1>({corners[c]}, boxes), own, found);
-    if (!surface.answers_for_edge(triangle, c)) continue;
-    const auto edge =
-        surface.triangle_edges[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(c)];
-    const auto theirs = boxed(surface.edges[static_cast<std::size_t>(edge)], boxes);
+        list({{vertices[c]}, corners[c]}, own, found);
+    if (!obstacle.answers_for_edge(triangle, c)) continue;
+    const auto [a, b] = obstacle.edges[obstacle.triangle_edges[triangle][c]];
+    BoxedFeature<2> theirs{{first_vertex + a, first_vertex + b}, corners[c]};
+    theirs.box.include(corners[(c + 1) % 3]);
     for (const BoxedFeature<2>& own : edges_.all()) list(own, theirs, found);
   }
 }

@@ -35,9 +35,10 @@ class BlockFeatures {
   void list_within(std::vector<FeaturePair>& found) const;
   void list_between(const BlockFeatures& other, std::vector<FeaturePair>& found) const;
 
-  // Likewise, with the features for which a triangle of another surface answers; boxes as above.
-  void list_with(const CollisionSurface& surface, int triangle, std::span<const PackedBox> boxes,
-                 std::vector<FeaturePair>& found) const;
+  // Likewise, with the features for which a triangle of the obstacle's surface answers, whose first
+  // vertex has this number. corners: the boxes of the triangle's, grown as above.
+  void list_with(const CollisionSurface& obstacle, int first_vertex, int triangle,
+                 const std::array<PackedBox, 3>& corners, std::vector<FeaturePair>& found) const;
 
  private:
   // At most so many features of a kind; no memory is taken.

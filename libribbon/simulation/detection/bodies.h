@@ -7,22 +7,27 @@
 
 #include "geometry/ribbon_grid.h"
 #include "simulation/detection/collision_surface.h"
-#include "simulation/detection/hierarchy.h"
-#include "simulation/detection/patch_tree.h"
+#include "simulation/detection/ribbon_bvh.h"
+#include "simulation/detection/triangle_bvh.h"
+#include "simulation/detection/vertex_positions.h"
 #include "simulation/state/state_archive.h"
 
 namespace ribbon {
 
-// A surface with the hierarchy over it.
+// The object with the bounding volume hierarchy (BVH) over its surface. It never moves.
 struct ObstacleBody {
-  ObstacleBody(CollisionSurface body_surface, const Eigen::Matrix3Xd& positions)
-      : surface(std::move(body_surface)), hierarchy(surface, positions) {}
+  // 3 x triangles, 3 x vertices.
+  ObstacleBody(Eigen::Matrix3Xi triangles, Eigen::Matrix3Xd body_vertices)
+      : vertices(std::move(body_vertices)),
+        surface(collision_surface(std::move(triangles))),
+        bvh(surface, vertices) {}
 
+  Eigen::Matrix3Xd vertices;
   CollisionSurface surface;
-  Hierarchy hierarchy;
+  TriangleBvh bvh;
 };
 
-// The surface of the ribbon and the hierarchy over it exist only where penetrations are looked for,
+// The surface of the ribbon and the BVH over it exist only where penetrations are looked for,
 // at the start and as published: they take some 600 bytes a particle, and the gate does without.
 class RibbonBody {
  public:
@@ -33,22 +38,22 @@ class RibbonBody {
     if (!surface_) surface_ = collision_surface(grid_.triangles());
     return *surface_;
   }
-  // Over `positions` (3 x at least all particles).
-  Hierarchy& hierarchy(const Eigen::Matrix3Xd& positions) {
-    if (!hierarchy_) build(positions.leftCols(grid_.particle_count()));
-    return *hierarchy_;
+  // Over `positions` (3 x particles).
+  TriangleBvh& triangle_bvh(const Eigen::Matrix3Xd& positions) {
+    if (!bvh_) build(positions);
+    return *bvh_;
   }
   [[nodiscard]] bool exists() const { return surface_.has_value(); }
   void forget() {
     surface_.reset();
-    hierarchy_.reset();
+    bvh_.reset();
     built_over_.resize(3, 0);
   }
 
-  // How the hierarchy groups the triangles depends on where they were when it was built.
+  // How the BVH groups the triangles depends on where they were when it was built.
   void visit_state(StateArchive& archive) {
-    auto& [grid, surface_of_grid, hierarchy_refitted_each_time, built_over] = *this;
-    bool exists = hierarchy_refitted_each_time.has_value();
+    auto& [grid, surface_of_grid, bvh_refitted_each_time, built_over] = *this;
+    bool exists = bvh_refitted_each_time.has_value();
     archive.visit(exists);
     if (!exists) return;
     Eigen::Matrix3Xd positions = built_over;
@@ -60,12 +65,12 @@ class RibbonBody {
  private:
   void build(Eigen::Matrix3Xd positions) {
     built_over_ = std::move(positions);
-    hierarchy_.emplace(surface(), built_over_);
+    bvh_.emplace(surface(), built_over_);
   }
 
   RibbonGrid grid_;
   std::optional<CollisionSurface> surface_;
-  std::optional<Hierarchy> hierarchy_;
+  std::optional<TriangleBvh> bvh_;
   Eigen::Matrix3Xd built_over_ = Eigen::Matrix3Xd(3, 0);
 };
 
@@ -74,18 +79,26 @@ struct Bodies {
       : grid(ribbon_grid),
         ribbon(ribbon_grid),
         obstacle(std::move(obstacle_body)),
-        patches(ribbon_grid) {}
+        ribbon_bvh(ribbon_grid) {}
 
-  // The obstacle's hierarchy is the same each time; it and the patches are refitted before use.
+  // All vertices that features have, with the particles where they are given (3 x particles).
+  [[nodiscard]] VertexPositions vertices(const Eigen::Matrix3Xd& particles) const {
+    return obstacle ? VertexPositions(particles, obstacle->vertices) : VertexPositions(particles);
+  }
+  // The others are the obstacle's.
+  [[nodiscard]] bool is_particle(int vertex) const { return vertex < grid.particle_count(); }
+
+  // The obstacle's BVH is the same each time; it and the one of the ribbon's patches are refitted
+  // before use.
   void visit_state(StateArchive& archive) {
-    auto& [grid_of_scene, ribbon_body, obstacle_of_scene, patches_of_grid] = *this;
+    auto& [grid_of_scene, ribbon_body, obstacle_of_scene, bvh_of_grid] = *this;
     ribbon_body.visit_state(archive);
   }
 
   RibbonGrid grid;
   RibbonBody ribbon;
   std::optional<ObstacleBody> obstacle;
-  PatchTree patches;  // of the ribbon
+  RibbonBvh ribbon_bvh;
 };
 
 }  // namespace ribbon

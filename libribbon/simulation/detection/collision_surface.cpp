@@ -21,7 +21,7 @@ std::vector<int> first_sides(const Eigen::Matrix3Xi& triangles) {
     std::array<int, 2> ends;
     int number;
   };
-  std::vector<Side> sides(static_cast<std::size_t>(triangles.size()));
+  std::vector<Side> sides(triangles.size());
   for (std::size_t i = 0; i < sides.size(); ++i)
     sides[i] = {ends_of(triangles, static_cast<int>(i)), static_cast<int>(i)};
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
@@ -30,8 +30,7 @@ std::vector<int> first_sides(const Eigen::Matrix3Xi& triangles) {
   std::vector<int> first(sides.size());
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const bool is_new = i == 0 || sides[i].ends != sides[i - 1].ends;
-    first[static_cast<std::size_t>(sides[i].number)] =
-        is_new ? sides[i].number : first[static_cast<std::size_t>(sides[i - 1].number)];
+    first[sides[i].number] = is_new ? sides[i].number : first[sides[i - 1].number];
   }
   return first;
 }
@@ -54,12 +53,11 @@ void number_edges(CollisionSurface& surface) {
 }
 
 void share_out_vertices(CollisionSurface& surface) {
-  std::vector<bool> seen(static_cast<std::size_t>(surface.triangles.maxCoeff()) + 1);
+  std::vector<bool> seen(surface.triangles.maxCoeff() + 1);
   unsigned side = 0;
   for (const int vertex : surface.triangles.reshaped()) {
-    if (!seen[static_cast<std::size_t>(vertex)])
-      surface.answers_for[side / 3] |= static_cast<std::uint8_t>(1U << (side % 3));
-    seen[static_cast<std::size_t>(vertex)] = true;
+    if (!seen[vertex]) surface.answers_for[side / 3] |= static_cast<std::uint8_t>(1U << (side % 3));
+    seen[vertex] = true;
     ++side;
   }
 }
@@ -70,8 +68,8 @@ CollisionSurface collision_surface(Eigen::Matrix3Xi triangles) {
   CollisionSurface surface;
   surface.triangles = std::move(triangles);
   if (surface.triangles.cols() == 0) return surface;
-  surface.triangle_edges.resize(static_cast<std::size_t>(surface.triangles.cols()));
-  surface.answers_for.resize(static_cast<std::size_t>(surface.triangles.cols()));
+  surface.triangle_edges.resize(surface.triangles.cols());
+  surface.answers_for.resize(surface.triangles.cols());
   number_edges(surface);
   share_out_vertices(surface);
   return surface;

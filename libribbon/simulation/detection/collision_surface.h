@@ -18,10 +18,10 @@ struct CollisionSurface {
   std::vector<std::uint8_t> answers_for;           // bit c: vertex of corner c, bit 3+c: edge c
 
   [[nodiscard]] bool answers_for_vertex(int triangle, int corner) const {
-    return (answers_for[static_cast<std::size_t>(triangle)] >> corner & 1) != 0;
+    return (answers_for[triangle] >> corner & 1) != 0;
   }
   [[nodiscard]] bool answers_for_edge(int triangle, int corner) const {
-    return (answers_for[static_cast<std::size_t>(triangle)] >> (3 + corner) & 1) != 0;
+    return (answers_for[triangle] >> (3 + corner) & 1) != 0;
   }
 };
 

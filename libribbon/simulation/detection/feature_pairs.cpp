@@ -8,14 +8,15 @@ namespace {
 
 // A triangle with the boxes of its features.
 struct BoxedTriangle {
-  BoxedTriangle(const RangedSurface& of, int number) : on(of.surface), triangle(number) {
-    for (int c = 0; c < 3; ++c)
-      vertices[static_cast<std::size_t>(c)] = of.surface.triangles(c, number);
-    for (std::size_t c = 0; c < 3; ++c) {
-      corners[c] = of.ranges[static_cast<std::size_t>(vertices[c])];
+  BoxedTriangle(const RangedSurface& of, int number)
+      : on(of.surface), first_vertex(of.first_vertex), triangle(number) {
+    for (int c = 0; c < 3; ++c) {
+      const int vertex = of.surface.triangles(c, number);
+      vertices[c] = of.first_vertex + vertex;
+      corners[c] = of.ranges[vertex];
       edges[c] = corners[c];
     }
-    for (std::size_t c = 0; c < 3; ++c) edges[c].include(corners[(c + 1) % 3]);
+    for (int c = 0; c < 3; ++c) edges[c].include(corners[(c + 1) % 3]);
     whole = edges[0];
     whole.include(corners[2]);
   }
@@ -29,6 +30,7 @@ struct BoxedTriangle {
   }
 
   const CollisionSurface& on;
+  int first_vertex;
   int triangle;
   std::array<int, 3> vertices{};
   std::array<MovingBox, 3> corners;
@@ -39,17 +41,17 @@ struct BoxedTriangle {
 void list_vertices(const BoxedTriangle& of, const BoxedTriangle& against,
                    std::vector<FeaturePair>& found) {
   const auto& t = against.vertices;
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (int c = 0; c < 3; ++c) {
     const int vertex = of.vertices[c];
-    if (of.on.answers_for_vertex(of.triangle, static_cast<int>(c)) && !against.has(vertex) &&
+    if (of.on.answers_for_vertex(of.triangle, c) && !against.has(vertex) &&
         of.corners[c].meets(against.whole))
       found.push_back({FeaturePair::Kind::vertex_triangle, {vertex, t[0], t[1], t[2]}});
   }
 }
 
-std::array<int, 2> edge_of(const BoxedTriangle& triangle, std::size_t corner) {
-  const auto edge = triangle.on.triangle_edges[static_cast<std::size_t>(triangle.triangle)][corner];
-  return triangle.on.edges[static_cast<std::size_t>(edge)];
+std::array<int, 2> edge_of(const BoxedTriangle& triangle, int corner) {
+  const auto [a, b] = triangle.on.edges[triangle.on.triangle_edges[triangle.triangle][corner]];
+  return {triangle.first_vertex + a, triangle.first_vertex + b};
 }
 
 // Lists the pairs of features of two triangles that neighbouring triangle pairs do not list as
@@ -64,10 +66,10 @@ void list_features(const RangedSurface& on_a, const RangedSurface& on_b, const C
   a.grow(margin_m);
   list_vertices(a, b, found);
   list_vertices(b, a, found);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!a.on.answers_for_edge(a.triangle, static_cast<int>(i))) continue;
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (!b.on.answers_for_edge(b.triangle, static_cast<int>(j))) continue;
+  for (int i = 0; i < 3; ++i) {
+    if (!a.on.answers_for_edge(a.triangle, i)) continue;
+    for (int j = 0; j < 3; ++j) {
+      if (!b.on.answers_for_edge(b.triangle, j)) continue;
       const auto e = edge_of(a, i);
       const auto f = edge_of(b, j);
       if (e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1]) continue;
@@ -79,9 +81,9 @@ void list_features(const RangedSurface& on_a, const RangedSurface& on_b, const C
 
 }  // namespace
 
-std::vector<char> flags_of(std::span<const int> named, std::size_t vertices) {
-  std::vector<char> flags(vertices, 0);
-  for (const int vertex : named) flags[static_cast<std::size_t>(vertex)] = 1;
+std::vector<char> flags_of(std::span<const int> named, int particles) {
+  std::vector<char> flags(particles, 0);
+  for (const int particle : named) flags[particle] = 1;
   return flags;
 }
 

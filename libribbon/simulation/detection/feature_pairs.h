@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -10,40 +11,53 @@
 #include "geometry/box.h"
 #include "simulation/detection/candidate_pair.h"
 #include "simulation/detection/collision_surface.h"
+#include "simulation/detection/vertex_positions.h"
 
 namespace ribbon {
 
 // Two features that share no vertex. vertex_triangle: vertices[0] against triangle vertices[1..3].
-// edge_edge: edge vertices[0..1] against edge vertices[2..3].
+// edge_edge: edge vertices[0..1] against edge vertices[2..3]. Particles of the ribbon are numbered
+// from 0 on, vertices of the obstacle after them.
 struct FeaturePair {
   enum class Kind { vertex_triangle, edge_edge };
   Kind kind = Kind::vertex_triangle;
   std::array<int, 4> vertices{};
 };
 
-// Where the pair's four vertices are, in its order. positions: 3 x at least all vertices.
+// Where the pair's four vertices are, in its order.
 inline Eigen::Matrix<double, 3, 4> corners(const FeaturePair& pair,
-                                           const Eigen::Matrix3Xd& positions) {
+                                           const VertexPositions& positions) {
   Eigen::Matrix<double, 3, 4> result;
-  for (int k = 0; k < 4; ++k)
-    result.col(k) = positions.col(pair.vertices[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 4; ++k) result.col(k) = positions[pair.vertices[k]];
   return result;
 }
 
-// One flag for each of so many vertices: is it among the named ones?
-std::vector<char> flags_of(std::span<const int> named, std::size_t vertices);
-// Has the pair a flagged vertex?
-inline bool has_any(const FeaturePair& pair, const std::vector<char>& flags) {
-  const auto is_flagged = [&](std::size_t k) {
-    return flags[static_cast<std::size_t>(pair.vertices[k])] != 0;
-  };
-  return is_flagged(0) || is_flagged(1) || is_flagged(2) || is_flagged(3);
+// How far they move, given how far particles do (3 x particles): the obstacle's vertices stay.
+inline Eigen::Matrix<double, 3, 4> displacements(const FeaturePair& pair,
+                                                 const Eigen::Matrix3Xd& of_particles) {
+  Eigen::Matrix<double, 3, 4> result;
+  for (int k = 0; k < 4; ++k)
+    if (pair.vertices[k] < of_particles.cols())
+      result.col(k) = of_particles.col(pair.vertices[k]);
+    else
+      result.col(k).setZero();
+  return result;
 }
 
-// A surface and the ranges of the vertices (one for each vertex that any surface uses).
+// One flag for each of so many particles: is it among the named ones?
+std::vector<char> flags_of(std::span<const int> named, int particles);
+// Has the pair a flagged particle?
+inline bool has_any(const FeaturePair& pair, const std::vector<char>& flags) {
+  return std::any_of(pair.vertices.begin(), pair.vertices.end(), [&](int vertex) {
+    return vertex < static_cast<int>(flags.size()) && flags[vertex] != 0;
+  });
+}
+
+// A surface with the ranges of its vertices, the first of which features give this number.
 struct RangedSurface {
   const CollisionSurface& surface;
   std::span<const MovingBox> ranges;
+  int first_vertex = 0;
 };
 
 // The feature pairs of `pairs` (triangles of a and of b, which may be the same surface) whose boxes

@@ -11,23 +11,24 @@ namespace {
 std::vector<FeaturePair> list_pairs(Bodies& bodies, std::span<const CandidatePair> within,
                                     std::span<const CandidatePair> with_obstacle,
                                     std::span<const MovingBox> ranges, double margin_m) {
-  const RangedSurface band{bodies.ribbon.surface(), ranges};
+  const RangedSurface band{bodies.ribbon.surface(), ranges, 0};
   std::vector<FeaturePair> pairs = feature_pairs(band, band, within, margin_m);
   if (bodies.obstacle) {
     const ObstacleBody& obstacle = *bodies.obstacle;
-    const std::vector<FeaturePair> others =
-        feature_pairs(band, {obstacle.surface, ranges}, with_obstacle, margin_m);
+    const std::vector<MovingBox> still = vertex_ranges(obstacle.vertices, obstacle.vertices);
+    const std::vector<FeaturePair> others = feature_pairs(
+        band, {obstacle.surface, still, bodies.grid.particle_count()}, with_obstacle, margin_m);
     pairs.insert(pairs.end(), others.begin(), others.end());
   }
   return pairs;
 }
 
-std::vector<FeaturePair> listed_by(const PatchTree& patches,
+std::vector<FeaturePair> listed_by(const RibbonBvh& patches,
                                    const std::optional<ObstacleBody>& obstacle) {
   std::vector<FeaturePair> pairs = patches.pairs_within();
   if (!obstacle) return pairs;
   const std::vector<FeaturePair> others =
-      patches.pairs_with(obstacle->surface, obstacle->hierarchy);
+      patches.pairs_with(obstacle->surface, obstacle->bvh, obstacle->vertices);
   pairs.insert(pairs.end(), others.begin(), others.end());
   return pairs;
 }
@@ -36,17 +37,17 @@ std::vector<FeaturePair> listed_by(const PatchTree& patches,
 
 std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
                                              double margin_m) {
-  bodies.patches.refit(ranges, margin_m);
-  return listed_by(bodies.patches, bodies.obstacle);
+  bodies.ribbon_bvh.refit(ranges, margin_m);
+  return listed_by(bodies.ribbon_bvh, bodies.obstacle);
 }
 
 std::vector<FeaturePair> pairs_within_ranges_of(std::span<const int> particles, Bodies& bodies,
                                                 std::span<const MovingBox> ranges,
                                                 double margin_m) {
-  bodies.patches.refit(ranges, margin_m);
-  bodies.patches.look_only_at(particles);
-  std::vector<FeaturePair> pairs = listed_by(bodies.patches, bodies.obstacle);
-  const std::vector<char> is_named = flags_of(particles, ranges.size());
+  bodies.ribbon_bvh.refit(ranges, margin_m);
+  bodies.ribbon_bvh.look_only_at(particles);
+  std::vector<FeaturePair> pairs = listed_by(bodies.ribbon_bvh, bodies.obstacle);
+  const std::vector<char> is_named = flags_of(particles, bodies.grid.particle_count());
   std::erase_if(pairs, [&](const FeaturePair& pair) { return !has_any(pair, is_named); });
   return pairs;
 }
@@ -54,14 +55,14 @@ std::vector<FeaturePair> pairs_within_ranges_of(std::span<const int> particles, 
 std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,
                                                   const Eigen::Matrix3Xd& t1, double margin_m) {
   const std::vector<MovingBox> ranges = vertex_ranges(t0, t1);
-  Hierarchy& ribbon = bodies.ribbon.hierarchy(t0);
+  TriangleBvh& ribbon = bodies.ribbon.triangle_bvh(t0);
   // The boxes of both partners are grown, the still obstacle's is not: the whole margin serves
   // both.
   ribbon.refit(ranges, margin_m);
   ribbon.refit_curvatures(t0, t1);
   std::vector<CandidatePair> with_obstacle;
-  if (bodies.obstacle) with_obstacle = ribbon.pairs_with(bodies.obstacle->hierarchy);
-  return list_pairs(bodies, ribbon.pairs_within(Hierarchy::Spare::curvature_and_boxes),
+  if (bodies.obstacle) with_obstacle = ribbon.pairs_with(bodies.obstacle->bvh);
+  return list_pairs(bodies, ribbon.pairs_within(TriangleBvh::Spare::curvature_and_boxes),
                     with_obstacle, ranges, margin_m);
 }
 

@@ -11,7 +11,7 @@
 namespace ribbon {
 
 // The feature pairs, ribbon-ribbon and ribbon-obstacle, that may come within margin_m of each other
-// inside the ranges of their vertices, as far as boxes and flatness (patch_tree.h) tell. Nothing is
+// inside the ranges of the particles, as far as boxes and flatness (ribbon_bvh.h) tell. Nothing is
 // missed: a pair that is not listed stays more than margin_m apart.
 std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
                                              double margin_m);
@@ -21,7 +21,7 @@ std::vector<FeaturePair> pairs_within_ranges_of(std::span<const int> particles, 
                                                 std::span<const MovingBox> ranges, double margin_m);
 
 // As published: the pairs whose boxes over the straight way from t0 to t1 come within margin_m of
-// each other, but for regions that curvature spares (Hierarchy::Spare).
+// each other, but for regions that curvature spares (TriangleBvh::Spare).
 std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,
                                                   const Eigen::Matrix3Xd& t1, double margin_m);
 

@@ -14,25 +14,32 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-// Appends the edges that `edge_triangle` answers for and that pierce `triangle`.
-void list_piercing_edges(const CollisionSurface& edges, int edge_triangle,
-                         const CollisionSurface& triangles, int triangle,
-                         const Matrix3Xd& positions, std::vector<Penetration>& found) {
-  const Eigen::Vector3i corners = triangles.triangles.col(triangle);
+// A surface and where its vertices are.
+struct PlacedSurface {
+  const CollisionSurface& surface;
+  const Matrix3Xd& positions;
+};
+
+// Appends the edges that `edge_triangle` answers for and that pierce `triangle`. Edges touch the
+// triangles of their own surface with which they share a vertex, and do not pierce them.
+void list_piercing_edges(const PlacedSurface& edges, int edge_triangle,
+                         const PlacedSurface& triangles, int triangle,
+                         std::vector<Penetration>& found) {
+  const bool is_one_surface = &edges.surface == &triangles.surface;
+  const Eigen::Vector3i corners = triangles.surface.triangles.col(triangle);
   for (int corner = 0; corner < 3; ++corner) {
-    if (!edges.answers_for_edge(edge_triangle, corner)) continue;
-    const int p = edges.triangles(corner, edge_triangle);
-    const int q = edges.triangles((corner + 1) % 3, edge_triangle);
-    if ((corners.array() == p).any() || (corners.array() == q).any()) continue;
-    const Vector3d a = positions.col(corners[0]);
-    const Vector3d b = positions.col(corners[1]);
-    const Vector3d c = positions.col(corners[2]);
-    const auto piercing = pierce(positions.col(p), positions.col(q), a, b, c);
+    if (!edges.surface.answers_for_edge(edge_triangle, corner)) continue;
+    const int p = edges.surface.triangles(corner, edge_triangle);
+    const int q = edges.surface.triangles((corner + 1) % 3, edge_triangle);
+    if (is_one_surface && ((corners.array() == p).any() || (corners.array() == q).any())) continue;
+    const Vector3d a = triangles.positions.col(corners[0]);
+    const Vector3d b = triangles.positions.col(corners[1]);
+    const Vector3d c = triangles.positions.col(corners[2]);
+    const auto piercing = pierce(edges.positions.col(p), edges.positions.col(q), a, b, c);
     if (!piercing) continue;
     const auto& w = piercing->weights;
-    found.push_back({edges.triangle_edges[static_cast<std::size_t>(edge_triangle)]
-                                         [static_cast<std::size_t>(corner)],
-                     triangle, w[0] * a + w[1] * b + w[2] * c});
+    found.push_back({edges.surface.triangle_edges[edge_triangle][corner], triangle,
+                     w[0] * a + w[1] * b + w[2] * c});
   }
 }
 
@@ -51,30 +58,30 @@ std::vector<Penetration> collect(std::span<const CandidatePair> pairs, const Lis
 
 }  // namespace
 
-std::vector<Penetration> self_penetrations(const CollisionSurface& surface, Hierarchy& hierarchy,
-                                           Hierarchy::Spare spare, const Matrix3Xd& positions) {
-  hierarchy.refit(vertex_ranges(positions, positions), 0);
-  if (spare == Hierarchy::Spare::curvature_and_boxes)
-    hierarchy.refit_curvatures(positions, positions);
-  return collect(hierarchy.pairs_within(spare),
+std::vector<Penetration> self_penetrations(const CollisionSurface& ribbon, TriangleBvh& bvh,
+                                           TriangleBvh::Spare spare, const Matrix3Xd& positions) {
+  bvh.refit(vertex_ranges(positions, positions), 0);
+  if (spare == TriangleBvh::Spare::curvature_and_boxes) bvh.refit_curvatures(positions, positions);
+  const PlacedSurface placed{ribbon, positions};
+  return collect(bvh.pairs_within(spare),
                  [&](const CandidatePair& pair, std::vector<Penetration>& found) {
-                   list_piercing_edges(surface, pair.a, surface, pair.b, positions, found);
-                   list_piercing_edges(surface, pair.b, surface, pair.a, positions, found);
+                   list_piercing_edges(placed, pair.a, placed, pair.b, found);
+                   list_piercing_edges(placed, pair.b, placed, pair.a, found);
                  });
 }
 
-MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy& first_hierarchy,
-                                       const CollisionSurface& second,
-                                       const Hierarchy& second_hierarchy,
-                                       const Matrix3Xd& positions) {
-  first_hierarchy.refit(vertex_ranges(positions, positions), 0);
-  const std::vector<CandidatePair> pairs = first_hierarchy.pairs_with(second_hierarchy);
+MutualPenetrations mutual_penetrations(const CollisionSurface& ribbon, TriangleBvh& bvh,
+                                       const ObstacleBody& obstacle, const Matrix3Xd& positions) {
+  bvh.refit(vertex_ranges(positions, positions), 0);
+  const std::vector<CandidatePair> pairs = bvh.pairs_with(obstacle.bvh);
+  const PlacedSurface moving{ribbon, positions};
+  const PlacedSurface still{obstacle.surface, obstacle.vertices};
   return {collect(pairs,
                   [&](const CandidatePair& pair, std::vector<Penetration>& found) {
-                    list_piercing_edges(first, pair.a, second, pair.b, positions, found);
+                    list_piercing_edges(moving, pair.a, still, pair.b, found);
                   }),
           collect(pairs, [&](const CandidatePair& pair, std::vector<Penetration>& found) {
-            list_piercing_edges(second, pair.b, first, pair.a, positions, found);
+            list_piercing_edges(still, pair.b, moving, pair.a, found);
           })};
 }
 

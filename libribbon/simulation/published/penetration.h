@@ -1,13 +1,10 @@
-// Detecting errors: edges that pierce triangles (paper, section 5.6.2).
+// Detecting penetrations: edges that pierce triangles (paper, section 5.6.2).
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
-#include "simulation/detection/candidate_pair.h"
-#include "simulation/detection/collision_surface.h"
-#include "simulation/detection/hierarchy.h"
+#include "simulation/detection/bodies.h"
 
 namespace ribbon {
 
@@ -18,21 +15,21 @@ struct Penetration {
   Eigen::Vector3d point;
 };
 
-// All edges of `surface` that pierce a triangle of it. `hierarchy` is refitted to the positions.
-std::vector<Penetration> self_penetrations(const CollisionSurface& surface, Hierarchy& hierarchy,
-                                           Hierarchy::Spare spare,
+// All edges of the ribbon that pierce a triangle of it. `bvh` is refitted to the positions (3
+// x particles).
+std::vector<Penetration> self_penetrations(const CollisionSurface& ribbon, TriangleBvh& bvh,
+                                           TriangleBvh::Spare spare,
                                            const Eigen::Matrix3Xd& positions);
 
-// All edges of a first surface that pierce a triangle of a second, and the other way round.
+// All edges of the ribbon that pierce a triangle of the obstacle, and the other way round.
 struct MutualPenetrations {
-  std::vector<Penetration> edges_of_first;
-  std::vector<Penetration> edges_of_second;
+  std::vector<Penetration> edges_of_ribbon;
+  std::vector<Penetration> edges_of_obstacle;
 };
 
-// `first_hierarchy` is refitted; `second` is the still obstacle.
-MutualPenetrations mutual_penetrations(const CollisionSurface& first, Hierarchy& first_hierarchy,
-                                       const CollisionSurface& second,
-                                       const Hierarchy& second_hierarchy,
+// `bvh`, of the ribbon, is refitted to the positions (3 x particles).
+MutualPenetrations mutual_penetrations(const CollisionSurface& ribbon, TriangleBvh& bvh,
+                                       const ObstacleBody& obstacle,
                                        const Eigen::Matrix3Xd& positions);
 
 // How many different edges the penetrations are about.

@@ -1,4 +1,4 @@
-// Recovering from errors by post-step penetration removal (paper, section 5.6.4, Figure 15).
+// Recovery by post-step penetration removal (paper, section 5.6.4, Figure 15).
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ struct RecoveryReport {
 struct RecoverySettings {
   double gap_m = 0;   // how far beyond a pierced triangle a particle is moved
   double step_m = 0;  // how far scheme B curls a border at a time
-  int patience = 1;   // applications in a row of one scheme that may leave no fewer errors
+  int patience = 1;   // applications in a row of one scheme that may leave no fewer penetrations
 };
 
 // How many distinct edges pierce a triangle: ribbon into ribbon, ribbon into obstacle and obstacle

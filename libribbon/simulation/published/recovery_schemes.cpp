@@ -56,13 +56,13 @@ std::vector<int> count_sound_edges(const RibbonGrid& grid, const CollisionSurfac
                                    const std::vector<Penetration>& penetrations) {
   std::set<int> erroneous;
   for (const Penetration& penetration : penetrations) erroneous.insert(penetration.edge);
-  std::vector<int> sound(static_cast<std::size_t>(grid.particle_count()), 0);
+  std::vector<int> sound(grid.particle_count(), 0);
   for (std::size_t e = 0; e < ribbon.edges.size(); ++e) {
     const auto [a, b] = ribbon.edges[e];
     const bool diagonal = grid.row(a) != grid.row(b) && grid.column(a) != grid.column(b);
     if (diagonal || erroneous.contains(static_cast<int>(e))) continue;
-    ++sound[static_cast<std::size_t>(a)];
-    ++sound[static_cast<std::size_t>(b)];
+    ++sound[a];
+    ++sound[b];
   }
   return sound;
 }
@@ -70,13 +70,15 @@ std::vector<int> count_sound_edges(const RibbonGrid& grid, const CollisionSurfac
 }  // namespace
 
 void apply_scheme_a(const RibbonGrid& grid, const CollisionSurface& ribbon,
-                    const CollisionSurface& obstacle,
+                    const ObstacleBody& obstacle,
                     const std::vector<Penetration>& ribbon_into_obstacle, double gap_m,
                     Matrix3Xd& positions) {
   const std::vector<int> sound = count_sound_edges(grid, ribbon, ribbon_into_obstacle);
+  const auto outward = [&](const Penetration& penetration) {
+    return unit_normal(obstacle.surface, penetration.triangle, obstacle.vertices);
+  };
   const auto height_m = [&](const Penetration& penetration, int particle) {
-    return unit_normal(obstacle, penetration.triangle, positions)
-        .dot(positions.col(particle) - penetration.point);
+    return outward(penetration).dot(positions.col(particle) - penetration.point);
   };
   // An edge may pierce several triangles: a thin part of the obstacle's front and back.
   std::map<int, std::vector<Penetration>> of_edge;
@@ -85,10 +87,9 @@ void apply_scheme_a(const RibbonGrid& grid, const CollisionSurface& ribbon,
 
   Moves moves;
   for (const auto& [edge, penetrations] : of_edge) {
-    int erroneous = ribbon.edges[static_cast<std::size_t>(edge)][0];
-    int other = ribbon.edges[static_cast<std::size_t>(edge)][1];
-    const int lead =
-        sound[static_cast<std::size_t>(other)] - sound[static_cast<std::size_t>(erroneous)];
+    int erroneous = ribbon.edges[edge][0];
+    int other = ribbon.edges[edge][1];
+    const int lead = sound[other] - sound[erroneous];
     if (lead < 0 || (lead == 0 && height_m(penetrations.front(), other) <
                                       height_m(penetrations.front(), erroneous)))
       std::swap(erroneous, other);
@@ -98,8 +99,7 @@ void apply_scheme_a(const RibbonGrid& grid, const CollisionSurface& ribbon,
       std::swap(erroneous, other);
     for (const Penetration& penetration : penetrations)
       if (is_behind(penetration))
-        moves.ask(erroneous, (gap_m - height_m(penetration, erroneous)) *
-                                 unit_normal(obstacle, penetration.triangle, positions));
+        moves.ask(erroneous, (gap_m - height_m(penetration, erroneous)) * outward(penetration));
   }
   moves.apply(positions);
 }
@@ -123,7 +123,7 @@ std::vector<int> line_inward(const RibbonGrid& grid, int particle, bool from_end
   std::vector<int> line;
   // From an end, a square piece of ribbon stands for "the other border".
   const int count = from_end ? std::min(grid.along, grid.across) : grid.across;
-  line.reserve(static_cast<std::size_t>(count));
+  line.reserve(count);
   for (int k = 0; k < count; ++k)
     line.push_back(from_end ? grid.particle(row == 0 ? k : grid.along - 1 - k, column)
                             : grid.particle(row, column == 0 ? k : grid.across - 1 - k));
@@ -154,7 +154,7 @@ void apply_scheme_b(const RibbonGrid& grid, const CollisionSurface& ribbon,
   const int reach_across = std::max(1, grid.across / 2);
   Moves moves;
   for (const Penetration& penetration : self_penetrations) {
-    const auto& edge = ribbon.edges[static_cast<std::size_t>(penetration.edge)];
+    const auto& edge = ribbon.edges[penetration.edge];
     if (!is_border_edge(grid, edge)) continue;
     const bool from_end = !on_same_selvage(grid, edge[0], edge[1]);
     for (const int erroneous : edge) {
@@ -168,7 +168,7 @@ void apply_scheme_b(const RibbonGrid& grid, const CollisionSurface& ribbon,
         const std::vector<int> line = line_inward(grid, grid.particle(row, column), from_end);
         for (int k = 0; k < std::min<int>(reach_across, static_cast<int>(line.size())); ++k) {
           const double share = share_along * (1 - static_cast<double>(k) / reach_across);
-          moves.ask(line[static_cast<std::size_t>(k)], share * step_m * direction);
+          moves.ask(line[k], share * step_m * direction);
         }
       }
     }
@@ -182,7 +182,7 @@ void apply_scheme_c(const RibbonGrid& grid, const CollisionSurface& ribbon,
   constexpr int reach = 2;  // rows and columns whose particles vote on the right side
   Moves moves;
   for (const Penetration& penetration : self_penetrations) {
-    const auto& edge = ribbon.edges[static_cast<std::size_t>(penetration.edge)];
+    const auto& edge = ribbon.edges[penetration.edge];
     Vector3d normal = unit_normal(ribbon, penetration.triangle, positions);
     const auto height_m = [&](int particle) {
       return normal.dot(positions.col(particle) - penetration.point);

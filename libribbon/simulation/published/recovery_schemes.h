@@ -14,7 +14,7 @@ namespace ribbon {
 // normal by its distance from the pierced triangle, and gap_m beyond. Triangles that it lies in
 // front of do not move it; where it lies in front of all, the edge's other particle moves.
 void apply_scheme_a(const RibbonGrid& grid, const CollisionSurface& ribbon,
-                    const CollisionSurface& obstacle,
+                    const ObstacleBody& obstacle,
                     const std::vector<Penetration>& ribbon_into_obstacle, double gap_m,
                     Eigen::Matrix3Xd& positions);
 

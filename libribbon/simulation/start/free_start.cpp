@@ -1,12 +1,12 @@
 #include "simulation/start/free_start.h"
 
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <string>
 
-#include "simulation/contact/gap_lengths.h"
 #include "simulation/published/recovery.h"
-#include "simulation/start/encounter.h"
+#include "simulation/start/first_intersection.h"
 #include "simulation/start/width_growth.h"
 #include "text/number_text.h"
 
@@ -16,68 +16,70 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-constexpr int thinnest = 64;            // part of the width
-constexpr double gap_per_edge = 0.025;  // half of what the gate keeps at least
-constexpr int parting_steps = 60;       // at most, until nothing is too close
-constexpr int patience = 30;            // scheme A leads out of an obstacle layer by layer
+constexpr int thinnest = 64;                   // part of the width
+constexpr double separation_per_edge = 0.025;  // half of the smallest minimum separation
+constexpr int parting_steps = 60;              // at most, until nothing is too close
+constexpr int patience = 30;                   // scheme A leads out of an obstacle layer by layer
 
 // The search for a free start of one ribbon.
 class StartSearch {
  public:
-  StartSearch(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies,
-              Deformation& deformation, Cloth& cloth)
+  StartSearch(const Scene& scene, const RibbonMesh& ribbon, const ContactLengths& lengths,
+              const StartObserver& observer, Bodies& bodies, TimeStep& time_step, Cloth& cloth)
       : scene_(scene),
         ribbon_(ribbon),
+        observer_(observer),
+        too_close_m_((1 - 1e-9) * lengths.min_separation_m),
         bodies_(bodies),
-        deformation_(deformation),
+        time_step_(time_step),
         cloth_(cloth),
         generated_(cloth.positions) {}
 
   Result<StartReport> find() {
     if (is_free() && settles()) return report_;
     if (!take_thin_band() && !take_recovered_band()) return pierced();
-    const GrowthReport growth = grow_width(scene_, ribbon_, share_, bodies_, cloth_);
+    const GrowthReport growth = grow_width(scene_, ribbon_, fraction_, observer_, bodies_, cloth_);
     if (!growth.complete) return no_room(growth);
     if (!settles()) return too_close();
     return report_;
   }
 
  private:
-  // The band as generated, at a share of its width.
-  void take_band(double share) {
-    share_ = share;
-    cloth_.positions = rows_scaled(ribbon_.grid, share, generated_);
+  void tell(const std::string& what) const {
+    if (observer_) observer_(what);
+  }
+
+  // The band as generated, at a fraction of its width.
+  void take_band(double fraction) {
+    fraction_ = fraction;
+    cloth_.positions = rows_scaled(ribbon_.grid, fraction, generated_);
   }
 
   [[nodiscard]] double shortest_edge_m() const {
-    return rest_size(ribbon_, share_).shortest_edge_m();
+    return rest_size(ribbon_, fraction_).shortest_edge_m();
   }
 
-  std::optional<Encounter> encounter() {
-    if (const auto piercing = first_piercing(bodies_, cloth_.positions)) return piercing;
-    return first_closer_than(gap_per_edge * shortest_edge_m(), bodies_, cloth_.positions);
+  std::optional<MeetingPlace> meeting_place() {
+    if (const auto piercing = first_intersection(bodies_, cloth_.positions)) return piercing;
+    return first_closer_than(separation_per_edge * shortest_edge_m(), bodies_, cloth_.positions);
   }
 
-  bool is_free() { return cloth_.positions.allFinite() && !encounter(); }
+  bool is_free() { return cloth_.positions.allFinite() && !meeting_place(); }
 
-  // Settles the band at its whole width; is it then as far from everything as the gate wants it?
+  // Settles the band at its whole width; is its minimum separation kept then?
   bool settles() {
-    share_ = 1;
-    deformation_.settle(settling_rounds, cloth_);
+    tell("the ribbon settles at its whole width");
+    fraction_ = 1;
+    time_step_.settle(settling_rounds, bodies_, cloth_);
     for (int step = 0; step < parting_steps && is_too_close(); ++step) {
-      deformation_.step({3, 0}, cloth_);
+      time_step_.take(nullptr, bodies_, cloth_);
       cloth_.velocities.setZero();
     }
     return !is_too_close() && is_free();
   }
 
-  [[nodiscard]] double hard_gap_m() const {
-    const double rounding_m = scene_.recording.max_position_error_m(ribbon_.length_m);
-    return gap_lengths(shortest_edge_m(), rounding_m, 0).hard_m;
-  }
-
   bool is_too_close() {
-    return first_closer_than((1 - 1e-9) * hard_gap_m(), bodies_, cloth_.positions).has_value();
+    return first_closer_than(too_close_m_, bodies_, cloth_.positions).has_value();
   }
 
   bool take_thin_band() {
@@ -94,9 +96,12 @@ class StartSearch {
   bool take_recovered_band() {
     report_.kind = StartKind::recovered;
     take_band(1.0 / thinnest);
-    const auto at = encounter();
-    for (int part = at && of_obstacle(*at) ? 1 : thinnest; part <= thinnest; part *= 2) {
+    pierced_ = meeting_place();
+    for (int part = pierced_ && of_obstacle(*pierced_) ? 1 : thinnest; part <= thinnest;
+         part *= 2) {
       take_band(1.0 / part);
+      tell("the ribbon is moved out of what it pierces, " +
+           (part == 1 ? "at its whole width" : "at 1/" + std::to_string(part) + " of its width"));
       const RecoverySettings settings{.gap_m = 0.1 * shortest_edge_m(),
                                       .step_m = 0.5 * shortest_edge_m(),
                                       .patience = patience};
@@ -114,25 +119,29 @@ class StartSearch {
            metres(row * rest_size(ribbon_, 1).along_m()) + " from its first end";
   }
 
-  [[nodiscard]] bool of_obstacle(const Encounter& encounter) const {
-    return encounter.other >= ribbon_.grid.particle_count();
+  [[nodiscard]] bool of_obstacle(const MeetingPlace& place) const {
+    return !bodies_.is_particle(place.other);
+  }
+
+  // Of the thinnest band, which was seen to be pierced.
+  [[nodiscard]] std::string what_is_pierced() const {
+    assert(pierced_);
+    return "even a thin band along the drawing meets " +
+           (of_obstacle(*pierced_) ? "the obstacle at " + place_of(pierced_->particle)
+                                   : "itself at " + place_of(pierced_->particle) + ", and " +
+                                         place_of(pierced_->other));
+  }
+  [[nodiscard]] std::string remedy_for_what_is_pierced() const {
+    return (of_obstacle(*pierced_) ? "" : "set a smaller ribbon.width, or ") +
+           remedy(of_obstacle(*pierced_));
   }
 
   tl::unexpected<Error> pierced() {
-    take_band(1.0 / thinnest);
-    const std::optional<Encounter> at = encounter();
-    assert(at);  // it was found before
-    return failure(
-        scene_.name,
-        "even a thin band along the drawing meets " +
-            (of_obstacle(*at)
-                 ? "the obstacle at " + place_of(at->particle)
-                 : "itself at " + place_of(at->particle) + ", and " + place_of(at->other)),
-        (of_obstacle(*at) ? "" : "set a smaller ribbon.width, or ") + remedy(of_obstacle(*at)));
+    return failure(scene_.name, what_is_pierced(), remedy_for_what_is_pierced());
   }
 
   tl::unexpected<Error> too_close() {
-    const auto at = first_closer_than((1 - 1e-9) * hard_gap_m(), bodies_, cloth_.positions);
+    const auto at = first_closer_than(too_close_m_, bodies_, cloth_.positions);
     return failure(scene_.name,
                    "the ribbon does not come clear of " +
                        std::string(at && of_obstacle(*at) ? "the obstacle" : "itself") +
@@ -141,14 +150,14 @@ class StartSearch {
   }
 
   tl::unexpected<Error> no_room(const GrowthReport& growth) {
+    if (pierced_)
+      return failure(scene_.name, what_is_pierced() + "; moved out of it, it does not settle",
+                     remedy_for_what_is_pierced());
     const std::string at = ", strained most at " + place_of(growth.strained_particle);
-    if (growth.settled_share == 0)
-      return failure(scene_.name,
-                     report_.kind == StartKind::recovered
-                         ? "moved out of what it pierced, the ribbon does not settle" + at
-                         : "even a thin band along the drawing does not settle" + at,
-                     remedy(report_.kind == StartKind::recovered));
-    const double roomy_m = growth.settled_share * ribbon_.width_m;
+    if (growth.settled_fraction == 0)
+      return failure(scene_.name, "even a thin band along the drawing does not settle" + at,
+                     remedy(false));
+    const double roomy_m = growth.settled_fraction * ribbon_.width_m;
     return failure(scene_.name,
                    "the ribbon finds no room for its width of " + metres(ribbon_.width_m) +
                        ": grown from a thin band it settles up to " + metres(roomy_m) + " only" +
@@ -167,11 +176,14 @@ class StartSearch {
 
   const Scene& scene_;
   const RibbonMesh& ribbon_;
+  const StartObserver& observer_;
+  double too_close_m_;
   Bodies& bodies_;
-  Deformation& deformation_;
+  TimeStep& time_step_;
   Cloth& cloth_;
   Matrix3Xd generated_;
-  double share_ = 1;  // of its width that the band has now
+  double fraction_ = 1;                  // of its width, that the band has now
+  std::optional<MeetingPlace> pierced_;  // by the thinnest band, where it was moved out
   StartReport report_;
 };
 
@@ -189,9 +201,11 @@ std::string_view word_for(StartKind kind) {
   return "";
 }
 
-Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon, Bodies& bodies,
-                                    Deformation& deformation, Cloth& cloth) {
-  Result<StartReport> start = StartSearch(scene, ribbon, bodies, deformation, cloth).find();
+Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon,
+                                    const ContactLengths& lengths, const StartObserver& observer,
+                                    Bodies& bodies, TimeStep& time_step, Cloth& cloth) {
+  Result<StartReport> start =
+      StartSearch(scene, ribbon, lengths, observer, bodies, time_step, cloth).find();
   bodies.ribbon.forget();
   return start;
 }

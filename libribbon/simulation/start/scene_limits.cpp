@@ -4,7 +4,6 @@
 #include <limits>
 #include <string>
 
-#include "simulation/contact/gap_lengths.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -18,7 +17,7 @@ bool is_lossless(const Scene& scene) {
 }
 
 // The largest coordinate; not a number where one is not.
-double farthest_m(const Eigen::Ref<const Matrix3Xd>& positions) {
+double farthest_m(const Matrix3Xd& positions) {
   return positions.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
@@ -48,27 +47,28 @@ Result<void> recording_tells_positions(const Scene& scene, double rounding_m, do
 }
 
 Result<void> recording_keeps_the_gap(const Scene& scene, const RestSize& size,
-                                     const GapLengths& lengths, double rounding_m) {
-  if (recorded_gap_m(lengths, rounding_m) > 0) return {};
+                                     const ContactLengths& lengths) {
+  if (recorded_gap_m(lengths) > 0) return {};
   if (is_lossless(scene))
     return failure(scene.name,
-                   "recording in single precision may move coordinates by " + metres(rounding_m) +
-                       ", so that surfaces kept " + metres(lengths.hard_m) + " apart could meet",
+                   "recording in single precision may move coordinates by " +
+                       metres(lengths.rounding_m) + ", so that surfaces kept " +
+                       metres(lengths.min_separation_m) + " apart could meet",
                    "move the ribbon to the origin with curve.origin, or set fewer particles");
-  const double most_m = lengths.hard_m / lost_to_rounding_m(1);
-  return failure(scene.name,
-                 "recording may move coordinates by " + metres(rounding_m) +
-                     ", so that surfaces kept " + metres(lengths.hard_m) + " apart could meet",
-                 "set recording.max_position_error to " +
-                     short_number(0.99 * most_m / size.length_m, 3) +
-                     " or less, or fewer particles");
+  const double most_m = lengths.min_separation_m / lost_to_rounding_m(1);
+  return failure(
+      scene.name,
+      "recording may move coordinates by " + metres(lengths.rounding_m) +
+          ", so that surfaces kept " + metres(lengths.min_separation_m) + " apart could meet",
+      "set recording.max_position_error to " + short_number(0.99 * most_m / size.length_m, 3) +
+          " or less, or fewer particles");
 }
 
 }  // namespace
 
 double recorded_reach_m(const Scene& scene, const RestSize& size, const Matrix3Xd& positions) {
   if (!is_lossless(scene)) return std::numeric_limits<double>::max();
-  const double far_m = farthest_m(positions.leftCols(size.grid.particle_count())) + size.length_m;
+  const double far_m = farthest_m(positions) + size.length_m;
   return std::exp2(std::ceil(std::log2(2 * far_m)));
 }
 
@@ -79,17 +79,18 @@ Scene with_single_rounding(Scene scene, const RestSize& size, double reach_m) {
   return scene;
 }
 
-Result<void> check_precision(const Scene& scene, const RestSize& size, const Matrix3Xd& positions) {
-  const double rounding_m =
-      with_single_rounding(scene, size, recorded_reach_m(scene, size, positions))
-          .recording.max_position_error_m(size.length_m);
-  const GapLengths lengths = gap_lengths(size.shortest_edge_m(), rounding_m, 0);
-  const auto ribbon = positions.leftCols(size.grid.particle_count());
-  Result<void> kept = arithmetic_keeps_the_gap(scene, lengths.hard_m, farthest_m(positions));
-  if (kept && !is_lossless(scene))
-    kept = recording_tells_positions(scene, rounding_m, farthest_m(ribbon));
-  if (kept && scene.contact == ContactMethod::gate)
-    kept = recording_keeps_the_gap(scene, size, lengths, rounding_m);
+Result<void> check_precision(const Scene& wished, const RestSize& size,
+                             const ContactLengths& lengths, const Matrix3Xd& positions,
+                             const std::optional<TriangleMesh>& obstacle) {
+  const double ribbon_m = farthest_m(positions);
+  const double obstacle_m = obstacle ? farthest_m(obstacle->vertices.cast<double>()) : 0;
+  Result<void> kept = arithmetic_keeps_the_gap(
+      wished, lengths.min_separation_m,
+      Eigen::Vector2d(ribbon_m, obstacle_m).maxCoeff<Eigen::PropagateNaN>());
+  if (kept && !is_lossless(wished))
+    kept = recording_tells_positions(wished, lengths.rounding_m, ribbon_m);
+  if (kept && wished.contact == ContactMethod::gate)
+    kept = recording_keeps_the_gap(wished, size, lengths);
   return kept;
 }
 

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
+#include "geometry/ribbon_grid.h"
+#include "geometry/triangle_mesh.h"
 #include "result/result.h"
+#include "ribbon_mesh/rest_size.h"
 #include "scene/scene.h"
-#include "simulation/step/deformation.h"
+#include "simulation/contact/contact_lengths.h"
 
 namespace ribbon {
 
 // How far from 0 recorded coordinates may come without breaking what is promised: where the scene
 // wants positions recorded without loss a power of two, at least twice what the ribbon reaches at
-// its start (3 x vertices) and could reach by its length; the largest number otherwise.
+// its start (3 x particles) and could reach by its length; the largest number otherwise.
 double recorded_reach_m(const Scene& scene, const RestSize& size,
                         const Eigen::Matrix3Xd& positions);
 
@@ -19,15 +23,16 @@ double recorded_reach_m(const Scene& scene, const RestSize& size,
 // max_position_error; others stay as they are.
 Scene with_single_rounding(Scene scene, const RestSize& size, double reach_m);
 
-// positions: 3 x vertices, the ribbon of `size` and then the obstacle. Fails, naming the setting
-// and its limit, where
+// positions: 3 x particles, the ribbon of `size`; lengths: of it, with single rounding. Fails,
+// naming the setting and its limit, where
 // - a position is not finite or so far from the origin that arithmetic would blur the gap that the
 //   gate keeps (a thousandth of it),
 // - recorded coordinates, in single precision, cannot hold recording.max_position_error,
 // - what recording may move a coordinate by uses up that gap (not with contact = "paper", which
 //   keeps none).
-Result<void> check_precision(const Scene& scene, const RestSize& size,
-                             const Eigen::Matrix3Xd& positions);
+Result<void> check_precision(const Scene& wished, const RestSize& size,
+                             const ContactLengths& lengths, const Eigen::Matrix3Xd& positions,
+                             const std::optional<TriangleMesh>& obstacle);
 
 // Fails where the ribbon is too wide, in particles, for its integrator: `implicit` solves in as
 // many modes across the ribbon, each over all of its width. Within the limit no cache size of a

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
 
 #include "simulation/state/edge_strain.h"
 
@@ -45,8 +46,8 @@ bool are_few(const StrainedEdges& edges, const RibbonGrid& grid) {
 
 }  // namespace
 
-RestSize rest_size(const RibbonMesh& ribbon, double share) {
-  return {ribbon.grid, ribbon.length_m, share * ribbon.width_m};
+RestSize rest_size(const RibbonMesh& ribbon, double fraction) {
+  return {ribbon.grid, ribbon.length_m, fraction * ribbon.width_m};
 }
 
 Matrix3Xd rows_scaled(const RibbonGrid& grid, double scale, const Matrix3Xd& positions) {
@@ -59,29 +60,32 @@ Matrix3Xd rows_scaled(const RibbonGrid& grid, double scale, const Matrix3Xd& pos
   return result;
 }
 
-GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double share, Bodies& bodies,
-                        Cloth& cloth) {
-  assert(share > 0 && share <= 1 && scene.contact == ContactMethod::gate);
+GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fraction,
+                        const StartObserver& observer, Bodies& bodies, Cloth& cloth) {
+  assert(fraction > 0 && fraction <= 1 && scene.contact == ContactMethod::gate);
   GrowthReport report;
   double scale = 1;
   while (true) {
-    const RestSize size = rest_size(ribbon, share);
-    Deformation deformation(scene, size, cloth.particle_mass_kg, bodies);
-    deformation.move(rows_scaled(size.grid, scale, cloth.positions), cloth);
+    const RestSize size = rest_size(ribbon, fraction);
+    if (observer)
+      observer("the ribbon is grown to " + std::to_string(std::lround(100 * fraction)) +
+               " % of its width");
+    TimeStep time_step(scene, size, contact_lengths(scene, size), cloth.particle_mass_kg);
+    time_step.move(rows_scaled(size.grid, scale, cloth.positions), bodies, cloth);
     StrainedEdges edges;
     for (int step = 0; step < steps_per_stage; ++step) {
-      deformation.step({3, 0}, cloth);
-      deformation.settle(rounds_a_width, cloth);
+      time_step.take(nullptr, bodies, cloth);
+      time_step.settle(rounds_a_width, bodies, cloth);
       edges = strained_edges(size, cloth.positions);
-      if (edges.count == 0 || (share < 1 && are_few(edges, size.grid))) break;
+      if (edges.count == 0 || (fraction < 1 && are_few(edges, size.grid))) break;
     }
     report.strained_particle = edges.particle;
     if (!are_few(edges, size.grid)) return report;
-    report.settled_share = share;
-    report.complete = share == 1;
+    report.settled_fraction = fraction;
+    report.complete = fraction == 1;
     if (report.complete) return report;
-    scale = std::min(growth, 1 / share);
-    share = std::min(1.0, growth * share);
+    scale = std::min(growth, 1 / fraction);
+    fraction = std::min(1.0, growth * fraction);
   }
 }
 

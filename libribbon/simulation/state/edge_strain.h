@@ -7,6 +7,9 @@
 
 namespace ribbon {
 
+// By how much of its rest length the paper lets an edge be longer or shorter (section 5.5).
+inline constexpr double paper_strain_limit = 0.1;
+
 // (length - rest length) / rest length of the edge from particle a to b of a family; above 0 where
 // it is stretched. positions, here and below: 3 x at least all particles.
 inline double edge_strain(const SpringFamily& family, int a, int b,

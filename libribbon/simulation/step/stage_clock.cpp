@@ -2,20 +2,22 @@
 
 namespace ribbon {
 
-std::string_view word_for(Stage stage) {
+std::string_view word_for(StepStage stage) {
   switch (stage) {
-    case Stage::fastening:
-      return "fastening";
-    case Stage::displacement:
-      return "displacement";
-    case Stage::detection:
+    case StepStage::fastening_force:
+      return "fastening force";
+    case StepStage::integration:
+      return "integration";
+    case StepStage::detection:
       return "detection";
-    case Stage::repulsion:
+    case StepStage::repulsion:
       return "repulsion";
-    case Stage::smoothing:
-      return "smoothing";
-    case Stage::errors:
-      return "errors";
+    case StepStage::strain_correction:
+      return "strain correction";
+    case StepStage::truncation:
+      return "truncation";
+    case StepStage::recovery:
+      return "recovery";
   }
   return "";
 }

@@ -5,55 +5,79 @@
 #include <chrono>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 namespace ribbon {
 
-// The stages of a step, as in the paper's Figure 5. `errors`: what the gate does, or recovery.
-enum class Stage { fastening, displacement, detection, repulsion, smoothing, errors };
+// The stages of a step, in the order of the paper's Figure 5. The last two exclude each other: the
+// gate truncates displacements, and contact = "paper" recovers from penetrations.
+enum class StepStage {
+  fastening_force,
+  integration,
+  detection,
+  repulsion,
+  strain_correction,
+  truncation,
+  recovery
+};
 
-inline constexpr std::size_t stage_count = 6;
+inline constexpr std::size_t step_stage_count = 7;
 
-// As above.
-std::string_view word_for(Stage stage);
+// "fastening force", "integration", ...
+std::string_view word_for(StepStage stage);
 
 // Of many steps together.
 struct StageSums {
-  std::array<double, stage_count> time_s{};  // wall time, by stage
+  std::array<double, step_stage_count> time_s{};  // wall time, by stage
   long detections = 0;
   long listed_pairs = 0;  // of features, by all detections
-  long sweeps = 0;        // of the smoothing over all edges
+  long sweeps = 0;        // of the strain correction over all edges
 };
 
-// At any time one stage, or none, is charged.
+// At any time one stage, or none, is charged: the one of the StageTimer that was started last.
 class StageClock {
  public:
-  void charge(Stage stage) { charge_to(&sums_.time_s[static_cast<std::size_t>(stage)]); }
-  void stop() { charge_to(nullptr); }
-
   void count_detection(std::size_t pairs) {
     ++sums_.detections;
     sums_.listed_pairs += static_cast<long>(pairs);
   }
   void count_sweeps(int sweeps) { sums_.sweeps += sweeps; }
 
-  // Since the last reset, which also charges no stage.
+  // Since the last reset.
   [[nodiscard]] const StageSums& sums() const { return sums_; }
-  void reset() {
-    sums_ = {};
-    charged_s_ = nullptr;
-  }
+  void reset() { sums_ = {}; }
 
  private:
-  void charge_to(double* charged_s) {
-    const auto now = std::chrono::steady_clock::now();
-    if (charged_s_ != nullptr) *charged_s_ += std::chrono::duration<double>(now - last_).count();
-    charged_s_ = charged_s;
+  friend class StageTimer;
+  using Moment = std::chrono::steady_clock::time_point;
+  static constexpr int none = -1;
+
+  // Returns the stage that was charged before.
+  int charge(int stage) {
+    const Moment now = std::chrono::steady_clock::now();
+    if (charged_ != none)
+      sums_.time_s[charged_] += std::chrono::duration<double>(now - last_).count();
     last_ = now;
+    return std::exchange(charged_, stage);
   }
 
   StageSums sums_;
-  double* charged_s_ = nullptr;
-  std::chrono::steady_clock::time_point last_;
+  int charged_ = none;
+  Moment last_;
+};
+
+// As long as it lives, its stage is charged; then, again, what was charged before.
+class StageTimer {
+ public:
+  StageTimer(StageClock& clock, StepStage stage)
+      : clock_(clock), before_(clock.charge(static_cast<int>(stage))) {}
+  ~StageTimer() { clock_.charge(before_); }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  StageClock& clock_;
+  int before_;
 };
 
 }  // namespace ribbon

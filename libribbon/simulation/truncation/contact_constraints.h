@@ -1,4 +1,4 @@
-// Contact as the smoothing knows it.
+// Contact as the strain correction knows it.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,35 +6,35 @@
 #include <span>
 #include <vector>
 
-#include "geometry/ribbon_grid.h"
-#include "simulation/contact/pair_gaps.h"
+#include "simulation/contact/pair_distances.h"
 #include "simulation/state/cloth.h"
+#include "simulation/truncation/contact_candidates.h"
 #include "simulation/truncation/row_activity.h"
-#include "simulation/truncation/surroundings.h"
 
 namespace ribbon {
 
-// Over the four vertices of a pair, normal . sum(weights[k] * x_k) shall be at least gap_m.
+// Over the four vertices of a pair, normal . sum(weights[k] * x_k) shall be at least distance_m.
 struct ContactConstraint {
   std::array<int, 4> vertices{};
   Eigen::Vector4d weights = Eigen::Vector4d::Zero();
-  Eigen::Vector4d shares =
-      Eigen::Vector4d::Zero();  // of a lack, that each vertex makes up for; 0 for the obstacle's
+  // By how much each vertex moves to make up for a violation of 1 m; 0 for the obstacle's.
+  Eigen::Vector4d corrections = Eigen::Vector4d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double gap_m = 0;
+  double distance_m = 0;
 };
 
 // One for each listed pair that could come into contact between `certified` and the cloth's present
 // positions: along the line between its closest points at `certified`, contact shall not begin, or,
 // where it has begun, not become any closer.
-std::vector<ContactConstraint> contact_constraints(const Surroundings& surroundings,
-                                                   const PairGaps& gaps, double reach_m,
+std::vector<ContactConstraint> contact_constraints(const ContactCandidates& candidates,
+                                                   const Bodies& bodies,
+                                                   const PairDistances& distances, double reach_m,
                                                    const Eigen::Matrix3Xd& certified,
                                                    const Cloth& cloth);
 
 // One sweep: moves apart, in order and by momentum conservation, the pairs that do not keep their
-// gap, whose rows become active. Did any lack more than a thousandth of it?
-bool keep_apart(std::span<const ContactConstraint> constraints, const RibbonGrid& grid,
+// distance, whose rows become active. Was any violated by more than a thousandth of it?
+bool keep_apart(std::span<const ContactConstraint> constraints, const Bodies& bodies,
                 RowActivity& activity, Eigen::Matrix3Xd& positions);
 
 }  // namespace ribbon

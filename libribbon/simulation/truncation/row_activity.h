@@ -1,5 +1,6 @@
-// Which rows of the ribbon still move while smoothing sweeps over them, so that sweeps pass over
-// the others: what neither end of has moved since it was last looked at is as it was left.
+// Which rows of the ribbon still move while the strain correction sweeps over them, so that sweeps
+// pass over the others: what neither end of has moved since it was last looked at is as it was
+// left.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +11,17 @@ namespace ribbon {
 class RowActivity {
  public:
   // So many rows, none of which any of so many tasks has looked at.
-  RowActivity(int rows, std::size_t tasks)
-      : last_moved_(static_cast<std::size_t>(rows), 0), last_turn_(tasks, 0) {}
+  RowActivity(int rows, std::size_t tasks) : last_moved_(rows, 0), last_turn_(tasks, 0) {}
 
   // A task begins to look at all rows, one after the other.
   void begin(std::size_t task) {
     since_ = last_turn_[task];
     last_turn_[task] = ++turn_;
   }
-  void move(int row) { last_moved_[static_cast<std::size_t>(row)] = turn_; }
+  void move(int row) { last_moved_[row] = turn_; }
 
   // Has the row stayed where it was since the task last began? Not if it was never looked at.
-  [[nodiscard]] bool is_resting(int row) const {
-    return last_moved_[static_cast<std::size_t>(row)] < since_;
-  }
+  [[nodiscard]] bool is_resting(int row) const { return last_moved_[row] < since_; }
 
  private:
   std::vector<long> last_moved_;  // turns

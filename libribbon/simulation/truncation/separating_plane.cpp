@@ -12,13 +12,13 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using Corners = Eigen::Matrix<double, 3, 4>;
 
-// The part of the gap that one passage may use up; the rest keeps rounding harmless.
+// The part of the room that one truncation may use up; the rest keeps rounding harmless.
 constexpr double usable = 0.9;
 
 }  // namespace
 
-Vector4d shares_of_way(FeaturePair::Kind kind, const Corners& start, const Corners& way,
-                       double min_gap_m) {
+Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
+                                const Corners& displacement, double min_separation_m) {
   const int first_count = kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
   const Vector3d apart = start * closest_weights(kind, start);
   const double distance_m = apart.norm();
@@ -27,27 +27,27 @@ Vector4d shares_of_way(FeaturePair::Kind kind, const Corners& start, const Corne
 
   // Heights over the plane's direction: the first feature lies above the second.
   const Vector4d height = start.transpose() * normal;
-  const Vector4d rise = way.transpose() * normal;
+  const Vector4d rise = displacement.transpose() * normal;
   const double lowest_first = height.head(first_count).minCoeff();
   const double highest_second = height.tail(4 - first_count).maxCoeff();
   // Almost touching features lie aslant to the rounded direction: it does not separate them.
   if (lowest_first <= highest_second) return Vector4d::Zero();
-  const double room_m = std::max(0.0, usable * (lowest_first - highest_second - min_gap_m));
+  const double room_m = std::max(0.0, usable * (lowest_first - highest_second - min_separation_m));
   const double sink_first = std::max(0.0, -rise.head(first_count).minCoeff());
   const double climb_second = std::max(0.0, rise.tail(4 - first_count).maxCoeff());
-  Vector4d shares = Vector4d::Ones();
-  if (sink_first + climb_second <= room_m) return shares;
+  Vector4d fractions = Vector4d::Ones();
+  if (sink_first + climb_second <= room_m) return fractions;
 
-  const double room_per_way = room_m / (sink_first + climb_second);
-  const double floor_of_first = lowest_first - sink_first * room_per_way;
-  const double ceiling_of_second = highest_second + climb_second * room_per_way;
+  const double room_per_metre = room_m / (sink_first + climb_second);
+  const double floor_of_first = lowest_first - sink_first * room_per_metre;
+  const double ceiling_of_second = highest_second + climb_second * room_per_metre;
   for (int k = 0; k < first_count; ++k)
     if (rise[k] < 0 && height[k] + rise[k] < floor_of_first)
-      shares[k] = room_m > 0 ? (height[k] - floor_of_first) / -rise[k] : 0;
+      fractions[k] = room_m > 0 ? (height[k] - floor_of_first) / -rise[k] : 0;
   for (int k = first_count; k < 4; ++k)
     if (rise[k] > 0 && height[k] + rise[k] > ceiling_of_second)
-      shares[k] = room_m > 0 ? (ceiling_of_second - height[k]) / rise[k] : 0;
-  return shares.cwiseMin(1).cwiseMax(0);
+      fractions[k] = room_m > 0 ? (ceiling_of_second - height[k]) / rise[k] : 0;
+  return fractions.cwiseMin(1).cwiseMax(0);
 }
 
 }  // namespace ribbon

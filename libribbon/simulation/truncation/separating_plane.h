@@ -7,19 +7,21 @@
 
 namespace ribbon {
 
-// The part of its way that each of the pair's vertices may go, 0 ... 1, so that the gap stays above
-// min_gap_m at every instant. start, way: 3 x 4, the corners of a pair of `kind` and their wished
-// displacements.
+// The fraction of its displacement that each of the pair's vertices may go, 0 ... 1, so that the
+// separation stays above min_separation_m at every instant. start, displacement: 3 x 4, the corners
+// of a pair of `kind` and how far they are to move.
 //
 // A plane between the two features, perpendicular to the line between their closest points at the
 // start, divides the room between them in proportion to how fast each side approaches. A vertex
-// that would use more than its share is shortened on its way, so each side stays on its side of the
+// that would use more than its part of the room is truncated, so each side stays on its side of the
 // plane whatever becomes of the other. Motion along the plane and away from it is free. Features
-// that are closer than min_gap_m may only part; where no plane separates them, because they touch
-// or nearly do, they stay where they are.
+// that are closer than min_separation_m may only part; where no plane separates them, because they
+// touch or nearly do, they stay where they are.
 //
 // Cf. planar "divide and truncate" bounds (Chen et al. 2026).
-Eigen::Vector4d shares_of_way(FeaturePair::Kind kind, const Eigen::Matrix<double, 3, 4>& start,
-                              const Eigen::Matrix<double, 3, 4>& way, double min_gap_m);
+Eigen::Vector4d displacement_fractions(FeaturePair::Kind kind,
+                                       const Eigen::Matrix<double, 3, 4>& start,
+                                       const Eigen::Matrix<double, 3, 4>& displacement,
+                                       double min_separation_m);
 
 }  // namespace ribbon

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "simulation/contact/gap_lengths.h"
+#include "simulation/contact/contact_lengths.h"
 #include "simulation/state/edge_strain.h"
 
 namespace ribbon {
@@ -13,7 +13,6 @@ namespace ribbon {
 namespace {
 
 constexpr double negligible_excess = 0.002;  // of an edge's rest length
-constexpr double published = 0.1;            // the limit of section 5.5
 constexpr double least_aim = 0.02;
 
 // Moves the two ends of an edge that is too long or too short. By how much of its rest length was
@@ -75,7 +74,8 @@ double StrainLimit::worst_excess(const Eigen::Matrix3Xd& positions) const {
 
 double aimed_strain(double strain, double rest_m, double rounding_m) {
   const double recorded = lost_to_rounding_m(rounding_m) / rest_m;
-  return std::max(least_aim, std::min(strain, 0.99 * published - recorded - strain_left_over));
+  return std::max(least_aim,
+                  std::min(strain, 0.99 * paper_strain_limit - recorded - strain_left_over));
 }
 
 }  // namespace ribbon

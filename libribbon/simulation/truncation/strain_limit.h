@@ -40,13 +40,13 @@ class StrainLimit {
   std::vector<LimitedFamily> families_;
 };
 
-// What smoothing aims at for an edge of rest length rest_m, so that it is still within the
-// paper's limit of 10 % when it is left a little over and then recorded with rounding_m (>= 0) a
-// coordinate: `strain`, or what rounding leaves, but not less than 2 %. Such short edges may be
+// What the strain correction aims at for an edge of rest length rest_m, so that it is still within
+// the paper's limit of 10 % when it is left a little over and then recorded with rounding_m (>= 0)
+// a coordinate: `strain`, or what rounding leaves, but not less than 2 %. Such short edges may be
 // recorded beyond the limit.
 double aimed_strain(double strain, double rest_m, double rounding_m);
 
-// By how much more than what was aimed at smoothing is content with.
+// By how much more than what was aimed at the strain correction is content with.
 inline constexpr double strain_left_over = 0.008;
 
 }  // namespace ribbon

@@ -99,10 +99,10 @@ class ByBoxes : public BodyDetector {
   std::vector<FeaturePair> detect() override {
     RibbonBody& body = bodies().ribbon;
     const std::vector<MovingBox> ranges = vertex_ranges(motion().t0, motion().t1);
-    Hierarchy& hierarchy = body.hierarchy(motion().t0);
-    hierarchy.refit(ranges, motion().margin_m / 2);
+    TriangleBvh& bvh = body.triangle_bvh(motion().t0);
+    bvh.refit(ranges, motion().margin_m / 2);
     const RangedSurface surface{body.surface(), ranges};
-    return feature_pairs(surface, surface, hierarchy.pairs_within(Hierarchy::Spare::boxes),
+    return feature_pairs(surface, surface, bvh.pairs_within(TriangleBvh::Spare::boxes),
                          motion().margin_m);
   }
 };

@@ -40,8 +40,8 @@ void describe(CLI::App& app, Options& options) {
 void print_heading() {
   std::string names = "| scene | ms a step |";
   std::string rule = "|---|---|";
-  for (std::size_t stage = 0; stage < stage_count; ++stage) {
-    names += " " + std::string(word_for(static_cast<Stage>(stage))) + " |";
+  for (std::size_t stage = 0; stage < step_stage_count; ++stage) {
+    names += " " + std::string(word_for(static_cast<StepStage>(stage))) + " |";
     rule += "---|";
   }
   std::printf("%s held | at most | allocations |\n%s---|---|---|\n", names.c_str(), rule.c_str());

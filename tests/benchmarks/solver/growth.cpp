@@ -77,10 +77,10 @@ Result<SampleRibbon> ribbon_in(const std::string& tight, const Size& size, const
 
 void print_heading(const std::string& state) {
   std::printf("\n%s\n\n| particles | ms a step | by the clock |", state.c_str());
-  for (std::size_t stage = 0; stage < stage_count; ++stage)
-    std::printf(" %s |", std::string(word_for(static_cast<Stage>(stage))).c_str());
+  for (std::size_t stage = 0; stage < step_stage_count; ++stage)
+    std::printf(" %s |", std::string(word_for(static_cast<StepStage>(stage))).c_str());
   std::printf(" pairs | sweeps | start | held | at most |\n|---|---|---|");
-  for (std::size_t stage = 0; stage < stage_count; ++stage) std::printf("---|");
+  for (std::size_t stage = 0; stage < step_stage_count; ++stage) std::printf("---|");
   std::puts("---|---|---|---|---|");
 }
 

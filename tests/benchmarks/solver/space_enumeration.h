@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/box.h"
-#include "simulation/detection/hierarchy.h"
+#include "simulation/detection/triangle_bvh.h"
 
 namespace ribbon {
 

@@ -33,7 +33,7 @@ void run_measured(int steps, FasteningProcessor& fastening, StepCost& cost) {
   cost.wall_s = std::chrono::duration<double>(Clock::now() - start).count() / steps;
   cost.processor_s = (processor_time_s() - processor_s) / steps;
   const StageSums& after = fastening.stage_sums();
-  for (std::size_t stage = 0; stage < stage_count; ++stage)
+  for (std::size_t stage = 0; stage < step_stage_count; ++stage)
     cost.stage_s[stage] = (after.time_s[stage] - before.time_s[stage]) / steps;
   cost.listed_pairs = static_cast<double>(after.listed_pairs - before.listed_pairs) / steps;
   cost.sweeps = static_cast<double>(after.sweeps - before.sweeps) / steps;

@@ -14,9 +14,9 @@ namespace ribbon {
 
 // Means of the measured steps; bytes are the solver's alone, without scene, mesh and obstacle file.
 struct StepCost {
-  double processor_s = 0;                     // of all threads
-  double wall_s = 0;                          // by a clock
-  std::array<double, stage_count> stage_s{};  // by a clock, by stage
+  double processor_s = 0;                          // of all threads
+  double wall_s = 0;                               // by a clock
+  std::array<double, step_stage_count> stage_s{};  // by a clock, by stage
   double allocations = 0;
   double held_bytes = 0;    // after the steps
   double most_bytes = 0;    // at any time in the steps

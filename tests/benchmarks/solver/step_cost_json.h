@@ -10,8 +10,8 @@ namespace ribbon {
 
 inline nlohmann::ordered_json json_of(const StepCost& cost, int particles) {
   nlohmann::ordered_json stages;
-  for (std::size_t stage = 0; stage < stage_count; ++stage)
-    stages[std::string(word_for(static_cast<Stage>(stage)))] = cost.stage_s[stage];
+  for (std::size_t stage = 0; stage < step_stage_count; ++stage)
+    stages[std::string(word_for(static_cast<StepStage>(stage)))] = cost.stage_s[stage];
   return {{"processor_s_per_step", cost.processor_s},
           {"wall_s_per_step", cost.wall_s},
           {"stage_s_per_step", stages},

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "simulation/contact/gap_lengths.h"
+#include "simulation/contact/contact_lengths.h"
 #include "simulation/published/planted_penetrations.h"
 
 namespace ribbon::contact_extent_test {
@@ -11,30 +11,30 @@ using Eigen::Matrix3Xd;
 
 constexpr RibbonGrid grid{21, 5};
 constexpr RestSize size{grid, 20, 4};  // edges of 1 m: contact begins at 0.2 m, touch at 0.3 m
-const PairGaps gaps(size, gap_lengths(1, 0, 0));
+const PairDistances distances(size, contact_lengths(1, 0, 0));
 
 TEST(ContactExtent, of_a_flat_ribbon_is_nothing) {
   const Matrix3Xd positions = flat_ribbon(grid);
   Bodies bodies = ribbon_alone(grid);
-  const ContactExtent extent = contact_extent(bodies, size, gaps, positions);
+  const ContactExtent extent = contact_extent(bodies, size, distances, positions);
   EXPECT_EQ(extent.share, 0);
   EXPECT_EQ(extent.knotted_m, 0);
 }
 
 TEST(ContactExtent, on_the_obstacle_is_contact_but_no_knot) {
   OverFloor near = ribbon_over_floor(grid, -0.29);
-  const ContactExtent touching = contact_extent(near.bodies, size, gaps, near.positions);
+  const ContactExtent touching = contact_extent(near.bodies, size, distances, near.positions);
   EXPECT_EQ(touching.share, 1);
   EXPECT_EQ(touching.knotted_m, 0);
   OverFloor far = ribbon_over_floor(grid, -0.31);
-  EXPECT_EQ(contact_extent(far.bodies, size, gaps, far.positions).share, 0);
+  EXPECT_EQ(contact_extent(far.bodies, size, distances, far.positions).share, 0);
 }
 
 // By hand: rows 10 to 20 return over rows 9.5 to -0.5, so that all but the fold lies double.
 TEST(ContactExtent, of_a_fold_reaches_from_its_first_to_its_last_row) {
   const Matrix3Xd positions = folded_ribbon(grid, 0.25);
   Bodies bodies = ribbon_alone(grid);
-  const ContactExtent extent = contact_extent(bodies, size, gaps, positions);
+  const ContactExtent extent = contact_extent(bodies, size, distances, positions);
   EXPECT_EQ(extent.share, 1);
   EXPECT_DOUBLE_EQ(extent.knotted_m, 20);
 }
@@ -47,7 +47,7 @@ TEST(ContactExtent, counts_the_rows_in_between_as_knotted_but_not_as_touching) {
     if (grid.row(p) > 5) positions(1, p) = 20;
   for (int j = 0; j < grid.across; ++j) positions.col(grid.particle(20, j)) << 5, 0.25, j + 0.5;
   Bodies bodies = ribbon_alone(grid);
-  const ContactExtent extent = contact_extent(bodies, size, gaps, positions);
+  const ContactExtent extent = contact_extent(bodies, size, distances, positions);
   EXPECT_NEAR(extent.share, 5.0 / 21, 1e-12);
   EXPECT_DOUBLE_EQ(extent.knotted_m, 16);
 }

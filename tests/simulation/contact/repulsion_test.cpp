@@ -11,54 +11,72 @@ const FeaturePair pair{FeaturePair::Kind::vertex_triangle, {0, 1, 2, 3}};
 const Collision on_corner{{1, -1, 0, 0}, Vector3d::UnitY(), 0};
 const Collision inside{{1, -0.5, -0.25, -0.25}, Vector3d::UnitY(), 0};
 
-// Vertex 0 falls with 2 m/s onto a triangle at rest; `particles` of the four vertices are ribbon.
-Cloth falling(int particles) {
+// Vertex 0 falls with 2 m/s onto a triangle at rest. The first `particles` of the four vertices are
+// the ribbon's, the others the obstacle's.
+struct Fall {
+  explicit Fall(int particles) {
+    Matrix3Xd vertices = Matrix3Xd::Zero(3, 4);
+    vertices(0, 2) = 1;
+    vertices(2, 3) = 1;
+    cloth = {vertices.leftCols(particles), Matrix3Xd::Zero(3, particles), 0.5};
+    cloth.velocities(1, 0) = -2;
+    obstacle = vertices.rightCols(4 - particles);
+  }
+  void repel(const Collision& collision, double gap_m, const RepulsionSettings& settings,
+             const Matrix3Xd& before) {
+    ribbon::repel(pair, collision, gap_m, settings, {before, obstacle}, {cloth.positions, obstacle},
+                  cloth);
+  }
+  void repel(const Collision& collision, double gap_m, const RepulsionSettings& settings) {
+    const Matrix3Xd before = cloth.positions;
+    repel(collision, gap_m, settings, before);
+  }
+
   Cloth cloth;
-  cloth.positions = Matrix3Xd::Zero(3, 4);
-  cloth.positions.col(2)[0] = 1;
-  cloth.positions.col(3)[2] = 1;
-  cloth.velocities = Matrix3Xd::Zero(3, particles);
-  cloth.velocities(1, 0) = -2;
-  cloth.particle_mass_kg = 0.5;
-  return cloth;
-}
+  Matrix3Xd obstacle;
+};
 
 // By hand: two equal masses meet head on with 2 m/s; with restitution e the centre keeps -1 m/s and
 // they part with 2 e: -1 + e and -1 - e.
 TEST(Repulsion, of_two_equal_masses_is_the_textbook_collision) {
-  Cloth cloth = falling(4);
-  repel(pair, on_corner, 0, {.restitution = 0.1}, cloth.positions, cloth);
+  Fall fall(4);
+  Cloth& cloth = fall.cloth;
+  fall.repel(on_corner, 0, {.restitution = 0.1});
   EXPECT_NEAR(cloth.velocities(1, 0), -0.9, 1e-12);
   EXPECT_NEAR(cloth.velocities(1, 1), -1.1, 1e-12);
 }
 
 TEST(Repulsion, conserves_momentum_and_centre_of_mass) {
-  Cloth cloth = falling(4);
+  Fall fall(4);
+  Cloth& cloth = fall.cloth;
   const Vector3d momentum = cloth.velocities.rowwise().sum();
   const Vector3d centre = cloth.positions.rowwise().mean();
-  repel(pair, inside, 0.3, {.restitution = 0.1}, cloth.positions, cloth);
+  fall.repel(inside, 0.3, {.restitution = 0.1});
   EXPECT_TRUE(cloth.velocities.rowwise().sum().isApprox(momentum, 1e-12));
   EXPECT_TRUE(cloth.positions.rowwise().mean().isApprox(centre, 1e-12));
 }
 
 TEST(Repulsion, opens_the_gap_and_reverses_the_approach) {
-  Cloth cloth = falling(4);
-  repel(pair, inside, 0.3, {.restitution = 0.1}, cloth.positions, cloth);
+  Fall fall(4);
+  Cloth& cloth = fall.cloth;
+  fall.repel(inside, 0.3, {.restitution = 0.1});
   EXPECT_NEAR((cloth.positions * inside.weights)[1], 0.3, 1e-12);
   EXPECT_NEAR((cloth.velocities * inside.weights)[1], 0.2, 1e-12);
 }
 
 TEST(Repulsion, leaves_parting_features_their_velocity) {
-  Cloth cloth = falling(4);
+  Fall fall(4);
+  Cloth& cloth = fall.cloth;
   cloth.velocities(1, 0) = 3;
-  repel(pair, inside, 0, {.restitution = 0.1}, cloth.positions, cloth);
+  fall.repel(inside, 0, {.restitution = 0.1});
   EXPECT_EQ(cloth.velocities(1, 0), 3);
 }
 
 TEST(Repulsion, an_obstacle_of_boundless_mass_stays) {
-  Cloth cloth = falling(1);
-  repel(pair, inside, 0.3, {.restitution = 0.1}, cloth.positions, cloth);
-  EXPECT_EQ(cloth.positions.col(1), Vector3d::Zero().eval());
+  Fall fall(1);
+  Cloth& cloth = fall.cloth;
+  fall.repel(inside, 0.3, {.restitution = 0.1});
+  EXPECT_EQ(cloth.positions.cols(), 1);
   EXPECT_NEAR(cloth.positions(1, 0), 0.3, 1e-12);
   EXPECT_NEAR(cloth.velocities(1, 0), 0.2, 1e-12);
 }
@@ -66,37 +84,41 @@ TEST(Repulsion, an_obstacle_of_boundless_mass_stays) {
 // By hand: 2 m/s of approach become 2.2 m/s of change along the normal; a coefficient of 0.5 takes
 // at most 1.1 m/s off the sliding. Between two equal masses each gets half of it.
 TEST(Repulsion, friction_slows_sliding_in_proportion_to_the_normal_change) {
-  Cloth cloth = falling(4);
+  Fall fall(4);
+  Cloth& cloth = fall.cloth;
   cloth.velocities(0, 0) = 3;
-  repel(pair, on_corner, 0, {.restitution = 0.1, .friction = 0.5}, cloth.positions, cloth);
+  fall.repel(on_corner, 0, {.restitution = 0.1, .friction = 0.5});
   EXPECT_NEAR(cloth.velocities(0, 0), 3 - 0.55, 1e-12);
   EXPECT_NEAR(cloth.velocities(0, 1), 0.55, 1e-12);
   EXPECT_NEAR(cloth.velocities(1, 0), -0.9, 1e-12);
 }
 
 TEST(Repulsion, friction_stops_but_never_reverses_sliding) {
-  Cloth cloth = falling(1);
+  Fall fall(1);
+  Cloth& cloth = fall.cloth;
   cloth.velocities(2, 0) = -0.3;
-  repel(pair, on_corner, 0, {.restitution = 0.1, .friction = 0.5}, cloth.positions, cloth);
+  fall.repel(on_corner, 0, {.restitution = 0.1, .friction = 0.5});
   EXPECT_NEAR(cloth.velocities(2, 0), 0, 1e-12);
 }
 
 // By hand: the gap opens by 0.2 m, so friction 0.5 takes back 0.1 m of the 0.4 m that were slid.
 TEST(Repulsion, friction_takes_back_what_was_slid_under_pressure) {
-  Cloth cloth = falling(1);
+  Fall fall(1);
+  Cloth& cloth = fall.cloth;
   cloth.velocities.setZero();
   const Matrix3Xd before = cloth.positions;
   cloth.positions(0, 0) += 0.4;
-  repel(pair, on_corner, 0.2, {.friction = 0.5}, before, cloth);
+  fall.repel(on_corner, 0.2, {.friction = 0.5}, before);
   EXPECT_NEAR(cloth.positions(0, 0), 0.3, 1e-12);
   EXPECT_NEAR(cloth.positions(1, 0), 0.2, 1e-12);
 }
 
 TEST(Repulsion, friction_conserves_momentum) {
-  Cloth cloth = falling(4);
+  Fall fall(4);
+  Cloth& cloth = fall.cloth;
   cloth.velocities(0, 0) = 3;
   const Vector3d momentum = cloth.velocities.rowwise().sum();
-  repel(pair, inside, 0.3, {.friction = 0.7}, cloth.positions, cloth);
+  fall.repel(inside, 0.3, {.friction = 0.7});
   EXPECT_TRUE(cloth.velocities.rowwise().sum().isApprox(momentum, 1e-12));
 }
 

@@ -38,16 +38,13 @@ struct OverFloor {
   Bodies bodies;
 };
 inline OverFloor ribbon_over_floor(const RibbonGrid& grid, double floor_y) {
-  const int first = grid.particle_count();
-  Eigen::Matrix3Xd positions(3, first + 4);
-  positions.leftCols(first) = flat_ribbon(grid);
-  positions.rightCols(4) << -50, 50, 50, -50,  //
-      floor_y, floor_y, floor_y, floor_y,      //
+  Eigen::Matrix3Xd corners(3, 4);
+  corners << -50, 50, 50, -50,             //
+      floor_y, floor_y, floor_y, floor_y,  //
       50, 50, -50, -50;
   Eigen::Matrix3Xi floor(3, 2);
   floor << 0, 0, 1, 2, 2, 3;
-  floor.array() += first;
-  return {positions, Bodies{grid, ObstacleBody(collision_surface(floor), positions)}};
+  return {flat_ribbon(grid), Bodies{grid, ObstacleBody(floor, corners)}};
 }
 
 }  // namespace ribbon

@@ -9,7 +9,7 @@ namespace ribbon::recovery_schemes_test {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr auto boxes = Hierarchy::Spare::boxes;
+constexpr auto boxes = TriangleBvh::Spare::boxes;
 
 TEST(SchemeA, moves_the_erroneous_particle_out_by_its_depth_and_the_gap) {
   const RibbonGrid grid{7, 5};
@@ -18,12 +18,12 @@ TEST(SchemeA, moves_the_erroneous_particle_out_by_its_depth_and_the_gap) {
   planted.positions(1, astray) = -0.8;
   Bodies& bodies = planted.bodies;
   const auto found =
-      mutual_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(planted.positions),
-                          bodies.obstacle->surface, bodies.obstacle->hierarchy, planted.positions);
-  ASSERT_FALSE(found.edges_of_first.empty());
+      mutual_penetrations(bodies.ribbon.surface(), bodies.ribbon.triangle_bvh(planted.positions),
+                          *bodies.obstacle, planted.positions);
+  ASSERT_FALSE(found.edges_of_ribbon.empty());
   Matrix3Xd moved = planted.positions;
-  apply_scheme_a(grid, bodies.ribbon.surface(), bodies.obstacle->surface, found.edges_of_first,
-                 0.01, moved);
+  apply_scheme_a(grid, bodies.ribbon.surface(), *bodies.obstacle, found.edges_of_ribbon, 0.01,
+                 moved);
   // By hand: 0.3 below the floor, moved up to 0.01 above it; nobody else moves.
   EXPECT_NEAR(moved(1, astray), -0.49, 1e-12);
   Matrix3Xd others = moved - planted.positions;
@@ -37,15 +37,14 @@ TEST(SchemeA, frees_a_border_particle_with_fewer_edges_too) {
   planted.positions(1, 0) = -1;
   Bodies& bodies = planted.bodies;
   const auto detect = [&] {
-    return mutual_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(planted.positions),
-                               bodies.obstacle->surface, bodies.obstacle->hierarchy,
+    return mutual_penetrations(bodies.ribbon.surface(),
+                               bodies.ribbon.triangle_bvh(planted.positions), *bodies.obstacle,
                                planted.positions)
-        .edges_of_first;
+        .edges_of_ribbon;
   };
   const auto found = detect();
   ASSERT_FALSE(found.empty());
-  apply_scheme_a(grid, bodies.ribbon.surface(), bodies.obstacle->surface, found, 0.01,
-                 planted.positions);
+  apply_scheme_a(grid, bodies.ribbon.surface(), *bodies.obstacle, found, 0.01, planted.positions);
   EXPECT_TRUE(detect().empty());
 }
 
@@ -53,23 +52,20 @@ TEST(SchemeA, brings_a_particle_back_through_a_thin_plate_and_leaves_its_neighbo
   const RibbonGrid grid{7, 5};
   const int astray = grid.particle(3, 2);
   // A plate 0.1 thick: the upper side faces up, the lower side down; its rim is far away.
-  const int first = grid.particle_count();
-  Matrix3Xd positions(3, first + 8);
-  positions.leftCols(first) = flat_ribbon(grid);
-  positions.middleCols(first, 4) << -50, 50, 50, -50, -0.5, -0.5, -0.5, -0.5, 50, 50, -50, -50;
-  positions.rightCols(4) = positions.middleCols(first, 4);
-  positions.rightCols(4).row(1).setConstant(-0.6);
+  Matrix3Xd plate_corners(3, 8);
+  plate_corners.leftCols(4) << -50, 50, 50, -50, -0.5, -0.5, -0.5, -0.5, 50, 50, -50, -50;
+  plate_corners.rightCols(4) = plate_corners.leftCols(4);
+  plate_corners.rightCols(4).row(1).setConstant(-0.6);
+  Matrix3Xd positions = flat_ribbon(grid);
   positions(1, astray) = -0.8;
   Eigen::Matrix3Xi plate(3, 4);
   plate << 0, 0, 5, 6, 1, 2, 4, 4, 2, 3, 6, 7;
-  plate.array() += first;
-  Bodies bodies{grid, ObstacleBody(collision_surface(plate), positions)};
-  const auto found =
-      mutual_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(positions),
-                          bodies.obstacle->surface, bodies.obstacle->hierarchy, positions);
+  Bodies bodies{grid, ObstacleBody(plate, plate_corners)};
+  const auto found = mutual_penetrations(
+      bodies.ribbon.surface(), bodies.ribbon.triangle_bvh(positions), *bodies.obstacle, positions);
   Matrix3Xd moved = positions;
-  apply_scheme_a(grid, bodies.ribbon.surface(), bodies.obstacle->surface, found.edges_of_first,
-                 0.01, moved);
+  apply_scheme_a(grid, bodies.ribbon.surface(), *bodies.obstacle, found.edges_of_ribbon, 0.01,
+                 moved);
   EXPECT_NEAR(moved(1, astray), -0.49, 1e-12);
   moved.col(astray) = positions.col(astray);
   EXPECT_EQ(moved, positions);
@@ -86,8 +82,8 @@ TEST(SchemeB, curls_the_selvage_in_across_the_ribbon) {
   const RibbonGrid grid{21, 5};
   Matrix3Xd positions = selvage_dips_in(grid);
   Bodies bodies = ribbon_alone(grid);
-  const auto found = self_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(positions),
-                                       boxes, positions);
+  const auto found = self_penetrations(bodies.ribbon.surface(),
+                                       bodies.ribbon.triangle_bvh(positions), boxes, positions);
   ASSERT_FALSE(found.empty());
   const Matrix3Xd before = positions;
   apply_scheme_b(grid, bodies.ribbon.surface(), found, 0.5, positions);
@@ -140,12 +136,12 @@ TEST(SchemeC, moves_the_particle_that_went_through_back_to_the_majority) {
   const int astray = grid.particle(15, 2);
   positions(1, astray) = -0.02;
   Bodies bodies = ribbon_alone(grid);
-  const auto found = self_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(positions),
-                                       boxes, positions);
+  const auto found = self_penetrations(bodies.ribbon.surface(),
+                                       bodies.ribbon.triangle_bvh(positions), boxes, positions);
   ASSERT_FALSE(found.empty());
   apply_scheme_c(grid, bodies.ribbon.surface(), found, 0.01, positions);
-  EXPECT_TRUE(self_penetrations(bodies.ribbon.surface(), bodies.ribbon.hierarchy(positions), boxes,
-                                positions)
+  EXPECT_TRUE(self_penetrations(bodies.ribbon.surface(), bodies.ribbon.triangle_bvh(positions),
+                                boxes, positions)
                   .empty());
   EXPECT_GT(positions(1, astray), 0);
 }

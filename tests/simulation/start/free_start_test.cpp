@@ -9,7 +9,7 @@
 #include "simulation/fastening_processor.h"
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
-#include "simulation/start/encounter.h"
+#include "simulation/start/first_intersection.h"
 #include "simulation/start/width_growth.h"
 
 namespace ribbon::free_start_test {
@@ -216,11 +216,13 @@ TEST(FreeStart, leaves_behind_nothing_that_the_gate_does_without) {
   const RibbonMesh mesh = mesh_of(scene);
   Bodies bodies{mesh.grid, std::nullopt};
   Cloth cloth{mesh.positions, Matrix3Xd::Zero(3, mesh.positions.cols()), 0.001};
-  Deformation deformation(scene, rest_size(mesh, 1), cloth.particle_mass_kg, bodies);
-  ASSERT_TRUE(find_free_start(scene, mesh, bodies, deformation, cloth).has_value());
-  deformation.step({3, 0}, cloth);
+  const RestSize size = rest_size(mesh, 1);
+  const ContactLengths lengths = contact_lengths(scene, size);
+  TimeStep time_step(scene, size, lengths, cloth.particle_mass_kg);
+  ASSERT_TRUE(find_free_start(scene, mesh, lengths, {}, bodies, time_step, cloth).has_value());
+  time_step.take(nullptr, bodies, cloth);
   EXPECT_FALSE(bodies.ribbon.exists());
-  EXPECT_FALSE(first_piercing(bodies, cloth.positions).has_value());
+  EXPECT_FALSE(first_intersection(bodies, cloth.positions).has_value());
   EXPECT_TRUE(bodies.ribbon.exists());
 }
 

@@ -20,76 +20,81 @@ Corners vertex_over_triangle() {
   return x;
 }
 
-TEST(SharesOfWay, without_approach_all_may_go) {
-  Corners way = Corners::Zero();
-  way.row(0).setConstant(100);
-  way(1, 0) = 5;
-  EXPECT_EQ(shares_of_way(Kind::vertex_triangle, vertex_over_triangle(), way, 0.1),
+TEST(DisplacementFractions, without_approach_all_may_go) {
+  Corners displacement = Corners::Zero();
+  displacement.row(0).setConstant(100);
+  displacement(1, 0) = 5;
+  EXPECT_EQ(
+      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 0.1),
+      Vector4d::Ones().eval());
+}
+
+TEST(DisplacementFractions, a_vertex_that_falls_through_stops_with_nine_tenths_of_the_room_used) {
+  Corners displacement = Corners::Zero();
+  displacement(1, 0) = -3;
+  // By hand: gap 1, minimum 0.1, room 0.9 * 0.9 = 0.81 of a displacement of 3.
+  const Vector4d fractions =
+      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 0.1);
+  EXPECT_NEAR(fractions[0], 0.27, 1e-12);
+  EXPECT_EQ(fractions.tail(3), Vector4d::Ones().tail(3));
+}
+
+TEST(DisplacementFractions, are_divided_in_proportion_to_the_approach_of_each_side) {
+  Corners displacement = Corners::Zero();
+  displacement(1, 0) = -1;
+  displacement.row(1).tail(3).setConstant(2);
+  const Vector4d fractions =
+      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 0.1);
+  EXPECT_TRUE(fractions.isApprox(Vector4d::Constant(0.27)));
+}
+
+TEST(DisplacementFractions, closer_than_the_minimum_only_parting_passes) {
+  Corners displacement = Corners::Zero();
+  displacement(1, 0) = -0.01;
+  displacement(0, 1) = 1;
+  EXPECT_EQ(
+      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 2)[0], 0);
+  EXPECT_EQ(
+      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 2)[1], 1);
+  displacement(1, 0) = 0.5;
+  EXPECT_EQ(displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 2),
             Vector4d::Ones().eval());
 }
 
-TEST(SharesOfWay, a_vertex_that_falls_through_stops_with_nine_tenths_of_the_room_used) {
-  Corners way = Corners::Zero();
-  way(1, 0) = -3;
-  // By hand: gap 1, minimum 0.1, room 0.9 * 0.9 = 0.81 of a way of 3.
-  const Vector4d shares = shares_of_way(Kind::vertex_triangle, vertex_over_triangle(), way, 0.1);
-  EXPECT_NEAR(shares[0], 0.27, 1e-12);
-  EXPECT_EQ(shares.tail(3), Vector4d::Ones().tail(3));
-}
-
-TEST(SharesOfWay, are_divided_in_proportion_to_the_approach_of_each_side) {
-  Corners way = Corners::Zero();
-  way(1, 0) = -1;
-  way.row(1).tail(3).setConstant(2);
-  const Vector4d shares = shares_of_way(Kind::vertex_triangle, vertex_over_triangle(), way, 0.1);
-  EXPECT_TRUE(shares.isApprox(Vector4d::Constant(0.27)));
-}
-
-TEST(SharesOfWay, closer_than_the_minimum_only_parting_passes) {
-  Corners way = Corners::Zero();
-  way(1, 0) = -0.01;
-  way(0, 1) = 1;
-  EXPECT_EQ(shares_of_way(Kind::vertex_triangle, vertex_over_triangle(), way, 2)[0], 0);
-  EXPECT_EQ(shares_of_way(Kind::vertex_triangle, vertex_over_triangle(), way, 2)[1], 1);
-  way(1, 0) = 0.5;
-  EXPECT_EQ(shares_of_way(Kind::vertex_triangle, vertex_over_triangle(), way, 2),
-            Vector4d::Ones().eval());
-}
-
-TEST(SharesOfWay, keep_the_gap_at_every_instant_for_random_motion) {
+TEST(DisplacementFractions, keep_the_gap_at_every_instant_for_random_motion) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   for (int trial = 0; trial < 2000; ++trial) {
     const Kind kind = trial % 2 == 0 ? Kind::vertex_triangle : Kind::edge_edge;
     Corners x;
-    Corners way;
+    Corners displacement;
     for (double& value : x.reshaped()) value = coordinate(random);
-    for (double& value : way.reshaped()) value = 3 * coordinate(random);
+    for (double& value : displacement.reshaped()) value = 3 * coordinate(random);
     const double gap = (x * closest_weights(kind, x)).norm();
     if (gap < 0.05) continue;
-    const Vector4d shares = shares_of_way(kind, x, way, 0.04);
+    const Vector4d fractions = displacement_fractions(kind, x, displacement, 0.04);
     for (int instant = 1; instant <= 20; ++instant) {
-      const Corners then = x + way * (instant / 20.0 * shares).asDiagonal();
+      const Corners then = x + displacement * (instant / 20.0 * fractions).asDiagonal();
       EXPECT_GE((then * closest_weights(kind, then)).norm(), 0.04);
     }
   }
 }
 
 // So close that rounding turns the line between the closest points: no plane can be relied on.
-TEST(SharesOfWay, almost_touching_edges_do_not_slip_through_each_other) {
+TEST(DisplacementFractions, almost_touching_edges_do_not_slip_through_each_other) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   for (int trial = 0; trial < 2000; ++trial) {
     Corners x;
-    Corners way;
+    Corners displacement;
     for (double& value : x.reshaped()) value = coordinate(random);
-    for (double& value : way.reshaped()) value = 1e-6 * coordinate(random);
+    for (double& value : displacement.reshaped()) value = 1e-6 * coordinate(random);
     // Moves the second edge until the middles of both are 1e-11 apart.
     const Vector3d normal = (x.col(1) - x.col(0)).cross(x.col(3) - x.col(2)).normalized();
     const Vector3d shift = (x.col(0) + x.col(1) - x.col(2) - x.col(3)) / 2 - 1e-11 * normal;
     x.rightCols(2).colwise() += shift;
-    const Vector4d shares = shares_of_way(Kind::edge_edge, x, way, 0.04);
-    const Corners end = x + way * shares.asDiagonal();
+    const Vector4d fractions = displacement_fractions(Kind::edge_edge, x, displacement, 0.04);
+    const Corners end = x + displacement * fractions.asDiagonal();
     const auto side = [](const Corners& c) {
       return (c.col(1) - c.col(0)).cross(c.col(3) - c.col(2)).dot(c.col(0) - c.col(2));
     };

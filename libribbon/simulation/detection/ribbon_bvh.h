@@ -9,7 +9,7 @@
 #include "geometry/ribbon_grid.h"
 #include "simulation/detection/block_features.h"
 #include "simulation/detection/feature_pairs.h"
-#include "simulation/detection/hierarchy.h"
+#include "simulation/detection/triangle_bvh.h"
 
 namespace ribbon {
 
@@ -24,11 +24,11 @@ namespace ribbon {
 // The leaves are blocks of two by two quads. Each patch looks at its surroundings, too, one block
 // to every side, so that a patch and a small neighbour lie in one rectangle. Built once, refitted
 // for each detection.
-class PatchTree {
+class RibbonBvh {
  public:
-  explicit PatchTree(const RibbonGrid& grid);
+  explicit RibbonBvh(const RibbonGrid& grid);
 
-  // Over the ranges of all vertices, the particles' first. reach_m: pairs that cannot come this
+  // Over the ranges of the particles. reach_m: pairs that cannot come this
   // close are spared.
   void refit(std::span<const MovingBox> ranges, double reach_m);
 
@@ -36,9 +36,10 @@ class PatchTree {
   // other, each once, in an order that depends on nothing but the ranges.
   [[nodiscard]] std::vector<FeaturePair> pairs_within() const;
 
-  // Likewise, of the ribbon and of another surface over the same vertices.
-  [[nodiscard]] std::vector<FeaturePair> pairs_with(const CollisionSurface& surface,
-                                                    const Hierarchy& hierarchy) const;
+  // Likewise, of the ribbon and of the still obstacle (3 x vertices), numbered after the particles.
+  [[nodiscard]] std::vector<FeaturePair> pairs_with(const CollisionSurface& obstacle,
+                                                    const TriangleBvh& bvh,
+                                                    const Eigen::Matrix3Xd& vertices) const;
 
   // Until the next refit the two above leave out pairs of blocks neither of which has one of these
   // particles.
@@ -75,19 +76,17 @@ class PatchTree {
   int build(Patch patch);
   void share_out();
   [[nodiscard]] int root() const { return static_cast<int>(patches_.size()) - 1; }
-  [[nodiscard]] const Patch& at(int patch) const {
-    return patches_[static_cast<std::size_t>(patch)];
-  }
+  [[nodiscard]] const Patch& at(int patch) const { return patches_[patch]; }
   [[nodiscard]] int block_of(int leaf) const {
     return at(leaf).first_row * block_columns_ + at(leaf).first_column;
   }
   // Of the block that has this quad.
-  [[nodiscard]] std::size_t block_at(int quad_row, int quad_column) const {
-    const int number = quad_row / block_side * block_columns_ + quad_column / block_side;
-    return static_cast<std::size_t>(number);
+  [[nodiscard]] int block_at(int quad_row, int quad_column) const {
+    return quad_row / block_side * block_columns_ + quad_column / block_side;
   }
   [[nodiscard]] BlockFeatures features_of(int leaf) const;
 
+  [[nodiscard]] PackedBox packed(MovingBox range) const;
   void pack(std::span<const MovingBox> ranges);
   void measure_edges(std::span<const MovingBox> ranges);
   [[nodiscard]] Tangents tangents_of_block(std::span<const MovingBox> ranges, int block_row,
@@ -97,9 +96,7 @@ class PatchTree {
   void refit_patch(int patch);
   [[nodiscard]] bool is_flat(const Tangents& tangents) const;
   [[nodiscard]] bool lie_flat(const PatchPair& pair) const;
-  [[nodiscard]] bool is_looked_at(int patch) const {
-    return looked_at_[static_cast<std::size_t>(patch)] != 0;
-  }
+  [[nodiscard]] bool is_looked_at(int patch) const { return looked_at_[patch] != 0; }
   [[nodiscard]] bool can_meet(const PatchPair& pair) const;
   void split(const PatchPair& pair, std::vector<PatchPair>& next) const;
   void list(const PatchPair& pair, std::vector<FeaturePair>& found) const;

@@ -18,7 +18,7 @@ namespace ribbon {
 // boxes by union and curvatures by bitwise and. A curvature has one bit for each of 14 directions:
 // set while every normal of the region points that way. While one bit is left the region is too
 // flat to meet itself.
-class Hierarchy {
+class TriangleBvh {
  public:
   // What spares a pair of regions of one surface: `curvature_and_boxes` as published, or `boxes`
   // alone. Curvature spares much, but is blind to a band that lies flat over itself: its normals
@@ -27,7 +27,7 @@ class Hierarchy {
   enum class Spare { curvature_and_boxes, boxes };
 
   // positions: 3 x at least all vertices that the surface uses; measures the contours.
-  Hierarchy(const CollisionSurface& surface, const Eigen::Matrix3Xd& positions);
+  TriangleBvh(const CollisionSurface& surface, const Eigen::Matrix3Xd& positions);
 
   // Boxes over the ranges of the vertices (one box for each vertex that the surface uses), grown by
   // margin_m on every side. Forgets the curvatures.
@@ -41,18 +41,16 @@ class Hierarchy {
   [[nodiscard]] std::vector<CandidatePair> pairs_within(Spare spare) const;
 
   // Pairs (triangle of this surface, triangle of `other`) whose boxes meet.
-  [[nodiscard]] std::vector<CandidatePair> pairs_with(const Hierarchy& other) const;
+  [[nodiscard]] std::vector<CandidatePair> pairs_with(const TriangleBvh& other) const;
 
   // The nodes, for who walks this tree against another: a leaf's number is its triangle's.
   [[nodiscard]] int node_count() const { return static_cast<int>(boxes_.size()); }
   [[nodiscard]] int root() const { return node_count() - 1; }
   [[nodiscard]] bool is_leaf(int node) const { return node < triangles_.cols(); }
-  [[nodiscard]] const MovingBox& box(int node) const {
-    return boxes_[static_cast<std::size_t>(node)];
-  }
+  [[nodiscard]] const MovingBox& box(int node) const { return boxes_[node]; }
   [[nodiscard]] std::span<const int> children(int node) const {
-    const auto first = static_cast<std::size_t>(first_child_[static_cast<std::size_t>(node)]);
-    const auto last = static_cast<std::size_t>(first_child_[static_cast<std::size_t>(node) + 1]);
+    const int first = first_child_[node];
+    const int last = first_child_[node + 1];
     return std::span(children_).subspan(first, last - first);
   }
 
@@ -68,7 +66,7 @@ class Hierarchy {
   void descend(const NodePair& pair, std::vector<NodePair>& next) const;
   template <class Node, class Join>
   void refit_inner(std::vector<Node>& nodes, const Join& join) const;
-  static void descend(const Hierarchy& first, const Hierarchy& second, const NodePair& pair,
+  static void descend(const TriangleBvh& first, const TriangleBvh& second, const NodePair& pair,
                       std::vector<NodePair>& next);
 
   Eigen::Matrix3Xi triangles_;

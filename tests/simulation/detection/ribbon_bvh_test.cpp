@@ -1,4 +1,4 @@
-#include "simulation/detection/patch_tree.h"
+#include "simulation/detection/ribbon_bvh.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 #include "simulation/detection/vertex_ranges.h"
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon::patch_tree_test {
+namespace ribbon::ribbon_bvh_test {
 
 using Eigen::Matrix3Xd;
 using Kind = FeaturePair::Kind;
@@ -39,19 +39,19 @@ Matrix3Xd turned(const Matrix3Xd& x) {
 }
 
 std::vector<FeaturePair> pairs(const RibbonGrid& grid, const Matrix3Xd& t0, const Matrix3Xd& t1) {
-  PatchTree tree(grid);
+  RibbonBvh tree(grid);
   tree.refit(vertex_ranges(t0, t1), reach_m);
   return tree.pairs_within();
 }
 
-TEST(PatchTree, a_flat_ribbon_has_no_pairs_to_test_however_it_lies_and_flies) {
+TEST(RibbonBvh, a_flat_ribbon_has_no_pairs_to_test_however_it_lies_and_flies) {
   const RibbonGrid grid{60, 6};
   const Matrix3Xd flat = turned(flat_ribbon(grid));
   EXPECT_TRUE(pairs(grid, flat, flat).empty());
   EXPECT_TRUE(pairs(grid, flat, flat.colwise() + Eigen::Vector3d(7, -5, 9)).empty());
 }
 
-TEST(PatchTree, a_gentle_bend_has_none_but_the_two_ends_of_a_ring_have_some) {
+TEST(RibbonBvh, a_gentle_bend_has_none_but_the_two_ends_of_a_ring_have_some) {
   const RibbonGrid grid{60, 6};
   const double closed = 60 / (2 * std::numbers::pi);
   EXPECT_TRUE(
@@ -62,7 +62,7 @@ TEST(PatchTree, a_gentle_bend_has_none_but_the_two_ends_of_a_ring_have_some) {
 }
 
 // The band that curvature by normals alone overlooks: one direction, two layers.
-TEST(PatchTree, sees_a_band_that_lies_flat_over_itself) {
+TEST(RibbonBvh, sees_a_band_that_lies_flat_over_itself) {
   const RibbonGrid grid{81, 5};
   Matrix3Xd x(3, grid.particle_count());
   for (int p = 0; p < grid.particle_count(); ++p) {
@@ -121,7 +121,7 @@ double smallest_distance_m(const FeaturePair& pair, const Matrix3Xd& t0, const M
 }
 
 // From flat over wrinkled to crumpled, still and moving: what comes within reach is listed.
-TEST(PatchTree, spares_only_what_stays_apart) {
+TEST(RibbonBvh, spares_only_what_stays_apart) {
   const RibbonGrid grid{19, 6};
   const std::vector<FeaturePair> all = all_pairs(grid);
   std::mt19937 random(9);
@@ -149,10 +149,10 @@ TEST(PatchTree, spares_only_what_stays_apart) {
 }
 
 // A range with room makes flatness harder to prove.
-TEST(PatchTree, room_in_the_ranges_counts) {
+TEST(RibbonBvh, room_in_the_ranges_counts) {
   const RibbonGrid grid{30, 5};
   const Matrix3Xd flat = turned(flat_ribbon(grid));
-  PatchTree tree(grid);
+  RibbonBvh tree(grid);
   for (const double room_m : {0.05, 0.5}) {
     std::vector<MovingBox> ranges = vertex_ranges(flat, flat);
     for (MovingBox& range : ranges) range.end.grow(room_m);
@@ -161,16 +161,16 @@ TEST(PatchTree, room_in_the_ranges_counts) {
   }
 }
 
-TEST(PatchTree, lists_what_of_an_obstacle_comes_close) {
+TEST(RibbonBvh, lists_what_of_an_obstacle_comes_close) {
   const RibbonGrid grid{30, 5};
   OverFloor planted = ribbon_over_floor(grid, -1);
   const ObstacleBody& floor = *planted.bodies.obstacle;
   Matrix3Xd t1 = planted.positions;
   for (const double sink_m : {0.7, 0.9}) {
-    t1.row(1).leftCols(grid.particle_count()).setConstant(-sink_m);
-    PatchTree tree(grid);
+    t1.row(1).setConstant(-sink_m);
+    RibbonBvh tree(grid);
     tree.refit(vertex_ranges(planted.positions, t1), reach_m);
-    const auto found = tree.pairs_with(floor.surface, floor.hierarchy);
+    const auto found = tree.pairs_with(floor.surface, floor.bvh, floor.vertices);
     std::set<int> particles;
     for (const FeaturePair& pair : found)
       if (pair.kind == Kind::vertex_triangle) particles.insert(pair.vertices[0]);
@@ -179,7 +179,7 @@ TEST(PatchTree, lists_what_of_an_obstacle_comes_close) {
   }
 }
 
-TEST(PatchTree, gives_the_same_pairs_in_the_same_order_for_any_number_of_threads) {
+TEST(RibbonBvh, gives_the_same_pairs_in_the_same_order_for_any_number_of_threads) {
   const RibbonGrid grid{200, 9};
   const Matrix3Xd x = rolled(grid, 9);
   std::vector<std::vector<FeaturePair>> answers;
@@ -196,4 +196,4 @@ TEST(PatchTree, gives_the_same_pairs_in_the_same_order_for_any_number_of_threads
   }
 }
 
-}  // namespace ribbon::patch_tree_test
+}  // namespace ribbon::ribbon_bvh_test

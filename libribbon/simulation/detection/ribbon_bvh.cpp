@@ -1,10 +1,10 @@
-#include "simulation/detection/patch_tree.h"
+#include "simulation/detection/ribbon_bvh.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "parallel/parallel.h"
-#include "simulation/detection/tree_walk.h"
+#include "simulation/detection/bvh_walk.h"
 
 namespace ribbon {
 
@@ -50,13 +50,13 @@ double least_stretch(const Box& along, double along_m, const Box& across, double
 
 }  // namespace
 
-void PatchTree::Tangents::include(const Tangents& other) {
+void RibbonBvh::Tangents::include(const Tangents& other) {
   along.include(other.along);
   across.include(other.across);
   freedom_m = std::max(freedom_m, other.freedom_m);
 }
 
-PatchTree::PatchTree(const RibbonGrid& grid)
+RibbonBvh::RibbonBvh(const RibbonGrid& grid)
     : grid_(grid),
       block_rows_((grid.along - 1 + block_side - 1) / block_side),
       block_columns_((grid.across - 1 + block_side - 1) / block_side) {
@@ -71,7 +71,7 @@ PatchTree::PatchTree(const RibbonGrid& grid)
 }
 
 // Returns the patch's number. The longer side is halved.
-int PatchTree::build(Patch patch) {
+int RibbonBvh::build(Patch patch) {
   if (patch.blocks() > 1) {
     Patch first = patch;
     Patch second = patch;
@@ -88,9 +88,9 @@ int PatchTree::build(Patch patch) {
 
 // Children come before their parents, so the patches of a branch follow each other. Branches can be
 // refitted side by side.
-void PatchTree::share_out() {
+void RibbonBvh::share_out() {
   std::vector<int> sizes(patches_.size(), 1);
-  const auto size = [&](int patch) -> int& { return sizes[static_cast<std::size_t>(patch)]; };
+  const auto size = [&](int patch) -> int& { return sizes[patch]; };
   for (int patch = 0; patch <= root(); ++patch)
     if (!at(patch).is_leaf())
       size(patch) += size(at(patch).first_child) + size(at(patch).second_child);
@@ -107,11 +107,9 @@ void PatchTree::share_out() {
 }
 
 // The yardstick of flatness: any would do, this one lets most patches pass.
-void PatchTree::measure_edges(std::span<const MovingBox> ranges) {
+void RibbonBvh::measure_edges(std::span<const MovingBox> ranges) {
   const auto length_m = [&](int a, int b) {
-    return (ranges[static_cast<std::size_t>(b)].start.low -
-            ranges[static_cast<std::size_t>(a)].start.low)
-        .norm();
+    return (ranges[b].start.low - ranges[a].start.low).norm();
   };
   double along_m = 0;
   double across_m = 0;
@@ -124,16 +122,16 @@ void PatchTree::measure_edges(std::span<const MovingBox> ranges) {
   across_m_ = across_m / (static_cast<double>(grid_.across - 1) * grid_.along);
 }
 
-BlockFeatures PatchTree::features_of(int leaf) const {
+BlockFeatures RibbonBvh::features_of(int leaf) const {
   return {grid_, at(leaf).first_row, at(leaf).first_column, vertices_};
 }
 
-PatchTree::Tangents PatchTree::tangents_of_block(std::span<const MovingBox> ranges, int block_row,
+RibbonBvh::Tangents RibbonBvh::tangents_of_block(std::span<const MovingBox> ranges, int block_row,
                                                  int block_column) const {
   const int last_row = std::min(grid_.along - 1, block_side * (block_row + 1));
   const int last_column = std::min(grid_.across - 1, block_side * (block_column + 1));
   const auto range = [&](int row, int column) -> const MovingBox& {
-    return ranges[static_cast<std::size_t>(grid_.particle(row, column))];
+    return ranges[grid_.particle(row, column)];
   };
   const int first_row = block_side * block_row;
   const int first_column = block_side * block_column;
@@ -151,17 +149,15 @@ PatchTree::Tangents PatchTree::tangents_of_block(std::span<const MovingBox> rang
 }
 
 // Of every block with what surrounds it: first beside it in its row, then over the rows.
-void PatchTree::refit_blocks(std::span<const MovingBox> ranges) {
+void RibbonBvh::refit_blocks(std::span<const MovingBox> ranges) {
   const auto at_block = [this](std::vector<Tangents>& of, int row, int column) -> Tangents& {
     const int block_number = row * block_columns_ + column;
-    return of[static_cast<std::size_t>(block_number)];
+    return of[block_number];
   };
   const auto for_rows = [this](const auto& body) {
-    parallel_ranges(static_cast<std::size_t>(block_rows_), 32,
-                    [&](std::size_t begin, std::size_t end) {
-                      for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
-                        body(row);
-                    });
+    parallel_ranges(block_rows_, 32, [&](std::size_t begin, std::size_t end) {
+      for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row) body(row);
+    });
   };
   for_rows([&](int row) {
     for (int column = 0; column < block_columns_; ++column)
@@ -185,24 +181,26 @@ void PatchTree::refit_blocks(std::span<const MovingBox> ranges) {
   });
 }
 
-// About the first particle, near which the others are.
-void PatchTree::pack(std::span<const MovingBox> ranges) {
+// Grown by half the reach, about the first particle, near which the others are.
+PackedBox RibbonBvh::packed(MovingBox range) const {
+  range.grow(reach_m_ / 2);
+  return PackedBox::around(range, origin_);
+}
+
+void RibbonBvh::pack(std::span<const MovingBox> ranges) {
   origin_ = ranges.front().start.low;
   vertices_.resize(ranges.size());
   parallel_ranges(ranges.size(), 2048, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t vertex = begin; vertex < end; ++vertex) {
-      MovingBox grown = ranges[vertex];
-      grown.grow(reach_m_ / 2);
-      vertices_[vertex] = PackedBox::around(grown, origin_);
-    }
+    for (std::size_t vertex = begin; vertex < end; ++vertex)
+      vertices_[vertex] = packed(ranges[vertex]);
   });
 }
 
-PackedBox PatchTree::box_of_leaf(int leaf) const {
+PackedBox RibbonBvh::box_of_leaf(int leaf) const {
   const int end_row = std::min(grid_.along - 1, block_side * at(leaf).end_row);
   const int end_column = std::min(grid_.across - 1, block_side * at(leaf).end_column);
   const auto vertex = [&](int row, int column) -> const PackedBox& {
-    return vertices_[static_cast<std::size_t>(grid_.particle(row, column))];
+    return vertices_[grid_.particle(row, column)];
   };
   PackedBox box = vertex(end_row, end_column);
   for (int row = block_side * at(leaf).first_row; row <= end_row; ++row)
@@ -211,14 +209,14 @@ PackedBox PatchTree::box_of_leaf(int leaf) const {
   return box;
 }
 
-void PatchTree::refit_patch(int patch) {
-  const auto index = static_cast<std::size_t>(patch);
+void RibbonBvh::refit_patch(int patch) {
+  const int index = patch;
   if (at(patch).is_leaf()) {
-    tangents_[index] = blocks_[static_cast<std::size_t>(block_of(patch))];
+    tangents_[index] = blocks_[block_of(patch)];
     boxes_[index] = box_of_leaf(patch);
   } else {
-    const auto first = static_cast<std::size_t>(at(patch).first_child);
-    const auto second = static_cast<std::size_t>(at(patch).second_child);
+    const int first = at(patch).first_child;
+    const int second = at(patch).second_child;
     tangents_[index] = tangents_[first];
     tangents_[index].include(tangents_[second]);
     boxes_[index] = boxes_[first];
@@ -228,7 +226,7 @@ void PatchTree::refit_patch(int patch) {
   looked_at_[index] = 1;
 }
 
-void PatchTree::refit(std::span<const MovingBox> ranges, double reach_m) {
+void RibbonBvh::refit(std::span<const MovingBox> ranges, double reach_m) {
   reach_m_ = reach_m;
   pack(ranges);
   measure_edges(ranges);
@@ -244,7 +242,7 @@ void PatchTree::refit(std::span<const MovingBox> ranges, double reach_m) {
 }
 
 // A particle on the border of a block belongs to its neighbours as well.
-void PatchTree::look_only_at(std::span<const int> particles) {
+void RibbonBvh::look_only_at(std::span<const int> particles) {
   std::vector<char> blocks(blocks_.size(), 0);
   for (const int particle : particles) {
     const int row = grid_.row(particle);
@@ -255,15 +253,14 @@ void PatchTree::look_only_at(std::span<const int> particles) {
           blocks[block_at(i, j)] = 1;
   }
   for (int patch = 0; patch <= root(); ++patch) {
-    const bool is_looked =
-        at(patch).is_leaf()
-            ? blocks[static_cast<std::size_t>(block_of(patch))] != 0
-            : is_looked_at(at(patch).first_child) || is_looked_at(at(patch).second_child);
-    looked_at_[static_cast<std::size_t>(patch)] = is_looked ? 1 : 0;
+    const bool is_looked = at(patch).is_leaf() ? blocks[block_of(patch)] != 0
+                                               : is_looked_at(at(patch).first_child) ||
+                                                     is_looked_at(at(patch).second_child);
+    looked_at_[patch] = is_looked ? 1 : 0;
   }
 }
 
-bool PatchTree::is_flat(const Tangents& tangents) const {
+bool RibbonBvh::is_flat(const Tangents& tangents) const {
   const Vector3d along = middle(tangents.along.start) + middle(tangents.along.end);
   const Vector3d across = middle(tangents.across.start) + middle(tangents.across.end);
   const Vector3d u = along.normalized();
@@ -277,8 +274,8 @@ bool PatchTree::is_flat(const Tangents& tangents) const {
   return flatness * apart_m > reach_m_ + 2 * tangents.freedom_m;
 }
 
-bool PatchTree::lie_flat(const PatchPair& pair) const {
-  if (pair.a == pair.b) return flat_[static_cast<std::size_t>(pair.a)] != 0;
+bool RibbonBvh::lie_flat(const PatchPair& pair) const {
+  if (pair.a == pair.b) return flat_[pair.a] != 0;
   const Patch& a = at(pair.a);
   const Patch& b = at(pair.b);
   const auto surrounds = [](const Patch& outer, const Patch& inner) {
@@ -287,27 +284,25 @@ bool PatchTree::lie_flat(const PatchPair& pair) const {
            outer.first_column - surrounding <= inner.first_column &&
            inner.end_column <= outer.end_column + surrounding;
   };
-  if (flat_[static_cast<std::size_t>(pair.a)] != 0 && surrounds(a, b)) return true;
-  if (flat_[static_cast<std::size_t>(pair.b)] != 0 && surrounds(b, a)) return true;
+  if (flat_[pair.a] != 0 && surrounds(a, b)) return true;
+  if (flat_[pair.b] != 0 && surrounds(b, a)) return true;
   const bool one_after_another = a.first_column == b.first_column && a.end_column == b.end_column &&
                                  (a.end_row == b.first_row || b.end_row == a.first_row);
   const bool side_by_side = a.first_row == b.first_row && a.end_row == b.end_row &&
                             (a.end_column == b.first_column || b.end_column == a.first_column);
   if (!one_after_another && !side_by_side) return false;
-  Tangents both = tangents_[static_cast<std::size_t>(pair.a)];
-  both.include(tangents_[static_cast<std::size_t>(pair.b)]);
+  Tangents both = tangents_[pair.a];
+  both.include(tangents_[pair.b]);
   return is_flat(both);
 }
 
-bool PatchTree::can_meet(const PatchPair& pair) const {
+bool RibbonBvh::can_meet(const PatchPair& pair) const {
   if (!is_looked_at(pair.a) && !is_looked_at(pair.b)) return false;
-  if (pair.a != pair.b &&
-      !boxes_[static_cast<std::size_t>(pair.a)].meets(boxes_[static_cast<std::size_t>(pair.b)]))
-    return false;
+  if (pair.a != pair.b && !boxes_[pair.a].meets(boxes_[pair.b])) return false;
   return !lie_flat(pair);
 }
 
-void PatchTree::split(const PatchPair& pair, std::vector<PatchPair>& next) const {
+void RibbonBvh::split(const PatchPair& pair, std::vector<PatchPair>& next) const {
   const Patch& a = at(pair.a);
   if (pair.a == pair.b) {
     next.insert(next.end(), {{a.first_child, a.first_child},
@@ -322,7 +317,7 @@ void PatchTree::split(const PatchPair& pair, std::vector<PatchPair>& next) const
     next.insert(next.end(), {{pair.a, b.first_child}, {pair.a, b.second_child}});
 }
 
-void PatchTree::list(const PatchPair& pair, std::vector<FeaturePair>& found) const {
+void RibbonBvh::list(const PatchPair& pair, std::vector<FeaturePair>& found) const {
   const BlockFeatures of_a = features_of(pair.a);
   if (pair.a == pair.b)
     of_a.list_within(found);
@@ -330,7 +325,7 @@ void PatchTree::list(const PatchPair& pair, std::vector<FeaturePair>& found) con
     of_a.list_between(features_of(pair.b), found);
 }
 
-std::vector<FeaturePair> PatchTree::pairs_within() const {
+std::vector<FeaturePair> RibbonBvh::pairs_within() const {
   return walk<FeaturePair>(
       PatchPair{root(), root()},
       [&](const PatchPair& pair, std::vector<PatchPair>& next, std::vector<FeaturePair>& found) {
@@ -342,8 +337,9 @@ std::vector<FeaturePair> PatchTree::pairs_within() const {
       });
 }
 
-std::vector<FeaturePair> PatchTree::pairs_with(const CollisionSurface& surface,
-                                               const Hierarchy& hierarchy) const {
+std::vector<FeaturePair> RibbonBvh::pairs_with(const CollisionSurface& obstacle,
+                                               const TriangleBvh& bvh,
+                                               const Eigen::Matrix3Xd& vertices) const {
   struct Pair {
     int patch = 0;
     int node = 0;
@@ -352,23 +348,28 @@ std::vector<FeaturePair> PatchTree::pairs_with(const CollisionSurface& surface,
     return (box.start_high - box.start_low).square().sum() +
            (box.end_high - box.end_low).square().sum();
   };
-  return walk<FeaturePair>(Pair{root(), hierarchy.root()}, [&](const Pair& pair,
-                                                               std::vector<Pair>& next,
-                                                               std::vector<FeaturePair>& found) {
+  const auto box_of_corner = [&](int triangle, int corner) {
+    const Box at = Box::around(vertices.col(obstacle.triangles(corner, triangle)));
+    return packed({at, at});
+  };
+  return walk<FeaturePair>(Pair{root(), bvh.root()}, [&](const Pair& pair, std::vector<Pair>& next,
+                                                         std::vector<FeaturePair>& found) {
     if (!is_looked_at(pair.patch)) return;
-    const PackedBox& box = boxes_[static_cast<std::size_t>(pair.patch)];
-    MovingBox grown = hierarchy.box(pair.node);
-    grown.grow(reach_m_ / 2);
-    const PackedBox other = PackedBox::around(grown, origin_);
+    const PackedBox& box = boxes_[pair.patch];
+    const PackedBox other = packed(bvh.box(pair.node));
     if (!box.meets(other)) return;
     const Patch& patch = at(pair.patch);
-    const bool node_is_leaf = hierarchy.is_leaf(pair.node);
+    const bool node_is_leaf = bvh.is_leaf(pair.node);
     if (patch.is_leaf() && node_is_leaf) {
-      features_of(pair.patch).list_with(surface, pair.node, vertices_, found);
+      features_of(pair.patch)
+          .list_with(obstacle, grid_.particle_count(), pair.node,
+                     {box_of_corner(pair.node, 0), box_of_corner(pair.node, 1),
+                      box_of_corner(pair.node, 2)},
+                     found);
     } else if (!patch.is_leaf() && (node_is_leaf || size(box) >= size(other))) {
       next.insert(next.end(), {{patch.first_child, pair.node}, {patch.second_child, pair.node}});
     } else {
-      for (const int child : hierarchy.children(pair.node)) next.push_back({pair.patch, child});
+      for (const int child : bvh.children(pair.node)) next.push_back({pair.patch, child});
     }
   });
 }

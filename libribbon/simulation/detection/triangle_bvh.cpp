@@ -1,4 +1,4 @@
-#include "simulation/detection/hierarchy.h"
+#include "simulation/detection/triangle_bvh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "simulation/detection/tree_walk.h"
+#include "simulation/detection/bvh_walk.h"
 #include "simulation/detection/vertex_ranges.h"
 
 namespace ribbon {
@@ -34,8 +34,8 @@ struct Rank {
   std::vector<Neighbour> neighbours;  // of all regions one after the other, by number in each
 
   [[nodiscard]] std::span<const Neighbour> neighbours_of(int region) const {
-    const auto begin = static_cast<std::size_t>(first[static_cast<std::size_t>(region)]);
-    const auto end = static_cast<std::size_t>(first[static_cast<std::size_t>(region) + 1]);
+    const int begin = first[region];
+    const int end = first[region + 1];
     return std::span(neighbours).subspan(begin, end - begin);
   }
 };
@@ -57,7 +57,7 @@ void set_neighbours(std::vector<SharedPiece> pieces, Rank& rank) {
   for (const SharedPiece& piece : pieces) {
     if (last == nullptr || last->region != piece.region || last->other != piece.other) {
       rank.neighbours.push_back({piece.other, 0});
-      ++rank.first[static_cast<std::size_t>(piece.region) + 1];
+      ++rank.first[piece.region + 1];
     }
     rank.neighbours.back().shared_m += piece.length_m;
     last = &piece;
@@ -76,19 +76,17 @@ double shared_m(const Rank& rank, int a, int b) {
 struct TrianglesAtEdges {
   explicit TrianglesAtEdges(const CollisionSurface& surface) : first(surface.edges.size() + 1, 0) {
     for (const auto& edges : surface.triangle_edges)
-      for (const int edge : edges) ++first[static_cast<std::size_t>(edge) + 1];
+      for (const int edge : edges) ++first[edge + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
-    triangles.resize(static_cast<std::size_t>(first.back()));
+    triangles.resize(first.back());
     std::vector<int> next = first;
     for (std::size_t t = 0; t < surface.triangle_edges.size(); ++t)
       for (const int edge : surface.triangle_edges[t])
-        triangles[static_cast<std::size_t>(next[static_cast<std::size_t>(edge)]++)] =
-            static_cast<int>(t);
+        triangles[next[edge]++] = static_cast<int>(t);
   }
 
   [[nodiscard]] std::span<const int> at(std::size_t edge) const {
-    return std::span(triangles).subspan(static_cast<std::size_t>(first[edge]),
-                                        static_cast<std::size_t>(first[edge + 1] - first[edge]));
+    return std::span(triangles).subspan(first[edge], first[edge + 1] - first[edge]);
   }
 
   std::vector<int> first;
@@ -97,7 +95,7 @@ struct TrianglesAtEdges {
 
 Rank triangle_rank(const CollisionSurface& surface, const Matrix3Xd& positions) {
   Rank rank;
-  const auto count = static_cast<std::size_t>(surface.triangles.cols());
+  const auto count = surface.triangles.cols();
   rank.contours_m.assign(count, 0);
   rank.nodes.resize(count);
   std::iota(rank.nodes.begin(), rank.nodes.end(), 0);
@@ -107,7 +105,7 @@ Rank triangle_rank(const CollisionSurface& surface, const Matrix3Xd& positions) 
     const auto [a, b] = surface.edges[e];
     const double length_m = (positions.col(b) - positions.col(a)).norm();
     for (const int t : triangles.at(e)) {
-      rank.contours_m[static_cast<std::size_t>(t)] += length_m;
+      rank.contours_m[t] += length_m;
       for (const int other : triangles.at(e))
         if (other != t) pieces.push_back({t, other, length_m});
     }
@@ -118,10 +116,8 @@ Rank triangle_rank(const CollisionSurface& surface, const Matrix3Xd& positions) 
 
 // The best partners for region r among the regions that are still free: none, one or two.
 std::vector<int> best_partners(const Rank& rank, const std::vector<int>& group_of, int r) {
-  const auto is_free = [&](int region) { return group_of[static_cast<std::size_t>(region)] < 0; };
-  const auto contour_m = [&](int region) {
-    return rank.contours_m[static_cast<std::size_t>(region)];
-  };
+  const auto is_free = [&](int region) { return group_of[region] < 0; };
+  const auto contour_m = [&](int region) { return rank.contours_m[region]; };
   std::vector<int> best;
   double best_m = std::numeric_limits<double>::infinity();
   for (const auto& [a, ra_m] : rank.neighbours_of(r)) {
@@ -153,7 +149,7 @@ int grouped(const Rank& rank, std::vector<int>& group_of) {
   group_of.assign(rank.nodes.size(), -1);
   int groups = 0;
   for (int r = 0; r < count; ++r) {
-    if (group_of[static_cast<std::size_t>(r)] >= 0) continue;
+    if (group_of[r] >= 0) continue;
     const std::vector<int> partners = best_partners(rank, group_of, r);
     if (partners.empty()) {
       // All neighbours are taken: join the one with the longest shared outline.
@@ -165,12 +161,12 @@ int grouped(const Rank& rank, std::vector<int>& group_of) {
           best_m = shared;
         }
       if (best >= 0) {
-        group_of[static_cast<std::size_t>(r)] = group_of[static_cast<std::size_t>(best)];
+        group_of[r] = group_of[best];
         continue;
       }
     }
-    group_of[static_cast<std::size_t>(r)] = groups;
-    for (const int partner : partners) group_of[static_cast<std::size_t>(partner)] = groups;
+    group_of[r] = groups;
+    for (const int partner : partners) group_of[partner] = groups;
     ++groups;
   }
   return groups;
@@ -178,13 +174,13 @@ int grouped(const Rank& rank, std::vector<int>& group_of) {
 
 Rank next_rank(const Rank& rank, const std::vector<int>& group_of, int groups) {
   Rank next;
-  next.contours_m.assign(static_cast<std::size_t>(groups), 0);
+  next.contours_m.assign(groups, 0);
   std::vector<SharedPiece> pieces;
   for (std::size_t r = 0; r < rank.nodes.size(); ++r) {
-    const auto group = static_cast<std::size_t>(group_of[r]);
+    const int group = group_of[r];
     next.contours_m[group] += rank.contours_m[r];
     for (const auto& [other, shared] : rank.neighbours_of(static_cast<int>(r))) {
-      const int other_group = group_of[static_cast<std::size_t>(other)];
+      const int other_group = group_of[other];
       if (other_group == group_of[r])
         next.contours_m[group] -= shared;
       else
@@ -244,7 +240,7 @@ Vector3d normal(const Matrix3Xd& positions, const Eigen::Vector3i& triangle) {
 
 }  // namespace
 
-Hierarchy::Hierarchy(const CollisionSurface& surface, const Matrix3Xd& positions)
+TriangleBvh::TriangleBvh(const CollisionSurface& surface, const Matrix3Xd& positions)
     : triangles_(surface.triangles) {
   assert(triangles_.cols() > 0);
   Rank rank = triangle_rank(surface, positions);
@@ -260,9 +256,9 @@ Hierarchy::Hierarchy(const CollisionSurface& surface, const Matrix3Xd& positions
       groups = (groups + 1) / 2;
       for (std::size_t r = 0; r < group_of.size(); ++r) group_of[r] = static_cast<int>(r / 2);
     }
-    std::vector<std::vector<int>> members(static_cast<std::size_t>(groups));
+    std::vector<std::vector<int>> members(groups);
     for (std::size_t r = 0; r < rank.nodes.size(); ++r)
-      members[static_cast<std::size_t>(group_of[r])].push_back(rank.nodes[r]);
+      members[group_of[r]].push_back(rank.nodes[r]);
     Rank next = next_rank(rank, group_of, groups);
     for (const auto& children : members) {
       next.nodes.push_back(static_cast<int>(first_child_.size()) - 1);
@@ -274,14 +270,14 @@ Hierarchy::Hierarchy(const CollisionSurface& surface, const Matrix3Xd& positions
   const std::size_t nodes = first_child_.size() - 1;
   boxes_.resize(nodes);
 
-  measure_borders(static_cast<std::size_t>(positions.cols()));
+  measure_borders(positions.cols());
   refit(vertex_ranges(positions, positions), 0);
 }
 
 // A vertex lies on a region's border while a triangle outside the region uses it.
-void Hierarchy::measure_borders(std::size_t vertices) {
+void TriangleBvh::measure_borders(std::size_t vertices) {
   std::vector<int> uses(vertices, 0);
-  for (const int vertex : triangles_.reshaped()) ++uses[static_cast<std::size_t>(vertex)];
+  for (const int vertex : triangles_.reshaped()) ++uses[vertex];
   std::vector<int> counts;  // of what is in border_: how many triangles of the region use it
   std::vector<Use> within;
   first_border_.push_back(0);
@@ -291,13 +287,12 @@ void Hierarchy::measure_borders(std::size_t vertices) {
       for (const int vertex : triangles_.col(node)) within.push_back({vertex, 1});
     } else {
       for (const int child : children(node))
-        for (auto i = static_cast<std::size_t>(first_border_[static_cast<std::size_t>(child)]);
-             i < static_cast<std::size_t>(first_border_[static_cast<std::size_t>(child) + 1]); ++i)
+        for (int i = first_border_[child]; i < first_border_[child + 1]; ++i)
           within.push_back({border_[i], counts[i]});
     }
     join(within);
     for (const Use& use : within) {
-      if (use.count == uses[static_cast<std::size_t>(use.vertex)]) continue;
+      if (use.count == uses[use.vertex]) continue;
       border_.push_back(use.vertex);
       counts.push_back(use.count);
     }
@@ -308,23 +303,22 @@ void Hierarchy::measure_borders(std::size_t vertices) {
 
 // Bottom-up: each inner node joins its children.
 template <class Node, class Join>
-void Hierarchy::refit_inner(std::vector<Node>& nodes, const Join& join) const {
+void TriangleBvh::refit_inner(std::vector<Node>& nodes, const Join& join) const {
   for (auto node = static_cast<std::size_t>(triangles_.cols()); node < nodes.size(); ++node) {
-    const auto first = static_cast<std::size_t>(first_child_[node]);
-    const auto last = static_cast<std::size_t>(first_child_[node + 1]);
-    Node joined = nodes[static_cast<std::size_t>(children_[first])];
-    for (std::size_t c = first + 1; c < last; ++c)
-      join(joined, nodes[static_cast<std::size_t>(children_[c])]);
+    const int first = first_child_[node];
+    const int last = first_child_[node + 1];
+    Node joined = nodes[children_[first]];
+    for (int c = first + 1; c < last; ++c) join(joined, nodes[children_[c]]);
     nodes[node] = joined;
   }
 }
 
-void Hierarchy::refit(std::span<const MovingBox> ranges, double margin_m) {
-  for (std::size_t leaf = 0; leaf < static_cast<std::size_t>(triangles_.cols()); ++leaf) {
-    const Eigen::Vector3i triangle = triangles_.col(static_cast<Eigen::Index>(leaf));
-    MovingBox box = ranges[static_cast<std::size_t>(triangle[0])];
-    box.include(ranges[static_cast<std::size_t>(triangle[1])]);
-    box.include(ranges[static_cast<std::size_t>(triangle[2])]);
+void TriangleBvh::refit(std::span<const MovingBox> ranges, double margin_m) {
+  for (Eigen::Index leaf = 0; leaf < triangles_.cols(); ++leaf) {
+    const Eigen::Vector3i triangle = triangles_.col(leaf);
+    MovingBox box = ranges[triangle[0]];
+    box.include(ranges[triangle[1]]);
+    box.include(ranges[triangle[2]]);
     box.grow(margin_m);
     boxes_[leaf] = box;
   }
@@ -332,10 +326,10 @@ void Hierarchy::refit(std::span<const MovingBox> ranges, double margin_m) {
   curvatures_.clear();
 }
 
-void Hierarchy::refit_curvatures(const Matrix3Xd& t0, const Matrix3Xd& t1) {
+void TriangleBvh::refit_curvatures(const Matrix3Xd& t0, const Matrix3Xd& t1) {
   curvatures_.resize(boxes_.size());
-  for (std::size_t leaf = 0; leaf < static_cast<std::size_t>(triangles_.cols()); ++leaf) {
-    const Eigen::Vector3i triangle = triangles_.col(static_cast<Eigen::Index>(leaf));
+  for (Eigen::Index leaf = 0; leaf < triangles_.cols(); ++leaf) {
+    const Eigen::Vector3i triangle = triangles_.col(leaf);
     curvatures_[leaf] = directions_of(normal(t0, triangle)) & directions_of(normal(t1, triangle));
   }
   refit_inner(curvatures_, [](std::uint32_t& bits, std::uint32_t child) { bits &= child; });
@@ -344,10 +338,10 @@ void Hierarchy::refit_curvatures(const Matrix3Xd& t0, const Matrix3Xd& t1) {
     curvatures_[node] = 0;
 }
 
-bool Hierarchy::adjacent(int a, int b) const {
+bool TriangleBvh::adjacent(int a, int b) const {
   const auto border = [&](int node) {
-    return std::pair{border_.begin() + first_border_[static_cast<std::size_t>(node)],
-                     border_.begin() + first_border_[static_cast<std::size_t>(node) + 1]};
+    return std::pair{border_.begin() + first_border_[node],
+                     border_.begin() + first_border_[node + 1]};
   };
   auto [i, i_end] = border(a);
   auto [j, j_end] = border(b);
@@ -358,47 +352,43 @@ bool Hierarchy::adjacent(int a, int b) const {
   return false;
 }
 
-bool Hierarchy::can_meet(const NodePair& pair, Spare spare) const {
+bool TriangleBvh::can_meet(const NodePair& pair, Spare spare) const {
   assert(spare == Spare::boxes || curvatures_.size() == boxes_.size());
   const bool by_curvature =
-      spare == Spare::curvature_and_boxes && (curvatures_[static_cast<std::size_t>(pair.a)] &
-                                              curvatures_[static_cast<std::size_t>(pair.b)]) != 0;
+      spare == Spare::curvature_and_boxes && (curvatures_[pair.a] & curvatures_[pair.b]) != 0;
   if (pair.a == pair.b) return !by_curvature && !is_leaf(pair.a);
-  if (!boxes_[static_cast<std::size_t>(pair.a)].meets(boxes_[static_cast<std::size_t>(pair.b)]))
-    return false;
+  if (!boxes_[pair.a].meets(boxes_[pair.b])) return false;
   return !by_curvature || !adjacent(pair.a, pair.b);
 }
 
-void Hierarchy::descend(const NodePair& pair, std::vector<NodePair>& next) const {
+void TriangleBvh::descend(const NodePair& pair, std::vector<NodePair>& next) const {
   if (pair.a != pair.b) {
     descend(*this, *this, pair, next);
     return;
   }
-  const int first = first_child_[static_cast<std::size_t>(pair.a)];
-  const int last = first_child_[static_cast<std::size_t>(pair.a) + 1];
+  const int first = first_child_[pair.a];
+  const int last = first_child_[pair.a + 1];
   for (int i = first; i < last; ++i)
-    for (int j = i; j < last; ++j)
-      next.push_back(
-          {children_[static_cast<std::size_t>(i)], children_[static_cast<std::size_t>(j)]});
+    for (int j = i; j < last; ++j) next.push_back({children_[i], children_[j]});
 }
 
-void Hierarchy::descend(const Hierarchy& first, const Hierarchy& second, const NodePair& pair,
-                        std::vector<NodePair>& next) {
-  const auto size = [](const Hierarchy& tree, int node) {
-    const MovingBox& box = tree.boxes_[static_cast<std::size_t>(node)];
+void TriangleBvh::descend(const TriangleBvh& first, const TriangleBvh& second, const NodePair& pair,
+                          std::vector<NodePair>& next) {
+  const auto size = [](const TriangleBvh& tree, int node) {
+    const MovingBox& box = tree.boxes_[node];
     return (box.start.high - box.start.low + box.end.high - box.end.low).squaredNorm();
   };
   const bool split_first = second.is_leaf(pair.b) ||
                            (!first.is_leaf(pair.a) && size(first, pair.a) >= size(second, pair.b));
-  const Hierarchy& tree = split_first ? first : second;
-  const auto node = static_cast<std::size_t>(split_first ? pair.a : pair.b);
+  const TriangleBvh& tree = split_first ? first : second;
+  const int node = split_first ? pair.a : pair.b;
   for (int c = tree.first_child_[node]; c < tree.first_child_[node + 1]; ++c) {
-    const int child = tree.children_[static_cast<std::size_t>(c)];
+    const int child = tree.children_[c];
     next.push_back(split_first ? NodePair{child, pair.b} : NodePair{pair.a, child});
   }
 }
 
-std::vector<CandidatePair> Hierarchy::pairs_within(Spare spare) const {
+std::vector<CandidatePair> TriangleBvh::pairs_within(Spare spare) const {
   return walk<CandidatePair>(NodePair{root(), root()},
                              [this, spare](const NodePair& pair, std::vector<NodePair>& next,
                                            std::vector<CandidatePair>& found) {
@@ -410,13 +400,11 @@ std::vector<CandidatePair> Hierarchy::pairs_within(Spare spare) const {
                              });
 }
 
-std::vector<CandidatePair> Hierarchy::pairs_with(const Hierarchy& other) const {
+std::vector<CandidatePair> TriangleBvh::pairs_with(const TriangleBvh& other) const {
   return walk<CandidatePair>(
       NodePair{root(), other.root()},
       [&](const NodePair& pair, std::vector<NodePair>& next, std::vector<CandidatePair>& found) {
-        if (!boxes_[static_cast<std::size_t>(pair.a)].meets(
-                other.boxes_[static_cast<std::size_t>(pair.b)]))
-          return;
+        if (!boxes_[pair.a].meets(other.boxes_[pair.b])) return;
         if (is_leaf(pair.a) && other.is_leaf(pair.b))
           found.push_back({pair.a, pair.b});
         else

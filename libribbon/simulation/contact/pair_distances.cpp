@@ -1,4 +1,4 @@
-#include "simulation/contact/pair_gaps.h"
+#include "simulation/contact/pair_distances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ int apart(const Interval& a, const Interval& b) {
 }  // namespace
 
 // At least; exactly so for features beside or above each other.
-double PairGaps::natural_distance_m(const FeaturePair& pair) const {
+double PairDistances::rest_distance_m(const FeaturePair& pair) const {
   const std::size_t first_count = pair.kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
   const std::span<const int> first = std::span(pair.vertices).first(first_count);
   const std::span<const int> second = std::span(pair.vertices).subspan(first_count);
@@ -45,12 +45,12 @@ double PairGaps::natural_distance_m(const FeaturePair& pair) const {
   return std::max(distance_m, corner_to_diagonal_m);
 }
 
-double PairGaps::thick_contact_m(const FeaturePair& pair) const {
+double PairDistances::thick_activation_m(const FeaturePair& pair) const {
   const bool with_obstacle = std::any_of(pair.vertices.begin(), pair.vertices.end(), [this](int v) {
     return v >= size_.grid.particle_count();
   });
   if (with_obstacle) return 0.5 * lengths_.thickness_m;
-  return std::min(lengths_.thickness_m, 0.5 * natural_distance_m(pair));
+  return std::min(lengths_.thickness_m, 0.5 * rest_distance_m(pair));
 }
 
 }  // namespace ribbon

@@ -8,17 +8,17 @@
 
 namespace ribbon {
 
-struct Encounter {
+struct MeetingPlace {
   int particle = 0;  // of the ribbon, next to the place
   int other = 0;     // another one, or (from the particle count on) a vertex of the obstacle
 };
 
 // The first place where an edge pierces a triangle, of the ribbon or of ribbon and obstacle.
-std::optional<Encounter> first_piercing(Bodies& bodies, const Eigen::Matrix3Xd& positions);
+std::optional<MeetingPlace> first_intersection(Bodies& bodies, const Eigen::Matrix3Xd& positions);
 
 // The first place where two features that share no vertex, at least one of them the ribbon's, are
-// less than gap_m apart. Piercing features need not be near each other.
-std::optional<Encounter> first_closer_than(double gap_m, Bodies& bodies,
-                                           const Eigen::Matrix3Xd& positions);
+// less than distance_m apart. Piercing features need not be near each other.
+std::optional<MeetingPlace> first_closer_than(double distance_m, Bodies& bodies,
+                                              const Eigen::Matrix3Xd& positions);
 
 }  // namespace ribbon

@@ -1,4 +1,4 @@
-#include "simulation/detection/hierarchy.h"
+#include "simulation/detection/triangle_bvh.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +12,16 @@
 #include "simulation/detection/feature_pairs.h"
 #include "simulation/detection/vertex_ranges.h"
 
-namespace ribbon::hierarchy_test {
+namespace ribbon::triangle_bvh_test {
 
 using Eigen::Matrix3Xd;
 
-constexpr auto both = Hierarchy::Spare::curvature_and_boxes;
+constexpr auto both = TriangleBvh::Spare::curvature_and_boxes;
 
 // Boxes and curvatures over a step.
-void refit(Hierarchy& hierarchy, const Matrix3Xd& t0, const Matrix3Xd& t1, double margin_m) {
-  hierarchy.refit(vertex_ranges(t0, t1), margin_m);
-  hierarchy.refit_curvatures(t0, t1);
+void refit(TriangleBvh& bvh, const Matrix3Xd& t0, const Matrix3Xd& t1, double margin_m) {
+  bvh.refit(vertex_ranges(t0, t1), margin_m);
+  bvh.refit_curvatures(t0, t1);
 }
 
 // A ribbon wound up like a spiral spring with `turns` turns; neighbouring turns are `pitch` apart.
@@ -58,35 +58,35 @@ Box box_of(const CollisionSurface& surface, const Matrix3Xd& x, int t, double ma
   return box;
 }
 
-TEST(Hierarchy, every_rank_groups_about_three_regions) {
+TEST(TriangleBvh, every_rank_groups_about_three_regions) {
   const RibbonGrid grid{60, 5};
   const CollisionSurface surface = collision_surface(grid.triangles());
-  const Hierarchy hierarchy(surface, spiral(grid, 0.5, 0.1));
+  const TriangleBvh bvh(surface, spiral(grid, 0.5, 0.1));
   const int leaves = grid.triangle_count();
   // Groups of exactly three would need leaves/2 inner nodes in all; pairs would need leaves - 1.
-  EXPECT_GT(hierarchy.node_count() - leaves, leaves / 3);
-  EXPECT_LT(hierarchy.node_count() - leaves, leaves * 3 / 4);
+  EXPECT_GT(bvh.node_count() - leaves, leaves / 3);
+  EXPECT_LT(bvh.node_count() - leaves, leaves * 3 / 4);
 }
 
-TEST(Hierarchy, a_flat_ribbon_has_no_pairs_to_test) {
+TEST(TriangleBvh, a_flat_ribbon_has_no_pairs_to_test) {
   const RibbonGrid grid{60, 5};
   Matrix3Xd flat(3, grid.particle_count());
   for (int p = 0; p < grid.particle_count(); ++p)
     flat.col(p) << 0.1 * grid.row(p), 0.1 * grid.column(p), 0;
   const CollisionSurface surface = collision_surface(grid.triangles());
-  Hierarchy hierarchy(surface, flat);
-  refit(hierarchy, flat, flat, 0.05);
-  EXPECT_TRUE(hierarchy.pairs_within(both).empty());
+  TriangleBvh bvh(surface, flat);
+  refit(bvh, flat, flat, 0.05);
+  EXPECT_TRUE(bvh.pairs_within(both).empty());
 }
 
-TEST(Hierarchy, finds_all_pairs_of_distant_triangles_whose_boxes_meet) {
+TEST(TriangleBvh, finds_all_pairs_of_distant_triangles_whose_boxes_meet) {
   const RibbonGrid grid{150, 4};
   const CollisionSurface surface = collision_surface(grid.triangles());
   const Matrix3Xd x = spiral(grid, 3, 0.03);
-  Hierarchy hierarchy(surface, x);
+  TriangleBvh bvh(surface, x);
   const double margin_m = 0.02;
-  refit(hierarchy, x, x, margin_m);
-  const auto found = as_set(hierarchy.pairs_within(both));
+  refit(bvh, x, x, margin_m);
+  const auto found = as_set(bvh.pairs_within(both));
   int expected = 0;
   for (int a = 0; a < grid.triangle_count(); ++a)
     for (int b = a + 1; b < grid.triangle_count(); ++b) {
@@ -104,7 +104,7 @@ TEST(Hierarchy, finds_all_pairs_of_distant_triangles_whose_boxes_meet) {
   EXPECT_GT(expected, 100);
 }
 
-TEST(Hierarchy, boxes_alone_also_see_a_band_that_lies_flat_over_itself) {
+TEST(TriangleBvh, boxes_alone_also_see_a_band_that_lies_flat_over_itself) {
   // Two turns of a ramp: all normals point up, yet one turn lies above the other.
   const RibbonGrid grid{120, 3};
   Matrix3Xd ramp(3, grid.particle_count());
@@ -114,37 +114,37 @@ TEST(Hierarchy, boxes_alone_also_see_a_band_that_lies_flat_over_itself) {
     ramp.col(p) << radius * std::cos(angle), 1e-3 * angle, radius * std::sin(angle);
   }
   const CollisionSurface surface = collision_surface(grid.triangles());
-  Hierarchy hierarchy(surface, ramp);
-  refit(hierarchy, ramp, ramp, 0.01);
-  EXPECT_TRUE(hierarchy.pairs_within(both).empty());
+  TriangleBvh bvh(surface, ramp);
+  refit(bvh, ramp, ramp, 0.01);
+  EXPECT_TRUE(bvh.pairs_within(both).empty());
   int found_across_turns = 0;
-  for (const CandidatePair& pair : hierarchy.pairs_within(Hierarchy::Spare::boxes))
+  for (const CandidatePair& pair : bvh.pairs_within(TriangleBvh::Spare::boxes))
     found_across_turns += std::abs(pair.a - pair.b) > grid.triangle_count() / 4 ? 1 : 0;
   EXPECT_GT(found_across_turns, 100);
 }
 
-TEST(Hierarchy, boxes_cover_the_whole_way_of_a_step) {
+TEST(TriangleBvh, boxes_cover_the_whole_way_of_a_step) {
   const RibbonGrid grid{40, 3};
   const CollisionSurface surface = collision_surface(grid.triangles());
   Matrix3Xd t0 = spiral(grid, 0.5, 0.1);
   Matrix3Xd t1 = t0;
   // The last rows fly across to the first ones and back out on the other side.
   for (int p = grid.particle(35, 0); p < grid.particle_count(); ++p) t1.col(p)[0] += 4;
-  Hierarchy hierarchy(surface, t0);
-  refit(hierarchy, t0, t0, 0);
-  const std::size_t still = hierarchy.pairs_within(both).size();
-  refit(hierarchy, t0, t1, 0);
-  EXPECT_GT(hierarchy.pairs_within(both).size(), still + 10);
+  TriangleBvh bvh(surface, t0);
+  refit(bvh, t0, t0, 0);
+  const std::size_t still = bvh.pairs_within(both).size();
+  refit(bvh, t0, t1, 0);
+  EXPECT_GT(bvh.pairs_within(both).size(), still + 10);
 }
 
-TEST(Hierarchy, pairs_with_another_surface_equal_brute_force) {
+TEST(TriangleBvh, pairs_with_another_surface_equal_brute_force) {
   const RibbonGrid grid{50, 4};
   const CollisionSurface surface = collision_surface(grid.triangles());
   const Matrix3Xd x = spiral(grid, 1, 0.2);
   Matrix3Xd y = x;
   y.row(0).array() += 0.4;
-  Hierarchy first(surface, x);
-  const Hierarchy second(surface, y);
+  TriangleBvh first(surface, x);
+  const TriangleBvh second(surface, y);
   std::set<std::array<int, 2>> expected;
   for (int a = 0; a < grid.triangle_count(); ++a)
     for (int b = 0; b < grid.triangle_count(); ++b)
@@ -155,7 +155,7 @@ TEST(Hierarchy, pairs_with_another_surface_equal_brute_force) {
   EXPECT_EQ(found, expected);
 }
 
-TEST(Hierarchy, a_surface_of_separate_pieces_is_one_tree) {
+TEST(TriangleBvh, a_surface_of_separate_pieces_is_one_tree) {
   Eigen::Matrix3Xi triangles(3, 5);
   Matrix3Xd x(3, 15);
   for (int t = 0; t < 5; ++t) {
@@ -165,22 +165,22 @@ TEST(Hierarchy, a_surface_of_separate_pieces_is_one_tree) {
     x.middleCols(first, 3) << 0, 1, 0, 0, 0, 1, height, height, height;
   }
   const CollisionSurface surface = collision_surface(triangles);
-  Hierarchy hierarchy(surface, x);
-  refit(hierarchy, x, x, 0.06);
-  EXPECT_EQ(hierarchy.pairs_within(both).size(), 4U);
+  TriangleBvh bvh(surface, x);
+  refit(bvh, x, x, 0.06);
+  EXPECT_EQ(bvh.pairs_within(both).size(), 4U);
 }
 
-TEST(Hierarchy, lists_the_same_pairs_in_the_same_order_for_any_number_of_threads) {
+TEST(TriangleBvh, lists_the_same_pairs_in_the_same_order_for_any_number_of_threads) {
   const RibbonGrid grid{300, 6};
   const CollisionSurface surface = collision_surface(grid.triangles());
   const Matrix3Xd x = spiral(grid, 6, 0.02);
   std::vector<std::vector<int>> answers;
   for (const int threads : {1, 2, 5}) {
     set_thread_limit(threads);
-    Hierarchy hierarchy(surface, x);
-    refit(hierarchy, x, x, 0.01);
+    TriangleBvh bvh(surface, x);
+    refit(bvh, x, x, 0.01);
     std::vector<int> flat;
-    for (const CandidatePair& pair : hierarchy.pairs_within(both))
+    for (const CandidatePair& pair : bvh.pairs_within(both))
       flat.insert(flat.end(), {pair.a, pair.b});
     answers.push_back(flat);
   }
@@ -247,4 +247,4 @@ TEST(FeaturePairs, features_that_share_a_vertex_are_left_out) {
   EXPECT_TRUE(share_a_vertex(surface, 0, 1));
 }
 
-}  // namespace ribbon::hierarchy_test
+}  // namespace ribbon::triangle_bvh_test

@@ -1,0 +1,46 @@
+// How close the two features of a pair may come.
+#pragma once
+
+#include <algorithm>
+
+#include "ribbon_mesh/rest_size.h"
+#include "simulation/contact/contact_lengths.h"
+#include "simulation/detection/feature_pairs.h"
+
+namespace ribbon {
+
+// A pair's minimum separation, and the activation distance, at which contact begins. Cloth with
+// thickness touches itself at its thickness and the obstacle at half of it, and gives way to at
+// most half of that; features that lie close in the flat ribbon, as neighbours do, count as
+// touching at half of that distance at most.
+class PairDistances {
+ public:
+  PairDistances(const RestSize& size, const ContactLengths& lengths)
+      : size_(size), lengths_(lengths) {}
+
+  [[nodiscard]] double min_separation_m(const FeaturePair& pair) const {
+    return is_thick() ? std::max(lengths_.min_separation_m, 0.5 * thick_activation_m(pair))
+                      : lengths_.min_separation_m;
+  }
+  [[nodiscard]] double activation_m(const FeaturePair& pair) const {
+    return is_thick() ? std::max(lengths_.activation_m, thick_activation_m(pair))
+                      : lengths_.activation_m;
+  }
+  // The largest of each over all pairs.
+  [[nodiscard]] double largest_min_separation_m() const {
+    return std::max(lengths_.min_separation_m, 0.5 * lengths_.thickness_m);
+  }
+  [[nodiscard]] double largest_activation_m() const {
+    return std::max(lengths_.activation_m, lengths_.thickness_m);
+  }
+
+ private:
+  [[nodiscard]] bool is_thick() const { return lengths_.thickness_m > 0; }
+  [[nodiscard]] double thick_activation_m(const FeaturePair& pair) const;
+  [[nodiscard]] double rest_distance_m(const FeaturePair& pair) const;
+
+  RestSize size_;
+  ContactLengths lengths_;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,63 @@
+// How the positions of one step reach the cloth through the gate.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ribbon_mesh/rest_size.h"
+#include "simulation/contact/pair_distances.h"
+#include "simulation/detection/bodies.h"
+#include "simulation/step/stage_clock.h"
+#include "simulation/truncation/contact_candidates.h"
+
+namespace ribbon {
+
+struct GateSettings {
+  GateSettings(const RestSize& size, const PairDistances& pair_distances);
+
+  PairDistances distances;
+  BroadPhaseLengths broad_phase;
+  double negligible_m;  // displacements that are not worth another truncation
+};
+
+// Within one step: from the positions at its start, which are certified, stage by stage toward the
+// targets that integration and corrections set. What it refers to must outlive it.
+class GatedMotion {
+ public:
+  GatedMotion(const GateSettings& settings, const Eigen::Matrix3Xd& start, Bodies& bodies,
+              StageClock& clock)
+      : settings_(settings), bodies_(bodies), clock_(clock), certified_(start) {}
+
+  // The broad phase, around the displacements from the certified positions to the targets.
+  void detect(const Eigen::Matrix3Xd& target);
+
+  // Detects again around the particles whose targets lie outside their bounds, if they are more
+  // than so many.
+  void detect_if_outgrown_by_more_than(int particles, const Eigen::Matrix3Xd& target);
+
+  // The pairs that the displacements to the targets could bring into contact.
+  [[nodiscard]] std::vector<FeaturePair> approaching(const Eigen::Matrix3Xd& target) const;
+
+  // Moves the certified positions toward the targets as far as displacement truncation lets.
+  // Returns how many particles do not reach them.
+  int truncate(const Eigen::Matrix3Xd& target);
+
+  [[nodiscard]] const Eigen::Matrix3Xd& certified() const { return certified_; }
+  [[nodiscard]] const ContactCandidates& candidates() const { return candidates_; }
+  // Pairs this close may come into contact by what still moves them.
+  [[nodiscard]] double reach_m() const {
+    return settings_.broad_phase.reach_m + settings_.broad_phase.slack_m;
+  }
+
+ private:
+  void detect_around(const std::vector<int>& particles, Widening widening,
+                     const Eigen::Matrix3Xd& target);
+
+  const GateSettings& settings_;
+  Bodies& bodies_;
+  StageClock& clock_;
+  Eigen::Matrix3Xd certified_;  // what the gate has let pass
+  ContactCandidates candidates_;
+};
+
+}  // namespace ribbon

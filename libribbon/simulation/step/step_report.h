@@ -1,0 +1,14 @@
+// What one time step brought about.
+#pragma once
+
+namespace ribbon {
+
+struct StepReport {
+  int recovery_iterations = 0;  // of Figure 15: how often scheme A, B or C was applied
+  int penetrating_edges = 0;    // left over, of ribbon and obstacle; none with the gate
+  int truncated = 0;            // particles that the gate did not let reach their targets
+  double pull = 1;              // the fraction of the fastening force that the hands applied
+  bool is_over_limit = false;  // is some edge still longer or shorter than the strain limit allows?
+};
+
+}  // namespace ribbon

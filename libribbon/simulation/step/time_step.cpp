@@ -1,0 +1,244 @@
+#include "simulation/step/time_step.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "ribbon_mesh/springs.h"
+#include "simulation/detection/swept_pairs.h"
+#include "simulation/state/edge_strain.h"
+#include "simulation/truncation/contact_constraints.h"
+
+namespace ribbon {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+// ---- Figure 5, from top to bottom
+// ----------------------------------------------------------------
+
+StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
+  const Matrix3Xd force = fastening_force(hands, cloth);  // section 5.2
+  StepReport report = advance(force, bodies, cloth);
+  if (hands == nullptr) return report;
+  follow_with(*hands, cloth);
+  report.pull = hands->force_fraction();
+  return report;
+}
+
+StepReport TimeStep::advance(const Matrix3Xd& force, Bodies& bodies, Cloth& cloth) {
+  const Matrix3Xd before = cloth.positions;
+  integrate(force, cloth);  // section 5.3
+  return correct(before, bodies, cloth);
+}
+
+StepReport TimeStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
+  return contact_ == ContactMethod::paper ? correct_as_published(before, bodies, cloth)
+                                          : correct_with_gate(before, bodies, cloth);
+}
+
+namespace {
+
+constexpr int most_detections = 10;   // as published, of detection and repulsion in one step
+constexpr int most_corrections = 10;  // as published, of strain in one step (section 5.5)
+constexpr int repulsion_rounds = 3;   // with the gate
+
+}  // namespace
+
+// contact = "paper".
+StepReport TimeStep::correct_as_published(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
+  bool any_collision = true;
+  for (int round = 0; round < most_detections && any_collision; ++round)
+    any_collision = repel(detect(before, bodies, cloth), before, bodies, cloth);  // section 5.4
+  correct_strain(cloth);                                                          // section 5.5
+  return recover(bodies, cloth);                                                  // section 5.6
+}
+
+// contact = "gate": one detection serves all of the step, and there is nothing to recover from.
+StepReport TimeStep::correct_with_gate(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
+  GatedMotion motion(gate_, before, bodies, clock_);
+  motion.detect(cloth.positions);            // section 5.4
+  repel_a_few_times(motion, bodies, cloth);  // section 5.4.2
+  StepReport report{.is_over_limit = true};
+  for (int round = 0; round < smoothing_.most_rounds && report.is_over_limit; ++round) {
+    correct_strain_and_contact(motion, bodies, cloth);  // cf. section 5.5
+    // A few particles outside their bounds are truncated, which may strain their edges; many are
+    // worth another look, and any when edges are strained.
+    const auto few = static_cast<int>(round > 0 ? 0 : cloth.particle_count() / 100);
+    motion.detect_if_outgrown_by_more_than(few, cloth.positions);
+    report.truncated = std::max(report.truncated, truncate(motion, cloth));  // for section 5.6
+    report.is_over_limit = is_over_limit(cloth);
+  }
+  return report;
+}
+
+// ---- The stages
+// ----------------------------------------------------------------------------------
+
+Matrix3Xd TimeStep::fastening_force(Hands* hands, const Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::fastening_force);
+  return hands != nullptr ? hands->pull(cloth) : Matrix3Xd(3, 0);
+}
+
+// The hands measure how far the ribbon followed their pull.
+void TimeStep::follow_with(Hands& hands, const Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::fastening_force);
+  hands.follow(cloth);
+}
+
+void TimeStep::integrate(const Matrix3Xd& force, Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::integration);
+  integrator_->displace(force, cloth);
+}
+
+std::vector<FeaturePair> TimeStep::detect(const Matrix3Xd& before, Bodies& bodies,
+                                          const Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::detection);
+  std::vector<FeaturePair> pairs =
+      swept_pairs_by_curvature(bodies, before, cloth.positions, distances_.largest_activation_m());
+  clock_.count_detection(pairs.size());
+  return pairs;
+}
+
+// while ∃ collision: update velocity, displacement.
+bool TimeStep::repel(const std::vector<FeaturePair>& pairs, const Matrix3Xd& before,
+                     const Bodies& bodies, Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::repulsion);
+  return repel_once(pairs, distances_, repulsion_, bodies, before, cloth);
+}
+
+void TimeStep::repel_a_few_times(const GatedMotion& motion, const Bodies& bodies, Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::repulsion);
+  const std::vector<FeaturePair> pairs = motion.approaching(cloth.positions);
+  bool any_collision = true;
+  for (int round = 0; round < repulsion_rounds && any_collision; ++round)
+    any_collision = repel(pairs, motion.certified(), bodies, cloth);
+}
+
+// while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes
+// their velocities, so that the springs are not stretched again in the next step.
+void TimeStep::correct_strain(Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::strain_correction);
+  const Matrix3Xd before = cloth.positions;
+  int rounds = 0;
+  while (rounds < most_corrections && published_correction_.any_over_limit(cloth.positions)) {
+    published_correction_.apply(cloth.positions);
+    ++rounds;
+  }
+  clock_.count_sweeps(rounds);
+  if (rounds > 0) cloth.velocities += (cloth.positions - before) / step_s_;
+}
+
+// Corrected alone, edges would be pressed into contact, and stretched again by it; so both are
+// satisfied in turn.
+void TimeStep::correct_strain_and_contact(const GatedMotion& motion, const Bodies& bodies,
+                                          Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::strain_correction);
+  const Matrix3Xd before = cloth.positions;
+  const auto contacts = contact_constraints(motion.candidates(), bodies, distances_,
+                                            motion.reach_m(), motion.certified(), cloth);
+  RowActivity activity = strain_limit_.activity();
+  bool any = true;
+  int sweeps = 0;
+  for (; sweeps < smoothing_.most_sweeps && any; ++sweeps) {
+    any = keep_apart(contacts, bodies, activity, cloth.positions);
+    any = strain_limit_.tighten(activity, cloth.positions) || any;
+  }
+  clock_.count_sweeps(sweeps);
+  cloth.velocities += (cloth.positions - before) / step_s_;
+}
+
+// What was truncated is taken from the velocity, as far as there is any in that direction: a
+// repulsion or correction that did not get through must not throw a particle the other way.
+int TimeStep::truncate(GatedMotion& motion, Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::truncation);
+  const int truncated = motion.truncate(cloth.positions);
+  for (Eigen::Index particle = 0; particle < cloth.particle_count(); ++particle) {
+    const Vector3d lost = cloth.positions.col(particle) - motion.certified().col(particle);
+    const double lost_m = lost.norm();
+    const double speed_m_s = lost_m > 0 ? lost.dot(cloth.velocities.col(particle)) / lost_m : 0;
+    if (speed_m_s > 0)
+      cloth.velocities.col(particle) -= std::min(speed_m_s, lost_m / step_s_) * lost / lost_m;
+  }
+  cloth.positions = motion.certified();
+  return truncated;
+}
+
+// while ∃ edge penetration: apply error recovery schemes.
+StepReport TimeStep::recover(Bodies& bodies, Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::recovery);
+  const RecoveryReport report = ribbon::recover(bodies, recovery_, cloth.positions);
+  return {.recovery_iterations = report.iterations,
+          .penetrating_edges = report.penetrating_edges,
+          .is_over_limit = published_correction_.any_over_limit(cloth.positions)};
+}
+
+bool TimeStep::is_over_limit(const Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::strain_correction);
+  return strain_limit_.worst_excess(cloth.positions) > strain_left_over;
+}
+
+// ---- Before the first step
+// -----------------------------------------------------------------------
+
+void TimeStep::move(const Matrix3Xd& target, Bodies& bodies, Cloth& cloth) {
+  const Matrix3Xd before = cloth.positions;
+  cloth.positions = target;
+  correct(before, bodies, cloth);
+  cloth.velocities.setZero();
+}
+
+StepReport TimeStep::settle(int rounds, Bodies& bodies, Cloth& cloth) {
+  StepReport last{.is_over_limit = true};
+  for (int round = 0; round < rounds && last.is_over_limit; ++round) {
+    const Matrix3Xd before = cloth.positions;
+    const int recovery_iterations = last.recovery_iterations;
+    last = correct(before, bodies, cloth);
+    last.recovery_iterations += recovery_iterations;
+  }
+  cloth.velocities.setZero();
+  return last;
+}
+
+// ---- Settings
+// ------------------------------------------------------------------------------------
+
+namespace {
+
+StrainLimit strain_limit(const Scene& scene, const RestSize& size, double rounding_m) {
+  std::vector<LimitedFamily> limited;
+  const auto limit = [&](const SpringFamily& family) {
+    limited.push_back(
+        {family, aimed_strain(scene.smoothing.strain, family.rest_length_m, rounding_m)});
+  };
+  for (const SpringFamily& family : stretch_families(size)) limit(family);
+  if (scene.springs.shear > 0)
+    for (const SpringFamily& family : shear_families(size)) limit(family);
+  return {size.grid, std::move(limited)};
+}
+
+PairDistances pair_distances(const Scene& scene, const RestSize& size,
+                             const ContactLengths& lengths) {
+  if (scene.contact != ContactMethod::paper) return {size, lengths};
+  return {size,
+          {.activation_m = 0.1 * size.shortest_edge_m(), .thickness_m = scene.ribbon.thickness_m}};
+}
+
+}  // namespace
+
+TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLengths& lengths,
+                   double particle_mass_kg)
+    : contact_(scene.contact),
+      step_s_(scene.time.step_s),
+      integrator_(create_integrator(
+          scene.time.integrator, spring_network(size, scene.springs),
+          {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s, scene.time.tolerance})),
+      distances_(pair_distances(scene, size, lengths)),
+      repulsion_{.friction = scene.friction},
+      smoothing_(scene.smoothing),
+      strain_limit_(strain_limit(scene, size, lengths.rounding_m)),
+      gate_(size, distances_),
+      published_correction_(size, paper_strain_limit),
+      recovery_{.gap_m = 0.1 * size.shortest_edge_m(), .step_m = 0.5 * size.shortest_edge_m()} {}
+
+}  // namespace ribbon

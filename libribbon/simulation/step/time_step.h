@@ -1,0 +1,93 @@
+// The time step (paper, section 5, Figure 5).
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "ribbon_mesh/rest_size.h"
+#include "scene/scene.h"
+#include "simulation/contact/contact_lengths.h"
+#include "simulation/contact/repulsion.h"
+#include "simulation/detection/bodies.h"
+#include "simulation/fastening/hands.h"
+#include "simulation/integration/integrator.h"
+#include "simulation/published/recovery.h"
+#include "simulation/published/strain_correction.h"
+#include "simulation/state/cloth.h"
+#include "simulation/step/gated_motion.h"
+#include "simulation/step/stage_clock.h"
+#include "simulation/step/step_report.h"
+#include "simulation/truncation/strain_limit.h"
+
+namespace ribbon {
+
+// At most, of settling before the first step.
+inline constexpr int settling_rounds = 50;
+
+// How a band of one rest size moves in one time step, with springs, air and contact as the scene
+// wants them. With contact = "gate" the strain correction knows of contact, and positions reach the
+// cloth only through the gate, so that what did not intersect at the start never does. With contact
+// = "paper" the strain correction may push the ribbon through itself, and schemes A, B and C bring
+// it back as well as they can.
+class TimeStep {
+ public:
+  // `lengths`: of a band of that size. contact = "paper" has distances of its own.
+  TimeStep(const Scene& scene, const RestSize& size, const ContactLengths& lengths,
+           double particle_mass_kg);
+
+  // One time step. hands: null where nothing fastens the ribbon.
+  StepReport take(Hands* hands, Bodies& bodies, Cloth& cloth);
+
+  // Likewise, under a force that is given (3 x particles, N, or no columns for none).
+  StepReport advance(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
+
+  // What follows the integration: cloth.positions are where displacement from `before` (3 x
+  // particles) brought the cloth; leaves them where they may be, with velocities that agree.
+  StepReport correct(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth);
+
+  // Brings the cloth from its positions toward `target` (3 x particles), as far as contact lets,
+  // and leaves it at rest.
+  void move(const Eigen::Matrix3Xd& target, Bodies& bodies, Cloth& cloth);
+
+  // Corrects up to `rounds` times, until no edge is over the strain limit, and leaves the cloth at
+  // rest. The report's recovery iterations are those of all rounds.
+  StepReport settle(int rounds, Bodies& bodies, Cloth& cloth);
+
+  // Into how many parts the springs divide a step.
+  [[nodiscard]] int substeps() const { return integrator_->substeps(); }
+  // Charged with the stages of all steps.
+  [[nodiscard]] StageClock& clock() { return clock_; }
+  [[nodiscard]] const StageClock& clock() const { return clock_; }
+
+ private:
+  StepReport correct_with_gate(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth);
+  StepReport correct_as_published(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth);
+
+  Eigen::Matrix3Xd fastening_force(Hands* hands, const Cloth& cloth);
+  void follow_with(Hands& hands, const Cloth& cloth);
+  void integrate(const Eigen::Matrix3Xd& force, Cloth& cloth);
+  std::vector<FeaturePair> detect(const Eigen::Matrix3Xd& before, Bodies& bodies,
+                                  const Cloth& cloth);
+  bool repel(const std::vector<FeaturePair>& pairs, const Eigen::Matrix3Xd& before,
+             const Bodies& bodies, Cloth& cloth);
+  void repel_a_few_times(const GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
+  void correct_strain(Cloth& cloth);
+  void correct_strain_and_contact(const GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
+  int truncate(GatedMotion& motion, Cloth& cloth);
+  StepReport recover(Bodies& bodies, Cloth& cloth);
+  [[nodiscard]] bool is_over_limit(const Cloth& cloth);
+
+  ContactMethod contact_;
+  double step_s_;
+  std::unique_ptr<Integrator> integrator_;
+  PairDistances distances_;
+  RepulsionSettings repulsion_;
+  SmoothingScene smoothing_;  // of the gate
+  StrainLimit strain_limit_;
+  GateSettings gate_;
+  StrainCorrection published_correction_;
+  RecoverySettings recovery_;
+  StageClock clock_;
+};
+
+}  // namespace ribbon

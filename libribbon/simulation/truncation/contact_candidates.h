@@ -1,0 +1,60 @@
+// The broad phase: what the ribbon could touch until the next detection.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "geometry/box.h"
+#include "simulation/detection/bodies.h"
+#include "simulation/detection/feature_pairs.h"
+
+namespace ribbon {
+
+// Every particle has a motion bound that it does not leave until the next detection, and every pair
+// of features that could come within reach of each other inside those bounds is listed. One
+// detection thus serves all that moves the particles within a step: what is not listed cannot meet.
+//
+// Bounds move with the cloth: the particles start together, each at its place, go the same part of
+// their displacements at every instant, and then stay in the boxes at the end. So neighbours that
+// travel far together are not listed. The bound of a straggler, which something stops on the way,
+// reaches back to its place.
+struct ContactCandidates {
+  Eigen::Matrix3Xd from;            // where the particles were at the detection
+  std::vector<MovingBox> bounds;    // one for each particle
+  std::vector<FeaturePair> pairs;   // ribbon-ribbon and ribbon-obstacle, each once
+  std::vector<double> distances_m;  // of the pairs, at the detection
+};
+
+struct BroadPhaseLengths {
+  double reach_m = 0;                 // pairs that could come this close are listed
+  double slack_m = 0;                 // room beyond the target, for what moves the particle later
+  double longest_displacement_m = 0;  // bounds reach no further, however far the target lies
+};
+
+// Detects around the straight way from `from` to `target` (3 x particles each).
+ContactCandidates find_contact_candidates(Bodies& bodies, const BroadPhaseLengths& lengths,
+                                          const Eigen::Matrix3Xd& from,
+                                          const Eigen::Matrix3Xd& target);
+
+// Widens the bounds of some particles, wherever they are in theirs, to reach on to their present
+// targets and, for stragglers, back to where they were at the detection. Pairs with these particles
+// are listed anew; the others stay.
+enum class Widening { onward, onward_and_back };
+void widen(std::span<const int> particles, Widening widening, Bodies& bodies,
+           const BroadPhaseLengths& lengths, const Eigen::Matrix3Xd& target,
+           ContactCandidates& candidates);
+
+// Indices, in order, of the listed pairs that may come within distance_m of each other while all
+// particles move from `positions` along equal parts of their `displacement` (3 x particles each).
+// Pairs whose vertices move together are told apart from those that approach.
+std::vector<std::size_t> approaching_pairs(const ContactCandidates& candidates,
+                                           const Eigen::Matrix3Xd& positions,
+                                           const Eigen::Matrix3Xd& displacement, double distance_m);
+
+// The particles whose targets lie outside their bounds.
+std::vector<int> particles_outside(const ContactCandidates& candidates,
+                                   const Eigen::Matrix3Xd& target);
+
+}  // namespace ribbon

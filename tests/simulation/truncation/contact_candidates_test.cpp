@@ -1,0 +1,148 @@
+#include "simulation/truncation/contact_candidates.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "simulation/detection/closest_weights.h"
+#include "simulation/detection/swept_pairs.h"
+#include "simulation/detection/vertex_ranges.h"
+#include "simulation/published/planted_penetrations.h"
+
+namespace ribbon::contact_candidates_test {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr double reach_m = 0.2;
+
+Matrix3Xd kicked(const Matrix3Xd& x, double size, std::mt19937& random) {
+  std::normal_distribution<double> kick(0, size);
+  Matrix3Xd result = x;
+  for (double& value : result.reshaped()) value += kick(random);
+  return result;
+}
+
+using Key = std::pair<FeaturePair::Kind, std::array<int, 4>>;
+
+std::set<Key> listed_in(const ContactCandidates& candidates) {
+  EXPECT_EQ(candidates.pairs.size(), candidates.distances_m.size());
+  std::set<Key> listed;
+  for (const FeaturePair& pair : candidates.pairs)
+    EXPECT_TRUE(listed.insert({pair.kind, pair.vertices}).second) << "listed twice";
+  return listed;
+}
+
+// Wherever its vertices are inside their bounds, on the way or at its end, a pair within reach is
+// on the list.
+void expect_all_within_reach_are_listed(const ContactCandidates& candidates, Bodies& bodies,
+                                        std::mt19937& random) {
+  const auto listed = listed_in(candidates);
+  int within_reach = 0;
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int trial = 0; trial < 40; ++trial) {
+    Matrix3Xd end = candidates.from;
+    for (int p = 0; p < bodies.grid.particle_count(); ++p) {
+      const Box& bound = candidates.bounds[p].end;
+      for (int c = 0; c < 3; ++c)
+        end(c, p) = bound.low[c] + part(random) * (bound.high[c] - bound.low[c]);
+    }
+    ASSERT_TRUE(particles_outside(candidates, end).empty());
+    const double time = trial < 20 ? 1 : part(random);
+    const Matrix3Xd x = candidates.from + time * (end - candidates.from);
+    for (const FeaturePair& pair : pairs_within_ranges(bodies, vertex_ranges(x, x), reach_m)) {
+      const auto c = corners(pair, x);
+      if ((c * closest_weights(pair.kind, c)).norm() > reach_m) continue;
+      ++within_reach;
+      EXPECT_TRUE(listed.contains({pair.kind, pair.vertices}));
+    }
+  }
+  EXPECT_GT(within_reach, 1000);
+}
+
+TEST(ContactCandidates, list_every_pair_that_comes_within_reach_inside_the_bounds) {
+  const RibbonGrid grid{21, 5};
+  const Matrix3Xd from = folded_ribbon(grid, 0.5);
+  Bodies bodies = ribbon_alone(grid);
+  std::mt19937 random(8);
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_displacement_m = 1};
+  const ContactCandidates candidates =
+      find_contact_candidates(bodies, lengths, from, kicked(from, 0.2, random));
+  expect_all_within_reach_are_listed(candidates, bodies, random);
+}
+
+TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once) {
+  const RibbonGrid grid{21, 5};
+  const Matrix3Xd from = folded_ribbon(grid, 0.5);
+  Bodies bodies = ribbon_alone(grid);
+  std::mt19937 random(8);
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_displacement_m = 1};
+  ContactCandidates candidates =
+      find_contact_candidates(bodies, lengths, from, kicked(from, 0.2, random));
+  const std::size_t before = candidates.pairs.size();
+  const Matrix3Xd farther = kicked(from, 0.5, random);
+  const std::vector<int> some = {0, 1, 7, 23, 52, 77, 104};
+  widen(some, Widening::onward, bodies, lengths, farther, candidates);
+  for (const int p : some) {
+    const MovingBox& bound = candidates.bounds[p];
+    EXPECT_TRUE(bound.end.contains(farther.col(p)) || (farther - from).col(p).norm() > 1);
+  }
+  EXPECT_GT(candidates.pairs.size(), before);
+  expect_all_within_reach_are_listed(candidates, bodies, random);
+  const std::vector<int> back = {2, 23, 60};
+  widen(back, Widening::onward_and_back, bodies, lengths, farther, candidates);
+  for (const int p : back) EXPECT_TRUE(candidates.bounds[p].end.contains(from.col(p)));
+  expect_all_within_reach_are_listed(candidates, bodies, random);
+}
+
+TEST(ContactCandidates, know_the_distances_and_leave_far_pairs_out) {
+  const RibbonGrid grid{21, 5};
+  const Matrix3Xd from = folded_ribbon(grid, 0.5);
+  Bodies bodies = ribbon_alone(grid);
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0, .longest_displacement_m = 1};
+  const ContactCandidates still = find_contact_candidates(bodies, lengths, from, from);
+  ASSERT_EQ(still.pairs.size(), still.distances_m.size());
+  for (std::size_t i = 0; i < still.pairs.size(); ++i) {
+    const auto c = corners(still.pairs[i], from);
+    EXPECT_EQ((c * closest_weights(still.pairs[i].kind, c)).norm(), still.distances_m[i]);
+    EXPECT_LE(still.distances_m[i], reach_m);
+  }
+}
+
+TEST(ContactCandidates, a_target_on_the_moon_does_not_list_the_whole_ribbon) {
+  const RibbonGrid grid{40, 4};
+  const Matrix3Xd from = flat_ribbon(grid);
+  Bodies bodies = ribbon_alone(grid);
+  Matrix3Xd target = from;
+  for (int p = 0; p < grid.particle_count(); ++p) target(0, p) += p % 2 == 0 ? 4e8 : -4e8;
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_displacement_m = 2};
+  const ContactCandidates candidates = find_contact_candidates(bodies, lengths, from, target);
+  EXPECT_LT(candidates.pairs.size(), 100U * static_cast<unsigned>(grid.particle_count()));
+  EXPECT_EQ(particles_outside(candidates, target).size(),
+            static_cast<std::size_t>(grid.particle_count()));
+}
+
+TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
+  const RibbonGrid grid{21, 5};
+  const Matrix3Xd from = folded_ribbon(grid, 0.3);
+  Bodies bodies = ribbon_alone(grid);
+  Matrix3Xd displacement = Matrix3Xd::Zero(3, grid.particle_count());
+  displacement.row(1).setConstant(3);
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_displacement_m = 10};
+  const ContactCandidates candidates =
+      find_contact_candidates(bodies, lengths, from, from + displacement);
+  EXPECT_GT(candidates.pairs.size(), 100U);
+  EXPECT_TRUE(approaching_pairs(candidates, from, displacement, reach_m).empty());
+  // By hand: one particle that lags by its whole displacement approaches all that it is listed
+  // with.
+  const int lagging = grid.particle(10, 2);
+  displacement.col(lagging).setZero();
+  std::size_t of_particle = 0;
+  for (const FeaturePair& pair : candidates.pairs)
+    of_particle += std::count(pair.vertices.begin(), pair.vertices.end(), lagging) > 0 ? 1U : 0U;
+  EXPECT_EQ(approaching_pairs(candidates, from, displacement, reach_m).size(), of_particle);
+}
+
+}  // namespace ribbon::contact_candidates_test
