@@ -13,6 +13,7 @@
 #include "simulation/detection/bodies.h"
 #include "simulation/fastening/hands.h"
 #include "simulation/start/free_start.h"
+#include "simulation/start/inside_obstacle.h"
 #include "simulation/start/scene_limits.h"
 #include "simulation/start/width_growth.h"
 #include "simulation/state/cloth.h"
@@ -130,6 +131,7 @@ Result<FasteningProcessor> FasteningProcessor::create(const Scene& wished, const
   const ContactLengths lengths = contact_lengths(scene, size);
   auto possible = check_precision(wished, size, lengths, ribbon.positions, obstacle);
   if (possible) possible = check_width(wished, ribbon.grid);
+  if (possible && obstacle) possible = check_outside(wished, ribbon, *obstacle);
   if (!possible) return tl::unexpected(possible.error());
   auto parts = std::make_unique<Parts>(scene, size, lengths, obstacle, ribbon.positions);
   parts->reach_m = reach_m;

@@ -35,8 +35,9 @@ class FasteningProcessor {
  public:
   // With the gate the ribbon starts free of intersections, and so stays free. As published, the
   // schemes recover what they can at the start too, and what is left is counted. Fails, with the
-  // scene's name, where there is no free start (free_start.h) and where numbers could not hold what
-  // is promised (scene_limits.h). The search for a start may take minutes, and tells the observer.
+  // scene's name, where there is no free start (free_start.h), where the ribbon lies inside the
+  // obstacle (inside_obstacle.h) and where numbers could not hold what is promised
+  // (scene_limits.h). The search for a start may take minutes, and tells the observer.
   static Result<FasteningProcessor> create(const Scene& wished, const RibbonMesh& ribbon,
                                            const std::optional<TriangleMesh>& obstacle,
                                            const StartObserver& observer = {});

@@ -1,0 +1,103 @@
+#include "simulation/start/inside_obstacle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "simulation/fastening_processor.h"
+#include "simulation/loop_scene.h"
+
+namespace ribbon::inside_obstacle_test {
+
+// The tube of post() with a lid at either end, a fan round its first corner.
+TriangleMesh closed_post(double radius_m, int sides = 24) {
+  TriangleMesh mesh = post(radius_m, sides);
+  const Eigen::Index wall = mesh.triangles.cols();
+  mesh.triangles.conservativeResize(3, wall + 2L * (sides - 2));
+  for (int s = 1; s + 1 < sides; ++s) {
+    mesh.triangles.col(wall + 2L * (s - 1)) << 0, 2 * (s + 1), 2 * s;
+    mesh.triangles.col(wall + 2L * (s - 1) + 1) << 1, 2 * s + 1, 2 * (s + 1) + 1;
+  }
+  return mesh;
+}
+
+// A ring of square cross-section round the y axis, closed.
+TriangleMesh torus(double inner_m, double outer_m, double height_m, int sides = 24) {
+  TriangleMesh mesh;
+  mesh.name = "torus";
+  mesh.vertices.resize(3, 4L * sides);
+  mesh.triangles.resize(3, 8L * sides);
+  for (int s = 0; s < sides; ++s) {
+    const double angle = 2 * std::numbers::pi * s / sides;
+    for (int corner = 0; corner < 4; ++corner) {
+      const double radius_m = corner == 0 || corner == 3 ? inner_m : outer_m;
+      mesh.vertices.col(4L * s + corner) << static_cast<float>(radius_m * std::sin(angle)),
+          static_cast<float>(corner < 2 ? -height_m / 2 : height_m / 2),
+          static_cast<float>(radius_m * std::cos(angle));
+      const int here = 4 * s + corner;
+      const int above = 4 * s + (corner + 1) % 4;
+      const int next = 4 * ((s + 1) % sides) + corner;
+      const int next_above = 4 * ((s + 1) % sides) + (corner + 1) % 4;
+      mesh.triangles.col(2L * here) << here, next, next_above;
+      mesh.triangles.col(2L * here + 1) << here, next_above, above;
+    }
+  }
+  return mesh;
+}
+
+TriangleMesh with_repeated_corners(const TriangleMesh& mesh) {
+  TriangleMesh apart;
+  apart.vertices.resize(3, mesh.triangles.size());
+  apart.triangles.resize(3, mesh.triangles.cols());
+  for (int i = 0; i < mesh.triangles.size(); ++i) {
+    apart.vertices.col(i) = mesh.vertices.col(mesh.triangles.reshaped()[i]);
+    apart.triangles.reshaped()[i] = i;
+  }
+  return apart;
+}
+
+std::string answer_to(const TriangleMesh& obstacle, ContactMethod contact = ContactMethod::gate) {
+  Scene scene = scene_of_loop();
+  scene.contact = contact;
+  const auto answer = FasteningProcessor::create(scene, mesh_of_loop(scene), obstacle);
+  return answer ? "accepted" : answer.error().sentence();
+}
+
+TEST(InsideObstacle, a_mesh_is_closed_where_no_edge_is_left_over) {
+  EXPECT_FALSE(is_closed(post(0.3)));
+  EXPECT_TRUE(is_closed(closed_post(0.3)));
+  EXPECT_TRUE(is_closed(torus(0.3, 0.4, 0.2)));
+  EXPECT_TRUE(is_closed(with_repeated_corners(torus(0.3, 0.4, 0.2))));
+  TriangleMesh holed = torus(0.3, 0.4, 0.2);
+  holed.triangles = holed.triangles.rightCols(holed.triangles.cols() - 1).eval();
+  EXPECT_FALSE(is_closed(holed));
+}
+
+TEST(InsideObstacle, a_ribbon_drawn_inside_is_refused_with_the_question_for_the_unit) {
+  // The loop has a radius of 0.5 m and rises by 0.16 m.
+  for (const ContactMethod contact : {ContactMethod::gate, ContactMethod::paper})
+    EXPECT_EQ(answer_to(closed_post(2), contact)
+                  .find("loop: the ribbon lies inside the obstacle; is curve.unit right?"),
+              0U);
+}
+
+TEST(InsideObstacle, a_ribbon_inside_an_open_mesh_is_accepted) {
+  EXPECT_EQ(answer_to(post(2)), "accepted");
+}
+
+TEST(InsideObstacle, a_ribbon_round_the_obstacle_is_accepted) {
+  EXPECT_EQ(answer_to(closed_post(0.3)), "accepted");
+}
+
+TEST(InsideObstacle, a_ribbon_in_the_hole_of_a_ring_is_accepted) {
+  EXPECT_EQ(answer_to(torus(0.8, 1, 0.6)), "accepted");
+}
+
+TEST(InsideObstacle, a_ribbon_that_leads_in_and_out_is_told_what_it_pierces_not_that_it_is_inside) {
+  TriangleMesh in_the_way = closed_post(0.3);
+  in_the_way.vertices.row(2).array() -= 0.5F;
+  EXPECT_EQ(answer_to(in_the_way).find("lies inside"), std::string::npos);
+}
+
+}  // namespace ribbon::inside_obstacle_test
