@@ -10,6 +10,7 @@
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
 #include "recorder/start.h"
+#include "simulation/state/state_archive.h"
 
 namespace ribbon::run_test {
 

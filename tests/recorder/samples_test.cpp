@@ -7,6 +7,7 @@
 
 #include "curve/space_curve.h"
 #include "obstacle/obstacle.h"
+#include "ribbon_mesh/ribbon_mesh.h"
 #include "simulation/fastening_processor.h"
 #include "verification/frame_verifier.h"
 
