@@ -7,6 +7,7 @@
 #include "recorder/recorded_run.h"
 #include "recorder/resume.h"
 #include "recorder/start.h"
+#include "scene/setting.h"
 
 namespace ribbon {
 

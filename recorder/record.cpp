@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "obstacle/obstacle.h"
 #include "recorder/start.h"
 #include "recorder/stopwatch.h"
 #include "recording/codec/entropy_tables.h"
@@ -40,7 +41,7 @@ Result<RunStatistics> record(const Scene& wished, const std::filesystem::path& r
                              const RunLimit& limit) {
   const auto scene = limit.is_set() ? extended(wished.name, wished, limit) : wished;
   if (!scene) return tl::unexpected(scene.error());
-  const auto obstacle = read_obstacle_of(*scene);
+  const auto obstacle = read_obstacle(*scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
   Stopwatch stopwatch;
   auto start = find_start(*scene, *obstacle, observer.start_sought);

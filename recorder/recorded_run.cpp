@@ -6,6 +6,7 @@
 
 #include "recorder/start.h"
 #include "recording/codec/position_encoder.h"
+#include "scene/setting.h"
 
 namespace ribbon {
 

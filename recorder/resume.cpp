@@ -6,6 +6,7 @@
 #include "continuation/resume_recording.h"
 #include "recorder/recorded_run.h"
 #include "recorder/stopwatch.h"
+#include "scene/setting.h"
 
 namespace ribbon {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "recorder/stopwatch.h"
+#include "scene/setting.h"
 #include "text/number_text.h"
 
 namespace ribbon {

@@ -17,9 +17,6 @@ struct Start {
   FasteningProcessor fastening;
 };
 
-// The obstacle of the scene, read from its file; nothing where it has none.
-Result<std::optional<TriangleMesh>> read_obstacle_of(const Scene& scene);
-
 // Generates the ribbon from its drawing and finds its start, which may take minutes and tells the
 // observer. Fails when the drawing or the start does not work.
 Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& obstacle,

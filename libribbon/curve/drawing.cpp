@@ -6,7 +6,7 @@
 #include <pugixml.hpp>
 #include <string_view>
 
-#include "curve/svg_path.h"
+#include "curve/path_data.h"
 #include "files/files.h"
 
 namespace ribbon {
@@ -88,6 +88,17 @@ std::string list_ids(const std::vector<pugi::xml_node>& paths) {
   return list;
 }
 
+// How to say in the scene which of several paths is meant.
+std::string choice_among(const std::vector<pugi::xml_node>& paths) {
+  const auto named = std::find_if(paths.begin(), paths.end(),
+                                  [](const pugi::xml_node& path) { return !id_of(path).empty(); });
+  if (named == paths.end())
+    return "give one an id, for example \"band\", and write 'path = \"band\"' in the scene's "
+           "[curve], or delete the others";
+  return "write for example 'path = \"" + id_of(*named) +
+         "\"' in the scene's [curve], or delete the others";
+}
+
 Result<SvgFile> load(const std::filesystem::path& path) {
   auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -112,7 +123,7 @@ Result<pugi::xml_node> only_path(const SvgFile& file, const std::vector<pugi::xm
   if (paths.size() > 1)
     return failure(file.place(paths[1]),
                    "has " + std::to_string(paths.size()) + " paths: " + list_ids(paths),
-                   "choose one by its id or delete the others");
+                   choice_among(paths));
   return paths.front();
 }
 
@@ -127,7 +138,9 @@ Result<pugi::xml_node> path_by_id(const SvgFile& file, const std::vector<pugi::x
                    "'" + id + "' is a <" + other.name() + "> that is hidden or not a path",
                    "show it, or convert it by Path > Object to Path in Inkscape");
   return failure(file.name, "has no path with the id '" + id + "'",
-                 paths.empty() ? "draw one" : "choose among " + list_ids(paths));
+                 paths.empty()
+                     ? "draw one"
+                     : "correct 'path' in the scene's [curve]: there are " + list_ids(paths));
 }
 
 Result<Eigen::Affine2d> root_from_path(const SvgFile& file, const pugi::xml_node& path) {
@@ -161,7 +174,7 @@ bool is_in_range(const Eigen::Vector2d& point) {
   return point.allFinite() && point.cwiseAbs().maxCoeff() <= largest_coordinate;
 }
 
-Result<Drawing> checked(const std::string& place, const std::string& name, const SvgPath& path) {
+Result<Drawing> checked(const std::string& place, const std::string& name, const FlatPath& path) {
   if (path.closed)
     return failure(place, name + " is closed",
                    "open it: in Inkscape, select two neighbouring nodes with the node tool and "
@@ -180,8 +193,7 @@ Result<Drawing> checked(const std::string& place, const std::string& name, const
 
 }  // namespace
 
-Result<Drawing> read_svg_path(const std::filesystem::path& file, const std::string& path_id,
-                              double tolerance) {
+Result<SvgPath> find_svg_path(const std::filesystem::path& file, const std::string& path_id) {
   const auto svg = load(file);
   if (!svg) return tl::unexpected(svg.error());
   const auto paths = visible_paths(svg->document.document_element());
@@ -189,12 +201,23 @@ Result<Drawing> read_svg_path(const std::filesystem::path& file, const std::stri
   if (!node) return tl::unexpected(node.error());
   const auto transform = root_from_path(*svg, *node);
   if (!transform) return tl::unexpected(transform.error());
-  const std::string name = id_of(*node).empty() ? "the path" : "path '" + id_of(*node) + "'";
-  const auto path = read_path_data(path_data(*node), *transform, tolerance);
-  if (!path)
-    return failure(svg->place(*node), name + " has data that cannot be read",
+  return SvgPath{svg->place(*node),
+                 id_of(*node).empty() ? "the path" : "path '" + id_of(*node) + "'",
+                 path_data(*node), *transform};
+}
+
+Result<Drawing> flattened(const SvgPath& path, double tolerance) {
+  const auto flat = flatten_path_data(path.data, path.root_from_path, tolerance);
+  if (!flat)
+    return failure(path.place, path.name + " has data that cannot be read",
                    "correct its numbers and commands, or draw it again");
-  return checked(svg->place(*node), name, *path);
+  return checked(path.place, path.name, *flat);
+}
+
+double extent_of(const Drawing& drawing) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& point : drawing) box.extend(point);
+  return box.diagonal().norm();
 }
 
 }  // namespace ribbon

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -21,19 +22,14 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double flattening_per_extent = 1e-5;  // a tenth of what find_crossings calls touching
-constexpr double steepest_slope = 1;            // rise per length in the plan
-constexpr double blend_slope = 1.5;             // of the blend below, at its middle, per mean slope
-constexpr double gentle_lead = 6;               // length per rise from an end to its first passage
-constexpr double finest_turn = 0.003;           // radians per chord: lengths are right to 4e-7
-constexpr double coarse_turn = 0.05;            // enough to find crossings
+constexpr double flatness_per_extent = 1e-5;  // a tenth of what find_crossings calls touching
+constexpr double steepest_slope = 1;          // rise per length in the plan
+constexpr double blend_slope = 1.5;           // of the blend below, at its middle, per mean slope
+constexpr double gentle_lead = 6;             // length per rise from an end to its first passage
+constexpr double finest_turn = 0.003;         // radians per chord: lengths are right to 4e-7
+constexpr double coarse_turn = 0.05;          // enough to find crossings
 constexpr double most_chords = 5e5;
-
-double extent_of(const Drawing& drawing) {
-  Eigen::AlignedBox2d box;
-  for (const Vector2d& point : drawing) box.extend(point);
-  return box.diagonal().norm();
-}
+constexpr double squeezed_per_widest = 0.999;  // so that rounding does not make it too wide again
 
 Result<Drawing> read_drawing(const DrawnPoints& drawn) {
   Drawing drawing;
@@ -47,11 +43,14 @@ Result<Drawing> read_drawing(const DrawnPoints& drawn) {
   return drawing;
 }
 
-// Reads twice, since how fine to flatten depends on how large the drawing is.
+// Flattened twice: how fine depends on how large the drawing is.
 Result<Drawing> read_drawing(const DrawnSvg& drawn) {
-  const auto coarse = read_svg_path(drawn.file, drawn.path_id, std::numeric_limits<double>::max());
-  if (!coarse) return tl::unexpected(coarse.error());
-  return read_svg_path(drawn.file, drawn.path_id, flattening_per_extent * extent_of(*coarse));
+  if (auto there = check_readable(drawn.file); !there) return tl::unexpected(there.error());
+  const auto path = find_svg_path(drawn.file.path, drawn.path_id);
+  if (!path) return tl::unexpected(path.error());
+  const auto coarse = flattened(*path, std::numeric_limits<double>::max());
+  if (!coarse) return coarse;
+  return flattened(*path, flatness_per_extent * extent_of(*coarse));
 }
 
 // One of the two visits of the walk to a crossing.
@@ -146,7 +145,16 @@ double turn_of(const Cubic<Vector2d>& cubic) {
 struct Plan {
   Drawing points;
   std::vector<std::size_t> passages;
+  std::vector<double> lengths = {};  // along it, up to each point
 };
+
+template <class Points>
+std::vector<double> lengths_along(const Points& points) {
+  std::vector<double> lengths{0};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    lengths.push_back(lengths.back() + (points[i] - points[i - 1]).norm());
+  return lengths;
+}
 
 Plan smooth_plan(const Controls& controls, double chord_turn, double chord_length) {
   Plan plan{{controls.points.front()}, {}};
@@ -175,8 +183,10 @@ Plan fine_plan(const Controls& controls, double rise) {
   }
   // A blend at the steepest slope turns by at most 8 / 3 radians over a length of its rise.
   const double chord_length = rise * finest_turn * 3 / 8;
-  return smooth_plan(controls, std::max(finest_turn, turn / most_chords),
-                     std::max(chord_length, length / most_chords));
+  Plan plan = smooth_plan(controls, std::max(finest_turn, turn / most_chords),
+                          std::max(chord_length, length / most_chords));
+  plan.lengths = lengths_along(plan.points);
+  return plan;
 }
 
 Result<void> same_crossings(const std::vector<Crossing>& drawn, const Controls& controls) {
@@ -194,14 +204,6 @@ Result<void> same_crossings(const std::vector<Crossing>& drawn, const Controls& 
                    "the smoothed curve crosses itself otherwise than the drawing", remedy);
   }
   return {};
-}
-
-template <class Points>
-std::vector<double> lengths_along(const Points& points) {
-  std::vector<double> lengths{0};
-  for (std::size_t i = 1; i < points.size(); ++i)
-    lengths.push_back(lengths.back() + (points[i] - points[i - 1]).norm());
-  return lengths;
 }
 
 // A place of the walk, by length in the plan, whose height is given; the curve is level there.
@@ -226,24 +228,23 @@ struct Way {
   std::string name;
 };
 
-std::vector<Way> ways_of(const std::vector<Passage>& passages, const Plan& plan,
-                         const std::vector<double>& lengths) {
+std::vector<Way> ways_of(const std::vector<Passage>& passages, const Plan& plan) {
   std::vector<Way> ways;
   double before = 0;
   for (std::size_t i = 0; i < passages.size(); ++i) {
-    const double here = lengths[plan.passages[i]];
+    const double here = plan.lengths[plan.passages[i]];
     const bool is_first = i == 0;
     ways.push_back({here - before, is_first ? 0.5 : 1, passages[i].point,
                     is_first ? "from the start to the first crossing"
                              : "from the crossing before to this one"});
     before = here;
   }
-  ways.push_back(
-      {lengths.back() - before, 0.5, passages.back().point, "from the last crossing to the end"});
+  ways.push_back({plan.lengths.back() - before, 0.5, passages.back().point,
+                  "from the last crossing to the end"});
   return ways;
 }
 
-const Way& tightest_of(const std::vector<Way>& ways) {
+Way tightest_of(const std::vector<Way>& ways) {
   return *std::max_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
     return a.rise * b.length < b.rise * a.length;
   });
@@ -251,6 +252,19 @@ const Way& tightest_of(const std::vector<Way>& ways) {
 
 double length_per_gap(const Way& way) {
   return blend_slope * way.rise / steepest_slope;
+}
+
+// Of bands whose middles are that far apart, the curve rises at the steepest slope.
+double widest_gap(const Way& way) {
+  return way.length / length_per_gap(way);
+}
+
+// The tightest passage, where it is too tight for the gap.
+std::optional<Way> too_tight_passage(const std::vector<Passage>& passages, const Plan& plan,
+                                     double gap) {
+  if (passages.empty()) return std::nullopt;
+  const Way tightest = tightest_of(ways_of(passages, plan));
+  return gap > widest_gap(tightest) ? std::optional(tightest) : std::nullopt;
 }
 
 tl::unexpected<Error> too_tight(const CurveScene& scene, double width_m, const Way& way) {
@@ -266,34 +280,26 @@ tl::unexpected<Error> too_tight(const CurveScene& scene, double width_m, const W
           (widest_m > 0 ? ", or set ribbon.width to " + three_digits(widest_m / spare) : ""));
 }
 
-// The curve whose passages are pulled apart by `widest_m` and not quite that, for rounding.
-Result<SpaceCurve> squeezed(CurveScene scene, double widest_m, int samples) {
-  assert(widest_m > 0);  // the crossings of a drawing do not lie on each other
-  scene.clearance_m = 0;
-  return generate_space_curve(scene, 0.999 * widest_m, samples);
-}
-
 // The heights along the plan: up and down at the passages, 0 towards both ends.
 std::vector<Level> levels_of(const std::vector<Passage>& passages, const Plan& plan,
-                             const std::vector<double>& lengths, double height) {
+                             double height) {
   if (passages.empty()) return {{0, 0}};
   const double lead = gentle_lead * height;
-  std::vector<Level> levels{{std::max(0.0, lengths[plan.passages.front()] - lead), 0}};
+  std::vector<Level> levels{{std::max(0.0, plan.lengths[plan.passages.front()] - lead), 0}};
   for (std::size_t i = 0; i < passages.size(); ++i)
-    levels.push_back({lengths[plan.passages[i]], passages[i].over ? height : -height});
-  levels.push_back({std::min(lengths.back(), levels.back().length + lead), 0});
+    levels.push_back({plan.lengths[plan.passages[i]], passages[i].over ? height : -height});
+  levels.push_back({std::min(plan.lengths.back(), levels.back().length + lead), 0});
   return levels;
 }
 
-std::vector<Vector3d> raised(const Plan& plan, const std::vector<double>& lengths,
-                             const std::vector<Level>& levels) {
+std::vector<Vector3d> raised(const Plan& plan, const std::vector<Level>& levels) {
   std::vector<Vector3d> points;
   std::size_t next = 0;
   for (std::size_t i = 0; i < plan.points.size(); ++i) {
-    while (next + 1 < levels.size() && levels[next].length <= lengths[i]) ++next;
+    while (next + 1 < levels.size() && levels[next].length <= plan.lengths[i]) ++next;
     const Level& before = levels[next == 0 ? 0 : next - 1];
     points.emplace_back(plan.points[i].x(), plan.points[i].y(),
-                        blend(before, levels[next], lengths[i]));
+                        blend(before, levels[next], plan.lengths[i]));
   }
   return points;
 }
@@ -334,30 +340,30 @@ Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_w
   if (!drawing) return tl::unexpected(drawing.error());
   const auto crossings = find_crossings(*drawing, scene.first_passage_over);
   if (!crossings) return tl::unexpected(crossings.error());
-
   const auto passages = passages_along(*crossings);
   const Controls controls = controls_of(*drawing, passages);
-  const auto same = same_crossings(*crossings, controls);
-  if (!same) return tl::unexpected(same.error());
+  if (auto same = same_crossings(*crossings, controls); !same) return tl::unexpected(same.error());
 
-  const double gap = (ribbon_width_m + scene.clearance_m) / scene.unit_m;
-  const Plan plan = fine_plan(controls, gap);
-  const auto plan_lengths = lengths_along(plan.points);
-  if (!passages.empty()) {
-    const std::vector<Way> ways = ways_of(passages, plan, plan_lengths);
-    const Way& tightest = tightest_of(ways);
-    const double widest_gap = tightest.length / length_per_gap(tightest);
-    if (gap > widest_gap && tight_passage == TightPassage::refuse)
-      return too_tight(scene, ribbon_width_m, tightest);
-    if (gap > widest_gap) return squeezed(scene, widest_gap * scene.unit_m, samples);
+  double gap = (ribbon_width_m + scene.clearance_m) / scene.unit_m;
+  Plan plan = fine_plan(controls, gap);
+  SpaceCurve curve;
+  if (const auto tight = too_tight_passage(passages, plan, gap)) {
+    const auto refusal = too_tight(scene, ribbon_width_m, *tight);
+    if (tight_passage == TightPassage::refuse) return refusal;
+    curve.squeezed = refusal.value();
+    gap = squeezed_per_widest * (widest_gap(*tight) * scene.unit_m) / scene.unit_m;
+    plan = fine_plan(controls, gap);
   }
-  auto points = raised(plan, plan_lengths, levels_of(passages, plan, plan_lengths, gap / 2));
+  auto points = raised(plan, levels_of(passages, plan, gap / 2));
   for (Vector3d& point : points) {
     point.head<2>() -= scene.origin;
     point = in_world(point * scene.unit_m, scene.axis);
   }
   const auto lengths = lengths_along(points);
-  return SpaceCurve{evenly_sampled(points, lengths, samples), lengths.back(), *crossings};
+  curve.points = evenly_sampled(points, lengths, samples);
+  curve.length_m = lengths.back();
+  curve.crossings = *crossings;
+  return curve;
 }
 
 }  // namespace ribbon

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "curve/crossings.h"
@@ -16,6 +17,7 @@ struct SpaceCurve {
   Eigen::Matrix3Xd points;
   double length_m = 0;
   std::vector<Crossing> crossings;
+  std::optional<Error> squeezed = std::nullopt;  // what TightPassage::refuse would have said
 };
 
 // The centripetal Catmull-Rom point at parameter t in [0, 1] between p1 and p2: the usual one where

@@ -5,7 +5,7 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
-#include <optional>
+#include <utility>
 
 namespace ribbon {
 
@@ -63,30 +63,47 @@ std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
+// Why assimp could not read a file that is there. What it says itself is for programmers.
+tl::unexpected<Error> not_read(const NamedFile& file, const Assimp::Importer& importer) {
+  const std::string ending = file.path.extension().string();
+  if (!importer.IsExtensionSupported(ending))
+    return failure(file, "is no kind of mesh file that can be read",
+                   "export the object as .obj, .ply, .stl, .glb or .fbx");
+  return failure(file,
+                 "gives no triangles: it is damaged, of another kind than " + ending +
+                     ", or holds nothing but points and lines",
+                 "export the object again with its faces, for example as .obj");
+}
+
 }  // namespace
 
 Result<TriangleMesh> read_obstacle(const ObstacleScene& scene) {
-  const std::string place = scene.file.string();
+  if (auto there = check_readable(scene.file); !there) return tl::unexpected(there.error());
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, static_cast<int>(dropped_components));
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* file = importer.ReadFile(place, steps);
-  if (file == nullptr)
-    return failure(place, std::string("no mesh can be read (") + importer.GetErrorString() + ")",
-                   "name a mesh file such as .obj, .ply, .stl, .glb or .fbx");
+  const aiScene* file = importer.ReadFile(scene.file.path.string(), steps);
+  if (file == nullptr) return not_read(scene.file, importer);
   TriangleMesh mesh = merged(*file);
-  mesh.name = scene.file.stem().string();
+  mesh.name = scene.file.path.stem().string();
   if (mesh.triangles.cols() == 0)
-    return failure(place, "the mesh holds no triangles", "export it with faces");
+    return failure(scene.file, "gives no triangles", "export the object with its faces");
   mesh.vertices =
       ((mesh.vertices.cast<double>() * scene.scale).colwise() + scene.position_m).cast<float>();
   if (const auto triangle = first_not_finite(mesh))
-    return failure(place,
-                   "a coordinate of triangle " + std::to_string(*triangle + 1) + " of " +
-                       std::to_string(mesh.triangles.cols()) + " is not a finite number",
+    return failure(scene.file,
+                   "has a coordinate in triangle " + std::to_string(*triangle + 1) + " of " +
+                       std::to_string(mesh.triangles.cols()) + " that is not a finite number",
                    "repair the mesh or choose a smaller obstacle.scale");
   return mesh;
+}
+
+Result<std::optional<TriangleMesh>> read_obstacle(const Scene& scene) {
+  if (!scene.obstacle) return std::nullopt;
+  return read_obstacle(*scene.obstacle).map([](TriangleMesh mesh) {
+    return std::optional(std::move(mesh));
+  });
 }
 
 }  // namespace ribbon

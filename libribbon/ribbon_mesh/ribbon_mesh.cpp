@@ -6,6 +6,14 @@
 
 namespace ribbon {
 
+Result<DrawnRibbon> draw_ribbon(const Scene& scene) {
+  const auto curve = generate_space_curve(
+      scene.curve, scene.ribbon.width_m, scene.ribbon.along,
+      scene.contact == ContactMethod::gate ? TightPassage::squeeze : TightPassage::refuse);
+  if (!curve) return tl::unexpected(curve.error());
+  return DrawnRibbon{generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis), curve->squeezed};
+}
+
 RibbonMesh generate_ribbon_mesh(const SpaceCurve& curve, const RibbonScene& ribbon, Axis axis) {
   assert(curve.points.cols() == ribbon.along && ribbon.across >= 2);
   RibbonMesh mesh;

@@ -1,9 +1,6 @@
 // Reads a scene by a table of its keys: what each is called, how it is checked and where it goes.
 // The few rules that join two keys follow the table.
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -12,69 +9,46 @@
 
 #include "files/files.h"
 #include "scene/accuracy.h"
+#include "scene/document.h"
 #include "scene/nearest_word.h"
-#include "scene/outside_quotes.h"
 #include "scene/scene.h"
-
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
 
 namespace ribbon {
 
 namespace {
 
-// Particles are counted in 32 bits, and so are their coordinates and springs, up to 16 a particle.
-constexpr std::int64_t most_particles = std::int64_t{1} << 27;
+// What a recording holds at most (libribbon/recording/FORMAT.md, section 3).
+constexpr std::int64_t most_particles = std::int64_t{1} << 24;
+constexpr std::int64_t most_columns = std::int64_t{1} << 20;
 constexpr double most_steps = 1e9;
 constexpr double default_frames_per_second = 50;
 constexpr double default_clearance_of_width = 0.1;
 constexpr double default_frames_per_checkpoint = 10'000;
 
-std::string in_quotes(std::string_view text) {
-  std::string line = "'";
-  line.append(text).append("'");
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char letter) { return letter < ' ' || letter == 127; },
-      '?');
-  return line;
-}
-
-std::string shortest(double number) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  return {digits.data(), end};
-}
-
 // ---- What a value of the file is, and what to say when it is not what it should be
 
-// Where something stands; a part that TOML only implies has no place of its own.
-std::string place_of(const std::filesystem::path& file, const toml::source_region& source) {
-  if (!source.begin) return file.string();
-  return file.string() + ":" + std::to_string(source.begin.line) + ":" +
-         std::to_string(source.begin.column);
-}
-
-std::string written(const toml::node& node) {
-  if (const auto* number = node.as_integer()) return std::to_string(number->get());
-  if (const auto* number = node.as_floating_point()) return shortest(number->get());
-  if (const auto* text = node.as_string()) return "the text " + in_quotes(text->get());
-  if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
-  if (const auto* array = node.as_array()) return "an array of " + std::to_string(array->size());
-  return node.is_table() ? "a table" : "a date or time";
+std::string written(const TomlValue& value) {
+  if (const auto* number = value.as<std::int64_t>()) return std::to_string(*number);
+  if (const auto* number = value.as<double>()) return shortest(*number);
+  if (const auto* text = value.as<std::string>()) return "the text " + in_quotes(*text);
+  if (const auto* truth = value.as<bool>()) return *truth ? "true" : "false";
+  if (const auto* array = value.as<TomlArray>())
+    return "an array of " + std::to_string(array->size());
+  return value.as<TomlTable>() != nullptr ? "a table" : "a date or time";
 }
 
 struct Value {
   std::string_view key;
   std::string_view example;  // a value as one may write it
-  const toml::node& node;
-  const std::filesystem::path& file;
+  const TomlValue& toml;
+  const Document& document;
 };
 
-// `node` is the value itself or the part of it that is wrong.
-tl::unexpected<Error> wrong(const Value& value, const toml::node& node, const std::string& duty) {
+// `part` is the value itself or the part of it that is wrong.
+tl::unexpected<Error> wrong(const Value& value, const TomlValue& part, const std::string& duty) {
   return failure(
-      place_of(value.file, node.source()),
-      in_quotes(value.key) + " must be " + duty + ", not " + written(node),
+      value.document.place(part.begin),
+      in_quotes(value.key) + " must be " + duty + ", not " + written(part),
       "write for example '" + std::string(value.key) + " = " + std::string(value.example) + "'");
 }
 
@@ -91,10 +65,11 @@ constexpr Range positive{"above 0 (from 1e-12 to 1e12)", 1e-12, 1e12};
 constexpr Range yield_strain{"from 0.001 to 1", 1e-3, 1};
 constexpr Range lossy{"from 1e-7 to 0.01, or 0", 1e-7, 0.01};
 
-std::optional<double> number_within(const Range& range, const toml::node& node) {
-  if (!node.is_number()) return std::nullopt;
-  const double number = node.is_integer() ? static_cast<double>(node.as_integer()->get())
-                                          : node.as_floating_point()->get();
+std::optional<double> number_within(const Range& range, const TomlValue& value) {
+  const auto* whole = value.as<std::int64_t>();
+  const auto* real = value.as<double>();
+  if (whole == nullptr && real == nullptr) return std::nullopt;
+  const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
   const bool inside = number >= range.lowest && number <= range.highest;  // false for NaN
   return inside ? std::optional(number) : std::nullopt;
 }
@@ -103,38 +78,39 @@ std::optional<double> number_within(const Range& range, const toml::node& node) 
 
 auto number(const Range& range) {
   return [range](const Value& value) -> Result<double> {
-    if (const auto number = number_within(range, value.node)) return *number;
-    return wrong(value, value.node, "a number " + std::string(range.words));
+    if (const auto number = number_within(range, value.toml)) return *number;
+    return wrong(value, value.toml, "a number " + std::string(range.words));
   };
 }
 
 Result<double> position_error(const Value& value) {
-  if (number_within({"", 0, 0}, value.node)) return 0.0;
+  if (number_within({"", 0, 0}, value.toml)) return 0.0;
   return number(lossy)(value);
 }
 
 Result<int> particle_count(const Value& value) {
-  const auto* count = value.node.as_integer();
-  if (count == nullptr || count->get() < 2)
-    return wrong(value, value.node, "a whole number of at least 2");
-  if (count->get() > most_particles)
-    return wrong(value, value.node, "at most " + std::to_string(most_particles));
-  return static_cast<int>(count->get());
+  const auto* count = value.toml.as<std::int64_t>();
+  if (count == nullptr || *count < 2)
+    return wrong(value, value.toml, "a whole number of at least 2");
+  if (*count > most_particles)
+    return wrong(value, value.toml, "at most " + std::to_string(most_particles));
+  return static_cast<int>(*count);
 }
 
 Result<std::string> text(const Value& value) {
-  const auto* text = value.node.as_string();
-  const bool one_line =
-      text != nullptr && !text->get().empty() &&
-      std::none_of(text->get().begin(), text->get().end(),
-                   [](unsigned char letter) { return letter < ' ' || letter == 127; });
-  if (!one_line) return wrong(value, value.node, "a text of one line that is not empty");
-  return text->get();
+  const auto* text = value.toml.as<std::string>();
+  const bool one_line = text != nullptr && !text->empty() &&
+                        std::none_of(text->begin(), text->end(), [](unsigned char letter) {
+                          return letter < ' ' || letter == 127;
+                        });
+  if (!one_line) return wrong(value, value.toml, "a text of one line that is not empty");
+  return *text;
 }
 
-Result<std::filesystem::path> file_name(const Value& value) {
+Result<NamedFile> file_name(const Value& value) {
   return text(value).map([&](const std::string& name) {
-    return (value.file.parent_path() / name).lexically_normal();
+    return NamedFile{(value.document.file.parent_path() / name).lexically_normal(),
+                     value.document.place(value.toml.begin)};
   });
 }
 
@@ -143,10 +119,11 @@ auto one_of(std::vector<std::pair<std::string_view, Meaning>> words) {
   return [words = std::move(words)](const Value& value) -> Result<Meaning> {
     std::string list;
     for (const auto& [word, meaning] : words) {
-      if (value.node.value<std::string_view>() == word) return meaning;
+      if (const auto* text = value.toml.as<std::string>(); text != nullptr && *text == word)
+        return meaning;
       list += (list.empty() ? "\"" : ", \"") + std::string(word) + "\"";
     }
-    return wrong(value, value.node, "one of " + list);
+    return wrong(value, value.toml, "one of " + list);
   };
 }
 
@@ -157,11 +134,11 @@ template <int size>
 Result<Coordinates<size>> coordinates(const Value& value) {
   const std::string duty =
       std::to_string(size) + " numbers " + std::string(any_number.words) + " in brackets";
-  const toml::array* array = value.node.as_array();
-  if (array == nullptr || array->size() != size) return wrong(value, value.node, duty);
+  const auto* array = value.toml.as<TomlArray>();
+  if (array == nullptr || array->size() != size) return wrong(value, value.toml, duty);
   Coordinates<size> vector;
   for (int i = 0; i < size; ++i) {
-    const toml::node& element = (*array)[static_cast<std::size_t>(i)];
+    const TomlValue& element = (*array)[i];
     const auto number = number_within(any_number, element);
     if (!number) return wrong(value, element, duty);
     vector[i] = *number;
@@ -172,19 +149,19 @@ Result<Coordinates<size>> coordinates(const Value& value) {
 Result<Coordinates<3>> direction(const Value& value) {
   auto vector = coordinates<3>(value);
   if (vector && vector->squaredNorm() == 0)
-    return wrong(value, value.node, "a direction that is not all zeros");
+    return wrong(value, value.toml, "a direction that is not all zeros");
   return vector.map([](const Coordinates<3>& direction) -> Coordinates<3> {
     return direction.stableNormalized();
   });
 }
 
 Result<std::vector<Eigen::Vector2d>> points(const Value& value) {
-  const toml::array* array = value.node.as_array();
+  const auto* array = value.toml.as<TomlArray>();
   if (array == nullptr || array->size() < 2)
-    return wrong(value, value.node, "at least 2 points, each [x, y]");
+    return wrong(value, value.toml, "at least 2 points, each [x, y]");
   std::vector<Eigen::Vector2d> points;
-  for (const toml::node& element : *array) {
-    const auto point = coordinates<2>({value.key, value.example, element, value.file});
+  for (const TomlValue& element : *array) {
+    const auto point = coordinates<2>({value.key, value.example, element, value.document});
     if (!point) return tl::unexpected(point.error());
     points.push_back(*point);
   }
@@ -382,24 +359,6 @@ const std::vector<Table>& tables() {
 
 // ---- Walking the file along the table
 
-struct Document {
-  std::filesystem::path file;
-  toml::table root;
-
-  // The table of that name, the whole file for the empty name, null when there is none.
-  [[nodiscard]] const toml::table* find(std::string_view table) const {
-    return table.empty() ? &root : root.get_as<toml::table>(table);
-  }
-
-  // Of the key, else of its table, else of the file.
-  [[nodiscard]] std::string place(std::string_view table, std::string_view key) const {
-    const toml::table* found = find(table);
-    if (found == nullptr) return file.string();
-    const toml::node* node = found->get(key);
-    return place_of(file, (node != nullptr ? *node : *found).source());
-  }
-};
-
 std::string title(const Table& table) {
   return table.name.empty() ? "the lines above all tables" : "[" + std::string(table.name) + "]";
 }
@@ -431,13 +390,14 @@ std::string remedy_for_unknown(const Table& table, std::string_view name) {
 }
 
 Result<void> refuse_unknown(const Document& document, const Table& table,
-                            const toml::table& entries) {
-  for (const auto& [key, node] : entries)
-    if (!knows(table, key.str()))
-      return failure(place_of(document.file, key.source()),
-                     "unknown " + std::string(node.is_table() ? "table " : "key ") +
-                         in_quotes(key.str()) + " in " + title(table),
-                     remedy_for_unknown(table, key.str()));
+                            const TomlTable& entries) {
+  for (const auto& [key, key_begin, value] : entries.entries)
+    if (!knows(table, key))
+      return failure(document.place(key_begin),
+                     "unknown " +
+                         std::string(value.as<TomlTable>() != nullptr ? "table " : "key ") +
+                         in_quotes(key) + " in " + title(table),
+                     remedy_for_unknown(table, key));
   return {};
 }
 
@@ -445,10 +405,9 @@ std::string assignment_example(const Key& key) {
   return "'" + std::string(key.name) + " = " + std::string(key.example) + "'";
 }
 
-Result<void> read_key(const Document& document, const Table& table, const toml::table& entries,
-                      const Key& key, Scene& scene) {
-  if (const toml::node* node = entries.get(key.name))
-    return key.read({key.name, key.example, *node, document.file}, scene);
+Result<void> read_key(const Document& document, const Table& table, const Key& key, Scene& scene) {
+  if (const TomlValue* value = document.find(table.name, key.name))
+    return key.read({key.name, key.example, *value, document}, scene);
   if (key.need == optional) return {};
   return failure(document.place(table.name, ""),
                  in_quotes(key.name) + " is missing in " + title(table),
@@ -456,8 +415,8 @@ Result<void> read_key(const Document& document, const Table& table, const toml::
 }
 
 Result<void> missing_table(const Document& document, const Table& table) {
-  if (const toml::node* other = document.root.get(table.name))
-    return failure(place_of(document.file, other->source()),
+  if (const TomlValue* other = document.find("", table.name))
+    return failure(document.place(other->begin),
                    in_quotes(table.name) + " must be a table, not " + written(*other),
                    "write '[" + std::string(table.name) + "]' and its keys on the lines below");
   if (table.need == optional) return {};
@@ -470,27 +429,26 @@ Result<void> missing_table(const Document& document, const Table& table) {
 }
 
 Result<void> read_table(const Document& document, const Table& table, Scene& scene) {
-  const toml::table* entries = document.find(table.name);
-  if (entries == nullptr) return missing_table(document, table);
-  Result<void> read = refuse_unknown(document, table, *entries);
+  const TomlValue* found = document.find(table.name);
+  if (found == nullptr) return missing_table(document, table);
+  Result<void> read = refuse_unknown(document, table, *found->as<TomlTable>());
   for (const Key& key : table.keys)
-    if (read) read = read_key(document, table, *entries, key, scene);
+    if (read) read = read_key(document, table, key, scene);
   return read;
 }
 
 // ---- Rules that join two keys
 
 Result<void> one_drawing(const Document& document, const Scene&) {
-  const toml::table& curve = *document.find("curve");
-  const bool svg = curve.contains("svg");
-  const bool points = curve.contains("points");
+  const bool svg = document.find("curve", "svg") != nullptr;
+  const bool points = document.find("curve", "points") != nullptr;
   if (svg && points)
     return failure(document.place("curve", "points"), "[curve] has both 'svg' and 'points'",
                    "remove one of them");
   if (!svg && !points)
     return failure(document.place("curve", ""), "[curve] has no drawing",
                    "write for example 'svg = \"overhand.svg\"' or 'points = [[0, 0], [100, 50]]'");
-  if (points && curve.contains("path"))
+  if (points && document.find("curve", "path") != nullptr)
     return failure(document.place("curve", "path"),
                    "'path' names a path of an SVG file, but the drawing is a list of 'points'",
                    "remove 'path', or replace 'points' by 'svg'");
@@ -498,6 +456,9 @@ Result<void> one_drawing(const Document& document, const Scene&) {
 }
 
 Result<void> countable_particles(const Document& document, const Scene& scene) {
+  if (scene.ribbon.across > most_columns)
+    return failure(document.place("ribbon", "across"), "'across' is more than a recording holds",
+                   "write at most " + std::to_string(most_columns));
   const std::int64_t particles = std::int64_t{scene.ribbon.along} * scene.ribbon.across;
   if (particles <= most_particles) return {};
   return failure(
@@ -550,10 +511,9 @@ void set_defaults(const Document& document, Scene& scene) {
   if (scene.name.empty()) scene.name = document.file.stem().string();
   if (scene.curve.clearance_m == 0)
     scene.curve.clearance_m = default_clearance_of_width * scene.ribbon.width_m;
-  const toml::table* recording = document.find("recording");
-  if (recording == nullptr || !recording->contains("frames_per_second"))
+  if (document.find("recording", "frames_per_second") == nullptr)
     scene.recording.frames_per_second = std::min(default_frames_per_second, 1 / scene.time.step_s);
-  if (recording == nullptr || !recording->contains("checkpoint_every"))
+  if (document.find("recording", "checkpoint_every") == nullptr)
     scene.recording.checkpoint_every_s =
         default_frames_per_checkpoint / scene.recording.frames_per_second;
 }
@@ -569,106 +529,6 @@ Result<Scene> scene_of(const Document& document) {
   return scene;
 }
 
-// ---- Changing a setting in the text
-
-// A place as place_of() writes it.
-std::string place_of(const std::filesystem::path& file, std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  const auto line = std::ranges::count(before, '\n') + 1;
-  const std::size_t begin = before.rfind('\n') + 1;  // 0 where there is none
-  return file.string() + ":" + std::to_string(line) + ":" + std::to_string(offset - begin + 1);
-}
-
-Result<Document> parsed(const std::filesystem::path& file, const std::string& text) {
-  if (const auto letter = first_outside_quotes(text))
-    return failure(place_of(file, text, *letter),
-                   "a letter that is not plain ASCII stands outside of quotes",
-                   "put the text that it belongs to in quotes");
-  try {
-    return Document{file, toml::parse(text)};
-  } catch (const toml::parse_error& problem) {
-    return failure(place_of(file, problem.source()), std::string(problem.description()),
-                   "correct the TOML here");
-  }
-}
-
-struct Setting {
-  std::string table;  // empty: above all tables
-  std::string key;
-  std::string value;  // TOML
-};
-
-bool is_toml(const std::string& value) {
-  if (first_outside_quotes(value)) return false;
-  try {
-    return toml::parse("it = " + value).size() == 1 && value.find('\n') == std::string::npos;
-  } catch (const toml::parse_error&) {
-    return false;
-  }
-}
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::optional<Setting> parse_setting(const std::string& text) {
-  const auto equals = text.find('=');
-  if (equals == std::string::npos) return std::nullopt;
-  const std::string name = trimmed(text.substr(0, equals));
-  const auto dot = name.find('.');
-  Setting setting{dot == std::string::npos ? "" : name.substr(0, dot),
-                  dot == std::string::npos ? name : name.substr(dot + 1),
-                  trimmed(text.substr(equals + 1))};
-  const auto is_bare = [](const std::string& word) {
-    return std::all_of(word.begin(), word.end(), [](unsigned char letter) {
-      return std::isalnum(letter) != 0 || letter == '_' || letter == '-';
-    });
-  };
-  if (setting.key.empty() || setting.value.empty() || !is_bare(setting.key) ||
-      !is_bare(setting.table))
-    return std::nullopt;
-  if (!is_toml(setting.value)) setting.value = '"' + setting.value + '"';
-  return is_toml(setting.value) ? std::optional(setting) : std::nullopt;
-}
-
-// Where a line and column, both from 1, stand in the text; columns count code points.
-std::size_t offset_of(const std::string& text, const toml::source_position& position) {
-  std::size_t offset = 0;
-  for (toml::source_index line = 1; line < position.line; ++line)
-    offset = text.find('\n', offset) + 1;
-  const auto is_continued = [&] {
-    return offset < text.size() && (static_cast<unsigned char>(text[offset]) & 0xC0) == 0x80;
-  };
-  for (toml::source_index column = 1; column < position.column; ++column) do {
-      ++offset;
-    } while (is_continued());
-  return offset;
-}
-
-std::string with_line(std::string text, std::size_t at, const std::string& line) {
-  return text.insert(at, line + "\n");
-}
-
-std::string changed_text(const Document& document, std::string text, const Setting& setting) {
-  const toml::table* table = document.find(setting.table);
-  const std::string line = setting.key + " = " + setting.value;
-  if (table == nullptr) {
-    if (!text.empty() && text.back() != '\n') text += '\n';
-    return text + "\n[" + setting.table + "]\n" + line + "\n";
-  }
-  if (const toml::node* old = table->get(setting.key)) {
-    const std::size_t begin = offset_of(text, old->source().begin);
-    return text.replace(begin, offset_of(text, old->source().end) - begin, setting.value);
-  }
-  if (setting.table.empty()) return with_line(std::move(text), 0, line);
-  const std::size_t header = offset_of(text, table->source().begin);
-  const std::size_t end = text.find('\n', header);
-  if (end == std::string::npos) return text + "\n" + line + "\n";
-  return with_line(std::move(text), end + 1, line);
-}
-
 }  // namespace
 
 Result<Scene> read_scene(const std::filesystem::path& file) {
@@ -678,31 +538,10 @@ Result<Scene> read_scene(const std::filesystem::path& file) {
 }
 
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text) {
-  return parsed(file, text).and_then(scene_of).map([&](Scene scene) {
+  return parse_document(file, text).and_then(scene_of).map([&](Scene scene) {
     scene.text = std::move(text);
     return scene;
   });
-}
-
-std::string setting_of(const std::string& key, double value) {
-  return key + " = " + shortest(value);
-}
-
-Result<std::string> with_setting(const std::filesystem::path& file, const std::string& text,
-                                 const std::string& setting) {
-  const auto wanted = parse_setting(setting);
-  if (!wanted)
-    return failure("", in_quotes(setting) + " is not a setting",
-                   "write for example 'fastening.speed=0.3'");
-  const auto before = parsed(file, text);
-  if (!before) return tl::unexpected(before.error());
-  std::string changed = changed_text(*before, text, *wanted);
-  const auto after = parsed(file, changed);
-  const toml::table* table = after ? after->find(wanted->table) : nullptr;
-  if (table == nullptr || !table->contains(wanted->key))
-    return failure(file.string(), "there is no place for " + in_quotes(setting) + " in the scene",
-                   "write the tables of the scene as '[table]' lines");
-  return changed;
 }
 
 }  // namespace ribbon

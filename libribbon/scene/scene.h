@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "result/result.h"
+#include "scene/named_file.h"
 
 namespace ribbon {
 
@@ -23,8 +24,8 @@ struct DrawnPoints {
 };
 
 struct DrawnSvg {
-  std::filesystem::path file;  // absolute, or relative to the working directory
-  std::string path_id;         // id of the path to use; empty: the only one
+  NamedFile file;
+  std::string path_id;  // id of the path to use; empty: the only one
 
   bool operator==(const DrawnSvg&) const = default;
 };
@@ -60,8 +61,8 @@ struct SpringScene {
 };
 
 struct ObstacleScene {
-  std::filesystem::path file;  // absolute, or relative to the working directory
-  double scale = 1;            // metres per unit of the mesh file
+  NamedFile file;
+  double scale = 1;  // metres per unit of the mesh file
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
 
   bool operator==(const ObstacleScene&) const = default;
@@ -153,16 +154,5 @@ Result<Scene> read_scene(const std::filesystem::path& file);
 
 // Likewise, of the text of a scene; `file` says where it stands and in which folder to look.
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text);
-
-// A setting as with_setting() takes it: "time.duration = 6.5", with as many digits as the number
-// needs.
-std::string setting_of(const std::string& key, double value);
-
-// The text of a scene with one setting, "fastening.speed=0.3" or "accuracy=fine", changed where it
-// stands or else added to its table; everything else stays as it was written. The value is TOML, or
-// a word without quotes. Fails when it is not, and where there is no place for it. Whether the
-// scene knows such a key, and such a value, is for read_scene() to say.
-Result<std::string> with_setting(const std::filesystem::path& file, const std::string& text,
-                                 const std::string& setting);
 
 }  // namespace ribbon

@@ -19,17 +19,12 @@ void refine(Scene& scene, int along, int across) {
 
 }  // namespace
 
-Result<SampleRibbon> ribbon_of(const Scene& scene, TightPassage tight) {
-  const auto curve =
-      generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along, tight);
-  if (!curve) return tl::unexpected(curve.error());
-  SampleRibbon ribbon{scene, generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis),
-                      std::nullopt};
-  if (!scene.obstacle) return ribbon;
-  auto obstacle = read_obstacle(*scene.obstacle);
+Result<SampleRibbon> ribbon_of(const Scene& scene) {
+  auto ribbon = draw_ribbon(scene);
+  if (!ribbon) return tl::unexpected(ribbon.error());
+  auto obstacle = read_obstacle(scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
-  ribbon.obstacle = std::move(*obstacle);
-  return ribbon;
+  return SampleRibbon{scene, std::move(ribbon->mesh), *std::move(obstacle)};
 }
 
 Result<SampleRibbon> sample_ribbon(const std::filesystem::path& scene_file, int along, int across) {

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "curve/space_curve.h"
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
 #include "ribbon_mesh/ribbon_mesh.h"
@@ -18,7 +17,7 @@ struct SampleRibbon {
   std::optional<TriangleMesh> obstacle;
 };
 
-Result<SampleRibbon> ribbon_of(const Scene& scene, TightPassage tight = TightPassage::refuse);
+Result<SampleRibbon> ribbon_of(const Scene& scene);
 
 // With along x across particles and springs that resist lengthwise as the sample's do: across times
 // resistance over along stays the same.

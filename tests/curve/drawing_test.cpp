@@ -29,8 +29,13 @@ std::filesystem::path svg_with(const std::string& body) {
   return file_with(text + "\n</svg>\n");
 }
 
+Result<Drawing> read_path(const std::filesystem::path& file, const std::string& id) {
+  return find_svg_path(file, id).and_then(
+      [](const SvgPath& path) { return flattened(path, tolerance); });
+}
+
 Drawing drawing_of(const std::string& body, const std::string& id = "") {
-  const auto drawing = read_svg_path(svg_with(body), id, tolerance);
+  const auto drawing = read_path(svg_with(body), id);
   EXPECT_TRUE(drawing.has_value()) << drawing.error().sentence();
   return drawing.value_or(Drawing{});
 }
@@ -70,7 +75,7 @@ void expect_curve(const std::string& data, const Drawing& through, const Vector2
 }
 
 std::string problem_of(const std::filesystem::path& file, const std::string& id = "") {
-  const auto drawing = read_svg_path(file, id, tolerance);
+  const auto drawing = read_path(file, id);
   return drawing ? "none" : drawing.error().sentence();
 }
 
@@ -205,7 +210,7 @@ TEST(SvgFile, as_inkscape_writes_it) {
   </g>
 </svg>
 )svg");
-  const auto drawing = read_svg_path(file, "", tolerance);
+  const auto drawing = read_path(file, "");
   ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
   EXPECT_EQ(drawing->front(), Vector2d(10, 20));
   EXPECT_LE(distance_to(*drawing, {12, 23}), tolerance);
@@ -233,7 +238,7 @@ TEST(SvgFile, prefixed_svg_is_svg) {
   const auto file = file_with(
       "<svg:svg xmlns:svg='http://www.w3.org/2000/svg'><svg:g><svg:path d='M 1 1 L 2 2'/>"
       "</svg:g></svg:svg>");
-  expect_points(read_svg_path(file, "", tolerance).value(), {{1, 1}, {2, 2}});
+  expect_points(read_path(file, "").value(), {{1, 1}, {2, 2}});
 }
 
 TEST(SvgFile, id_chooses_among_several_paths) {
@@ -265,7 +270,12 @@ TEST(SvgErrors, several_paths_are_listed) {
   const std::string problem =
       problem_of(svg_with("<path id='left' d='M 0 0 L 1 1'/>\n<path id='right' d='M 2 2 L 3 3'/>"));
   expect_problem(problem, ".svg:3", "2 paths");
-  expect_problem(problem, "'left', 'right'", "choose one");
+  expect_problem(problem, "'left', 'right'", "write for example 'path = \"left\"' in the scene's");
+}
+
+TEST(SvgErrors, paths_without_ids_are_to_get_one) {
+  expect_problem(problem_of(svg_with(path_of("M 0 0 L 1 1") + path_of("M 2 2 L 3 3"))), ".svg:2",
+                 "give one an id, for example \"band\", and write 'path = \"band\"'");
 }
 
 TEST(SvgErrors, unknown_id_names_those_there_are) {

@@ -15,7 +15,7 @@ class Samples : public testing::TestWithParam<const char*> {
   static SpaceCurve curve(double width_m, int samples) {
     CurveScene scene;
     scene.drawing =
-        DrawnSvg{std::filesystem::path(SAMPLES_FOLDER) / (std::string(GetParam()) + ".svg"), ""};
+        DrawnSvg{{std::filesystem::path(SAMPLES_FOLDER) / (std::string(GetParam()) + ".svg")}, ""};
     scene.clearance_m = 0.01;
     const auto result = generate_space_curve(scene, width_m, samples);
     EXPECT_TRUE(result.has_value()) << result.error().sentence();

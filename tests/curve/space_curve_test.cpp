@@ -207,7 +207,7 @@ TEST(SpaceCurve, points_that_are_no_numbers_are_refused) {
 
 TEST(SpaceCurve, missing_drawing_is_named) {
   CurveScene scene;
-  scene.drawing = DrawnSvg{"/no/such/knot.svg", ""};
+  scene.drawing = DrawnSvg{{"/no/such/knot.svg"}, ""};
   EXPECT_NE(problem_of(scene, 0.1).find("/no/such/knot.svg"), std::string::npos);
 }
 

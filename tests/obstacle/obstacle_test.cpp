@@ -14,7 +14,7 @@ std::filesystem::path written(const std::string& name, const std::string& text) 
 
 ObstacleScene scene_of(const std::filesystem::path& file) {
   ObstacleScene scene;
-  scene.file = file;
+  scene.file = {file};
   return scene;
 }
 
@@ -56,11 +56,26 @@ TEST(Obstacle, other_formats_are_read_too) {
   EXPECT_EQ(read_obstacle(scene_of(file)).value().triangles.cols(), 1);
 }
 
-TEST(Obstacle, a_missing_file_and_a_file_without_faces_are_named) {
-  const auto missing = read_obstacle(scene_of("/no/such/mesh.obj"));
-  ASSERT_FALSE(missing.has_value());
-  EXPECT_EQ(missing.error().place, "/no/such/mesh.obj");
-  EXPECT_FALSE(read_obstacle(scene_of(written("points.obj", "v 0 0 0\nv 1 0 0\n"))).has_value());
+TEST(Obstacle, what_cannot_be_read_is_told_with_its_place_in_the_scene) {
+  const auto problem_of = [](const std::filesystem::path& file) {
+    ObstacleScene scene = scene_of(file);
+    scene.file.place = "knot.toml:12:8";
+    const auto mesh = read_obstacle(scene);
+    return mesh ? "none" : mesh.error().place + ": " + mesh.error().problem;
+  };
+  const auto folder = std::filesystem::path(testing::TempDir());
+  const auto in_folder = [&](const std::string& name) {
+    return "knot.toml:12:8: '" + (folder / name).string() + "' ";
+  };
+  EXPECT_EQ(problem_of("/no/such/mesh.obj"), "knot.toml:12:8: '/no/such/mesh.obj' does not exist");
+  EXPECT_EQ(problem_of("/usr"), "knot.toml:12:8: '/usr' is a folder");
+  for (const std::string name : {"points.obj", "points.ply"})
+    EXPECT_EQ(problem_of(written(name, "v 0 0 0\nv 1 0 0\n")),
+              in_folder(name) + "gives no triangles: it is damaged, of another kind than " +
+                  name.substr(6) + ", or holds nothing but points and lines");
+  EXPECT_EQ(problem_of(written("letter.txt", "Dear Sir\n")),
+            in_folder("letter.txt") + "is no kind of mesh file that can be read");
+  EXPECT_EQ(read_obstacle(scene_of("/no/such/mesh.obj")).error().place, "/no/such/mesh.obj");
 }
 
 TEST(Obstacle, triangles_without_area_duplicates_and_inverted_ones_are_kept) {
@@ -76,7 +91,7 @@ TEST(Obstacle, a_coordinate_that_is_no_number_is_told_with_its_triangle) {
   const auto answer = read_obstacle(
       scene_of(written("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 nan 1\nf 1 2 3\nf 1 2 4\n")));
   ASSERT_FALSE(answer.has_value());
-  EXPECT_NE(answer.error().sentence().find("nan.obj: a coordinate of triangle 2 of 2"),
+  EXPECT_NE(answer.error().sentence().find("nan.obj: has a coordinate in triangle 2 of 2"),
             std::string::npos)
       << answer.error().sentence();
 }

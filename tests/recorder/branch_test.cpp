@@ -8,6 +8,7 @@
 #include "recorder/record.h"
 #include "recorder/resume.h"
 #include "recorder/small_scene.h"
+#include "scene/setting.h"
 
 namespace ribbon::branch_test {
 

@@ -133,7 +133,7 @@ TEST_F(Record, a_run_until_tight_ends_by_itself) {
                          "v 0.03 0.4 -0.08\nv -0.03 0.4 -0.08\n"
                          "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n")
                   .has_value());
-  scene_.obstacle = ObstacleScene{.file = post};
+  scene_.obstacle = ObstacleScene{.file = {post}};
   scene_.time = {.step_s = 0.01, .duration_s = 60, .until = RunsUntil::tight};
   scene_.fastening->speed_m_s = 0.5;
   scene_.fastening->yield_strain = 0.05;
@@ -153,7 +153,7 @@ TEST_F(Record, a_run_until_tight_ends_by_itself) {
 }
 
 TEST_F(Record, an_obstacle_that_cannot_be_read_is_named_before_anything_is_written) {
-  scene_.obstacle = ObstacleScene{.file = folder_ / "missing.obj"};
+  scene_.obstacle = ObstacleScene{.file = {folder_ / "missing.obj"}};
   const auto answer = record(scene_, folder_ / "knot.rbn", "test",
                              {[](int, int, const FrameNumbers&) { return true; }});
   ASSERT_FALSE(answer.has_value());
@@ -207,7 +207,7 @@ TEST_F(Record, recoveries_of_the_start_are_in_the_first_frame) {
                          "v -0.001 0 -0.4\nv 0.001 0 -0.4\nv 0 0.002 -0.4\nv 0 0 0\n"
                          "f 1 3 2\nf 2 3 4\nf 4 3 1\nf 1 2 4\n")
                   .has_value());
-  scene_.obstacle = ObstacleScene{.file = needle};
+  scene_.obstacle = ObstacleScene{.file = {needle}};
   scene_.contact = ContactMethod::paper;
   const RunStatistics statistics = record_all(folder_ / "knot.rbn");
   EXPECT_EQ(statistics.start, "recovered");

@@ -10,6 +10,7 @@
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
 #include "recording/writer/recording_writer.h"
+#include "scene/setting.h"
 
 namespace ribbon::resume_test {
 

@@ -64,7 +64,9 @@ Result<std::string> jittered_scene(const std::filesystem::path& file, std::uint6
     return failure(file.string(), "the curve is not drawn in an SVG file",
                    "jitter a scene that has curve.svg");
   const double unit_m = scene->curve.unit_m;
-  const auto drawing = read_svg_path(svg->file, svg->path_id, flatness_m / unit_m);
+  const auto drawing = find_svg_path(svg->file.path, svg->path_id).and_then([&](const auto& path) {
+    return flattened(path, flatness_m / unit_m);
+  });
   if (!drawing) return tl::unexpected(drawing.error());
 
   Drawing points = evenly_spaced(*drawing, spacing_m / unit_m);

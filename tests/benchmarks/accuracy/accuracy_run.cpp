@@ -62,7 +62,7 @@ AccuracyRun run(const Scene& scene, const RibbonMesh& mesh, double duration_s,
 
 Result<AccuracyRun> run_by(const AccuracySetting& setting, Scene scene, double duration_s) {
   set_accuracy(setting.numbers, scene);
-  const auto ribbon = ribbon_of(scene, TightPassage::squeeze);
+  const auto ribbon = ribbon_of(scene);
   if (!ribbon) return tl::unexpected(ribbon.error());
   auto fastening = FasteningProcessor::create(scene, ribbon->mesh, ribbon->obstacle);
   if (!fastening) return tl::unexpected(fastening.error());

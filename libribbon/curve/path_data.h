@@ -9,7 +9,7 @@
 namespace ribbon {
 
 // The flattened first subpath of some path data.
-struct SvgPath {
+struct FlatPath {
   std::vector<Eigen::Vector2d> points;  // consecutive points differ; empty if nothing is drawn
   int subpaths = 0;                     // those that draw something
   bool closed = false;                  // by Z, in any subpath
@@ -17,8 +17,8 @@ struct SvgPath {
 
 // Reads all path commands of SVG 1.1, maps them by `root_from_path` and flattens curves to within
 // `tolerance` (> 0), but to no more than 10 000 chords a curve. Nothing if `data` is malformed.
-std::optional<SvgPath> read_path_data(const std::string& data,
-                                      const Eigen::Affine2d& root_from_path, double tolerance);
+std::optional<FlatPath> flatten_path_data(const std::string& data,
+                                          const Eigen::Affine2d& root_from_path, double tolerance);
 
 // The product of a transform attribute's list; nothing if `text` is malformed.
 std::optional<Eigen::Affine2d> read_transform(const std::string& text);

@@ -1,4 +1,5 @@
-// Settings changed in a scene's text.
+#include "scene/setting.h"
+
 #include <gtest/gtest.h>
 
 #include "scene/scene.h"

@@ -1,4 +1,4 @@
-#include "curve/svg_path.h"
+#include "curve/path_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +85,7 @@ class Flattener {
   void path_close_subpath() { path_.closed = true; }
   void path_exit() {}
 
-  [[nodiscard]] const SvgPath& path() const { return path_; }
+  [[nodiscard]] const FlatPath& path() const { return path_; }
 
  private:
   void begin_segment() {
@@ -136,7 +136,7 @@ class Flattener {
   double tolerance_;
   Vector2d current_ = Vector2d::Zero();
   bool subpath_is_empty_ = true;
-  SvgPath path_;
+  FlatPath path_;
 };
 
 struct TransformList {
@@ -149,8 +149,8 @@ struct TransformList {
 
 }  // namespace
 
-std::optional<SvgPath> read_path_data(const std::string& data,
-                                      const Eigen::Affine2d& root_from_path, double tolerance) {
+std::optional<FlatPath> flatten_path_data(const std::string& data,
+                                          const Eigen::Affine2d& root_from_path, double tolerance) {
   using Parser = svgpp::value_parser<svgpp::tag::type::path_data, svgpp::error_policy<AnswerFalse>>;
   Flattener flattener(root_from_path, tolerance);
   if (!Parser::parse(svgpp::tag::attribute::d(), flattener, data, svgpp::tag::source::attribute()))

@@ -1,0 +1,75 @@
+#include "scene/document.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "scene/outside_quotes.h"
+
+namespace ribbon {
+
+namespace {
+
+// In bytes: a letter beyond ASCII may stand before it, but the parser has not counted any.
+TomlPosition position_at(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t begin = before.rfind('\n') + 1;  // 0 where there is none
+  return {static_cast<std::uint32_t>(std::ranges::count(before, '\n') + 1),
+          static_cast<std::uint32_t>(offset - begin + 1)};
+}
+
+}  // namespace
+
+const TomlValue* Document::find(std::string_view table) const {
+  if (table.empty()) return &root;
+  const TomlValue* found = root.as<TomlTable>()->find(table);
+  return found != nullptr && found->as<TomlTable>() != nullptr ? found : nullptr;
+}
+
+const TomlValue* Document::find(std::string_view table, std::string_view key) const {
+  const TomlValue* found = find(table);
+  return found == nullptr ? nullptr : found->as<TomlTable>()->find(key);
+}
+
+std::string Document::place(const TomlPosition& position) const {
+  if (position.line == 0) return file.string();
+  return file.string() + ":" + std::to_string(position.line) + ":" +
+         std::to_string(position.column);
+}
+
+std::string Document::place(std::string_view table, std::string_view key) const {
+  if (const TomlValue* value = find(table, key)) return place(value->begin);
+  const TomlValue* found = find(table);
+  return found == nullptr ? file.string() : place(found->begin);
+}
+
+Result<Document> parse_document(const std::filesystem::path& file, std::string_view text) {
+  Document document{file, {}};
+  if (const auto letter = first_outside_quotes(text))
+    return failure(document.place(position_at(text, *letter)),
+                   "a letter that is not plain ASCII stands outside of quotes",
+                   "put the text that it belongs to in quotes");
+  auto parsed = parse_toml(text);
+  if (!parsed)
+    return failure(document.place(parsed.error().position), parsed.error().sentence,
+                   "correct the TOML here");
+  document.root = *std::move(parsed);
+  return document;
+}
+
+std::string in_quotes(std::string_view text) {
+  std::string line = "'";
+  line.append(text).append("'");
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char letter) { return letter < ' ' || letter == 127; },
+      '?');
+  return line;
+}
+
+std::string shortest(double number) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  return {digits.data(), end};
+}
+
+}  // namespace ribbon

@@ -1,0 +1,37 @@
+// The text of a scene, parsed: its tables and where things stand in the file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "result/result.h"
+#include "scene/toml.h"
+
+namespace ribbon {
+
+struct Document {
+  std::filesystem::path file;
+  TomlValue root;  // a table
+
+  // The table of that name, the whole file for the empty name; null when there is none.
+  [[nodiscard]] const TomlValue* find(std::string_view table) const;
+  // The key of a table; null when there is none.
+  [[nodiscard]] const TomlValue* find(std::string_view table, std::string_view key) const;
+
+  // "knot.toml:4:9"; the file alone where TOML only implies it.
+  [[nodiscard]] std::string place(const TomlPosition& position) const;
+  // Of the key, else of its table, else of the file.
+  [[nodiscard]] std::string place(std::string_view table, std::string_view key) const;
+};
+
+// Fails with the place where the text is no TOML.
+Result<Document> parse_document(const std::filesystem::path& file, std::string_view text);
+
+// In quotes and on one line, whatever stands in it.
+std::string in_quotes(std::string_view text);
+
+// With as many digits as the number needs.
+std::string shortest(double number);
+
+}  // namespace ribbon

@@ -1,0 +1,103 @@
+#include "scene/setting.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "scene/document.h"
+
+namespace ribbon {
+
+namespace {
+
+struct Setting {
+  std::string table;  // empty: above all tables
+  std::string key;
+  std::string value;  // TOML
+};
+
+bool is_toml(const std::string& value) {
+  const auto parsed = parse_document("", "it = " + value);
+  return parsed && parsed->root.as<TomlTable>()->entries.size() == 1 &&
+         value.find('\n') == std::string::npos;
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::optional<Setting> parse_setting(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) return std::nullopt;
+  const std::string name = trimmed(text.substr(0, equals));
+  const auto dot = name.find('.');
+  Setting setting{dot == std::string::npos ? "" : name.substr(0, dot),
+                  dot == std::string::npos ? name : name.substr(dot + 1),
+                  trimmed(text.substr(equals + 1))};
+  const auto is_bare = [](const std::string& word) {
+    return std::all_of(word.begin(), word.end(), [](unsigned char letter) {
+      return std::isalnum(letter) != 0 || letter == '_' || letter == '-';
+    });
+  };
+  if (setting.key.empty() || setting.value.empty() || !is_bare(setting.key) ||
+      !is_bare(setting.table))
+    return std::nullopt;
+  if (!is_toml(setting.value)) setting.value = '"' + setting.value + '"';
+  return is_toml(setting.value) ? std::optional(setting) : std::nullopt;
+}
+
+// Where a line and column, both from 1, stand in the text; columns count code points.
+std::size_t offset_of(const std::string& text, const TomlPosition& position) {
+  std::size_t offset = 0;
+  for (std::uint32_t line = 1; line < position.line; ++line) offset = text.find('\n', offset) + 1;
+  const auto is_continued = [&] {
+    return offset < text.size() && (static_cast<unsigned char>(text[offset]) & 0xC0) == 0x80;
+  };
+  for (std::uint32_t column = 1; column < position.column; ++column) do {
+      ++offset;
+    } while (is_continued());
+  return offset;
+}
+
+std::string changed_text(const Document& document, std::string text, const Setting& setting) {
+  const std::string line = setting.key + " = " + setting.value;
+  const TomlValue* table = document.find(setting.table);
+  if (table == nullptr) {
+    if (!text.empty() && text.back() != '\n') text += '\n';
+    return text + "\n[" + setting.table + "]\n" + line + "\n";
+  }
+  if (const TomlValue* old = document.find(setting.table, setting.key)) {
+    const std::size_t begin = offset_of(text, old->begin);
+    return text.replace(begin, offset_of(text, old->end) - begin, setting.value);
+  }
+  if (setting.table.empty()) return line + "\n" + text;
+  const std::size_t end = text.find('\n', offset_of(text, table->begin));
+  if (end == std::string::npos) return text + "\n" + line + "\n";
+  return text.insert(end + 1, line + "\n");
+}
+
+}  // namespace
+
+std::string setting_of(const std::string& key, double value) {
+  return key + " = " + shortest(value);
+}
+
+Result<std::string> with_setting(const std::filesystem::path& file, const std::string& text,
+                                 const std::string& setting) {
+  const auto wanted = parse_setting(setting);
+  if (!wanted)
+    return failure("", in_quotes(setting) + " is not a setting",
+                   "write for example 'fastening.speed=0.3'");
+  const auto before = parse_document(file, text);
+  if (!before) return tl::unexpected(before.error());
+  std::string changed = changed_text(*before, text, *wanted);
+  const auto after = parse_document(file, changed);
+  if (!after || after->find(wanted->table, wanted->key) == nullptr)
+    return failure(file.string(), "there is no place for " + in_quotes(setting) + " in the scene",
+                   "write the tables of the scene as '[table]' lines");
+  return changed;
+}
+
+}  // namespace ribbon
