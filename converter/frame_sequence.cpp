@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "commandline/frame_pattern.h"
 #include "commandline/progress.h"
 #include "converter/export/fbx_export.h"
 #include "converter/export/obj_text.h"
@@ -30,7 +31,7 @@ struct Outcome {
 class Sequence {
  public:
   Sequence(const ConversionRequest& request, OutputFormat format, RecordingReader reader,
-           const Model& model, const std::vector<int>& frames, FrameFile file)
+           const Model& model, const std::vector<int>& frames, FramePattern file)
       : format_(format),
         interrupted_(request.interrupted),
         material_library_(material_library_name(request.output)),
@@ -54,7 +55,7 @@ class Sequence {
   // Into every folder that gets frames, since {frame} may stand in a folder's name.
   Result<void> write_material_library() {
     std::set<std::filesystem::path> folders;
-    for (const int index : frames_) folders.insert(file_(index + 1).parent_path());
+    for (const int index : frames_) folders.insert(file_.file(index + 1).parent_path());
     for (const auto& folder : folders)
       if (auto written = write_file(folder / material_library_, material_library_text(model_));
           !written)
@@ -82,7 +83,7 @@ class Sequence {
     const Result<std::string> bytes =
         pose_ribbon(model, positions, index + 1).and_then([&] { return encode(model); });
     if (!bytes) return stop(outcome, bytes.error());
-    const Result<void> written = write_file(file_(index + 1), *bytes);
+    const Result<void> written = write_file(file_.file(index + 1), *bytes);
     if (!written) return stop(outcome, written.error());
     outcome.bytes = bytes->size();
   }
@@ -105,8 +106,8 @@ class Sequence {
   [[nodiscard]] Result<ConversionReport> report() {
     ConversionReport report;
     report.damage = readers_.damage();
-    report.first_file = file_(frames_.front() + 1);
-    report.last_file = file_(frames_.back() + 1);
+    report.first_file = file_.file(frames_.front() + 1);
+    report.last_file = file_.file(frames_.back() + 1);
     for (std::size_t slot = 0; slot < frames_.size(); ++slot) {
       const Outcome& outcome = outcomes_[slot];
       if (outcome.failure) return tl::unexpected(*outcome.failure);
@@ -124,7 +125,7 @@ class Sequence {
   std::string material_library_;
   const Model& model_;
   const std::vector<int>& frames_;
-  FrameFile file_;
+  FramePattern file_;
   ReaderPool readers_;
   std::mutex progress_mutex_;
   ProgressLine progress_;
@@ -138,7 +139,7 @@ class Sequence {
 Result<ConversionReport> write_frame_sequence(const ConversionRequest& request, OutputFormat format,
                                               RecordingReader reader, const Model& model,
                                               const std::vector<int>& frames) {
-  auto file = frame_files(request.output, static_cast<int>(frames.size()));
+  auto file = FramePattern::parse(request.output, static_cast<int>(frames.size()));
   if (!file) return tl::unexpected(file.error());
   return Sequence(request, format, std::move(reader), model, frames, std::move(*file)).write();
 }

@@ -1,16 +1,8 @@
 #include "converter/output_names.h"
 
-#include "commandline/frame_pattern.h"
+#include <filesystem>
 
 namespace ribbon {
-
-Result<FrameFile> frame_files(const std::string& output, int frame_count) {
-  if (frame_count == 1 && output.find('{') == std::string::npos)
-    return [path = std::filesystem::path(output)](int) { return path; };
-  return FramePattern::parse(output).map([](const FramePattern& pattern) -> FrameFile {
-    return [pattern](int number) { return pattern.file(number); };
-  });
-}
 
 std::string material_library_name(const std::string& output) {
   std::string name = std::filesystem::path(output).stem().string();

@@ -38,9 +38,7 @@ void tell(const Options& options, const std::string& summary) {
 }
 
 Result<void> write_pictures(RecordingReader& reader, const std::vector<int>& frames,
-                            const Options& options) {
-  const auto pattern = FramePattern::parse(options.pictures);
-  if (!pattern) return tl::unexpected(pattern.error());
+                            const FramePattern& pattern, const Options& options) {
   const auto cameras = frame_cameras(reader, {{three_quarter_view, options.size}});
   SequenceRenderer renderer(reader, options.samples);
   ProgressLine progress("picture", static_cast<int>(frames.size()), options.quiet);
@@ -53,14 +51,14 @@ Result<void> write_pictures(RecordingReader& reader, const std::vector<int>& fra
                      "run it again with --frames to go on");
     if (auto shown = renderer.show(index); !shown) return shown;
     const Picture picture = renderer.picture(cameras.front(), options.size);
-    if (auto written = write_png(pattern->file(index + 1), picture); !written) return written;
+    if (auto written = write_png(pattern.file(index + 1), picture); !written) return written;
     progress.update(++done);
   }
   progress.clear();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   tell(options, std::to_string(done) + (done == 1 ? " picture, " : " pictures, ") +
                     decimals(elapsed.count() / done, 2) +
-                    " s each, last: " + pattern->file(frames.back() + 1).string());
+                    " s each, last: " + pattern.file(frames.back() + 1).string());
   return {};
 }
 
@@ -109,12 +107,14 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
   const auto frames = parse_frame_range(options.frames, info.frame_count());
   if (!frames) return tl::unexpected(frames.error());
   if (frames->empty()) return failure(info.file.string(), "holds no frames", "record some first");
+  const auto pattern = FramePattern::parse(options.pictures, static_cast<int>(frames->size()));
+  if (!options.pictures.empty() && !pattern) return tl::unexpected(pattern.error());
   const std::vector<int> readable = readable_frames(info, *frames);
   const ExitCode answer =
       readable.size() == frames->size() ? ExitCode::done : ExitCode::answer_is_no;
   if (readable.empty()) return answer;
   if (!options.pictures.empty())
-    if (auto done = write_pictures(reader, readable, options); !done)
+    if (auto done = write_pictures(reader, readable, *pattern, options); !done)
       return tl::unexpected(done.error());
   if (!options.sheet.empty())
     if (auto done = write_sheet(reader, info, readable, options); !done)

@@ -14,7 +14,7 @@ constexpr int largest_side = 16384;
 constexpr const char* examples = R"(Examples:
   ribbon-play knot.rbn -o 'frames/{frame:04}.png'
       renders every frame into frames/0001.png, frames/0002.png, ...
-  ribbon-play knot.rbn -o 'still.{frame}.png' --frames -1 --size 1920x1080 --samples 64
+  ribbon-play knot.rbn -o last.png --frames -1 --size 1920x1080 --samples 64
       renders the last frame, large and smooth
   ribbon-play knot.rbn --sheet sheet.png --frames 1:-1:50
       puts frames on one sheet, seen from two sides, with their numbers
@@ -49,7 +49,7 @@ void add_options(Arguments& arguments, Options& options, std::string& size) {
   arguments.add("RECORDING", options.recording, "FILE", "the recording (.rbn)").required();
   const auto pictures =
       arguments.add("-o,--output", options.pictures, "PATTERN",
-                    "PNG files to write, with {frame} or {frame:04} for the frame's number");
+                    "PNG files to write, with {frame} or {frame:04} for the number; one frame needs none");
   const auto frames = arguments.add("--frames", options.frames, "A:B:STEP",
                                     "frames A to B, every STEP-th; -1 is the last (default: all)");
   arguments.add("--size", size, "WxH", "size of the pictures in pixels").with_default_shown();

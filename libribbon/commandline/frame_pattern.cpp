@@ -43,8 +43,17 @@ Result<FramePattern> FramePattern::parse(const std::string& text) {
   return pattern;
 }
 
+Result<FramePattern> FramePattern::parse(const std::string& text, int frame_count) {
+  if (frame_count != 1 || text.find('{') != std::string::npos) return parse(text);
+  FramePattern name;
+  name.before_ = text;
+  name.digits_ = 0;
+  return name;
+}
+
 std::filesystem::path FramePattern::file(int number) const {
   assert(number >= 1);
+  if (digits_ == 0) return before_;
   std::string digits = std::to_string(number);
   if (digits.size() < static_cast<std::size_t>(digits_))
     digits.insert(0, static_cast<std::size_t>(digits_) - digits.size(), '0');

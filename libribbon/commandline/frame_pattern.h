@@ -14,13 +14,16 @@ class FramePattern {
   // is missing or malformed.
   static Result<FramePattern> parse(const std::string& text);
 
+  // Likewise for so many frames: a single one may also be named without a place for its number.
+  static Result<FramePattern> parse(const std::string& text, int frame_count);
+
   // The file of frame `number` (as users see it, from 1).
   [[nodiscard]] std::filesystem::path file(int number) const;
 
  private:
   std::string before_;
   std::string after_;
-  int digits_ = 4;
+  int digits_ = 4;  // at least; 0: none at all
 };
 
 }  // namespace ribbon

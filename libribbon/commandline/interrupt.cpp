@@ -37,14 +37,12 @@ struct sigaction handle(int signal) {
 
 Interrupt::Interrupt() {
   interrupt_requested = false;
-  old_interrupt_ = handle(SIGINT);
-  old_terminate_ = handle(SIGTERM);
-  assert(old_interrupt_.sa_handler != request);
+  for (std::size_t i = 0; i < signals_.size(); ++i) old_[i] = handle(signals_[i]);
+  assert(old_[0].sa_handler != request);
 }
 
 Interrupt::~Interrupt() {
-  ::sigaction(SIGINT, &old_interrupt_, nullptr);
-  ::sigaction(SIGTERM, &old_terminate_, nullptr);
+  for (std::size_t i = 0; i < signals_.size(); ++i) ::sigaction(signals_[i], &old_[i], nullptr);
 }
 
 bool Interrupt::requested() const {

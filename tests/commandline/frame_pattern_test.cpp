@@ -31,10 +31,17 @@ TEST(FramePattern, a_missing_place_is_an_error) {
   for (const char* text : {"", "out.obj", "{fram:04}", "frame:04"}) {
     const auto pattern = FramePattern::parse(text);
     ASSERT_FALSE(pattern.has_value()) << text;
-    EXPECT_EQ(pattern.error().sentence(), "'" + std::string(text) +
+    EXPECT_EQ(pattern.error().sentence(), std::string("'") + text +
                                               "' has no place for the frame number; "
                                               "write '{frame:04}' where the number shall stand");
   }
+}
+
+TEST(FramePattern, one_frame_needs_no_place_and_two_do) {
+  EXPECT_EQ(FramePattern::parse("knot.obj", 1)->file(7), "knot.obj");
+  EXPECT_EQ(FramePattern::parse("knot.{frame:04}.obj", 1)->file(7), "knot.0007.obj");
+  EXPECT_FALSE(FramePattern::parse("knot.{fram}.obj", 1).has_value());
+  EXPECT_FALSE(FramePattern::parse("knot.obj", 2).has_value());
 }
 
 TEST(FramePattern, two_places_are_an_error) {

@@ -9,7 +9,7 @@ TEST(Interrupt, nothing_is_requested_at_first) {
 }
 
 TEST(Interrupt, the_first_signal_sets_the_flag_and_the_job_goes_on) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const Interrupt interrupt;
     ASSERT_EQ(std::raise(signal), 0);
     EXPECT_TRUE(interrupt.requested());
@@ -24,6 +24,18 @@ TEST(InterruptDeathTest, the_second_signal_ends_the_process) {
   };
   EXPECT_EXIT(raise_twice(SIGINT, SIGINT), testing::KilledBySignal(SIGINT), "");
   EXPECT_EXIT(raise_twice(SIGINT, SIGTERM), testing::KilledBySignal(SIGTERM), "");
+}
+
+TEST(InterruptDeathTest, a_closed_terminal_may_be_told_twice) {
+  const auto raise_hang_ups = [](int last) {
+    const Interrupt interrupt;
+    std::raise(SIGHUP);
+    std::raise(SIGHUP);
+    std::raise(last);
+    std::_Exit(interrupt.requested() ? 7 : 0);
+  };
+  EXPECT_EXIT(raise_hang_ups(SIGHUP), testing::ExitedWithCode(7), "");
+  EXPECT_EXIT(raise_hang_ups(SIGINT), testing::KilledBySignal(SIGINT), "");
 }
 
 TEST(InterruptDeathTest, afterwards_a_signal_ends_the_process_again) {

@@ -33,10 +33,4 @@ TEST(OutputNames, the_material_library_is_named_after_the_sequence) {
   EXPECT_EQ(material_library_name("knot.pc2"), "knot.mtl");
 }
 
-TEST(OutputNames, one_frame_needs_no_pattern_and_two_do) {
-  EXPECT_EQ(frame_files("knot.obj", 1).value()(7), "knot.obj");
-  EXPECT_EQ(frame_files("knot.{frame:04}.obj", 1).value()(7), "knot.0007.obj");
-  EXPECT_FALSE(frame_files("knot.obj", 2).has_value());
-}
-
 }  // namespace ribbon::output_test

@@ -91,6 +91,12 @@ TEST_F(RibbonPlay, frames_are_chosen_by_range_and_step) {
   expect_refusal(play_small("-o 'b/{frame}.png' --frames 8"), "7 frames");
 }
 
+TEST_F(RibbonPlay, a_single_picture_needs_no_place_for_its_number) {
+  EXPECT_EQ(play_small("-o last.png --frames -1 --quiet").exit_code, 0);
+  EXPECT_EQ(png_size(read("last.png")), (PictureSize{64, 48}));
+  expect_refusal(play_small("-o last.png"), "no place for the frame number");
+}
+
 TEST_F(RibbonPlay, a_frame_is_the_same_whatever_else_is_rendered_and_by_how_many_threads) {
   ASSERT_EQ(play_small("-o 'all/{frame:01}.png' --threads 1").exit_code, 0);
   ASSERT_EQ(play_small("-o 'one/{frame:01}.png' --frames 5 --threads 3").exit_code, 0);
