@@ -15,14 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<Scene> changed_scene(const BranchRequest& request, const Scene& recorded) {
-  Result<std::string> text = recorded.text;
-  for (const std::string& setting : request.settings)
-    if (text) text = with_setting(request.source, *text, setting);
-  if (!text) return tl::unexpected(text.error());
-  return read_scene(request.source, *std::move(text));
-}
-
 std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(const Scene& a,
                                                                                const Scene& b) {
   struct Rule {
@@ -53,14 +45,16 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
 }
 
 // The recorded scene with the changes, as far as they are possible.
-Result<Scene> scene_of_branch(const BranchRequest& request, const Scene& recorded,
-                              const RunLimit& limit) {
-  auto scene = changed_scene(request, recorded);
-  if (scene && limit.is_set()) scene = extended(request.source, *scene, limit);
+Result<Scene> scene_of_take(const Scene& recorded, const std::vector<std::string>& settings,
+                            const RunLimit& limit) {
+  const auto scene =
+      read_scene_with(recorded.file, recorded.text, settings).and_then([&](const Scene& changed) {
+        return extended(changed, limit);
+      });
   if (!scene) return scene;
   const auto fixed = common_to_both_that_differs(recorded, *scene);
   if (!fixed) return scene;
-  return failure(request.source.string(),
+  return failure(recorded.file.string(),
                  std::string(fixed->first) + " cannot change in a branch: " + fixed->second,
                  "record a scene of its own");
 }
@@ -75,30 +69,28 @@ bool act_alike(Scene a, const Scene& b) {
   return a == b;
 }
 
-Result<void> check(const BranchRequest& request, const RecordingReader& reader) {
+Result<void> check_ends(const BranchPoint& from, const NewRecording& take,
+                        const RecordingReader& source) {
   std::error_code code;
-  if (fs::equivalent(request.source, request.target, code))
-    return failure(request.target.string(), "a take cannot branch off into its own recording",
+  if (fs::equivalent(from.source, take.file, code))
+    return failure(take.file.string(), "a take cannot branch off into its own recording",
                    "name another file after -o");
-  if (request.frame < 0 || request.frame >= reader.frame_count())
-    return failure(request.source.string(),
-                   "there is no frame " + std::to_string(request.frame + 1),
-                   "name one from 1 to " + std::to_string(reader.frame_count()));
-  return {};
+  if (from.frame < 0 || from.frame >= source.frame_count())
+    return failure(from.source.string(), "there is no frame " + std::to_string(from.frame + 1),
+                   "name one from 1 to " + std::to_string(source.frame_count()));
+  return check_place(take);
 }
 
-RecordingHeader header_of(const RecordingReader& source, const BranchRequest& request,
-                          const Scene& scene, const std::string& program) {
+RecordingHeader header_of(const RecordingReader& source, const BranchPoint& from,
+                          const NewRecording& take, const Scene& scene) {
   RecordingHeader header = source.header();
-  Origin origin{.recording_id = source.recording_id(),
-                .scene_name = header.scene_name,
-                .frame = static_cast<std::uint32_t>(request.frame),
-                .changed_settings = ""};
-  for (const std::string& setting : request.settings) origin.changed_settings += setting + "\n";
-  header.origin = std::move(origin);
+  header.origin = Origin{.recording_id = source.recording_id(),
+                         .scene_name = header.scene_name,
+                         .frame = static_cast<std::uint32_t>(from.frame),
+                         .changed_settings = settings_text(take.settings)};
   header.scene_name = scene.name;
   header.scene_text = scene.text;
-  header.writer = program;
+  header.writer = take.program;
   return header;
 }
 
@@ -123,67 +115,64 @@ Result<void> check_copies(RecordingReader& source, int count, const fs::path& ta
   return {};
 }
 
-// Is there something to branch off, and somewhere to go?
-Result<void> check_whole(const BranchRequest& request, RecordingReader& source,
-                         const RunPlan& plan) {
-  const int count = request.frame + 1;
+// Are all frames there, and will there be more?
+Result<void> check_whole(const BranchPoint& from, RecordingReader& source, const RunPlan& plan) {
+  const int count = from.frame + 1;
   if (plan.frames < count)
-    return failure(request.source.string(),
+    return failure(from.source.string(),
                    "frame " + std::to_string(count) +
                        " lies beyond the end of the branch, which is to have " +
                        std::to_string(plan.frames) + " frames",
                    "branch off earlier, or add --until or --set time.duration");
   const auto lost = first_lost_frame(source, count);
   if (!lost) return {};
-  return failure(request.source.string(), "frame " + std::to_string(*lost + 1) + " is lost",
+  return failure(from.source.string(), "frame " + std::to_string(*lost + 1) + " is lost",
                  "branch off before it, or repeat the run from its scene");
 }
 
-Result<RecordingWriter> target_with_copies(const BranchRequest& request, RecordingReader& source,
-                                           const RecordingHeader& header) {
-  auto target = RecordingWriter::create(request.target, header);
+Result<RecordingWriter> begin_with_copies(const NewRecording& take, const RecordingHeader& header,
+                                          RecordingReader& source, int count) {
+  auto target = RecordingWriter::create(take.file, header, take.overwrite);
   if (!target) return target;
-  const int count = request.frame + 1;
   if (auto copied = copy_frames(source, count, *target); !copied)
     return tl::unexpected(copied.error());
-  if (auto same = check_copies(source, count, request.target); !same)
+  if (auto same = check_copies(source, count, take.file); !same)
     return tl::unexpected(same.error());
   return target;
 }
 
 }  // namespace
 
-Result<std::optional<RunStatistics>> branch(const BranchRequest& request,
-                                            const std::string& program, const RunObserver& observer,
-                                            const RunLimit& limit) {
-  auto source = RecordingReader::open(request.source);
+Result<std::optional<RunStatistics>> branch(const BranchPoint& from, const NewRecording& take,
+                                            const RunObserver& observer, const RunLimit& limit) {
+  auto source = RecordingReader::open(from.source);
   if (!source) return tl::unexpected(source.error());
-  const auto recorded = recorded_scene(request.source, *source);
+  const auto recorded = recorded_scene(from.source, *source);
   if (!recorded) return tl::unexpected(recorded.error());
-  const auto scene = scene_of_branch(request, *recorded, limit);
+  const auto scene = scene_of_take(*recorded, take.settings, limit);
   if (!scene) return tl::unexpected(scene.error());
   const RunPlan plan = plan_of(*scene, limit);
-  Result<void> sound = check(request, *source);
-  if (sound) sound = check_whole(request, *source, plan);
+  Result<void> sound = check_ends(from, take, *source);
+  if (sound) sound = check_whole(from, *source, plan);
   if (!sound) return tl::unexpected(sound.error());
 
-  auto before = simulated_again(request.source, *source, *recorded, request.frame,
-                                observer.frame_simulated_again);
+  auto before =
+      simulated_again(from.source, *source, *recorded, from.frame, observer.frame_simulated_again);
   if (!before) return tl::unexpected(before.error());
   if (!*before) return std::nullopt;
-  const RecordingHeader& header = source->header();
   auto fastening = FasteningProcessor::restore(
-      *scene, {header.grid, header.ribbon_length_m, header.ribbon_width_m}, header.obstacle,
+      *scene, rest_size_of(source->header()), source->header().obstacle,
       (*before)->fastening().state(),
       act_alike(*recorded, *scene) ? Settings::as_before : Settings::changed);
   if (!fastening) return tl::unexpected(fastening.error());
 
-  auto target = target_with_copies(request, *source, header_of(*source, request, *scene, program));
+  auto target =
+      begin_with_copies(take, header_of(*source, from, take, *scene), *source, from.frame + 1);
   if (!target) return tl::unexpected(target.error());
   RunStatistics statistics;
-  if (const auto copy = RecordingReader::open(request.target)) statistics = statistics_of(*copy);
+  if (const auto copy = RecordingReader::open(take.file)) statistics = statistics_of(*copy);
   statistics.start = std::string(word_for(fastening->start().kind));
-  SimulatedFrames onward(*scene, *std::move(fastening), request.frame);
+  SimulatedFrames onward(*scene, *std::move(fastening), from.frame);
   BackgroundWriter file(*std::move(target));
   file.append_checkpoint(static_cast<std::uint64_t>(onward.fastening().steps()),
                          onward.fastening().state());

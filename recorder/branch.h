@@ -2,8 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
+#include <optional>
 
 #include "recorder/run.h"
 #include "recorder/run_statistics.h"
@@ -11,24 +10,23 @@
 
 namespace ribbon {
 
-struct BranchRequest {
+// A frame of a recording.
+struct BranchPoint {
   std::filesystem::path source;
-  int frame = 0;                      // of the source, from 0: the last that is taken over
-  std::vector<std::string> settings;  // "fastening.speed=0.3"
-  std::filesystem::path target;
+  int frame = 0;  // from 0: the last that is taken over
 };
 
-// Records into `target` what becomes of the run of `source` when settings change at a frame: frames
-// up to it are copied, to the same decoded positions and numbers, and the simulation goes on from
-// there. The header tells where it branched off and what changed. The source stays as it is.
+// Records what becomes of the run of a source when settings change at a frame: frames up to it are
+// copied, to the same decoded positions and numbers, and the simulation goes on from there. The
+// header tells where it branched off and what changed. The source stays as it is.
 //
 // What the frames before and after have in common cannot change: the particles, the drawing, the
-// obstacle, the contact, the axis, and how frames are recorded. Fails, before the target is made,
-// when one of these, an unknown key or an impossible value is set, when the frame does not exist or
-// frames before it are lost, and where simulated_again() does. Nothing where the observer gives up
-// before the target is made.
-Result<std::optional<RunStatistics>> branch(const BranchRequest& request,
-                                            const std::string& program, const RunObserver& observer,
+// obstacle, the contact, the axis, and how frames are recorded. Fails, before the take's file is
+// made, when one of these, an unknown key or an impossible value is set, when the frame does not
+// exist or frames before it are lost, where an older file is not to be replaced, and where
+// simulated_again() does. Nothing where the observer gives up before the file is made.
+Result<std::optional<RunStatistics>> branch(const BranchPoint& from, const NewRecording& take,
+                                            const RunObserver& observer,
                                             const RunLimit& limit = {});
 
 }  // namespace ribbon

@@ -13,6 +13,7 @@
 #include "recorder/options.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
+#include "scene/setting.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -74,12 +75,17 @@ Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
   constexpr const char* program = "ribbon-record " RIBBON_VERSION;
   if (options.task == RecorderTask::resume)
     return resume(options.recording, program, observer, options.limit);
+  const NewRecording recording{.file = options.recording,
+                               .program = program,
+                               .settings = options.settings,
+                               .overwrite = options.force ? Overwrite::yes : Overwrite::no};
   if (options.task == RecorderTask::branch)
-    return branch({options.input, options.from_frame, options.settings, options.recording}, program,
-                  observer, options.limit);
-  const auto scene = read_scene(options.input);
+    return branch({options.input, options.from_frame}, recording, observer, options.limit);
+  const auto scene = read_file(options.input).and_then([&](std::string text) {
+    return read_scene_with(options.input, std::move(text), options.settings);
+  });
   if (!scene) return tl::unexpected(scene.error());
-  auto statistics = record(*scene, options.recording, program, observer, options.limit);
+  auto statistics = record(*scene, recording, observer, options.limit);
   if (!statistics) return tl::unexpected(statistics.error());
   return std::optional(*std::move(statistics));
 }

@@ -17,6 +17,8 @@ constexpr const char* examples = R"(Examples:
       goes on with a run that was stopped or killed, as if it had not been
   ribbon-record --resume knot.rbn --until 60
       extends a recording to one minute of simulated time
+  ribbon-record knot.toml --set fastening.speed=1 --set accuracy=fine -o fine.rbn
+      records the scene with other settings than it has
   ribbon-record --from 200 --set fastening.speed=1 -o fast.rbn knot.rbn
       takes frames 1 to 200 of knot.rbn over and goes on with another speed
   ribbon-record --compact knot.rbn
@@ -27,7 +29,7 @@ Exit codes: 0 done (also when ended by Ctrl-C), 2 could not.)";
 
 // The words of the command line that were used.
 struct Given {
-  bool input, output, resume, from, set, compact, of_runs;
+  bool input, output, resume, from, set, force, compact, of_runs;
 
   // Not at the end of a run.
   [[nodiscard]] bool compact_alone() const { return compact && !resume && !from && !output; }
@@ -48,13 +50,15 @@ Result<void> goes_together(const Given& given) {
     return refuse("--resume takes the scene from the recording", "leave the scene out");
   if (given.compact_alone() && !given.input)
     return refuse("there is nothing to compact", "name a recording");
-  if (given.compact_alone() && (given.of_runs || given.set))
+  if (given.compact_alone() && (given.of_runs || given.set || given.force))
     return refuse("--compact alone runs nothing that settings, a limit or figures could be of",
                   "name the recording and nothing else, or add --resume before it");
   if (given.compact_alone()) return {};
-  if (given.set && !given.from)
-    return refuse("--set changes a setting where a new take branches off",
-                  "add --from FRAME, or change the scene");
+  if (given.resume && given.set)
+    return refuse("--resume goes on with the settings that the run has",
+                  "branch a new take off with --from");
+  if (given.resume && given.force)
+    return refuse("--resume replaces nothing that --force could be of", "leave --force out");
   if (!given.resume && !given.input)
     return given.from ? refuse("--from needs a recording to branch off", "name it at the end")
                       : refuse("there is no scene to record", "name one, or see --help");
@@ -90,7 +94,8 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   const auto from = arguments.add("--from", from_frame, {1, 1'000'000'000}, "FRAME",
                                   "branch a new take off at this frame of a recording (from 1)");
   const auto set = arguments.add("--set", options.settings, "KEY=VALUE",
-                                 "change this setting of the scene there; may be repeated");
+                                 "change this setting of the scene; may be repeated");
+  const auto force = arguments.flag("--force", options.force, "replace a recording of that name");
   const auto compact = arguments.flag(
       "--compact", options.compact,
       "rewrite the recording to be smaller, without any loss; also at the end of a run");
@@ -106,8 +111,8 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   if (!*read) return std::nullopt;
   const bool is_of_runs =
       until.is_given() || frames.is_given() || statistics.is_given() || profile.is_given();
-  const Given given{input.is_given(), output.is_given(),  resume.is_given(), from.is_given(),
-                    set.is_given(),   compact.is_given(), is_of_runs};
+  const Given given{input.is_given(), output.is_given(), resume.is_given(),  from.is_given(),
+                    set.is_given(),   force.is_given(),  compact.is_given(), is_of_runs};
   if (until.is_given()) options.limit.until_s = until_s;
   if (frames.is_given()) options.limit.frames = frame_count;
   if (auto together = goes_together(given); !together) return tl::unexpected(together.error());

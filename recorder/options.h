@@ -23,7 +23,8 @@ struct RecorderOptions {
   std::filesystem::path input;        // the scene or the recording to branch off; else empty
   std::filesystem::path recording;    // to write
   int from_frame = 0;                 // to branch off at, from 0
-  std::vector<std::string> settings;  // that change there: "key=value"
+  std::vector<std::string> settings;  // to change in the scene, or there: "key=value"
+  bool force = false;                 // replace an older recording
   RunLimit limit;
   std::filesystem::path statistics;  // JSON file to write at the end; empty: none
   int threads = 0;                   // 0: all cores

@@ -11,13 +11,13 @@ namespace ribbon {
 
 namespace {
 
-RecordingHeader header_of(const Scene& scene, const std::string& writer, const Start& start,
+RecordingHeader header_of(const Scene& scene, const std::string& program, const Start& start,
                           const std::optional<TriangleMesh>& obstacle) {
   const RibbonMesh& ribbon = start.ribbon;
   RecordingHeader header;
   header.scene_name = scene.name;
   header.scene_text = scene.text;
-  header.writer = writer;
+  header.writer = program;
   header.grid = ribbon.grid;
   header.uv = ribbon.uv;
   header.ribbon_length_m = ribbon.length_m;
@@ -36,10 +36,10 @@ RecordingHeader header_of(const Scene& scene, const std::string& writer, const S
 
 }  // namespace
 
-Result<RunStatistics> record(const Scene& wished, const std::filesystem::path& recording,
-                             const std::string& writer, const RunObserver& observer,
-                             const RunLimit& limit) {
-  const auto scene = limit.is_set() ? extended(wished.name, wished, limit) : wished;
+Result<RunStatistics> record(const Scene& wanted, const NewRecording& recording,
+                             const RunObserver& observer, const RunLimit& limit) {
+  if (auto place = check_place(recording); !place) return tl::unexpected(place.error());
+  const auto scene = extended(wanted, limit);
   if (!scene) return tl::unexpected(scene.error());
   const auto obstacle = read_obstacle(*scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
@@ -48,9 +48,14 @@ Result<RunStatistics> record(const Scene& wished, const std::filesystem::path& r
   if (!start) return tl::unexpected(start.error());
   const double start_s = stopwatch.lap();
   // Not before the start has been found: a scene without one leaves an older recording alone.
-  auto target = RecordingWriter::create(recording, header_of(*scene, writer, *start, *obstacle));
+  auto target = RecordingWriter::create(
+      recording.file, header_of(*scene, recording.program, *start, *obstacle), recording.overwrite);
   if (!target) return tl::unexpected(target.error());
   BackgroundWriter file(*std::move(target));
+  if (!recording.settings.empty())
+    file.append_session({.reason = SessionReason::begun,
+                         .program = recording.program,
+                         .changed_settings = settings_text(recording.settings)});
   const RunStatistics statistics{.scene_name = scene->name,
                                  .along = start->ribbon.grid.along,
                                  .across = start->ribbon.grid.across,

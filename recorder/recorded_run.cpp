@@ -1,8 +1,10 @@
 #include "recorder/recorded_run.h"
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "recorder/start.h"
 #include "recording/codec/position_encoder.h"
@@ -14,23 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One setting a line.
-Result<std::string> with_settings(const fs::path& file, std::string text,
-                                  const std::string& settings) {
-  for (std::size_t begin = 0; begin < settings.size();) {
-    const std::size_t end = std::min(settings.find('\n', begin), settings.size());
-    if (end > begin) {
-      auto changed = with_setting(file, text, settings.substr(begin, end - begin));
-      if (!changed) return changed;
-      text = *std::move(changed);
-    }
-    begin = end + 1;
-  }
-  return text;
-}
-
-RestSize rest_size_of(const RecordingHeader& header) {
-  return {header.grid, header.ribbon_length_m, header.ribbon_width_m};
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty()) lines.push_back(line);
+  return lines;
 }
 
 // From a checkpoint, or why not.
@@ -119,12 +110,16 @@ class Comparison {
 
 }  // namespace
 
+RestSize rest_size_of(const RecordingHeader& header) {
+  return {header.grid, header.ribbon_length_m, header.ribbon_width_m};
+}
+
 Result<Scene> recorded_scene(const fs::path& path, const RecordingReader& reader) {
-  Result<std::string> text = reader.header().scene_text;
+  std::vector<std::string> settings;
   for (const Session& session : reader.sessions())
-    if (text) text = with_settings(path, *std::move(text), session.note.changed_settings);
-  if (!text) return tl::unexpected(text.error());
-  auto scene = read_scene(path, *std::move(text));
+    for (std::string& line : lines_of(session.note.changed_settings))
+      settings.push_back(std::move(line));
+  auto scene = read_scene_with(path, reader.header().scene_text, settings);
   if (scene) scene->name = reader.header().scene_name;
   return scene;
 }

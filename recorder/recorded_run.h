@@ -12,6 +12,9 @@
 
 namespace ribbon {
 
+// Of the ribbon that was recorded.
+RestSize rest_size_of(const RecordingHeader& header);
+
 // The scene of the recording, as later sessions of it have extended it. `path` is where the
 // recording lies: only in its folder can a drawing be looked for.
 Result<Scene> recorded_scene(const std::filesystem::path& path, const RecordingReader& reader);

@@ -44,19 +44,18 @@ struct Continuation {
 // A limit beyond the end of the scene extends it, and then the ribbon may be tight before.
 Result<Continuation> continuation(const fs::path& path, const RecordingReader& reader,
                                   const RunLimit& limit) {
-  auto recorded = recorded_scene(path, reader);
+  const auto recorded = recorded_scene(path, reader);
   if (!recorded) return tl::unexpected(recorded.error());
-  if (!limit.is_set()) return Continuation{*recorded, plan_of(*recorded, limit), ""};
-  auto scene = extended(path, *recorded, limit);
+  auto scene = extended(*recorded, limit);
+  if (!scene) return tl::unexpected(scene.error());
   std::string changed;
-  if (scene && frame_count(*scene) > frame_count(*recorded))
+  if (frame_count(*scene) > frame_count(*recorded))
     changed = setting_of("time.duration", scene->time.duration_s) + "\n";
   const bool was_tight = reader.ending() == RunEnding::tight;
-  if (scene && was_tight && scene->time.until == RunsUntil::tight) {
+  if (limit.is_set() && was_tight && scene->time.until == RunsUntil::tight) {
     changed += "time.until = \"duration\"\n";
     scene->time.until = RunsUntil::duration;
   }
-  if (!scene) return tl::unexpected(scene.error());
   const RunPlan plan = plan_of(*scene, limit);
   return Continuation{*std::move(scene), plan, std::move(changed)};
 }

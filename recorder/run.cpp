@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "recorder/stopwatch.h"
@@ -54,15 +55,32 @@ void add_effort(const SimulatedFrames::Effort& effort, const BackgroundFigures& 
 
 }  // namespace
 
-Result<Scene> extended(const std::filesystem::path& file, const Scene& scene,
-                       const RunLimit& limit) {
-  const int frames = frames_within(scene, limit);
+Result<void> check_place(const NewRecording& recording) {
+  std::error_code code;
+  const bool is_there =
+      std::filesystem::exists(std::filesystem::symlink_status(recording.file, code));
+  if (!is_there || recording.overwrite == Overwrite::yes ||
+      std::filesystem::is_other(recording.file, code))
+    return {};
+  return failure(recording.file.string(), "exists already",
+                 "go on with that recording by --resume, replace it by --force, or name another "
+                 "file after -o");
+}
+
+std::string settings_text(const std::vector<std::string>& settings) {
+  std::string text;
+  for (const std::string& setting : settings) text += setting + "\n";
+  return text;
+}
+
+Result<Scene> extended(const Scene& scene, const RunLimit& limit) {
+  const int frames = limit.is_set() ? frames_within(scene, limit) : 0;
   if (frames <= frame_count(scene)) return scene;
   const double duration_s =
       limit.until_s.value_or((frames - 1) / scene.recording.frames_per_second);
-  auto text = with_setting(file, scene.text, setting_of("time.duration", duration_s));
-  if (!text) return tl::unexpected(text.error());
-  return read_scene(file, *std::move(text));
+  auto longer = read_scene_with(scene.file, scene.text, {setting_of("time.duration", duration_s)});
+  if (longer) longer->name = scene.name;
+  return longer;
 }
 
 RunPlan plan_of(const Scene& scene, const RunLimit& limit) {
@@ -112,6 +130,7 @@ Result<RunStatistics> run(SimulatedFrames& frames, const RunPlan& plan, bool has
   if (auto finished = file.finish(ending); !finished) return tl::unexpected(finished.error());
   statistics.recording_s += stopwatch.lap();
   statistics.ending = ending;
+  statistics.limit_reached = plan.is_cut_short && ending_at(frames, plan) == RunEnding::stopped;
   statistics.until_tight = plan.until_tight;
   statistics.steps = fastening.steps();
   statistics.stages = fastening.stage_sums();

@@ -1,8 +1,11 @@
 // The run itself: frame after frame into a recording.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "recorder/run_statistics.h"
 #include "recorder/simulated_frames.h"
@@ -31,6 +34,21 @@ struct RunLimit {
   [[nodiscard]] bool is_set() const { return until_s || frames; }
 };
 
+// A recording to begin.
+struct NewRecording {
+  std::filesystem::path file;
+  std::string program;                     // that writes it, and version
+  std::vector<std::string> settings = {};  // of the scene that were changed: "fastening.speed=0.3"
+  Overwrite overwrite = Overwrite::no;     // of an older file
+};
+
+// Fails where it would take the place of an older file and may not. To be asked before the long
+// work that comes first; the writer asks again.
+Result<void> check_place(const NewRecording& recording);
+
+// One a line, as recordings hold them.
+std::string settings_text(const std::vector<std::string>& settings);
+
 struct RunPlan {
   int frames = 0;             // how many the recording is to hold in the end
   bool is_cut_short = false;  // are these fewer than the scene wants?
@@ -39,8 +57,7 @@ struct RunPlan {
 };
 
 // A scene that lasts until the limit, if that is beyond its duration. The limit must be set.
-Result<Scene> extended(const std::filesystem::path& file, const Scene& scene,
-                       const RunLimit& limit);
+Result<Scene> extended(const Scene& scene, const RunLimit& limit);
 
 // What to do for a scene (with an extended one, of that).
 RunPlan plan_of(const Scene& scene, const RunLimit& limit);

@@ -42,6 +42,8 @@ std::string tightness_text(const TightnessNumbers& tightness) {
 
 // Nothing where the run lasted as long as it was to.
 std::string ending_text(const RunStatistics& statistics) {
+  if (statistics.limit_reached)
+    return "; ended at " + decimals(statistics.simulated_s, 1) + " s, as asked";
   if (statistics.ending == RunEnding::stopped) return "; ended early by the user";
   if (!statistics.until_tight || !statistics.tightness) return "";
   return (statistics.ending == RunEnding::tight ? "; ended tight: " : "; not yet tight: ") +

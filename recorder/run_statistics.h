@@ -35,7 +35,8 @@ struct RunStatistics {
   } writer = {};
   std::uint64_t bytes = 0;  // of the recording
   RunEnding ending = RunEnding::unknown;
-  bool until_tight = false;  // was the run to end when the ribbon is tight?
+  bool limit_reached = false;  // stopped: where --until or --frames asked, and not by Ctrl-C
+  bool until_tight = false;    // was the run to end when the ribbon is tight?
 
   double worst_strain = 0;  // over all frames
   double last_strain = 0;

@@ -14,7 +14,7 @@ build release -DRIBBON_BUILD_TESTS=OFF -- ribbon-record ribbon-play ribbon-conve
 
 tools=$root/build/release
 echo "== Recording"
-"$tools/recorder/ribbon-record" "$scene" -o "$out/knot.rbn"
+"$tools/recorder/ribbon-record" "$scene" --force -o "$out/knot.rbn"
 echo "== Drawing"
 "$tools/player/ribbon-play" "$out/knot.rbn" -o "$out/frames/{frame:04}.png" --frames "$every_tenth"
 "$tools/player/ribbon-play" "$out/knot.rbn" --sheet "$out/sheet.png"

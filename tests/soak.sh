@@ -88,7 +88,7 @@ recorded() {
   local run=$results/$1 status=0
   [[ ! -e $run.rbn && ! -e $run.refused ]] || return 0
   echo "== Recording $1"
-  "$2" "$scenes/$1.toml" -o "$results/unfinished.rbn" --quiet --stats "$results/unfinished.json" \
+  "$2" "$scenes/$1.toml" --force -o "$results/unfinished.rbn" --quiet --stats "$results/unfinished.json" \
     2>"$results/unfinished.txt" || status=$?
   case $status in
     0)

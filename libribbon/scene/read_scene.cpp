@@ -539,6 +539,7 @@ Result<Scene> read_scene(const std::filesystem::path& file) {
 
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text) {
   return parse_document(file, text).and_then(scene_of).map([&](Scene scene) {
+    scene.file = file;
     scene.text = std::move(text);
     return scene;
   });

@@ -132,7 +132,8 @@ struct RecordingScene {
 
 struct Scene {
   std::string name;
-  std::string text;  // the file as read
+  std::filesystem::path file;  // where it stands
+  std::string text;            // the file as read
   CurveScene curve;
   RibbonScene ribbon;
   SpringScene springs;

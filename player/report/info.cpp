@@ -53,7 +53,9 @@ std::string origin_text(const std::optional<Origin>& origin) {
 std::string sessions_text(const RecordingInfo& info) {
   std::string text;
   for (const Session& session : info.sessions)
-    text += report_line(session.note.reason == SessionReason::extended ? "extended" : "resumed",
+    text += report_line(session.note.reason == SessionReason::unknown
+                            ? "resumed"
+                            : std::string(word_for(session.note.reason)),
                         "at frame " + std::to_string(session.first_frame + 1) + " by " +
                             session.note.program + settings_text(session.note.changed_settings));
   return text;

@@ -8,13 +8,12 @@
 #include "recorder/record.h"
 #include "recorder/resume.h"
 #include "recorder/small_scene.h"
+#include "recorder/test_runs.h"
 #include "scene/setting.h"
 
 namespace ribbon::branch_test {
 
 namespace fs = std::filesystem;
-
-const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
 
 class Branch : public TestInFolder {
  protected:
@@ -25,7 +24,7 @@ class Branch : public TestInFolder {
     record_source(read_scene(folder_ / "knot.toml").value());
   }
   void record_source(const Scene& scene) {
-    (void)record(scene, source(), "test", goes_on).value();
+    (void)record(scene, replacing(source()), goes_on).value();
     frames_ = frames_of(source());
   }
   [[nodiscard]] fs::path source() const { return folder_ / "source.rbn"; }
@@ -33,7 +32,8 @@ class Branch : public TestInFolder {
 
   [[nodiscard]] Result<std::optional<RunStatistics>> branched(
       int frame, const std::vector<std::string>& settings, const RunLimit& limit = {}) const {
-    return branch({source(), frame, settings, target()}, "brancher", goes_on, limit);
+    return branch({source(), frame}, {target(), "brancher", settings, Overwrite::yes}, goes_on,
+                  limit);
   }
   [[nodiscard]] std::string refusal(int frame, const std::vector<std::string>& settings) const {
     const auto answer = branched(frame, settings);
@@ -102,10 +102,10 @@ TEST_F(Branch, can_be_resumed_and_branched_again) {
   ASSERT_TRUE(resume(target(), "test", goes_on).has_value());
   EXPECT_EQ(frames_of(target()).size(), 61U);
   EXPECT_EQ(first_difference(frames_of(target()), whole), -1);
-  ASSERT_TRUE(branch({target(), 40, {"springs.bend=10"}, folder_ / "third.rbn"}, "test", goes_on)
+  ASSERT_TRUE(branch({target(), 40}, {folder_ / "third.rbn", "test", {"springs.bend=10"}}, goes_on)
                   .has_value());
   EXPECT_EQ(first_difference(frames_of(folder_ / "third.rbn"), whole), 41);
-  const auto too_early = branch({target(), 10, {}, folder_ / "fourth.rbn"}, "test", goes_on);
+  const auto too_early = branch({target(), 10}, {folder_ / "fourth.rbn", "test"}, goes_on);
   ASSERT_FALSE(too_early.has_value());
   EXPECT_NE(too_early.error().sentence().find("branch off from 'small loop'"), std::string::npos);
 }
@@ -154,7 +154,7 @@ TEST_F(Branch, an_older_recording_is_replaced_only_by_a_take_that_begins) {
   EXPECT_NE(refusal(61, {}).find("there is no frame 62"), std::string::npos);
   const RunObserver gives_up{[](int, int, const FrameNumbers&) { return true; },
                              [](int, int) { return false; }};
-  EXPECT_FALSE(branch({source(), 20, {}, target()}, "test", gives_up)->has_value());
+  EXPECT_FALSE(branch({source(), 20}, replacing(target()), gives_up)->has_value());
   EXPECT_EQ(read_file(target()).value(), "older");
 }
 

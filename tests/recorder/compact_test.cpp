@@ -17,6 +17,7 @@
 #include "recorder/record.h"
 #include "recorder/resume.h"
 #include "recorder/small_scene.h"
+#include "recorder/test_runs.h"
 #include "recording/codec/entropy_tables.h"
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
@@ -27,7 +28,6 @@ namespace ribbon::compact_test {
 namespace fs = std::filesystem;
 
 constexpr int frames = 150;  // some groups, the last one not full
-const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
 
 // The sample's ribbon in waves, so that there is something to predict.
 Eigen::Matrix3Xd waves(int frame) {
@@ -195,9 +195,9 @@ TEST_F(Compacted, it_grows_again_and_is_compacted_again) {
 TEST_F(Compacted, a_run_goes_on_behind_it_to_the_same_bits) {
   write_small_scene(folder_);
   const Scene scene = read_scene(folder_ / "small.toml").value();
-  ASSERT_TRUE(record(scene, folder_ / "whole.rbn", "test", goes_on, {.frames = 61}).has_value());
+  ASSERT_TRUE(record(scene, replacing(folder_ / "whole.rbn"), goes_on, {.frames = 61}).has_value());
   const auto whole = frames_of(folder_ / "whole.rbn");
-  ASSERT_TRUE(record(scene, file_, "test", goes_on, {.frames = 40}).has_value());
+  ASSERT_TRUE(record(scene, replacing(file_), goes_on, {.frames = 40}).has_value());
   ASSERT_LT(compact(file_).value()->bytes_after, fs::file_size(folder_ / "whole.rbn"));
   ASSERT_TRUE(resume(file_, "test", goes_on, {.frames = 61}).has_value());
   const auto resumed = frames_of(file_);
@@ -333,8 +333,8 @@ TEST_F(Compacted, what_does_not_go_with_it_is_told) {
     return run.errors;
   };
   EXPECT_NE(refusal_of("--compact").find("nothing to compact"), std::string::npos);
-  for (const char* const more :
-       {"--until 3", "--frames 9", "--stats x.json", "--profile", "--set fastening.speed=1"})
+  for (const char* const more : {"--until 3", "--frames 9", "--stats x.json", "--profile",
+                                 "--force", "--set fastening.speed=1"})
     EXPECT_NE(refusal_of("--compact knot.rbn " + std::string(more)).find("--compact alone"),
               std::string::npos)
         << more;

@@ -45,7 +45,7 @@ class KilledRuns {
   }
 
   [[nodiscard]] std::vector<std::string> recording_into(const fs::path& target) const {
-    return {recorder_, scene_, "-o", target, "--quiet"};
+    return {recorder_, scene_, "--force", "-o", target, "--quiet"};
   }
   [[nodiscard]] std::vector<std::string> resuming(const fs::path& target) const {
     return {recorder_, "--resume", target, "--quiet"};

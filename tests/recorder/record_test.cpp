@@ -10,6 +10,7 @@
 #include "parallel/parallel.h"
 #include "playback/recording_reader.h"
 #include "recorder/small_scene.h"
+#include "recorder/test_runs.h"
 #include "verification/largest_strain.h"
 
 namespace ribbon::record_test {
@@ -20,8 +21,7 @@ class Record : public TestInFolder {
  protected:
   void SetUp() override { scene_ = read_scene(write_small_scene(folder_)).value(); }
   [[nodiscard]] RunStatistics record_all(const fs::path& file) const {
-    return record(scene_, file, "test", {[](int, int, const FrameNumbers&) { return true; }})
-        .value();
+    return record(scene_, replacing(file), goes_on).value();
   }
 
   Scene scene_;
@@ -92,7 +92,7 @@ TEST_F(Record, the_same_scene_gives_the_same_bytes_for_any_number_of_threads) {
 
 TEST_F(Record, ends_early_when_asked_and_says_so) {
   const auto statistics =
-      record(scene_, folder_ / "knot.rbn", "test",
+      record(scene_, replacing(folder_ / "knot.rbn"),
              {[](int done, int total, const FrameNumbers&) { return done < 3 || total != 7; }})
           .value();
   EXPECT_EQ(statistics.ending, RunEnding::stopped);
@@ -154,8 +154,7 @@ TEST_F(Record, a_run_until_tight_ends_by_itself) {
 
 TEST_F(Record, an_obstacle_that_cannot_be_read_is_named_before_anything_is_written) {
   scene_.obstacle = ObstacleScene{.file = {folder_ / "missing.obj"}};
-  const auto answer = record(scene_, folder_ / "knot.rbn", "test",
-                             {[](int, int, const FrameNumbers&) { return true; }});
+  const auto answer = record(scene_, replacing(folder_ / "knot.rbn"), goes_on);
   ASSERT_FALSE(answer.has_value());
   EXPECT_NE(answer.error().sentence().find("missing.obj"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "knot.rbn"));
@@ -168,7 +167,7 @@ TEST_F(Record, a_scene_without_a_free_start_leaves_an_older_recording_as_it_was)
   scene_.ribbon.width_m = 50;
   scene_.curve.clearance_m = 5;
   const RunObserver observer{[](int, int, const FrameNumbers&) { return true; }};
-  const auto answer = record(scene_, file, "test", observer);
+  const auto answer = record(scene_, replacing(file), observer);
   ASSERT_FALSE(answer.has_value());
   const std::string sentence = answer.error().sentence();
   EXPECT_EQ(sentence.find("small loop: "), 0U) << sentence;
@@ -176,7 +175,7 @@ TEST_F(Record, a_scene_without_a_free_start_leaves_an_older_recording_as_it_was)
   EXPECT_NE(sentence.find("drawing at ("), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("ribbon.width"), std::string::npos) << sentence;
   EXPECT_TRUE(read_file(file).value() == before);
-  const auto refused = record(scene_, folder_ / "new.rbn", "test", observer);
+  const auto refused = record(scene_, replacing(folder_ / "new.rbn"), observer);
   EXPECT_FALSE(refused.has_value());
   EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
 }
@@ -194,8 +193,7 @@ TEST_F(Record, a_ribbon_too_wide_for_the_crossing_is_grown_and_states_its_gap) {
 TEST_F(Record, as_published_too_wide_a_ribbon_is_refused_by_its_drawing) {
   scene_.contact = ContactMethod::paper;
   scene_.ribbon.width_m = 2;
-  const auto answer = record(scene_, folder_ / "knot.rbn", "test",
-                             {[](int, int, const FrameNumbers&) { return true; }});
+  const auto answer = record(scene_, replacing(folder_ / "knot.rbn"), goes_on);
   ASSERT_FALSE(answer.has_value());
   EXPECT_NE(answer.error().sentence().find("too short for a ribbon"), std::string::npos);
 }

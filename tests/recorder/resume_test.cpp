@@ -9,14 +9,13 @@
 #include "recorder/frames_of.h"
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
+#include "recorder/test_runs.h"
 #include "recording/writer/recording_writer.h"
 #include "scene/setting.h"
 
 namespace ribbon::resume_test {
 
 namespace fs = std::filesystem;
-
-const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
 
 class ResumeRun : public TestInFolder {
  protected:
@@ -26,14 +25,14 @@ class ResumeRun : public TestInFolder {
     text.replace(text.find("duration = 0.2"), 14, "duration = 2");
     (void)write_file(folder_ / "knot.toml", text);
     scene_ = read_scene(folder_ / "knot.toml").value();
-    (void)record(scene_, folder_ / "whole.rbn", "test", goes_on);
+    (void)record(scene_, replacing(folder_ / "whole.rbn"), goes_on);
     whole_ = frames_of(folder_ / "whole.rbn");
   }
   // Ends after so many frames.
   void record_stopped(int frames) {
     const RunObserver observer{
         [frames](int done, int, const FrameNumbers&) { return done < frames; }};
-    (void)record(scene_, file_, "test", observer).value();
+    (void)record(scene_, replacing(file_), observer).value();
   }
   // Without what lies behind its last frame.
   void cut_to_frames() {
@@ -186,7 +185,7 @@ TEST_F(ResumeRun, an_extended_run_is_as_one_that_was_longer_from_the_beginning) 
   std::string text = scene_.text;
   text.replace(text.find("duration = 2"), 12, "duration = 3");
   const Scene longer = read_scene(folder_ / "knot.toml", text).value();
-  (void)record(longer, folder_ / "longer.rbn", "test", goes_on).value();
+  (void)record(longer, replacing(folder_ / "longer.rbn"), goes_on).value();
   whole_ = frames_of(folder_ / "longer.rbn");
   ASSERT_EQ(whole_.size(), 91U);
   for (const RunLimit& limit : {RunLimit{.until_s = 3}, RunLimit{.frames = 91}}) {
@@ -214,7 +213,7 @@ TEST_F(ResumeRun, an_extension_that_was_stopped_goes_on_to_its_end) {
 }
 
 TEST_F(ResumeRun, a_limit_cuts_a_run_short_and_one_before_what_is_there_is_refused) {
-  (void)record(scene_, file_, "test", goes_on, {.frames = 20}).value();
+  (void)record(scene_, replacing(file_), goes_on, {.frames = 20}).value();
   EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::stopped);
   EXPECT_EQ(RecordingReader::open(file_)->frame_count(), 20);
   EXPECT_NE(refusal({.frames = 10}).find("holds 20 frames already, more than the 10"),
@@ -240,7 +239,7 @@ class ResumeTight : public ResumeRun {
                                       "fastening.yield=0.05", "recording.frames_per_second=10"})
       text = with_setting("", text, setting).value();
     scene_ = read_scene(folder_ / "knot.toml", text).value();
-    frames_ = record(scene_, file_, "test", goes_on).value().frames;
+    frames_ = record(scene_, replacing(file_), goes_on).value().frames;
     whole_ = frames_of(file_);
     fs::remove(folder_ / "post.obj");  // the recording has it
   }
@@ -278,7 +277,7 @@ TEST_F(ResumeTight, killed_after_its_last_frame_it_only_needs_its_end) {
 }
 
 TEST_F(ResumeRun, a_new_run_may_be_longer_than_its_scene) {
-  (void)record(scene_, file_, "test", goes_on, {.until_s = 3}).value();
+  (void)record(scene_, replacing(file_), goes_on, {.until_s = 3}).value();
   const auto reader = RecordingReader::open(file_).value();
   EXPECT_EQ(reader.frame_count(), 91);
   EXPECT_NE(reader.header().scene_text.find("duration = 3\n"), std::string::npos);

@@ -127,6 +127,8 @@ TEST(RunStatistics, say_why_a_run_ended) {
   EXPECT_TRUE(summary_line(statistics).ends_with("per vertex and frame)"));
   statistics.ending = RunEnding::stopped;
   EXPECT_TRUE(summary_line(statistics).ends_with("; ended early by the user"));
+  statistics.limit_reached = true;
+  EXPECT_TRUE(summary_line(statistics).ends_with("; ended at 2.0 s, as asked"));
 }
 
 TEST(RunStatistics, tell_programs_how_tight_the_last_frame_is) {

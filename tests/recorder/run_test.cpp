@@ -10,13 +10,12 @@
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
 #include "recorder/start.h"
+#include "recorder/test_runs.h"
 #include "simulation/state/state_archive.h"
 
 namespace ribbon::run_test {
 
 namespace fs = std::filesystem;
-
-const RunObserver goes_on{[](int, int, const FrameNumbers&) { return true; }};
 
 class Run : public TestInFolder {
  protected:
@@ -47,7 +46,7 @@ TEST_F(Run, without_loss_a_ribbon_that_leaves_its_reach_ends_the_run_with_a_sent
   scene_.air_resistance_per_s = 0;
   scene_.recording.max_position_error = 0;
   scene_.time.duration_s = 10;
-  (void)record(scene_, folder_ / "still.rbn", "test", goes_on, {.frames = 2}).value();
+  (void)record(scene_, replacing(folder_ / "still.rbn"), goes_on, {.frames = 2}).value();
   const auto header = RecordingReader::open(folder_ / "still.rbn")->header();
   auto start = find_start(scene_, std::nullopt).value();
   const double reach_m = start.fastening.reach_m();
@@ -74,16 +73,16 @@ TEST_F(Run, a_limit_beyond_the_scene_lengthens_it_and_one_within_cuts_it_short) 
   EXPECT_TRUE(plan_of(scene_, {.until_s = 0.1}).is_cut_short);
   EXPECT_EQ(plan_of(scene_, {.frames = 5}).frames, 5);
   for (const RunLimit& limit : {RunLimit{.until_s = 0.5}, RunLimit{.frames = 16}}) {
-    const Scene longer = extended("small.toml", scene_, limit).value();
+    const Scene longer = extended(scene_, limit).value();
     EXPECT_DOUBLE_EQ(longer.time.duration_s, 0.5);
     EXPECT_EQ(plan_of(longer, limit).frames, 16);
     EXPECT_FALSE(plan_of(longer, limit).is_cut_short);
   }
-  EXPECT_EQ(extended("small.toml", scene_, {.frames = 5})->text, scene_.text);
+  EXPECT_EQ(extended(scene_, {.frames = 5})->text, scene_.text);
 }
 
 TEST_F(Run, tells_what_recording_took) {
-  const RunStatistics statistics = record(scene_, folder_ / "knot.rbn", "test", goes_on).value();
+  const RunStatistics statistics = record(scene_, replacing(folder_ / "knot.rbn"), goes_on).value();
   EXPECT_GT(statistics.recording_s, 0);
   EXPECT_GT(statistics.writer.encoding_s, 0);
   EXPECT_GT(statistics.writer.writing_s, 0);

@@ -23,6 +23,13 @@ class RibbonRecord : public TestInFolder {
   [[nodiscard]] ToolRun run(const std::string& arguments, const std::string& before = "") const {
     return run_in(folder_, RIBBON_RECORD, arguments, before);
   }
+
+  // As long.toml.
+  void write_small_scene_lasting(int seconds) const {
+    std::string text = small_scene_text();
+    text.replace(text.find("duration = 0.2"), 14, "duration = " + std::to_string(seconds));
+    ASSERT_TRUE(write_file(folder_ / "long.toml", text).has_value());
+  }
 };
 
 // One sentence: one line after the tool's name.
@@ -63,19 +70,90 @@ TEST_F(RibbonRecord, the_number_of_threads_changes_nothing) {
   EXPECT_TRUE(read_file(folder_ / "one.rbn").value() == read_file(folder_ / "two.rbn").value());
 }
 
-TEST_F(RibbonRecord, ctrl_c_leaves_a_valid_recording) {
-  std::string text = small_scene_text();
-  text.replace(text.find("duration = 0.2"), 14, "duration = 600");
-  ASSERT_TRUE(write_file(folder_ / "long.toml", text).has_value());
-  // A job in the background of a script ignores Ctrl-C; `timeout` in the foreground does not.
-  const ToolRun answer = run_in(folder_, "timeout",
-                                "--foreground --preserve-status --signal=INT 1 '" RIBBON_RECORD
-                                "' long.toml -o knot.rbn");
-  EXPECT_EQ(answer.exit_code, 0) << answer.errors;
-  EXPECT_NE(answer.output.find("ended early by the user"), std::string::npos) << answer.output;
+TEST_F(RibbonRecord, ctrl_c_and_a_closed_terminal_leave_a_valid_recording) {
+  write_small_scene_lasting(600);
+  for (const std::string signal : {"INT", "HUP"}) {
+    // A job in the background of a script ignores Ctrl-C; `timeout` in the foreground does not.
+    const ToolRun answer = run_in(folder_, "timeout",
+                                  "--foreground --preserve-status --signal=" + signal +
+                                      " 0.2 '" RIBBON_RECORD "' long.toml --force -o knot.rbn");
+    EXPECT_EQ(answer.exit_code, 0) << signal << answer.errors;
+    EXPECT_NE(answer.output.find("ended early by the user"), std::string::npos) << answer.output;
+    const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+    EXPECT_TRUE(reader.finished());
+    EXPECT_GT(reader.frame_count(), 0);
+  }
+}
+
+TEST_F(RibbonRecord, a_limit_that_is_reached_is_no_early_end) {
+  for (const std::string limit : {"--until 0.1", "--frames 4"}) {
+    const ToolRun answer = run("small.toml --force -o knot.rbn " + limit);
+    EXPECT_TRUE(answer.output.ends_with("; ended at 0.1 s, as asked\n")) << answer.output;
+  }
+}
+
+TEST_F(RibbonRecord, an_older_recording_is_replaced_by_force_alone) {
+  ASSERT_EQ(run("small.toml -o knot.rbn --quiet").exit_code, 0);
+  ASSERT_EQ(run("small.toml -o older.rbn --quiet --frames 3").exit_code, 0);
+  const std::string older = read_file(folder_ / "older.rbn").value();
+  for (const std::string words : {"small.toml", "--from 3 knot.rbn", "small.toml --compact"}) {
+    expect_refusal(run(words + " -o older.rbn"),
+                   "older.rbn: exists already; go on with that "
+                   "recording by --resume, replace it by --force");
+    EXPECT_TRUE(read_file(folder_ / "older.rbn").value() == older);
+    EXPECT_EQ(run(words + " -o older.rbn --force").exit_code, 0);
+    EXPECT_EQ(RecordingReader::open(folder_ / "older.rbn")->frame_count(), 7);
+    ASSERT_TRUE(write_file(folder_ / "older.rbn", older).has_value());
+  }
+  // What cannot even begin leaves it as it is.
+  expect_refusal(run("small.toml --force --set ribbon.width=50 -o older.rbn"), "ribbon.width");
+  EXPECT_TRUE(read_file(folder_ / "older.rbn").value() == older);
+  EXPECT_EQ(run("small.toml -o /dev/null --quiet").exit_code, 0) << "which holds nothing";
+}
+
+TEST_F(RibbonRecord, settings_change_a_scene_as_if_they_stood_in_it) {
+  const std::string settings = " --set fastening.speed=1 --set accuracy=fine";
+  ASSERT_EQ(run("small.toml -o knot.rbn --quiet" + settings).exit_code, 0);
+  std::string text = "accuracy = \"fine\"\n" + small_scene_text();
+  text.replace(text.find("speed = 0.2"), 11, "speed = 1");
+  ASSERT_TRUE(write_file(folder_ / "fine.toml", text).has_value());
+  ASSERT_EQ(run("fine.toml -o fine.rbn --quiet").exit_code, 0);
+  EXPECT_EQ(frames_of(folder_ / "knot.rbn"), frames_of(folder_ / "fine.rbn"));
   const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
-  EXPECT_TRUE(reader.finished());
-  EXPECT_GT(reader.frame_count(), 0);
+  EXPECT_EQ(reader.header().scene_text, text);
+  ASSERT_EQ(reader.sessions().size(), 1U);
+  EXPECT_EQ(reader.sessions()[0], (Session{0,
+                                           {SessionReason::begun, "ribbon-record " RIBBON_VERSION,
+                                            "fastening.speed=1\naccuracy=fine\n"}}));
+  EXPECT_TRUE(RecordingReader::open(folder_ / "fine.rbn")->sessions().empty());
+  ASSERT_EQ(run("--resume knot.rbn --until 0.3 --quiet").exit_code, 0);
+  expect_refusal(run("small.toml -o new.rbn --set fastening.spede=1"),
+                 "small.toml:17:1: unknown key 'spede' in [fastening]; did you mean 'speed'?");
+  expect_refusal(run("small.toml -o new.rbn --set ribbon.width=-1"), "'width' must be a number");
+  EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
+}
+
+// The drawing and the mesh stand beside the scene, wherever the recorder is started.
+TEST_F(RibbonRecord, a_run_beyond_its_scene_finds_its_files) {
+  fs::create_directories(folder_ / "scenes");
+  ASSERT_TRUE(write_file(folder_ / "scenes/line.svg",
+                         "<svg xmlns='http://www.w3.org/2000/svg'><path d='M -300 0 L 300 0'/>"
+                         "</svg>")
+                  .has_value());
+  std::string text = small_scene_text();
+  const auto points = text.find("points");
+  text.replace(points, text.find("[ribbon]") - points, "svg = 'line.svg'\n");
+  ASSERT_TRUE(write_file(folder_ / "scenes/line.toml", text).has_value());
+  ASSERT_EQ(run("scenes/line.toml -o line.rbn --frames 9 --quiet").exit_code, 0);
+  EXPECT_EQ(RecordingReader::open(folder_ / "line.rbn")->frame_count(), 9);
+  fs::remove(folder_ / "scenes/line.svg");
+  expect_refusal(run("scenes/line.toml -o new.rbn"),
+                 "scenes/line.toml:3:7: 'scenes/line.svg' "
+                 "does not exist");
+  ASSERT_TRUE(
+      write_file(folder_ / "posts.toml", small_scene_text() + "[obstacle]\nmesh = 'post.obj'\n")
+          .has_value());
+  expect_refusal(run("posts.toml -o new.rbn"), "posts.toml:24:8: 'post.obj' does not exist");
 }
 
 TEST_F(RibbonRecord, a_mistake_in_the_scene_is_told_with_its_place) {
@@ -96,7 +174,8 @@ TEST_F(RibbonRecord, what_does_not_go_together_is_told) {
   expect_refusal(run("--resume knot.rbn -o other.rbn"), "--output names another one");
   expect_refusal(run("--resume knot.rbn small.toml"), "takes the scene from the recording");
   expect_refusal(run("--resume knot.rbn --from 3"), "cannot go together");
-  expect_refusal(run("small.toml -o other.rbn --set fastening.speed=1"), "add --from");
+  expect_refusal(run("--resume knot.rbn --set fastening.speed=1"), "with the settings that");
+  expect_refusal(run("--resume knot.rbn --force"), "leave --force out");
   expect_refusal(run("--from 3 -o other.rbn"), "name it at the end");
   expect_refusal(run("--from 3 knot.rbn"), "--output is required");
   expect_refusal(run("--from 0 -o other.rbn knot.rbn"), "--from");
@@ -131,9 +210,7 @@ TEST_F(RibbonRecord, resumes_extends_and_branches) {
 }
 
 TEST_F(RibbonRecord, a_recording_is_written_by_one_at_a_time) {
-  std::string text = small_scene_text();
-  text.replace(text.find("duration = 0.2"), 14, "duration = 600");
-  ASSERT_TRUE(write_file(folder_ / "long.toml", text).has_value());
+  write_small_scene_lasting(600);
   const std::string scene = folder_ / "long.toml";
   const std::string file = folder_ / "knot.rbn";
   const auto is_being_written = [&] {
@@ -148,7 +225,7 @@ TEST_F(RibbonRecord, a_recording_is_written_by_one_at_a_time) {
     ASSERT_GT(first, 0);
     while (!is_being_written()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     const ToolRun resumed = run("--resume knot.rbn");
-    const ToolRun replaced = run("long.toml -o knot.rbn");
+    const ToolRun replaced = run("long.toml -o knot.rbn --force");
     ::kill(first, SIGKILL);
     EXPECT_EQ(waited_for(first), -1);
     expect_refusal(resumed, "knot.rbn");
@@ -158,11 +235,9 @@ TEST_F(RibbonRecord, a_recording_is_written_by_one_at_a_time) {
 }
 
 TEST_F(RibbonRecord, a_disk_that_fills_while_it_resumes_keeps_all_before) {
-  std::string text = small_scene_text();
-  text.replace(text.find("duration = 0.2"), 14, "duration = 2");
-  ASSERT_TRUE(write_file(folder_ / "two.toml", text).has_value());
-  ASSERT_EQ(run("two.toml -o whole.rbn --quiet").exit_code, 0);
-  ASSERT_EQ(run("two.toml -o knot.rbn --quiet --frames 8").exit_code, 0);
+  write_small_scene_lasting(2);
+  ASSERT_EQ(run("long.toml -o whole.rbn --quiet").exit_code, 0);
+  ASSERT_EQ(run("long.toml -o knot.rbn --quiet --frames 8").exit_code, 0);
   const auto kilobytes = fs::file_size(folder_ / "knot.rbn") / 1024 + 8;
   expect_refusal(
       run("--resume knot.rbn", "ulimit -f " + std::to_string(kilobytes) + "; trap '' XFSZ;"),

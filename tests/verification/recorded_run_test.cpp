@@ -6,6 +6,7 @@
 #include "playback/recording_reader.h"
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
+#include "recorder/test_runs.h"
 #include "recording/sample_recording.h"
 #include "scene/scene.h"
 #include "verification/cgal_oracle.h"
@@ -18,7 +19,7 @@ class RecordedRun : public testing::Test {
   static RecordingReader record_run() {
     const auto path = temporary_file("run.rbn");
     const Scene scene = read_scene(write_small_scene(path.parent_path())).value();
-    (void)record(scene, path, "test", {[](int, int, const FrameNumbers&) { return true; }}).value();
+    (void)record(scene, replacing(path), goes_on).value();
     return RecordingReader::open(path).value();
   }
 

@@ -89,20 +89,23 @@ inline std::string_view word_for(RunEnding ending) {
   return words[static_cast<std::size_t>(ending)];
 }
 
-// Why a run was taken up again; the numbers are those of the file.
-enum class SessionReason : std::uint8_t { unknown = 0, resumed = 1, extended = 2 };
+// Why a run was taken up; the numbers are those of the file. A run that is begun as its scene says
+// needs no session.
+enum class SessionReason : std::uint8_t { unknown = 0, resumed = 1, extended = 2, begun = 3 };
 
-// "unknown", "resumed", "extended".
+// "unknown", "resumed", "extended", "begun".
 inline std::string_view word_for(SessionReason reason) {
-  constexpr std::array<std::string_view, 3> words = {"unknown", "resumed", "extended"};
+  constexpr std::array<std::string_view, 4> words = {"unknown", "resumed", "extended", "begun"};
   return words[static_cast<std::size_t>(reason)];
 }
 
-// What is noted where a run is taken up again.
+// What is noted where a run is taken up.
 struct SessionNote {
-  SessionReason reason = SessionReason::unknown;  // resumed: it had not come to its end
-  std::string program;                            // and version
-  std::string changed_settings;                   // "key = value", one a line; empty: none
+  SessionReason reason =
+      SessionReason::unknown;    // resumed: it had not come to its end; begun: with
+                                 // changed settings, which the scene's text has
+  std::string program;           // and version
+  std::string changed_settings;  // "key = value", one a line; empty: none
 
   bool operator==(const SessionNote&) const = default;
 };

@@ -21,7 +21,7 @@ std::optional<Session> parse_session_payload(std::string_view payload, std::uint
   session.first_frame = taker.take<std::uint32_t>();
   const auto reason = taker.take<std::uint8_t>();
   // Reasons that this version does not know are as good as none.
-  if (reason <= static_cast<std::uint8_t>(SessionReason::extended))
+  if (reason <= static_cast<std::uint8_t>(SessionReason::begun))
     session.note.reason = static_cast<SessionReason>(reason);
   session.note.program = take_string(taker);
   session.note.changed_settings = take_string(taker);

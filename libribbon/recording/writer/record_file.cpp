@@ -31,6 +31,8 @@ bool is_still_at(const std::filesystem::path& path, const FileDescriptor& file) 
 
 Result<RecordFile> RecordFile::open(const std::filesystem::path& path, int flags) {
   FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666));
+  if (!file.is_open() && errno == EEXIST)
+    return failure(path.string(), "exists already", "choose another name, or ask to replace it");
   if (!file.is_open())
     return failure(path.string(), "cannot be written (" + last_error_text() + ")",
                    "choose a file that you may write to");
@@ -40,10 +42,12 @@ Result<RecordFile> RecordFile::open(const std::filesystem::path& path, int flags
   return RecordFile(path, std::move(file));
 }
 
-Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
+Result<RecordFile> RecordFile::create(const std::filesystem::path& path, Overwrite overwrite) {
   if (auto created = create_folder_of(path); !created)
     return tl::unexpected(std::move(created.error()));
-  auto file = open(path, O_CREAT);
+  std::error_code code;
+  const bool is_file = !std::filesystem::is_other(path, code);
+  auto file = open(path, overwrite == Overwrite::no && is_file ? O_CREAT | O_EXCL : O_CREAT);
   // Emptied only now that nobody else writes it. Pipes and devices are empty anyway.
   if (file && ::ftruncate(file->file_.number(), 0) != 0 && errno != EINVAL)
     return file->cannot_be_written(last_error_text());

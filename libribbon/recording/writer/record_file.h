@@ -11,11 +11,16 @@
 
 namespace ribbon {
 
+// May a new file take the place of an older one?
+enum class Overwrite { no, yes };
+
 class RecordFile {
  public:
-  // Creates `path`, or empties an older file, and locks it; creates missing parent folders. Fails,
-  // and leaves an older file as it is, when it cannot be written or somebody else is writing it.
-  static Result<RecordFile> create(const std::filesystem::path& path);
+  // Creates `path`, or empties an older file if that is wished, and locks it; creates missing
+  // parent folders. Fails, and leaves an older file as it is, when it cannot be written or somebody
+  // else is writing it. Pipes and devices hold nothing that could be lost.
+  static Result<RecordFile> create(const std::filesystem::path& path,
+                                   Overwrite overwrite = Overwrite::yes);
 
   // Opens and locks an older file, to append to it. Fails likewise.
   static Result<RecordFile> open(const std::filesystem::path& path);

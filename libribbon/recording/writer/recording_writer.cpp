@@ -113,7 +113,8 @@ void RecordingWriter::remember(QuantisedFrame quantised) {
 }
 
 Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& path,
-                                                const RecordingHeader& header) {
+                                                const RecordingHeader& header,
+                                                Overwrite overwrite) {
   assert(!header.scene_name.empty() && header.uv.cols() == header.grid.particle_count());
   if (!is_recordable(header.grid))
     return failure(path.string(),
@@ -121,7 +122,7 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& pat
                        std::to_string(header.grid.along) + " x " +
                        std::to_string(header.grid.across),
                    "simulate fewer particles");
-  auto file = RecordFile::create(path);
+  auto file = RecordFile::create(path, overwrite);
   if (!file) return tl::unexpected(std::move(file.error()));
   const std::string payload = header_payload(header);
   RecordingWriter writer(std::move(*file), {.header = header, .recording_id = checksum(payload)});

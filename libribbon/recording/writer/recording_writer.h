@@ -43,11 +43,12 @@ struct WriterFigures {
 
 class RecordingWriter {
  public:
-  // Creates `path` (replacing an older file) and writes the header at once, so that an unwritable
-  // target is known before a long run. Creates missing parent folders. The file stays locked as
-  // long as the writer lives; fails where another one writes it.
+  // Creates `path` as RecordFile::create() does and writes the header at once, so that an
+  // unwritable target is known before a long run. The file stays locked as long as the writer
+  // lives.
   static Result<RecordingWriter> create(const std::filesystem::path& path,
-                                        const RecordingHeader& header);
+                                        const RecordingHeader& header,
+                                        Overwrite overwrite = Overwrite::yes);
 
   // Goes on with a recording that `file` ends with; resume_recording() finds out what there is.
   RecordingWriter(RecordFile file, RecordedSoFar so_far);

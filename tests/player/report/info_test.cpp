@@ -97,7 +97,8 @@ TEST(RecordingInfo, tightness_and_ending_are_told) {
 TEST(RecordingInfo, where_a_run_was_taken_up_again_is_told) {
   RecordingInfo info = three_frames();
   info.header.origin = Origin{7, "mother", 77, "a = 1\nb = 2\n"};
-  info.sessions = {{1, {SessionReason::resumed, "ribbon-record 0.1.0", ""}},
+  info.sessions = {{0, {SessionReason::begun, "ribbon-record 0.1.0", "a = 1\n"}},
+                   {1, {SessionReason::resumed, "ribbon-record 0.1.0", ""}},
                    {2, {SessionReason::extended, "ribbon-record 0.2.0", "time.duration = 9\n"}}};
   info.checkpoints = {1, 2, 3};
   const std::string text = info_text(info);
@@ -105,7 +106,8 @@ TEST(RecordingInfo, where_a_run_was_taken_up_again_is_told) {
             std::string::npos)
       << text;
   EXPECT_NE(
-      text.find("resumed         at frame 2 by ribbon-record 0.1.0\n"
+      text.find("begun           at frame 1 by ribbon-record 0.1.0, with a = 1\n"
+                "resumed         at frame 2 by ribbon-record 0.1.0\n"
                 "extended        at frame 3 by ribbon-record 0.2.0, with time.duration = 9\n"),
       std::string::npos);
   EXPECT_NE(text.find("checkpoints     3, at frames 1, 2, 3\n"), std::string::npos);

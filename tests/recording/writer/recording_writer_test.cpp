@@ -28,6 +28,19 @@ TEST(RecordingWriter, the_header_is_there_at_once) {
   EXPECT_FALSE(reader->finished());
 }
 
+TEST(RecordingWriter, an_older_file_is_replaced_only_where_that_is_wished) {
+  const auto path = temporary_file("kept.rbn");
+  ASSERT_TRUE(write_file(path, "older").has_value());
+  const auto refused = RecordingWriter::create(path, sample_header(), Overwrite::no);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().sentence().find("kept.rbn: exists already"), std::string::npos);
+  EXPECT_EQ(read_file(path).value(), "older");
+  EXPECT_TRUE(RecordingWriter::create(path, sample_header(), Overwrite::yes).has_value());
+  std::filesystem::remove(path);
+  EXPECT_TRUE(RecordingWriter::create(path, sample_header(), Overwrite::no).has_value());
+  EXPECT_TRUE(RecordingWriter::create("/dev/null", sample_header(), Overwrite::no).has_value());
+}
+
 TEST(RecordingWriter, each_frame_is_in_the_file_when_append_returns) {
   const auto path = temporary_file("each frame.rbn");
   auto writer = RecordingWriter::create(path, sample_header());
