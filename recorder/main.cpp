@@ -25,7 +25,8 @@ std::string remark_on(const FrameNumbers& numbers) {
          std::to_string(numbers.penetrating_edges);
 }
 
-// Draws the progress of a run, and ends it when Ctrl-C is pressed.
+// Draws the progress of a run, and ends it when Ctrl-C is pressed; before its first frame, while
+// the start is looked for, there is nothing to save and Ctrl-C ends the program as usual.
 class Watch {
  public:
   explicit Watch(bool quiet) : quiet_(quiet) {}
@@ -33,11 +34,11 @@ class Watch {
   RunObserver observer() {
     return {[this](int done, int total, const FrameNumbers& numbers) {
               line(total, "frame").update(done, remark_on(numbers));
-              return !interrupt_.requested();
+              return goes_on();
             },
             [this](int done, int total) {
               line(total, "frame simulated again").update(done);
-              return !interrupt_.requested();
+              return goes_on();
             },
             [this](const std::string& what) { line(1, "start").update(0, what); }};
   }
@@ -45,9 +46,10 @@ class Watch {
     const auto drawn_as = [this](const char* unit) {
       return [this, unit](int done, int total) {
         line(total, unit).update(done);
-        return !interrupt_.requested();
+        return goes_on();
       };
     };
+    (void)goes_on();  // the smaller file is to be removed
     return {drawn_as("frame written"), drawn_as("frame compared")};
   }
   void clear() {
@@ -64,10 +66,15 @@ class Watch {
     return *line_;
   }
 
+  bool goes_on() {
+    if (!interrupt_) interrupt_.emplace();
+    return !interrupt_->requested();
+  }
+
   bool quiet_;
   std::string unit_;
   std::optional<ProgressLine> line_;
-  Interrupt interrupt_;
+  std::optional<Interrupt> interrupt_;
 };
 
 Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,

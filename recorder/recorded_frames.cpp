@@ -7,8 +7,7 @@ namespace ribbon {
 namespace {
 
 bool same_bits(const Eigen::Matrix3Xf& a, const Eigen::Matrix3Xf& b) {
-  return a.cols() == b.cols() &&
-         std::memcmp(a.data(), b.data(), sizeof(float) * static_cast<std::size_t>(a.size())) == 0;
+  return a.cols() == b.cols() && std::memcmp(a.data(), b.data(), sizeof(float) * a.size()) == 0;
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ std::filesystem::path FramePattern::file(int number) const {
   if (digits_ == 0) return before_;
   std::string digits = std::to_string(number);
   if (digits.size() < static_cast<std::size_t>(digits_))
-    digits.insert(0, static_cast<std::size_t>(digits_) - digits.size(), '0');
+    digits.insert(0, digits_ - digits.size(), '0');
   return before_ + digits + after_;
 }
 

@@ -29,7 +29,7 @@ int terminal_columns() {
 }
 
 std::string bar(double share) {
-  const auto full = static_cast<std::size_t>(std::lround(share * bar_cells));
+  const std::size_t full = std::lround(share * bar_cells);
   return "[" + std::string(full, '#') + std::string(bar_cells - full, '.') + "]";
 }
 
@@ -55,7 +55,7 @@ std::string progress_text(const std::string& unit, int done, int total, double e
   if (done > 0 && done < total) text += ", ETA " + clock_text(elapsed_s / done * (total - done));
   if (!remark.empty()) text += ", " + remark;
   // A line that fills the last column would wrap on some terminals and could not be erased.
-  return text.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
+  return text.substr(0, std::max(0, columns - 1));
 }
 
 ProgressLine::ProgressLine(std::string unit, int total, bool quiet)

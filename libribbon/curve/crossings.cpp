@@ -55,8 +55,7 @@ class Walk {
   }
   [[nodiscard]] std::size_t segment_at(double length) const {
     const auto after = std::upper_bound(length_at_.begin(), length_at_.end(), length);
-    const auto i = static_cast<std::size_t>(
-        std::max<std::ptrdiff_t>(std::distance(length_at_.begin(), after) - 1, 0));
+    const std::size_t i = std::max<std::ptrdiff_t>(std::distance(length_at_.begin(), after) - 1, 0);
     return std::min(i, segment_count() - 1);
   }
   [[nodiscard]] double parameter_at(double length) const {

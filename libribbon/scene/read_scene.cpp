@@ -467,6 +467,15 @@ Result<void> countable_particles(const Document& document, const Scene& scene) {
       "write smaller numbers, at most " + std::to_string(most_particles) + " particles together");
 }
 
+// Thicker, each layer would meet all others, and lists of what touches would fill the memory.
+Result<void> cloth_is_flat(const Document& document, const Scene& scene) {
+  if (scene.ribbon.thickness_m <= scene.ribbon.width_m) return {};
+  return failure(document.place("ribbon", "thickness"),
+                 "'thickness' is " + shortest(scene.ribbon.thickness_m) +
+                     " m, more than the 'width' of the ribbon",
+                 "write the thickness of the cloth in metres, for example 'thickness = 0.001'");
+}
+
 Result<void> countable_steps(const Document& document, const Scene& scene) {
   const double steps = scene.time.duration_s / scene.time.step_s;
   if (steps < 1 - 1e-9)
@@ -523,7 +532,7 @@ Result<Scene> scene_of(const Document& document) {
   for (const Table& table : tables())
     if (auto read = read_table(document, table, scene); !read) return tl::unexpected(read.error());
   set_defaults(document, scene);
-  for (const auto& rule : {one_drawing, countable_particles, countable_steps,
+  for (const auto& rule : {one_drawing, countable_particles, cloth_is_flat, countable_steps,
                            at_most_a_frame_a_step, fastening_against_air, tight_by_fastening})
     if (auto kept = rule(document, scene); !kept) return tl::unexpected(kept.error());
   return scene;

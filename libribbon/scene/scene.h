@@ -108,9 +108,9 @@ struct TimeScene {
   bool operator==(const TimeScene&) const = default;
 };
 
-// How edges are kept near their natural length where contact is in the way.
+// How edges are kept near their rest length where contact is in the way.
 struct SmoothingScene {
-  double strain = 0.08;  // that is aimed at, of the natural length
+  double strain = 0.08;  // that is aimed at, of the rest length
   int most_rounds = 10;  // of sweeps, each followed by the gate
   int most_sweeps = 20;  // over all contacts and edges, in each of them
 

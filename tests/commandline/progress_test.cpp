@@ -77,7 +77,7 @@ std::string seen_on_a_terminal(const std::function<void()>& job) {
   while (seen.find('$') == std::string::npos) {
     const ssize_t count = ::read(screen, bytes.data(), bytes.size());
     if (count <= 0) break;
-    seen.append(bytes.data(), static_cast<std::size_t>(count));
+    seen.append(bytes.data(), count);
   }
   ::close(terminal);
   ::close(screen);

@@ -122,7 +122,7 @@ TEST_F(Compacted, a_jump_shows_what_playing_shows) {
     const int frame = static_cast<int>(random() % frames);
     if (jump % 10 == 0) reader = RecordingReader::open(file_).value();
     ASSERT_TRUE(reader.read(frame, positions).has_value());
-    ASSERT_EQ(positions, truth[static_cast<std::size_t>(frame)].positions) << frame;
+    ASSERT_EQ(positions, truth[frame].positions) << frame;
   }
 }
 

@@ -22,9 +22,9 @@ struct PlayedFrame {
 };
 
 inline std::vector<PlayedFrame> frames_of(RecordingReader& reader) {
-  std::vector<PlayedFrame> frames(static_cast<std::size_t>(reader.frame_count()));
+  std::vector<PlayedFrame> frames(reader.frame_count());
   for (int index = 0; index < reader.frame_count(); ++index) {
-    PlayedFrame& frame = frames[static_cast<std::size_t>(index)];
+    PlayedFrame& frame = frames[index];
     frame.numbers = reader.numbers(index);
     if (!reader.read(index, frame.positions)) frame.positions.resize(3, 0);
   }

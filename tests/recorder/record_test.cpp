@@ -37,7 +37,7 @@ TEST_F(Record, a_frame_is_recorded_at_the_first_step_at_or_after_its_time) {
   ASSERT_EQ(reader.frame_count(), 7);
   constexpr std::array expected_s = {0.0, 0.04, 0.07, 0.1, 0.14, 0.17, 0.2};
   for (int frame = 0; frame < 7; ++frame)
-    EXPECT_NEAR(reader.numbers(frame)->time_s, expected_s[static_cast<std::size_t>(frame)], 1e-12);
+    EXPECT_NEAR(reader.numbers(frame)->time_s, expected_s[frame], 1e-12);
 }
 
 TEST_F(Record, the_header_says_what_was_recorded) {

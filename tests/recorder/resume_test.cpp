@@ -138,9 +138,7 @@ TEST_F(ResumeRun, without_a_checkpoint_it_begins_at_the_start_again) {
     {
       auto writer = RecordingWriter::create(file_, header).value();
       for (int frame = 0; frame < frames; ++frame)
-        ASSERT_TRUE(
-            writer.append(*whole_[static_cast<std::size_t>(frame)].numbers,
-                          whole_[static_cast<std::size_t>(frame)].positions.cast<double>()));
+        ASSERT_TRUE(writer.append(*whole_[frame].numbers, whole_[frame].positions.cast<double>()));
     }
     ASSERT_EQ(refusal(), "") << frames;
     expect_whole();
@@ -290,7 +288,7 @@ TEST_F(ResumeRun, what_comes_out_otherwise_than_recorded_is_told) {
   {
     auto writer = RecordingWriter::create(file_, header).value();
     for (int frame = 0; frame < 5; ++frame) {
-      const auto& played = whole_[static_cast<std::size_t>(frame)];
+      const auto& played = whole_[frame];
       ASSERT_TRUE(writer.append(*played.numbers, played.positions.cast<double>()));
     }
   }

@@ -233,6 +233,9 @@ INSTANTIATE_TEST_SUITE_P(
                    "write smaller numbers, at most 16777216 particles together"},
         Impossible{"more_columns_than_a_recording_holds", ribbon_line("= 8", "= 1048577"),
                    "6:10: 'across' is more than a recording holds; write at most 1048576"},
+        Impossible{"thicker_than_wide", ribbon_line("across = 8", "across = 8\nthickness = 1"),
+                   "7:13: 'thickness' is 1 m, more than the 'width' of the ribbon; write the "
+                   "thickness of the cloth in metres, for example 'thickness = 0.001'"},
         Impossible{"negative_spring", with("[springs]\nbend = -1\n"),
                    "11:8: 'bend' must be a number from 0 to 1e12, not -1; "
                    "write for example 'bend = 10'"},
