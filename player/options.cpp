@@ -47,9 +47,9 @@ Result<PictureSize> parse_size(const std::string& text) {
 
 void add_options(Arguments& arguments, Options& options, std::string& size) {
   arguments.add("RECORDING", options.recording, "FILE", "the recording (.rbn)").required();
-  const auto pictures =
-      arguments.add("-o,--output", options.pictures, "PATTERN",
-                    "PNG files to write, with {frame} or {frame:04} for the number; one frame needs none");
+  const auto pictures = arguments.add(
+      "-o,--output", options.pictures, "PATTERN",
+      "PNG files to write, with {frame} or {frame:04} for the number; one frame needs none");
   const auto frames = arguments.add("--frames", options.frames, "A:B:STEP",
                                     "frames A to B, every STEP-th; -1 is the last (default: all)");
   arguments.add("--size", size, "WxH", "size of the pictures in pixels").with_default_shown();
