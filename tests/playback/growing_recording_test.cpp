@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "continuation/resume_recording.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"
-#include "continuation/resume_recording.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/background_writer.h"
 

@@ -15,7 +15,6 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 // ---- Figure 5, from top to bottom
-// ----------------------------------------------------------------
 
 StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
   const Matrix3Xd force = fastening_force(hands, cloth);  // section 5.2
@@ -73,7 +72,6 @@ StepReport TimeStep::correct_with_gate(const Matrix3Xd& before, Bodies& bodies, 
 }
 
 // ---- The stages
-// ----------------------------------------------------------------------------------
 
 Matrix3Xd TimeStep::fastening_force(Hands* hands, const Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::fastening_force);
@@ -179,7 +177,6 @@ bool TimeStep::is_over_limit(const Cloth& cloth) {
 }
 
 // ---- Before the first step
-// -----------------------------------------------------------------------
 
 void TimeStep::move(const Matrix3Xd& target, Bodies& bodies, Cloth& cloth) {
   const Matrix3Xd before = cloth.positions;
@@ -201,7 +198,6 @@ StepReport TimeStep::settle(int rounds, Bodies& bodies, Cloth& cloth) {
 }
 
 // ---- Settings
-// ------------------------------------------------------------------------------------
 
 namespace {
 
