@@ -120,7 +120,6 @@ FasteningProcessor& FasteningProcessor::operator=(FasteningProcessor&& other) no
 FasteningProcessor::~FasteningProcessor() = default;
 
 // ---- The start
-// -----------------------------------------------------------------------------------
 
 Result<FasteningProcessor> FasteningProcessor::create(const Scene& wished, const RibbonMesh& ribbon,
                                                       const std::optional<TriangleMesh>& obstacle,
@@ -171,7 +170,6 @@ const StartReport& FasteningProcessor::start() const {
 }
 
 // ---- The steps
-// -----------------------------------------------------------------------------------
 
 StepReport FasteningProcessor::step() {
   ++parts_->steps;
@@ -197,7 +195,6 @@ const StageSums& FasteningProcessor::stage_sums() const {
 }
 
 // ---- What became of the ribbon
-// -------------------------------------------------------------------
 
 const Matrix3Xd& FasteningProcessor::positions() const {
   return parts_->cloth.positions;
@@ -229,7 +226,6 @@ double FasteningProcessor::guaranteed_gap_m() const {
 }
 
 // ---- The state
-// -----------------------------------------------------------------------------------
 
 std::string FasteningProcessor::state() {
   StateArchive archive;
