@@ -45,7 +45,7 @@ std::optional<TightnessNumbers> tightness_numbers(FasteningProcessor& fastening,
   if (!tightness) return std::nullopt;
   return TightnessNumbers{
       .progress = static_cast<float>(tightness->progress),
-      .held_back = static_cast<float>(sums.mean_truncated() / static_cast<double>(particles)),
+      .truncated = static_cast<float>(sums.mean_truncated() / static_cast<double>(particles)),
       .pull = static_cast<float>(sums.mean_pull()),
       .contact = static_cast<float>(tightness->contact_share),
       .rope_length = static_cast<float>(tightness->rope_length)};

@@ -121,16 +121,17 @@ FasteningProcessor::~FasteningProcessor() = default;
 
 // ---- The start
 
-Result<FasteningProcessor> FasteningProcessor::create(const Scene& wished, const RibbonMesh& ribbon,
+Result<FasteningProcessor> FasteningProcessor::create(const Scene& as_read,
+                                                      const RibbonMesh& ribbon,
                                                       const std::optional<TriangleMesh>& obstacle,
                                                       const StartObserver& observer) {
   const RestSize size = rest_size(ribbon, 1);
-  const double reach_m = recorded_reach_m(wished, size, ribbon.positions);
-  const Scene scene = with_single_rounding(wished, size, reach_m);
+  const double reach_m = recorded_reach_m(as_read, size, ribbon.positions);
+  const Scene scene = with_single_rounding(as_read, size, reach_m);
   const ContactLengths lengths = contact_lengths(scene, size);
-  auto possible = check_precision(wished, size, lengths, ribbon.positions, obstacle);
-  if (possible) possible = check_width(wished, ribbon.grid);
-  if (possible && obstacle) possible = check_outside(wished, ribbon, *obstacle);
+  auto possible = check_precision(as_read, size, lengths, ribbon.positions, obstacle);
+  if (possible) possible = check_width(as_read, ribbon.grid);
+  if (possible && obstacle) possible = check_outside(as_read, ribbon, *obstacle);
   if (!possible) return tl::unexpected(possible.error());
   auto parts = std::make_unique<Parts>(scene, size, lengths, obstacle, ribbon.positions);
   parts->reach_m = reach_m;
@@ -233,20 +234,20 @@ std::string FasteningProcessor::state() {
   return archive.bytes();
 }
 
-Result<FasteningProcessor> FasteningProcessor::restore(const Scene& wished, const RestSize& size,
+Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, const RestSize& size,
                                                        const std::optional<TriangleMesh>& obstacle,
                                                        std::string_view state, Settings settings) {
-  if (auto narrow = check_width(wished, size.grid); !narrow) return tl::unexpected(narrow.error());
-  const auto refused = [&wished](Error error) {
-    error.place = wished.name;
+  if (auto narrow = check_width(as_read, size.grid); !narrow) return tl::unexpected(narrow.error());
+  const auto refused = [&as_read](Error error) {
+    error.place = as_read.name;
     return tl::unexpected(std::move(error));
   };
-  StateHead head{.grid = size.grid, .is_fastened = wished.fastening.has_value()};
+  StateHead head{.grid = size.grid, .is_fastened = as_read.fastening.has_value()};
   StateArchive beginning(state);
   visit_head(beginning, head);
   beginning.ignore_rest();
   if (auto read = beginning.finish(); !read) return refused(read.error());
-  const Scene scene = with_single_rounding(wished, size, head.reach_m);
+  const Scene scene = with_single_rounding(as_read, size, head.reach_m);
   auto parts = std::make_unique<Parts>(scene, size, contact_lengths(scene, size), obstacle,
                                        Matrix3Xd::Zero(3, size.grid.particle_count()));
   if (auto few = check_substeps(scene, parts->time_step.substeps()); !few)

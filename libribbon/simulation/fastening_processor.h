@@ -38,7 +38,7 @@ class FasteningProcessor {
   // scene's name, where there is no free start (free_start.h), where the ribbon lies inside the
   // obstacle (inside_obstacle.h) and where numbers could not hold what is promised
   // (scene_limits.h). The search for a start may take minutes, and tells the observer.
-  static Result<FasteningProcessor> create(const Scene& wished, const RibbonMesh& ribbon,
+  static Result<FasteningProcessor> create(const Scene& as_read, const RibbonMesh& ribbon,
                                            const std::optional<TriangleMesh>& obstacle,
                                            const StartObserver& observer = {});
 
@@ -47,7 +47,7 @@ class FasteningProcessor {
   // contact, the recording's rounding and whether there are obstacle and fastening, from the same
   // places and speeds; tightness is then measured anew. Fails where the state is not one of such a
   // scene, and where springs and air divide each step into too many parts.
-  static Result<FasteningProcessor> restore(const Scene& wished, const RestSize& size,
+  static Result<FasteningProcessor> restore(const Scene& as_read, const RestSize& size,
                                             const std::optional<TriangleMesh>& obstacle,
                                             std::string_view state,
                                             Settings settings = Settings::as_before);

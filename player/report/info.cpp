@@ -123,7 +123,7 @@ std::string ending_text(RunEnding ending) {
     case RunEnding::tight:
       return report_line("ended", "when the ribbon was tight");
     case RunEnding::stopped:
-      return report_line("ended", "early, by the user");
+      return report_line("ended", "early, as the user asked");
     case RunEnding::unknown:
       break;
   }
@@ -138,8 +138,8 @@ std::string tightness_text(const RecordingInfo& info) {
   const auto tightness = info.last_tightness();
   if (!tightness) return "";
   return report_line("last frame", "progress " + percent(tightness->progress) + ", pull " +
-                                       percent(tightness->pull) + ", held back " +
-                                       percent(tightness->held_back)) +
+                                       percent(tightness->pull) + ", truncated " +
+                                       percent(tightness->truncated)) +
          report_line("", "in contact " + percent(tightness->contact) + ", rope length " +
                              decimals(tightness->rope_length, 1) + " widths");
 }

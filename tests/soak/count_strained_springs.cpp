@@ -1,4 +1,4 @@
-// count_strained_springs RECORDING: as JSON, how many springs are more than 10 % from their natural
+// count_strained_springs RECORDING: as JSON, how many springs are more than 10 % from their rest
 // length.
 #include <cstdio>
 #include <nlohmann/json.hpp>

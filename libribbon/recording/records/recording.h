@@ -58,7 +58,7 @@ inline CodecParameters codec_parameters(const RecordingHeader& header) {
 struct TightnessNumbers {
   float progress = 0;  // way of the last two seconds along the pull over the way commanded: 1 free,
                        // 0 locked, below 0 drawn back
-  float held_back = 0;    // share of the particles that contact kept from going all of their way,
+  float truncated = 0;    // fraction of the particles whose displacement the gate cut short,
                           // mean of the steps since the last frame
   float pull = 0;         // share of the fastening force that was applied, mean of the same steps
   float contact = 0;      // share of the rows that touch another part of the ribbon or the obstacle
@@ -75,7 +75,7 @@ struct TightnessColumn {
 };
 inline constexpr std::array<TightnessColumn, 5> tightness_columns = {
     {{"progress", &TightnessNumbers::progress},
-     {"held_back", &TightnessNumbers::held_back},
+     {"truncated", &TightnessNumbers::truncated},
      {"pull", &TightnessNumbers::pull},
      {"contact", &TightnessNumbers::contact},
      {"rope_length", &TightnessNumbers::rope_length}}};

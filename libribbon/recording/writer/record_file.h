@@ -16,7 +16,7 @@ enum class Overwrite { no, yes };
 
 class RecordFile {
  public:
-  // Creates `path`, or empties an older file if that is wished, and locks it; creates missing
+  // Creates `path`, or empties an older file if that is wanted, and locks it; creates missing
   // parent folders. Fails, and leaves an older file as it is, when it cannot be written or somebody
   // else is writing it. Pipes and devices hold nothing that could be lost.
   static Result<RecordFile> create(const std::filesystem::path& path,

@@ -30,7 +30,7 @@ Vector3d between(FeaturePair::Kind kind, const Corners& x) {
 }  // namespace
 
 std::optional<Collision> find_collision(const FeaturePair& pair, const VertexPositions& t0,
-                                        const VertexPositions& t1, double gap_m) {
+                                        const VertexPositions& t1, double activation_m) {
   const Corners x0 = corners(pair, t0);
   const Corners x1 = corners(pair, t1);
   const Vector3d direction0 = separating_direction(pair.kind, x0);
@@ -43,7 +43,7 @@ std::optional<Collision> find_collision(const FeaturePair& pair, const VertexPos
     const Corners x = (1 - t) * x0 + t * x1;
     const Vector4d weights = closest_weights(pair.kind, x);
     // Coplanar at this instant, they either meet or lie beside each other.
-    if ((x * weights).norm() <= gap_m) {
+    if ((x * weights).norm() <= activation_m) {
       direction1 *= side0 > 0 ? 1 : -1;
       const Vector3d normal = direction1.normalized();
       return Collision{weights, normal, normal.dot(x1 * weights)};
@@ -53,7 +53,7 @@ std::optional<Collision> find_collision(const FeaturePair& pair, const VertexPos
   const Vector4d weights = closest_weights(pair.kind, x1);
   const Vector3d apart = x1 * weights;
   const double distance_m = apart.norm();
-  if (distance_m >= gap_m || distance_m == 0) return std::nullopt;
+  if (distance_m >= activation_m || distance_m == 0) return std::nullopt;
   return Collision{weights, apart / distance_m, distance_m};
 }
 

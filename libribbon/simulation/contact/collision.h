@@ -18,10 +18,10 @@ struct Collision {
 };
 
 // Do the two features collide on their straight way from `t0` to `t1`? They do
-// when one passes through the other, or when they end closer than gap_m on the side on which they
-// began. The instant of passing is found with the signed distance taken as linear over the step, so
-// that a pair that turns far within one step may be missed.
+// when one passes through the other, or when they end closer than activation_m on the side on which
+// they began. The instant of passing is found with the signed distance taken as linear over the
+// step, so that a pair that turns far within one step may be missed.
 std::optional<Collision> find_collision(const FeaturePair& pair, const VertexPositions& t0,
-                                        const VertexPositions& t1, double gap_m);
+                                        const VertexPositions& t1, double activation_m);
 
 }  // namespace ribbon

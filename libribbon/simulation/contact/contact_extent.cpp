@@ -17,16 +17,17 @@ constexpr double touching = 1.5;  // of the distance at which contact begins
 
 enum class Touches : char { nothing, obstacle, ribbon };
 
-bool touch(const FeaturePair& pair, const PairDistances& gaps, const VertexPositions& positions) {
+bool touch(const FeaturePair& pair, const PairDistances& distances,
+           const VertexPositions& positions) {
   const auto x = corners(pair, positions);
-  return (x * closest_weights(pair.kind, x)).norm() <= touching * gaps.activation_m(pair);
+  return (x * closest_weights(pair.kind, x)).norm() <= touching * distances.activation_m(pair);
 }
 
-std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& gaps,
+std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& distances,
                                   const Matrix3Xd& positions) {
   const VertexPositions vertices = bodies.vertices(positions);
   std::vector<Touches> rows(bodies.grid.along, Touches::nothing);
-  const double reach_m = touching * gaps.largest_activation_m();
+  const double reach_m = touching * distances.largest_activation_m();
   const auto row_of = [&](int particle) -> Touches& { return rows[bodies.grid.row(particle)]; };
   for (const FeaturePair& pair :
        pairs_within_ranges(bodies, vertex_ranges(positions, positions), reach_m)) {
@@ -38,7 +39,7 @@ std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& gaps,
     };
     // Most pairs of a knot tell nothing new, and distances take time.
     if (std::none_of(pair.vertices.begin(), pair.vertices.end(), is_news)) continue;
-    if (!touch(pair, gaps, vertices)) continue;
+    if (!touch(pair, distances, vertices)) continue;
     for (const int vertex : pair.vertices)
       if (is_news(vertex)) row_of(vertex) = what;
   }
@@ -47,9 +48,9 @@ std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& gaps,
 
 }  // namespace
 
-ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairDistances& gaps,
+ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairDistances& distances,
                              const Matrix3Xd& positions) {
-  const std::vector<Touches> rows = touched_rows(bodies, gaps, positions);
+  const std::vector<Touches> rows = touched_rows(bodies, distances, positions);
   const auto free = std::count(rows.begin(), rows.end(), Touches::nothing);
   ContactExtent extent;
   extent.share = 1 - static_cast<double>(free) / static_cast<double>(rows.size());

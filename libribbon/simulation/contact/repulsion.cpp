@@ -41,7 +41,7 @@ double effective_inverse_mass(const FeaturePair& pair, const Collision& collisio
 
 }  // namespace
 
-void repel(const FeaturePair& pair, const Collision& collision, double gap_m,
+void repel(const FeaturePair& pair, const Collision& collision, double activation_m,
            const RepulsionSettings& settings, const VertexPositions& before,
            const VertexPositions& now, Cloth& cloth) {
   const double inverse_mass = effective_inverse_mass(pair, collision, cloth);
@@ -51,7 +51,7 @@ void repel(const FeaturePair& pair, const Collision& collision, double gap_m,
   const Vector3d velocity = relative_velocity(pair, collision, cloth);
   const double distance_m = normal.dot(apart);
   const double speed_m_s = normal.dot(velocity);  // positive: parting
-  const double opened_m = std::max(0.0, gap_m - distance_m);
+  const double opened_m = std::max(0.0, activation_m - distance_m);
   const double gained_m_s = speed_m_s < 0 ? -(1 + settings.restitution) * speed_m_s : 0;
   Vector3d moved = opened_m * normal;
   Vector3d accelerated = gained_m_s * normal;
@@ -69,7 +69,7 @@ void repel(const FeaturePair& pair, const Collision& collision, double gap_m,
   }
 }
 
-bool repel_once(std::span<const FeaturePair> pairs, const PairDistances& gaps,
+bool repel_once(std::span<const FeaturePair> pairs, const PairDistances& distances,
                 const RepulsionSettings& settings, const Bodies& bodies,
                 const Eigen::Matrix3Xd& before, Cloth& cloth) {
   const VertexPositions start = bodies.vertices(before);
@@ -77,10 +77,10 @@ bool repel_once(std::span<const FeaturePair> pairs, const PairDistances& gaps,
   bool any = false;
   for (const FeaturePair& pair : pairs) {
     // Earlier repulsions of this round count: each pair is tested where its vertices are by now.
-    const double gap_m = gaps.activation_m(pair);
-    const std::optional<Collision> collision = find_collision(pair, start, now, gap_m);
+    const double activation_m = distances.activation_m(pair);
+    const std::optional<Collision> collision = find_collision(pair, start, now, activation_m);
     if (!collision) continue;
-    repel(pair, *collision, gap_m, settings, start, now, cloth);
+    repel(pair, *collision, activation_m, settings, start, now, cloth);
     any = true;
   }
   return any;

@@ -28,7 +28,7 @@ struct ObstacleBody {
 };
 
 // The surface of the ribbon and the BVH over it exist only where penetrations are looked for,
-// at the start and as published: they take some 600 bytes a particle, and the gate does without.
+// at the start and as published: they are large, and the gate does without.
 class RibbonBody {
  public:
   explicit RibbonBody(const RibbonGrid& grid) : grid_(grid) {}

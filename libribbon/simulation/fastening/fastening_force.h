@@ -22,7 +22,7 @@ namespace ribbon {
 // that each end draws its half of the ribbon against the air at the scene's speed.
 class FasteningForce {
  public:
-  // start: 3 x at least all particles, the ribbon at the start, whose mean distance from the axis
+  // start: 3 x particles, the ribbon at the start, whose mean distance from the axis
   // is where the scene's speed holds.
   FasteningForce(const FasteningScene& scene, double air_resistance_per_s, const RibbonGrid& grid,
                  const Eigen::Matrix3Xd& start, double particle_mass_kg);

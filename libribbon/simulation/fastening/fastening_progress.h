@@ -21,7 +21,7 @@ class FasteningProgress {
   FasteningProgress(const RibbonGrid& grid, double step_s, double air_resistance_per_s);
 
   // One step. command: 3 x particles, m/s, the terminal velocities that all of the fastening force
-  // would reach against the air; before, after: 3 x at least all particles.
+  // would reach against the air; before, after: 3 x particles.
   void add(const Eigen::Matrix3Xd& command, const Eigen::Matrix3Xd& before,
            const Eigen::Matrix3Xd& after);
 

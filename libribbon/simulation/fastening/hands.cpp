@@ -35,7 +35,7 @@ Hands::Hands(const Scene& scene, const RestSize& size, const Cloth& cloth)
 }
 
 Matrix3Xd Hands::pull(const Cloth& cloth) {
-  before_ = cloth.positions.leftCols(cloth.particle_count());
+  before_ = cloth.positions;
   Matrix3Xd force = force_.at(cloth.positions);
   command_ = terminal_velocities(force, force_.newton_per_m_s(), highest_m_s_);
   if (yielding_) force_fraction_ = yielding_->force_fraction(cloth.positions);

@@ -17,7 +17,7 @@ class Yielding {
   // half of `strain` (> 0) it is met with all of the force, at one and a half of it with none.
   Yielding(const RestSize& size, double strain);
 
-  // The fraction of the force to be applied, 0 to 1. positions: 3 x at least all particles.
+  // The fraction of the force to be applied, 0 to 1. positions: 3 x particles.
   double force_fraction(const Eigen::Matrix3Xd& positions);
 
  private:

@@ -6,12 +6,11 @@
 namespace ribbon {
 
 void Integrator::displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) {
-  auto particles = cloth.positions.leftCols(cloth.particle_count());
-  state_.positions = particles.transpose();
+  state_.positions = cloth.positions.transpose();
   state_.velocities = cloth.velocities.transpose();
   state_.fastening = fastening_force.transpose() / cloth.particle_mass_kg;
   for (int substep = 0; substep < substeps_; ++substep) advance(properties_.step_s / substeps_);
-  particles = state_.positions.transpose();
+  cloth.positions = state_.positions.transpose();
   cloth.velocities = state_.velocities.transpose();
 }
 

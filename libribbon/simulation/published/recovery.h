@@ -17,6 +17,11 @@ struct RecoverySettings {
   double gap_m = 0;   // how far beyond a pierced triangle a particle is moved
   double step_m = 0;  // how far scheme B curls a border at a time
   int patience = 1;   // applications in a row of one scheme that may leave no fewer penetrations
+
+  // For a ribbon whose shortest edge is so long.
+  static RecoverySettings of_edge(double edge_m) {
+    return {.gap_m = 0.1 * edge_m, .step_m = 0.5 * edge_m};
+  }
 };
 
 // How many distinct edges pierce a triangle: ribbon into ribbon, ribbon into obstacle and obstacle

@@ -54,13 +54,13 @@ namespace {
 // particles have four and others none, do not vote.
 std::vector<int> count_sound_edges(const RibbonGrid& grid, const CollisionSurface& ribbon,
                                    const std::vector<Penetration>& penetrations) {
-  std::set<int> erroneous;
-  for (const Penetration& penetration : penetrations) erroneous.insert(penetration.edge);
+  std::set<int> penetrating;
+  for (const Penetration& penetration : penetrations) penetrating.insert(penetration.edge);
   std::vector<int> sound(grid.particle_count(), 0);
   for (std::size_t e = 0; e < ribbon.edges.size(); ++e) {
     const auto [a, b] = ribbon.edges[e];
     const bool diagonal = grid.row(a) != grid.row(b) && grid.column(a) != grid.column(b);
-    if (diagonal || erroneous.contains(static_cast<int>(e))) continue;
+    if (diagonal || penetrating.contains(static_cast<int>(e))) continue;
     ++sound[a];
     ++sound[b];
   }
@@ -87,19 +87,19 @@ void apply_scheme_a(const RibbonGrid& grid, const CollisionSurface& ribbon,
 
   Moves moves;
   for (const auto& [edge, penetrations] : of_edge) {
-    int erroneous = ribbon.edges[edge][0];
+    int penetrating = ribbon.edges[edge][0];
     int other = ribbon.edges[edge][1];
-    const int lead = sound[other] - sound[erroneous];
+    const int lead = sound[other] - sound[penetrating];
     if (lead < 0 || (lead == 0 && height_m(penetrations.front(), other) <
-                                      height_m(penetrations.front(), erroneous)))
-      std::swap(erroneous, other);
+                                      height_m(penetrations.front(), penetrating)))
+      std::swap(penetrating, other);
     // A particle in front of all of them need not move out, whatever the vote says.
-    const auto is_behind = [&](const Penetration& p) { return height_m(p, erroneous) <= 0; };
+    const auto is_behind = [&](const Penetration& p) { return height_m(p, penetrating) <= 0; };
     if (std::none_of(penetrations.begin(), penetrations.end(), is_behind))
-      std::swap(erroneous, other);
+      std::swap(penetrating, other);
     for (const Penetration& penetration : penetrations)
       if (is_behind(penetration))
-        moves.ask(erroneous, (gap_m - height_m(penetration, erroneous)) * outward(penetration));
+        moves.ask(penetrating, (gap_m - height_m(penetration, penetrating)) * outward(penetration));
   }
   moves.apply(positions);
 }
@@ -157,12 +157,12 @@ void apply_scheme_b(const RibbonGrid& grid, const CollisionSurface& ribbon,
     const auto& edge = ribbon.edges[penetration.edge];
     if (!is_border_edge(grid, edge)) continue;
     const bool from_end = !on_same_selvage(grid, edge[0], edge[1]);
-    for (const int erroneous : edge) {
+    for (const int penetrating : edge) {
       const Vector3d direction =
-          curling_direction(line_inward(grid, erroneous, from_end), positions);
+          curling_direction(line_inward(grid, penetrating, from_end), positions);
       for (int shift = -reach_along; shift <= reach_along; ++shift) {
-        const int row = grid.row(erroneous) + (from_end ? 0 : shift);
-        const int column = grid.column(erroneous) + (from_end ? shift : 0);
+        const int row = grid.row(penetrating) + (from_end ? 0 : shift);
+        const int column = grid.column(penetrating) + (from_end ? shift : 0);
         if (row < 0 || row >= grid.along || column < 0 || column >= grid.across) continue;
         const double share_along = 1 - std::abs(shift) / (reach_along + 1.0);
         const std::vector<int> line = line_inward(grid, grid.particle(row, column), from_end);

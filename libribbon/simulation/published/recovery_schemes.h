@@ -21,7 +21,7 @@ void apply_scheme_a(const RibbonGrid& grid, const CollisionSurface& ribbon,
 // Is this edge part of a selvage or of an end of the ribbon?
 bool is_border_edge(const RibbonGrid& grid, const std::array<int, 2>& edge);
 
-// Scheme B, for border edges that pierce the ribbon: the border shrinks and curls. Each erroneous
+// Scheme B, for border edges that pierce the ribbon: the border shrinks and curls. Each penetrating
 // particle moves `step_m` in the mean direction of the edges from it across the ribbon, up to the
 // first folding particle or, without one, to the other border; its neighbours across and along move
 // with it, less with distance. For the two ends of the ribbon, along takes the place of across.

@@ -102,9 +102,8 @@ class StartSearch {
       take_band(1.0 / part);
       tell("the ribbon is moved out of what it pierces, " +
            (part == 1 ? "at its whole width" : "at 1/" + std::to_string(part) + " of its width"));
-      const RecoverySettings settings{.gap_m = 0.1 * shortest_edge_m(),
-                                      .step_m = 0.5 * shortest_edge_m(),
-                                      .patience = patience};
+      RecoverySettings settings = RecoverySettings::of_edge(shortest_edge_m());
+      settings.patience = patience;
       report_.recovery_iterations += recover(bodies_, settings, cloth_.positions).iterations;
       if (is_free()) return true;
     }

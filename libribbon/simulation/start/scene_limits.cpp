@@ -79,18 +79,18 @@ Scene with_single_rounding(Scene scene, const RestSize& size, double reach_m) {
   return scene;
 }
 
-Result<void> check_precision(const Scene& wished, const RestSize& size,
+Result<void> check_precision(const Scene& as_read, const RestSize& size,
                              const ContactLengths& lengths, const Matrix3Xd& positions,
                              const std::optional<TriangleMesh>& obstacle) {
   const double ribbon_m = farthest_m(positions);
   const double obstacle_m = obstacle ? farthest_m(obstacle->vertices.cast<double>()) : 0;
   Result<void> kept = arithmetic_keeps_the_gap(
-      wished, lengths.min_separation_m,
+      as_read, lengths.min_separation_m,
       Eigen::Vector2d(ribbon_m, obstacle_m).maxCoeff<Eigen::PropagateNaN>());
-  if (kept && !is_lossless(wished))
-    kept = recording_tells_positions(wished, lengths.rounding_m, ribbon_m);
-  if (kept && wished.contact == ContactMethod::gate)
-    kept = recording_keeps_the_gap(wished, size, lengths);
+  if (kept && !is_lossless(as_read))
+    kept = recording_tells_positions(as_read, lengths.rounding_m, ribbon_m);
+  if (kept && as_read.contact == ContactMethod::gate)
+    kept = recording_keeps_the_gap(as_read, size, lengths);
   return kept;
 }
 

@@ -30,7 +30,7 @@ Scene with_single_rounding(Scene scene, const RestSize& size, double reach_m);
 // - recorded coordinates, in single precision, cannot hold recording.max_position_error,
 // - what recording may move a coordinate by uses up that gap (not with contact = "paper", which
 //   keeps none).
-Result<void> check_precision(const Scene& wished, const RestSize& size,
+Result<void> check_precision(const Scene& as_read, const RestSize& size,
                              const ContactLengths& lengths, const Eigen::Matrix3Xd& positions,
                              const std::optional<TriangleMesh>& obstacle);
 

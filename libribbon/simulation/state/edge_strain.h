@@ -11,7 +11,7 @@ namespace ribbon {
 inline constexpr double paper_strain_limit = 0.1;
 
 // (length - rest length) / rest length of the edge from particle a to b of a family; above 0 where
-// it is stretched. positions, here and below: 3 x at least all particles.
+// it is stretched. positions, here and below: 3 x particles.
 inline double edge_strain(const SpringFamily& family, int a, int b,
                           const Eigen::Matrix3Xd& positions) {
   return (positions.col(b) - positions.col(a)).norm() / family.rest_length_m - 1;

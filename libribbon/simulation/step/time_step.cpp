@@ -235,6 +235,6 @@ TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLength
       strain_limit_(strain_limit(scene, size, lengths.rounding_m)),
       gate_(size, distances_),
       published_correction_(size, paper_strain_limit),
-      recovery_{.gap_m = 0.1 * size.shortest_edge_m(), .step_m = 0.5 * size.shortest_edge_m()} {}
+      recovery_(RecoverySettings::of_edge(size.shortest_edge_m())) {}
 
 }  // namespace ribbon

@@ -65,7 +65,7 @@ TEST(InfoJson, tightness_and_ending_are_told_or_null) {
   json = nlohmann::json::parse(info_json(info));
   EXPECT_EQ(json["ending"], "duration");
   const nlohmann::json expected = {{"progress", 0.5},
-                                   {"held_back", 0.25},
+                                   {"truncated", 0.25},
                                    {"pull", 1.0},
                                    {"contact", 0.75},
                                    {"rope_length", 12.5}};

@@ -82,7 +82,7 @@ TEST(RecordingInfo, tightness_and_ending_are_told) {
   EXPECT_EQ(info.last_tightness()->contact, 0.375F);
   const std::string text = info_text(info);
   EXPECT_NE(text.find("ended           when the ribbon was tight\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("last frame      progress -1.2 %, pull 25.0 %, held back 50.0 %\n"
+  EXPECT_NE(text.find("last frame      progress -1.2 %, pull 25.0 %, truncated 50.0 %\n"
                       "                in contact 37.5 %, rope length 12.2 widths\n"),
             std::string::npos)
       << text;
@@ -91,7 +91,7 @@ TEST(RecordingInfo, tightness_and_ending_are_told) {
       info_text(info).find("tight\noutcome         round the object, the knot 0.8 mm from it\n"),
       std::string::npos);
   info.ending = RunEnding::stopped;
-  EXPECT_NE(info_text(info).find("ended           early, by the user\n"), std::string::npos);
+  EXPECT_NE(info_text(info).find("ended           early, as the user asked\n"), std::string::npos);
 }
 
 TEST(RecordingInfo, where_a_run_was_taken_up_again_is_told) {

@@ -230,16 +230,6 @@ TEST(Integrator, moves_without_springs_as_a_particle_does) {
   }
 }
 
-TEST_P(AnyIntegrator, leaves_the_vertices_of_the_obstacle_where_they_are) {
-  Band band;
-  band.throw_it();
-  const Eigen::Index particles = band.cloth.positions.cols();
-  band.cloth.positions.conservativeResize(3, particles + 1);
-  band.cloth.positions.col(particles) << 7, 8, 9;
-  band.advance(GetParam(), 0.01, 3);
-  EXPECT_EQ(band.cloth.positions.col(particles), Vector3d(7, 8, 9));
-}
-
 TEST_P(AnyIntegrator, leaves_a_flat_ribbon_at_rest_where_it_is) {
   Band band;
   const Matrix3Xd before = band.cloth.positions;
