@@ -20,7 +20,7 @@ for sample in hourglass cylinder small-object; do
     "$root/samples/overhand-$sample-16x400.toml" >"$scene"
   printf '\n[recording]\nframes_per_second = 60\nmax_position_error = 0\n' >>"$scene"
   recording=$results/$sample.rbn
-  "$root/build/release/recorder/ribbon-record" --quiet "$scene" --output "$recording"
+  "$root/build/release/recorder/ribbon-record" --quiet --force "$scene" --output "$recording"
   recordings+=("$recording")
 done
 
