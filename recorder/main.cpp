@@ -49,7 +49,7 @@ class Watch {
         return goes_on();
       };
     };
-    (void)goes_on();  // the smaller file is to be removed
+    take_over_ctrl_c();  // from the beginning: a half-written file is to be removed
     return {drawn_as("frame written"), drawn_as("frame compared")};
   }
   void clear() {
@@ -66,8 +66,12 @@ class Watch {
     return *line_;
   }
 
-  bool goes_on() {
+  void take_over_ctrl_c() {
     if (!interrupt_) interrupt_.emplace();
+  }
+
+  bool goes_on() {
+    take_over_ctrl_c();
     return !interrupt_->requested();
   }
 
