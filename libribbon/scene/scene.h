@@ -109,12 +109,12 @@ struct TimeScene {
 };
 
 // How edges are kept near their rest length where contact is in the way.
-struct SmoothingScene {
+struct StrainCorrectionScene {
   double strain = 0.08;  // that is aimed at, of the rest length
   int most_rounds = 10;  // of sweeps, each followed by the gate
   int most_sweeps = 20;  // over all contacts and edges, in each of them
 
-  bool operator==(const SmoothingScene&) const = default;
+  bool operator==(const StrainCorrectionScene&) const = default;
 };
 
 struct RecordingScene {
@@ -143,7 +143,7 @@ struct Scene {
   std::optional<ObstacleScene> obstacle;
   std::optional<FasteningScene> fastening;
   TimeScene time;
-  SmoothingScene smoothing;
+  StrainCorrectionScene strain_correction;
   RecordingScene recording;
 
   bool operator==(const Scene&) const = default;
