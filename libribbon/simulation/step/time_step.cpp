@@ -109,7 +109,7 @@ void TimeStep::repel_a_few_times(const GatedMotion& motion, const Bodies& bodies
   const std::vector<FeaturePair> pairs = motion.approaching(cloth.positions);
   bool any_collision = true;
   for (int round = 0; round < repulsion_rounds && any_collision; ++round)
-    any_collision = repel(pairs, motion.certified(), bodies, cloth);
+    any_collision = repel(pairs, motion.free_positions(), bodies, cloth);
 }
 
 // while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes
@@ -133,7 +133,7 @@ void TimeStep::correct_strain_and_contact(const GatedMotion& motion, const Bodie
   const StageTimer timer(clock_, StepStage::strain_correction);
   const Matrix3Xd before = cloth.positions;
   const auto contacts = contact_constraints(motion.candidates(), bodies, distances_,
-                                            motion.reach_m(), motion.certified(), cloth);
+                                            motion.reach_m(), motion.free_positions(), cloth);
   RowActivity activity = strain_constraints_.activity();
   bool any = true;
   int sweeps = 0;
@@ -151,13 +151,13 @@ int TimeStep::truncate(GatedMotion& motion, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::truncation);
   const int truncated = motion.truncate(cloth.positions);
   for (Eigen::Index particle = 0; particle < cloth.particle_count(); ++particle) {
-    const Vector3d lost = cloth.positions.col(particle) - motion.certified().col(particle);
+    const Vector3d lost = cloth.positions.col(particle) - motion.free_positions().col(particle);
     const double lost_m = lost.norm();
     const double speed_m_s = lost_m > 0 ? lost.dot(cloth.velocities.col(particle)) / lost_m : 0;
     if (speed_m_s > 0)
       cloth.velocities.col(particle) -= std::min(speed_m_s, lost_m / step_s_) * lost / lost_m;
   }
-  cloth.positions = motion.certified();
+  cloth.positions = motion.free_positions();
   return truncated;
 }
 
