@@ -7,7 +7,6 @@
 #include "recorder/recorded_run.h"
 #include "recorder/resume.h"
 #include "recorder/start.h"
-#include "scene/setting.h"
 
 namespace ribbon {
 
@@ -48,7 +47,7 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
 Result<Scene> scene_of_take(const Scene& recorded, const std::vector<std::string>& settings,
                             const RunLimit& limit) {
   const auto scene =
-      read_scene_with(recorded.file, recorded.text, settings).and_then([&](const Scene& changed) {
+      read_scene(recorded.file, recorded.text, settings).and_then([&](const Scene& changed) {
         return extended(changed, limit);
       });
   if (!scene) return scene;

@@ -13,7 +13,7 @@
 #include "recorder/options.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
-#include "scene/setting.h"
+#include "scene/scene.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -92,9 +92,7 @@ Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
                                .overwrite = options.force ? Overwrite::yes : Overwrite::no};
   if (options.task == RecorderTask::branch)
     return branch({options.input, options.from_frame}, recording, observer, options.limit);
-  const auto scene = read_file(options.input).and_then([&](std::string text) {
-    return read_scene_with(options.input, std::move(text), options.settings);
-  });
+  const auto scene = read_scene(options.input, options.settings);
   if (!scene) return tl::unexpected(scene.error());
   auto statistics = record(*scene, recording, observer, options.limit);
   if (!statistics) return tl::unexpected(statistics.error());

@@ -8,7 +8,6 @@
 
 #include "recorder/start.h"
 #include "recording/codec/position_encoder.h"
-#include "scene/setting.h"
 
 namespace ribbon {
 
@@ -119,7 +118,7 @@ Result<Scene> recorded_scene(const fs::path& path, const RecordingReader& reader
   for (const Session& session : reader.sessions())
     for (std::string& line : lines_of(session.note.changed_settings))
       settings.push_back(std::move(line));
-  auto scene = read_scene_with(path, reader.header().scene_text, settings);
+  auto scene = read_scene(path, reader.header().scene_text, settings);
   if (scene) scene->name = reader.header().scene_name;
   return scene;
 }

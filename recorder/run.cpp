@@ -78,7 +78,7 @@ Result<Scene> extended(const Scene& scene, const RunLimit& limit) {
   if (frames <= frame_count(scene)) return scene;
   const double duration_s =
       limit.until_s.value_or((frames - 1) / scene.recording.frames_per_second);
-  auto longer = read_scene_with(scene.file, scene.text, {setting_of("time.duration", duration_s)});
+  auto longer = read_scene(scene.file, scene.text, {setting_of("time.duration", duration_s)});
   if (longer) longer->name = scene.name;
   return longer;
 }

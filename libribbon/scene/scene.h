@@ -149,11 +149,14 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-// Reads and checks a scene file. Relative file names in it are taken from its own folder. Fails
-// with file, line and column when a key is unknown, has the wrong type or an impossible value.
-Result<Scene> read_scene(const std::filesystem::path& file);
+// Reads and checks a scene file in which settings have been changed, one after the other
+// (with_setting()). Relative file names in it are taken from its own folder. Fails with file, line
+// and column when a key is unknown, has the wrong type or an impossible value.
+Result<Scene> read_scene(const std::filesystem::path& file,
+                         const std::vector<std::string>& settings = {});
 
 // Likewise, of the text of a scene; `file` says where it stands and in which folder to look.
-Result<Scene> read_scene(const std::filesystem::path& file, std::string text);
+Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
+                         const std::vector<std::string>& settings = {});
 
 }  // namespace ribbon
