@@ -181,12 +181,12 @@ Result<std::vector<int>> frames_to_verify(const RecordingReader& reader, const O
   return frames;
 }
 
-Result<ExitCode> verify_recording(RecordingReader& reader, const Options& options) {
+Result<ExitCode> verify(RecordingReader& reader, const Options& options) {
   const auto frames = frames_to_verify(reader, options);
   if (!frames) return tl::unexpected(frames.error());
   ProgressLine progress("frame", frames->back() - frames->front() + 1, options.quiet);
   const Interrupt interrupt;
-  const auto verification = verify(reader, *frames, options.certify_every, [&](int done) {
+  const auto verification = verify_recording(reader, *frames, options.certify_every, [&](int done) {
     progress.update(done);
     return !interrupt.requested();
   });
@@ -204,7 +204,7 @@ Result<ExitCode> play(const Options& options) {
   set_thread_limit(options.threads);
   auto reader = RecordingReader::open(options.recording);
   if (!reader) return tl::unexpected(reader.error());
-  if (options.verify) return verify_recording(*reader, options);
+  if (options.verify) return verify(*reader, options);
   if (options.follow) return follow_recording(*reader, options);
   const RecordingInfo info = recording_info(options.recording, *reader);
   if (options.info || options.json)
