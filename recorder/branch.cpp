@@ -5,7 +5,6 @@
 
 #include "recorder/recorded_frames.h"
 #include "recorder/recorded_run.h"
-#include "recorder/resume.h"
 #include "recorder/start.h"
 
 namespace ribbon {
@@ -44,15 +43,14 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
 }
 
 // The recorded scene with the changes, as far as they are possible.
-Result<Scene> scene_of_take(const Scene& recorded, const std::vector<std::string>& settings,
-                            const RunLimit& limit) {
-  const auto scene =
-      read_scene(recorded.file, recorded.text, settings).and_then([&](const Scene& changed) {
-        return extended(changed, limit);
-      });
-  if (!scene) return scene;
-  const auto fixed = common_to_both_that_differs(recorded, *scene);
-  if (!fixed) return scene;
+Result<RunPlan> plan_of_take(const Scene& recorded, const std::vector<std::string>& settings,
+                             const RunLimit& limit) {
+  auto plan = read_scene(recorded.file, recorded.text, settings).and_then([&](const Scene& scene) {
+    return plan_of(scene, limit);
+  });
+  if (!plan) return plan;
+  const auto fixed = common_to_both_that_differs(recorded, plan->scene);
+  if (!fixed) return plan;
   return failure(recorded.file.string(),
                  std::string(fixed->first) + " cannot change in a branch: " + fixed->second,
                  "record a scene of its own");
@@ -68,25 +66,39 @@ bool act_alike(Scene a, const Scene& b) {
   return a == b;
 }
 
-Result<void> check_ends(const BranchPoint& from, const NewRecording& take,
-                        const RecordingReader& source) {
+Result<void> check_frame(const BranchPoint& from, RecordingReader& source, const RunPlan& plan) {
+  const std::string number = std::to_string(from.frame + 1);
+  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+    return failure(from.source.string(), problem, remedy);
+  };
+  if (from.frame < 0 || from.frame >= source.frame_count())
+    return refuse("there is no frame " + number,
+                  "name one from 1 to " + std::to_string(source.frame_count()));
+  if (from.frame >= plan.frames)
+    return refuse("frame " + number + " lies beyond the end of the branch, which is to have " +
+                      std::to_string(plan.frames) + " frames",
+                  "branch off earlier, or add --until or --set time.duration");
+  if (const auto lost = first_lost_frame(source, from.frame + 1))
+    return refuse("frame " + std::to_string(*lost + 1) + " is lost",
+                  "branch off before it, or repeat the run from its scene");
+  return {};
+}
+
+Result<void> check_place(const BranchPoint& from, const NewRecording& take) {
   std::error_code code;
   if (fs::equivalent(from.source, take.file, code))
     return failure(take.file.string(), "a take cannot branch off into its own recording",
                    "name another file after -o");
-  if (from.frame < 0 || from.frame >= source.frame_count())
-    return failure(from.source.string(), "there is no frame " + std::to_string(from.frame + 1),
-                   "name one from 1 to " + std::to_string(source.frame_count()));
-  return check_place(take);
+  return take.check_place();
 }
 
-RecordingHeader header_of(const RecordingReader& source, const BranchPoint& from,
-                          const NewRecording& take, const Scene& scene) {
+RecordingHeader header_of_take(const RecordingReader& source, const BranchPoint& from,
+                               const NewRecording& take, const Scene& scene) {
   RecordingHeader header = source.header();
   header.origin = Origin{.recording_id = source.recording_id(),
                          .scene_name = header.scene_name,
                          .frame = static_cast<std::uint32_t>(from.frame),
-                         .changed_settings = settings_text(take.settings)};
+                         .changed_settings = take.settings_text()};
   header.scene_name = scene.name;
   header.scene_text = scene.text;
   header.writer = take.program;
@@ -114,21 +126,6 @@ Result<void> check_copies(RecordingReader& source, int count, const fs::path& ta
   return {};
 }
 
-// Are all frames there, and will there be more?
-Result<void> check_whole(const BranchPoint& from, RecordingReader& source, const RunPlan& plan) {
-  const int count = from.frame + 1;
-  if (plan.frames < count)
-    return failure(from.source.string(),
-                   "frame " + std::to_string(count) +
-                       " lies beyond the end of the branch, which is to have " +
-                       std::to_string(plan.frames) + " frames",
-                   "branch off earlier, or add --until or --set time.duration");
-  const auto lost = first_lost_frame(source, count);
-  if (!lost) return {};
-  return failure(from.source.string(), "frame " + std::to_string(*lost + 1) + " is lost",
-                 "branch off before it, or repeat the run from its scene");
-}
-
 Result<RecordingWriter> begin_with_copies(const NewRecording& take, const RecordingHeader& header,
                                           RecordingReader& source, int count) {
   auto target = RecordingWriter::create(take.file, header, take.overwrite);
@@ -144,38 +141,34 @@ Result<RecordingWriter> begin_with_copies(const NewRecording& take, const Record
 
 Result<std::optional<RunStatistics>> branch(const BranchPoint& from, const NewRecording& take,
                                             const RunObserver& observer, const RunLimit& limit) {
-  auto source = RecordingReader::open(from.source);
+  auto source = RecordedRun::open(from.source);
   if (!source) return tl::unexpected(source.error());
-  const auto recorded = recorded_scene(from.source, *source);
-  if (!recorded) return tl::unexpected(recorded.error());
-  const auto scene = scene_of_take(*recorded, take.settings, limit);
-  if (!scene) return tl::unexpected(scene.error());
-  const RunPlan plan = plan_of(*scene, limit);
-  Result<void> sound = check_ends(from, take, *source);
-  if (sound) sound = check_whole(from, *source, plan);
-  if (!sound) return tl::unexpected(sound.error());
+  const auto plan = plan_of_take(source->scene, take.settings, limit);
+  if (!plan) return tl::unexpected(plan.error());
+  const Scene& scene = plan->scene;
+  RecordingReader& reader = source->reader;
+  Result<void> possible = check_place(from, take);
+  if (possible) possible = check_frame(from, reader, *plan);
+  if (!possible) return tl::unexpected(possible.error());
 
-  auto before =
-      simulated_again(from.source, *source, *recorded, from.frame, observer.frame_simulated_again);
+  auto before = source->simulated_again(from.frame, observer.frame_simulated_again);
   if (!before) return tl::unexpected(before.error());
   if (!*before) return std::nullopt;
   auto fastening = FasteningProcessor::restore(
-      *scene, rest_size_of(source->header()), source->header().obstacle,
-      (*before)->fastening().state(),
-      act_alike(*recorded, *scene) ? Settings::as_before : Settings::changed);
+      scene, source->rest_size(), reader.header().obstacle, (*before)->fastening().state(),
+      act_alike(source->scene, scene) ? Settings::as_before : Settings::changed);
   if (!fastening) return tl::unexpected(fastening.error());
 
-  auto target =
-      begin_with_copies(take, header_of(*source, from, take, *scene), *source, from.frame + 1);
+  const int copies = from.frame + 1;
+  auto target = begin_with_copies(take, header_of_take(reader, from, take, scene), reader, copies);
   if (!target) return tl::unexpected(target.error());
-  RunStatistics statistics;
-  if (const auto copy = RecordingReader::open(take.file)) statistics = statistics_of(*copy);
-  statistics.start = std::string(word_for(fastening->start().kind));
-  SimulatedFrames onward(*scene, *std::move(fastening), from.frame);
+  RunStatistics statistics = statistics_of(reader, copies);
+  statistics.scene_name = scene.name;
+  SimulatedFrames onward(scene, *std::move(fastening), from.frame);
   BackgroundWriter file(*std::move(target));
   file.append_checkpoint(static_cast<std::uint64_t>(onward.fastening().steps()),
                          onward.fastening().state());
-  return run(onward, plan, true, file, observer, std::move(statistics));
+  return run(onward, *plan, true, file, observer, std::move(statistics));
 }
 
 }  // namespace ribbon

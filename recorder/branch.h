@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "recorder/new_recording.h"
 #include "recorder/run.h"
 #include "recorder/run_statistics.h"
 #include "result/result.h"
@@ -24,7 +25,7 @@ struct BranchPoint {
 // obstacle, the contact, the axis, and how frames are recorded. Fails, before the take's file is
 // made, when one of these, an unknown key or an impossible value is set, when the frame does not
 // exist or frames before it are lost, where an older file is not to be replaced, and where
-// simulated_again() does. Nothing where the observer gives up before the file is made.
+// RecordedRun::simulated_again() does. Nothing where the observer gives up before the file is made.
 Result<std::optional<RunStatistics>> branch(const BranchPoint& from, const NewRecording& take,
                                             const RunObserver& observer,
                                             const RunLimit& limit = {});

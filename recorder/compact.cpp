@@ -90,7 +90,7 @@ class Compactor {
 };
 
 // Nothing is left out of a recording without its owner's knowing.
-Result<void> check_whole(const fs::path& path, RecordingReader& source) {
+Result<void> check_undamaged(const fs::path& path, RecordingReader& source) {
   if (!first_lost_frame(source, source.frame_count()) && source.damage().empty()) return {};
   return failure(path.string(), "is damaged, and compacting it would make that final",
                  "compact a copy that is whole, or leave it: it plays as far as it can be read");
@@ -179,7 +179,7 @@ Result<std::optional<Compaction>> compact(const fs::path& recording,
   // and again now that nobody else can write it.
   auto source = RecordingReader::open(path);
   if (!source) return tl::unexpected(source.error());
-  if (auto whole = check_whole(path, *source); !whole) return tl::unexpected(whole.error());
+  if (auto whole = check_undamaged(path, *source); !whole) return tl::unexpected(whole.error());
 
   const PartFile part(path);
   Compaction compaction{source->frame_count(), source->file_bytes(), source->file_bytes()};

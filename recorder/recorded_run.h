@@ -12,23 +12,25 @@
 
 namespace ribbon {
 
-// Of the ribbon that was recorded.
-RestSize rest_size_of(const RecordingHeader& header);
+struct RecordedRun {
+  std::filesystem::path file;  // only in its folder can a drawing be looked for
+  RecordingReader reader;
+  Scene scene;  // as later sessions have extended it
 
-// The scene of the recording, as later sessions of it have extended it. `path` is where the
-// recording lies: only in its folder can a drawing be looked for.
-Result<Scene> recorded_scene(const std::filesystem::path& path, const RecordingReader& reader);
+  static Result<RecordedRun> open(const std::filesystem::path& file);
 
-// The run, simulated again up to frame `index` (from 0) from the last checkpoint at or before it
-// that can be used, and else from its start, which is then generated anew from its drawing. Frames
-// on the way are compared with the recorded ones, those that are lost excepted. The obstacle is the
-// recorded one. index -1: the start, before its frame.
-//
-// Fails where the run comes out otherwise than recorded, and where there is neither a checkpoint
-// nor a drawing. Nothing where `go_on`, which is asked after each frame (how many of how many),
-// says no.
-Result<std::optional<SimulatedFrames>> simulated_again(
-    const std::filesystem::path& path, RecordingReader& reader, const Scene& scene, int index,
-    const std::function<bool(int done, int total)>& go_on);
+  [[nodiscard]] RestSize rest_size() const;
+
+  // The run, simulated again up to frame `index` (from 0) from the last checkpoint at or before it
+  // that can be used, and else from its start, which is then generated anew from its drawing.
+  // Frames on the way are compared with the recorded ones, those that are lost excepted. The
+  // obstacle is the recorded one. index -1: the start, before its frame.
+  //
+  // Fails where the run comes out otherwise than recorded, and where there is neither a checkpoint
+  // nor a drawing. Nothing where `go_on`, which is asked after each frame (how many of how many),
+  // says no.
+  Result<std::optional<SimulatedFrames>> simulated_again(
+      int index, const std::function<bool(int done, int total)>& go_on);
+};
 
 }  // namespace ribbon

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <string>
 
-#include "playback/recording_reader.h"
 #include "recorder/run.h"
 #include "recorder/run_statistics.h"
 #include "result/result.h"
@@ -24,8 +23,5 @@ namespace ribbon {
 Result<std::optional<RunStatistics>> resume(const std::filesystem::path& path,
                                             const std::string& program, const RunObserver& observer,
                                             const RunLimit& limit = {});
-
-// What there is to tell of the frames of a recording.
-RunStatistics statistics_of(const RecordingReader& reader);
 
 }  // namespace ribbon

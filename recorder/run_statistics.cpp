@@ -33,6 +33,21 @@ double RunStatistics::bits_per_vertex_and_frame() const {
   return frames > 0 ? 8.0 * static_cast<double>(bytes) / vertices / frames : 0;
 }
 
+RunStatistics statistics_of(const RecordingReader& reader, int frames) {
+  const RecordingHeader& header = reader.header();
+  RunStatistics statistics{.scene_name = header.scene_name,
+                           .along = header.grid.along,
+                           .across = header.grid.across,
+                           .first_frame = frames};
+  for (int frame = 0; frame < frames; ++frame) {
+    if (const auto numbers = reader.numbers(frame))
+      statistics.add(*numbers);
+    else
+      ++statistics.frames;
+  }
+  return statistics;
+}
+
 namespace {
 
 std::string tightness_text(const TightnessNumbers& tightness) {
@@ -100,9 +115,9 @@ std::string profile_text(const RunStatistics& statistics) {
           profile_line("measuring", statistics.measuring_s, all_s, frames) +
           profile_line("recording", statistics.recording_s, all_s, frames) +
           "beside these, of the same time:\n" +
-          profile_line("encoding", statistics.writer.encoding_s, all_s, frames) +
-          profile_line("writing", statistics.writer.writing_s, all_s, frames) +
-          profile_line("syncing", statistics.writer.syncing_s, all_s, frames);
+          profile_line("encoding", statistics.beside_it.writer.encoding_s, all_s, frames) +
+          profile_line("writing", statistics.beside_it.writer.writing_s, all_s, frames) +
+          profile_line("syncing", statistics.beside_it.writer.syncing_s, all_s, frames);
   return text + "in a step " + per_step(statistics.stages.detections, statistics, 2) +
          " detections, " + per_step(statistics.stages.listed_pairs, statistics, 0) +
          " pairs of features listed, " + per_step(statistics.stages.sweeps, statistics, 1) +
@@ -139,10 +154,10 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"measuring_s", statistics.measuring_s},
       {"recording_s", statistics.recording_s},
       {"recording_share", statistics.share_of_recording()},
-      {"encoding_s", statistics.writer.encoding_s},
-      {"writing_s", statistics.writer.writing_s},
-      {"syncing_s", statistics.writer.syncing_s},
-      {"longest_queue", statistics.writer.longest_queue},
+      {"encoding_s", statistics.beside_it.writer.encoding_s},
+      {"writing_s", statistics.beside_it.writer.writing_s},
+      {"syncing_s", statistics.beside_it.writer.syncing_s},
+      {"longest_queue", statistics.beside_it.longest_queue},
       {"steps_per_second", statistics.steps_per_second()},
       {"bytes", statistics.bytes},
       {"bits_per_vertex_and_frame", statistics.bits_per_vertex_and_frame()},

@@ -51,7 +51,8 @@ TEST(RunStatistics, tell_where_the_time_went) {
   statistics.stages.sweeps = 1230;
   statistics.measuring_s = 0.75;
   statistics.recording_s = 0.25;
-  statistics.writer = {.encoding_s = 0.5, .writing_s = 0.1, .syncing_s = 0.05, .longest_queue = 3};
+  statistics.beside_it.writer = {.encoding_s = 0.5, .writing_s = 0.1, .syncing_s = 0.05};
+  statistics.beside_it.longest_queue = 3;
   // By hand: 5 s in all, so detection takes 40 % and 20 ms of each of 100 steps.
   EXPECT_EQ(
       profile_text(statistics),
@@ -90,7 +91,7 @@ TEST(RunStatistics, of_a_run_that_went_on_tell_what_it_did_itself) {
   statistics.steps = 150;
   statistics.first_frame = 1;
   statistics.recording_s = 1;
-  statistics.writer.longest_queue = 7;
+  statistics.beside_it.longest_queue = 7;
   EXPECT_EQ(statistics.steps_per_second(), 25);
   EXPECT_EQ(statistics.share_of_recording(), 0.2);
   const auto json = nlohmann::json::parse(statistics_json(statistics));
