@@ -3,9 +3,9 @@
 #include <array>
 #include <utility>
 
-#include "recorder/recorded_frames.h"
-#include "recorder/recorded_run.h"
-#include "recorder/start.h"
+#include "recorder/copied_frames.h"
+#include "recorder/run/recorded_run.h"
+#include "recorder/run/start.h"
 
 namespace ribbon {
 

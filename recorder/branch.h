@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "recorder/new_recording.h"
-#include "recorder/run.h"
-#include "recorder/run_statistics.h"
+#include "recorder/run/run.h"
+#include "recorder/run/run_statistics.h"
 #include "result/result.h"
 
 namespace ribbon {

@@ -11,7 +11,7 @@
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
-#include "recorder/recorded_frames.h"
+#include "recorder/copied_frames.h"
 #include "recording/records/header_record.h"
 #include "recording/writer/compact_encoder.h"
 #include "recording/writer/record_file.h"

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "obstacle/obstacle.h"
-#include "recorder/start.h"
-#include "recorder/stopwatch.h"
+#include "recorder/run/start.h"
+#include "recorder/run/stopwatch.h"
 #include "recording/codec/entropy_tables.h"
 
 namespace ribbon {

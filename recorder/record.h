@@ -2,8 +2,8 @@
 #pragma once
 
 #include "recorder/new_recording.h"
-#include "recorder/run.h"
-#include "recorder/run_statistics.h"
+#include "recorder/run/run.h"
+#include "recorder/run/run_statistics.h"
 #include "result/result.h"
 #include "scene/scene.h"
 

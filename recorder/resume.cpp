@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "continuation/resume_recording.h"
-#include "recorder/recorded_run.h"
-#include "recorder/stopwatch.h"
+#include "recorder/run/recorded_run.h"
+#include "recorder/run/stopwatch.h"
 #include "scene/setting.h"
 
 namespace ribbon {

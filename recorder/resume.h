@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "recorder/run.h"
-#include "recorder/run_statistics.h"
+#include "recorder/run/run.h"
+#include "recorder/run/run_statistics.h"
 #include "result/result.h"
 
 namespace ribbon {

@@ -1,8 +1,8 @@
-#include "recorder/simulated_frames.h"
+#include "recorder/run/simulated_frames.h"
 
 #include <utility>
 
-#include "recorder/stopwatch.h"
+#include "recorder/run/stopwatch.h"
 
 namespace ribbon {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "playback/recording_reader.h"
-#include "recorder/simulated_frames.h"
+#include "recorder/run/simulated_frames.h"
 #include "result/result.h"
 #include "scene/scene.h"
 

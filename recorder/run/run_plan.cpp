@@ -1,4 +1,4 @@
-#include "recorder/run_plan.h"
+#include "recorder/run/run_plan.h"
 
 #include <algorithm>
 #include <cmath>

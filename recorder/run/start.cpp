@@ -1,8 +1,8 @@
-#include "recorder/start.h"
+#include "recorder/run/start.h"
 
 #include <utility>
 
-#include "recorder/tying.h"
+#include "recorder/run/tying.h"
 
 namespace ribbon {
 

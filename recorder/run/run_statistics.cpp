@@ -1,4 +1,4 @@
-#include "recorder/run_statistics.h"
+#include "recorder/run/run_statistics.h"
 
 #include <algorithm>
 

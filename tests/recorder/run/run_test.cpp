@@ -1,4 +1,4 @@
-#include "recorder/run.h"
+#include "recorder/run/run.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include "files/temporary_folder.h"
 #include "playback/recording_reader.h"
 #include "recorder/record.h"
+#include "recorder/run/start.h"
 #include "recorder/small_scene.h"
-#include "recorder/start.h"
 #include "recorder/test_runs.h"
 #include "simulation/state/state_archive.h"
 

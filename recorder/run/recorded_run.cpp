@@ -1,4 +1,4 @@
-#include "recorder/recorded_run.h"
+#include "recorder/run/recorded_run.h"
 
 #include <algorithm>
 #include <sstream>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "recorder/start.h"
+#include "recorder/run/start.h"
 #include "recording/codec/position_encoder.h"
 
 namespace ribbon {

@@ -1,10 +1,10 @@
-#include "recorder/run.h"
+#include "recorder/run/run.h"
 
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "recorder/stopwatch.h"
+#include "recorder/run/stopwatch.h"
 #include "text/number_text.h"
 
 namespace ribbon {

@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
-#include "recorder/run_plan.h"
-#include "recorder/run_statistics.h"
-#include "recorder/simulated_frames.h"
+#include "recorder/run/run_plan.h"
+#include "recorder/run/run_statistics.h"
+#include "recorder/run/simulated_frames.h"
 #include "recording/writer/background_writer.h"
 #include "result/result.h"
 
