@@ -141,7 +141,7 @@ Result<RecordingWriter> begin_with_copies(const NewRecording& take, const Record
 
 Result<std::optional<RunStatistics>> branch(const BranchPoint& from, const NewRecording& take,
                                             const RunObserver& observer, const RunLimit& limit) {
-  auto source = RecordedRun::open(from.source);
+  auto source = RecordedRun::open(from.source, from.frame + 1);
   if (!source) return tl::unexpected(source.error());
   const auto plan = plan_of_take(source->scene, take.settings, limit);
   if (!plan) return tl::unexpected(plan.error());

@@ -19,7 +19,9 @@ struct BranchPoint {
 
 // Records what becomes of the run of a source when settings change at a frame: frames up to it are
 // copied, to the same decoded positions and numbers, and the simulation goes on from there. The
-// header tells where it branched off and what changed. The source stays as it is.
+// header tells where it branched off and what changed. The source stays as it is. A take lasts as
+// long as its source was extended to; it ends when the ribbon is tight, where its scene says so and
+// the source was drawn on only after that frame.
 //
 // What the frames before and after have in common cannot change: the particles, the drawing, the
 // obstacle, the contact, the axis, and how frames are recorded. Fails, before the take's file is

@@ -50,7 +50,7 @@ Result<Continuation> continuation(const fs::path& path, const RunLimit& limit) {
   if (plan->frames > frame_count(run->scene))
     changed = setting_of("time.duration", plan->scene.time.duration_s) + "\n";
   if (limit.is_set() && plan->until_tight() && run->reader.ending() == RunEnding::tight) {
-    changed += "time.until = \"duration\"\n";
+    changed += std::string(drawn_on) + "\n";
     plan->scene.time.until = RunsUntil::duration;
   }
   return Continuation{*std::move(run), *std::move(plan), std::move(changed)};

@@ -98,14 +98,15 @@ class Comparison {
 
 }  // namespace
 
-Result<RecordedRun> RecordedRun::open(const fs::path& file) {
+Result<RecordedRun> RecordedRun::open(const fs::path& file, std::optional<int> before_frame) {
   auto reader = RecordingReader::open(file);
   if (!reader) return tl::unexpected(reader.error());
   std::vector<std::string> settings;
   for (const Session& session : reader->sessions()) {
+    const bool is_later = before_frame && static_cast<int>(session.first_frame) >= *before_frame;
     std::istringstream lines(session.note.changed_settings);
     for (std::string line; std::getline(lines, line);)
-      if (!line.empty()) settings.push_back(line);
+      if (!line.empty() && !(is_later && line == drawn_on)) settings.push_back(line);
   }
   auto scene = read_scene(file, reader->header().scene_text, settings);
   if (!scene) return tl::unexpected(scene.error());

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "playback/recording_reader.h"
 #include "recorder/run/simulated_frames.h"
@@ -12,12 +13,18 @@
 
 namespace ribbon {
 
+// In a session's settings: the run went on although the ribbon was tight.
+inline constexpr std::string_view drawn_on = "time.until = \"duration\"";
+
 struct RecordedRun {
   std::filesystem::path file;  // only in its folder can a drawing be looked for
   RecordingReader reader;
   Scene scene;  // as later sessions have extended it
 
-  static Result<RecordedRun> open(const std::filesystem::path& file);
+  // before_frame (from 0): where the ribbon was drawn on from that frame or a later one, the scene
+  // is still one that ends when it is tight.
+  static Result<RecordedRun> open(const std::filesystem::path& file,
+                                  std::optional<int> before_frame = std::nullopt);
 
   [[nodiscard]] RestSize rest_size() const;
 
