@@ -1,13 +1,16 @@
 // ribbon-record: fastens the ribbon of a scene and records every frame.
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "commandline/interrupt.h"
 #include "commandline/progress.h"
 #include "commandline/tool.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
+#include "playback/recording_reader.h"
 #include "recorder/branch.h"
 #include "recorder/compact.h"
 #include "recorder/options.h"
@@ -81,6 +84,15 @@ class Watch {
   std::optional<Interrupt> interrupt_;
 };
 
+// A recording in the place of the scene would be refused as wrong TOML.
+Result<void> is_no_recording(const std::filesystem::path& scene) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(scene, code) || !RecordingReader::open(scene)) return {};
+  return failure(scene.string(), "is a recording, not a scene",
+                 "go on with it by --resume, branch a new take off by --from, or name a scene "
+                 "(.toml)");
+}
+
 Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
                                               const RunObserver& observer) {
   constexpr const char* program = "ribbon-record " RIBBON_VERSION;
@@ -92,6 +104,7 @@ Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
                                .overwrite = options.force ? Overwrite::yes : Overwrite::no};
   if (options.task == RecorderTask::branch)
     return branch({options.input, options.from_frame}, recording, observer, options.limit);
+  if (auto other = is_no_recording(options.input); !other) return tl::unexpected(other.error());
   const auto scene = read_scene(options.input, options.settings);
   if (!scene) return tl::unexpected(scene.error());
   auto statistics = record(*scene, recording, observer, options.limit);
