@@ -204,6 +204,10 @@ Result<ExitCode> play(const Options& options) {
   set_thread_limit(options.threads);
   auto reader = RecordingReader::open(options.recording);
   if (!reader) return tl::unexpected(reader.error());
+  if (options.pictures.empty() && options.sheet.empty() && !options.info && !options.json &&
+      !options.verify && !options.follow)
+    return failure("", "nothing to do",
+                   "ask for pictures (-o), a --sheet, --info, --follow or --verify");
   if (options.verify) return verify(*reader, options);
   if (options.follow) return follow_recording(*reader, options);
   const RecordingInfo info = recording_info(options.recording, *reader);

@@ -99,10 +99,6 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   const auto parsed = parse_size(size);
   if (!parsed) return tl::unexpected(parsed.error());
   options.size = *parsed;
-  if (options.pictures.empty() && options.sheet.empty() && !options.info && !options.json &&
-      !options.verify && !options.follow)
-    return failure("", "nothing to do",
-                   "ask for pictures (-o), a --sheet, --info, --follow or --verify");
   return options;
 }
 
