@@ -198,6 +198,24 @@ TEST(FreeStart, an_obstacle_through_the_middle_of_the_ribbon_is_refused_with_row
   EXPECT_NE(answer.error().remedy.find("obstacle.position"), std::string::npos);
 }
 
+TEST(FreeStart,
+     a_tight_passage_of_the_drawing_is_told_where_the_strands_lack_room_and_nowhere_else) {
+  Scene scene = scene_of_crossing(30);
+  const auto problem = [&](const RibbonMesh& mesh, const std::optional<TriangleMesh>& obstacle) {
+    return FasteningProcessor::create(scene, mesh, obstacle).error().problem;
+  };
+  const RibbonMesh tight = mesh_of(scene);
+  ASSERT_TRUE(tight.squeezed.has_value());
+  EXPECT_NE(problem(tight, std::nullopt).find("(drawing at ("), std::string::npos);
+  scene.springs.stretch = 1e9;
+  EXPECT_EQ(problem(tight, std::nullopt).find("drawing"), std::string::npos)
+      << problem(tight, std::nullopt);
+  scene = scene_of_loop();
+  RibbonMesh loop = mesh_of_loop(scene);
+  loop.squeezed = tight.squeezed;
+  EXPECT_EQ(problem(loop, walls()).find("drawing at"), std::string::npos) << problem(loop, walls());
+}
+
 TEST(FreeStart, is_the_same_to_the_bit_for_any_number_of_threads) {
   const Scene scene = scene_of_crossing(0.4);
   const RibbonMesh mesh = mesh_of(scene);
