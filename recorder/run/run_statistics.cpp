@@ -51,7 +51,7 @@ RunStatistics statistics_of(const RecordingReader& reader, int frames) {
 namespace {
 
 std::string tightness_text(const TightnessNumbers& tightness) {
-  return "progress " + decimals(100 * tightness.progress, 1) + " % of the command, rope length " +
+  return "progress " + decimals(100 * tightness.progress, 1) + " %, rope length " +
          decimals(tightness.rope_length, 1) + " widths";
 }
 
@@ -127,10 +127,10 @@ std::string profile_text(const RunStatistics& statistics) {
 std::string summary_line(const RunStatistics& statistics) {
   return statistics.start + " start; " + std::to_string(statistics.frames) + " frames, " +
          decimals(statistics.simulated_s, 1) + " s in " + std::to_string(statistics.steps) +
-         " steps (" + decimals(statistics.steps_per_second(), 1) + " steps/s); worst strain " +
-         decimals(100 * statistics.worst_strain, 1) + " %; penetrating edges " +
-         std::to_string(statistics.worst_penetrating_edges) + " at worst, " +
-         std::to_string(statistics.last_penetrating_edges) + " at last; " +
+         " steps (" + decimals(statistics.steps_per_second(), 1) +
+         " steps/s); worst strain of a spring " + decimals(100 * statistics.worst_strain, 1) +
+         " %; penetrating edges " + std::to_string(statistics.worst_penetrating_edges) +
+         " at worst, " + std::to_string(statistics.last_penetrating_edges) + " at last; " +
          decimals(static_cast<double>(statistics.bytes) / 1e6, 1) + " MB (" +
          decimals(statistics.bits_per_vertex_and_frame(), 1) + " bits per vertex and frame)" +
          ending_text(statistics) +

@@ -37,10 +37,11 @@ TEST(RunStatistics, of_a_run_that_did_nothing_divide_by_nothing) {
 }
 
 TEST(RunStatistics, fit_on_one_line) {
-  EXPECT_EQ(summary_line(example()),
-            "grown start; 2 frames, 1.0 s in 100 steps (25.0 steps/s); worst strain 30.0 %; "
-            "penetrating edges 5 "
-            "at worst, 2 at last; 0.0 MB (16.0 bits per vertex and frame)");
+  EXPECT_EQ(
+      summary_line(example()),
+      "grown start; 2 frames, 1.0 s in 100 steps (25.0 steps/s); worst strain of a spring 30.0 %; "
+      "penetrating edges 5 "
+      "at worst, 2 at last; 0.0 MB (16.0 bits per vertex and frame)");
 }
 
 TEST(RunStatistics, tell_where_the_time_went) {
@@ -119,8 +120,7 @@ RunStatistics tight() {
 TEST(RunStatistics, say_why_a_run_ended) {
   RunStatistics statistics = tight();
   EXPECT_TRUE(
-      summary_line(statistics)
-          .ends_with("; ended tight: progress 2.2 % of the command, rope length 12.2 widths"))
+      summary_line(statistics).ends_with("; ended tight: progress 2.2 %, rope length 12.2 widths"))
       << summary_line(statistics);
   statistics.ending = RunEnding::duration;
   EXPECT_NE(summary_line(statistics).find("; not yet tight: progress 2.2 %"), std::string::npos);
