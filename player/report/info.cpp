@@ -123,7 +123,7 @@ std::string ending_text(RunEnding ending) {
     case RunEnding::tight:
       return report_line("ended", "when the ribbon was tight");
     case RunEnding::stopped:
-      return report_line("ended", "early, as the user asked");
+      return report_line("ended", "early, as the user asked: stopped, or at a limit");
     case RunEnding::unknown:
       break;
   }
