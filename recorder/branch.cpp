@@ -6,6 +6,7 @@
 #include "recorder/copied_frames.h"
 #include "recorder/run/recorded_run.h"
 #include "recorder/run/start.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -52,7 +53,7 @@ Result<RunPlan> plan_of_take(const Scene& recorded, const std::vector<std::strin
   const auto fixed = common_to_both_that_differs(recorded, plan->scene);
   if (!fixed) return plan;
   return failure(recorded.file.string(),
-                 std::string(fixed->first) + " cannot change in a branch: " + fixed->second,
+                 filled_in("{} cannot change in a branch: {}", fixed->first, fixed->second),
                  "record a scene of its own");
 }
 
@@ -67,19 +68,20 @@ bool act_alike(Scene a, const Scene& b) {
 }
 
 Result<void> check_frame(const BranchPoint& from, RecordingReader& source, const RunPlan& plan) {
-  const std::string number = std::to_string(from.frame + 1);
+  const int number = from.frame + 1;
   const auto refuse = [&](const std::string& problem, const std::string& remedy) {
     return failure(from.source.string(), problem, remedy);
   };
   if (from.frame < 0 || from.frame >= source.frame_count())
-    return refuse("there is no frame " + number,
-                  "name one from 1 to " + std::to_string(source.frame_count()));
+    return refuse(filled_in("there is no frame {}", number),
+                  filled_in("name one from 1 to {}", source.frame_count()));
   if (from.frame >= plan.frames)
-    return refuse("frame " + number + " lies beyond the end of the branch, which is to have " +
-                      std::to_string(plan.frames) + " frames",
-                  "branch off earlier, or add --until or --set time.duration");
-  if (const auto lost = first_lost_frame(source, from.frame + 1))
-    return refuse("frame " + std::to_string(*lost + 1) + " is lost",
+    return refuse(
+        filled_in("frame {} lies beyond the end of the branch, which is to have {} frames", number,
+                  plan.frames),
+        "branch off earlier, or add --until or --set time.duration");
+  if (const auto lost = first_lost_frame(source, number))
+    return refuse(filled_in("frame {} is lost", *lost + 1),
                   "branch off before it, or repeat the run from its scene");
   return {};
 }
@@ -121,7 +123,7 @@ Result<void> check_copies(RecordingReader& source, int count, const fs::path& ta
   if (!copy) return tl::unexpected(copy.error());
   for (int frame = 0; frame < count; ++frame)
     if (!same_frame(source, *copy, frame))
-      return failure(target.string() + ": frame " + std::to_string(frame + 1),
+      return failure(filled_in("{}: frame {}", target.string(), frame + 1),
                      "it was not copied as it was", "report this; the source is as it was");
   return {};
 }

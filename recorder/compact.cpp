@@ -17,6 +17,7 @@
 #include "recording/writer/record_file.h"
 #include "recording/writer/recording_writer.h"
 #include "recording/writer/references.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 class PartFile {
  public:
   explicit PartFile(const fs::path& whole)
-      : path_(whole.string() + ".part" + std::to_string(::getpid())) {}
+      : path_(filled_in("{}.part{}", whole.string(), ::getpid())) {}
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
   ~PartFile() {
@@ -143,8 +144,7 @@ Result<bool> compare(const fs::path& path, const fs::path& part,
   if (!same_rest(*before, *after)) return otherwise("");
   const int frames = before->frame_count();
   for (int frame = 0; frame < frames; ++frame) {
-    if (!same_frame(*before, *after, frame))
-      return otherwise(": frame " + std::to_string(frame + 1));
+    if (!same_frame(*before, *after, frame)) return otherwise(filled_in(": frame {}", frame + 1));
     if (go_on && !go_on(frame + 1, frames)) return false;
   }
   return true;

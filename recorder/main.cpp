@@ -24,8 +24,8 @@ namespace ribbon {
 namespace {
 
 std::string remark_on(const FrameNumbers& numbers) {
-  return "strain " + decimals(100 * numbers.worst_strain, 1) + " %, penetrations " +
-         std::to_string(numbers.penetrating_edges);
+  return filled_in("strain {:.1f} %, penetrations {}", 100 * numbers.worst_strain,
+                   numbers.penetrating_edges);
 }
 
 // Draws the progress of a run, and ends it when Ctrl-C is pressed; before its first frame, while
@@ -119,14 +119,11 @@ const char* nothing_done(const RecorderOptions& options) {
 }
 
 std::string summary_line(const Compaction& compaction) {
-  const auto megabytes = [](std::uint64_t bytes) {
-    return decimals(static_cast<double>(bytes) / 1e6, 1) + " MB";
-  };
+  const double before_mb = static_cast<double>(compaction.bytes_before) / 1e6;
   if (compaction.bytes_after == compaction.bytes_before)
-    return "it stays as it is, " + megabytes(compaction.bytes_before) + " are as small as it gets";
-  return "compacted, " + std::to_string(compaction.frames) + " frames as they were; " +
-         megabytes(compaction.bytes_before) + " before, " + megabytes(compaction.bytes_after) +
-         " now";
+    return filled_in("it stays as it is, {:.1f} MB are as small as it gets", before_mb);
+  return filled_in("compacted, {} frames as they were; {:.1f} MB before, {:.1f} MB now",
+                   compaction.frames, before_mb, static_cast<double>(compaction.bytes_after) / 1e6);
 }
 
 // Nothing where the user ended it.

@@ -7,6 +7,7 @@
 #include "recorder/run/recorded_run.h"
 #include "recorder/run/stopwatch.h"
 #include "scene/setting.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -42,9 +43,8 @@ Result<Continuation> continuation(const fs::path& path, const RunLimit& limit) {
   if (!plan) return tl::unexpected(plan.error());
   if (plan->is_cut_short && run->reader.frame_count() > plan->frames)
     return failure(path.string(),
-                   "it holds " + std::to_string(run->reader.frame_count()) +
-                       " frames already, more than the " + std::to_string(plan->frames) +
-                       " asked for",
+                   filled_in("it holds {} frames already, more than the {} asked for",
+                             run->reader.frame_count(), plan->frames),
                    "ask for more, or branch a shorter take off with --from");
   std::string changed;
   if (plan->frames > frame_count(run->scene))

@@ -5,6 +5,7 @@
 
 #include "knot/knot_witness.h"
 #include "parallel/parallel.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -162,7 +163,7 @@ Result<Verification> verify_recording(RecordingReader& reader, const std::vector
     const int batch_end = std::min(begin + batch_frames, end);
     verifier.verify_batch(begin, batch_end);
     if (!observer(batch_end - asked.front()) && batch_end < end)
-      return failure("", "interrupted after frame " + std::to_string(batch_end),
+      return failure("", filled_in("interrupted after frame {}", batch_end),
                      "run it again; --frames verifies a part");
   }
   return verifier.finish();

@@ -8,6 +8,7 @@
 
 #include "recorder/run/start.h"
 #include "recording/codec/position_encoder.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -83,10 +84,11 @@ class Comparison {
 
  private:
   [[nodiscard]] Result<void> otherwise(int index) const {
-    return failure(file_.string() + ": frame " + std::to_string(index + 1),
+    return failure(filled_in("{}: frame {}", file_.string(), index + 1),
                    "simulated again, it comes out otherwise than recorded",
-                   "go on with the program that recorded it, " + reader_.header().writer +
-                       ", on the same kind of processor");
+                   filled_in("go on with the program that recorded it, {}, on the same kind of "
+                             "processor",
+                             reader_.header().writer));
   }
 
   const fs::path& file_;

@@ -24,11 +24,12 @@ bool is_due(int frame, double frames_per_second, double every_s) {
 Result<void> check_reach(const SimulatedFrame& frame, const FasteningProcessor& fastening) {
   const double far_m = frame.positions.cwiseAbs().maxCoeff();
   if (!(far_m > fastening.reach_m())) return {};
-  return failure("frame " + std::to_string(frame.index + 1),
-                 "the ribbon has got " + short_number(far_m) + " m from the origin, beyond the " +
-                     short_number(fastening.reach_m()) +
-                     " m within which single precision keeps its gap",
-                 "set recording.max_position_error above 0");
+  return failure(
+      filled_in("frame {}", frame.index + 1),
+      filled_in("the ribbon has got {:.6g} m from the origin, beyond the {:.6g} m within "
+                "which single precision keeps its gap",
+                far_m, fastening.reach_m()),
+      "set recording.max_position_error above 0");
 }
 
 }  // namespace
