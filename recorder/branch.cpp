@@ -67,39 +67,40 @@ bool act_alike(Scene a, const Scene& b) {
   return a == b;
 }
 
-Result<void> check_frame(const BranchPoint& from, RecordingReader& source, const RunPlan& plan) {
-  const int number = from.frame + 1;
+Result<void> check_frame(RecordedRun& source, int frame, const RunPlan& plan) {
+  const int number = frame + 1;
+  const int frames = source.reader.frame_count();
   const auto refuse = [&](const std::string& problem, const std::string& remedy) {
-    return failure(from.source.string(), problem, remedy);
+    return failure(source.file.string(), problem, remedy);
   };
-  if (from.frame < 0 || from.frame >= source.frame_count())
+  if (frame < 0 || frame >= frames)
     return refuse(filled_in("there is no frame {}", number),
-                  filled_in("name one from 1 to {}", source.frame_count()));
-  if (from.frame >= plan.frames)
+                  filled_in("name one from 1 to {}", frames));
+  if (frame >= plan.frames)
     return refuse(
         filled_in("frame {} lies beyond the end of the branch, which is to have {} frames", number,
                   plan.frames),
         "branch off earlier, or add --until or --set time.duration");
-  if (const auto lost = first_lost_frame(source, number))
+  if (const auto lost = first_lost_frame(source.reader, number))
     return refuse(filled_in("frame {} is lost", *lost + 1),
                   "branch off before it, or repeat the run from its scene");
   return {};
 }
 
-Result<void> check_place(const BranchPoint& from, const NewRecording& take) {
+Result<void> check_place(const fs::path& source, const NewRecording& take) {
   std::error_code code;
-  if (fs::equivalent(from.source, take.file, code))
+  if (fs::equivalent(source, take.file, code))
     return failure(take.file.string(), "a take cannot branch off into its own recording",
                    "name another file after -o");
   return take.check_place();
 }
 
-RecordingHeader header_of_take(const RecordingReader& source, const BranchPoint& from,
-                               const NewRecording& take, const Scene& scene) {
+RecordingHeader header_of_take(const RecordingReader& source, int frame, const NewRecording& take,
+                               const Scene& scene) {
   RecordingHeader header = source.header();
   header.origin = Origin{.recording_id = source.recording_id(),
                          .scene_name = header.scene_name,
-                         .frame = static_cast<std::uint32_t>(from.frame),
+                         .frame = static_cast<std::uint32_t>(frame),
                          .changed_settings = take.settings_text()};
   header.scene_name = scene.name;
   header.scene_text = scene.text;
@@ -107,53 +108,43 @@ RecordingHeader header_of_take(const RecordingReader& source, const BranchPoint&
   return header;
 }
 
-Result<void> copy_frames(RecordingReader& source, int count, RecordingWriter& target) {
-  for (int frame = 0; frame < count; ++frame) {
-    const auto quantised = source.read_quantised(frame);
-    if (!quantised) return tl::unexpected(quantised.error());
-    if (auto appended = target.append(*source.numbers(frame), **quantised); !appended)
-      return appended;
-  }
-  return {};
-}
-
-// They must decode to what they were.
-Result<void> check_copies(RecordingReader& source, int count, const fs::path& target) {
-  auto copy = RecordingReader::open(target);
-  if (!copy) return tl::unexpected(copy.error());
-  for (int frame = 0; frame < count; ++frame)
-    if (!same_frame(source, *copy, frame))
-      return failure(filled_in("{}: frame {}", target.string(), frame + 1),
-                     "it was not copied as it was", "report this; the source is as it was");
-  return {};
-}
-
+// The copies must decode to what the frames were.
 Result<RecordingWriter> begin_with_copies(const NewRecording& take, const RecordingHeader& header,
                                           RecordingReader& source, int count) {
   auto target = RecordingWriter::create(take.file, header, take.overwrite);
   if (!target) return target;
-  if (auto copied = copy_frames(source, count, *target); !copied)
-    return tl::unexpected(copied.error());
-  if (auto same = check_copies(source, count, take.file); !same)
-    return tl::unexpected(same.error());
+  for (int frame = 0; frame < count; ++frame) {
+    const auto quantised = source.read_quantised(frame);
+    if (!quantised) return tl::unexpected(quantised.error());
+    if (auto appended = target->append(*source.numbers(frame), **quantised); !appended)
+      return tl::unexpected(appended.error());
+  }
+  auto copy = RecordingReader::open(take.file);
+  if (!copy) return tl::unexpected(copy.error());
+  for (int frame = 0; frame < count; ++frame)
+    if (!same_frame(source, *copy, frame))
+      return failure(filled_in("{}: frame {}", take.file.string(), frame + 1),
+                     "it was not copied as it was", "report this; the source is as it was");
   return target;
 }
 
 }  // namespace
 
-Result<std::optional<RunStatistics>> branch(const BranchPoint& from, const NewRecording& take,
-                                            const RunObserver& observer, const RunLimit& limit) {
-  auto source = RecordedRun::open(from.source, from.frame + 1);
+Result<std::optional<RunStatistics>> branch(const fs::path& file, int frame,
+                                            const NewRecording& take, const RunObserver& observer,
+                                            const RunLimit& limit) {
+  const int copies = frame + 1;
+  auto source = RecordedRun::open(file, copies);
   if (!source) return tl::unexpected(source.error());
   const auto plan = plan_of_take(source->scene, take.settings, limit);
   if (!plan) return tl::unexpected(plan.error());
   const Scene& scene = plan->scene;
   RecordingReader& reader = source->reader;
-  Result<void> possible = check_place(from, take);
-  if (possible) possible = check_frame(from, reader, *plan);
+  Result<void> possible = check_place(file, take);
+  if (possible) possible = check_frame(*source, frame, *plan);
   if (!possible) return tl::unexpected(possible.error());
 
-  auto before = source->simulated_again(from.frame, observer.frame_simulated_again);
+  auto before = source->simulated_again(frame, observer.frame_simulated_again);
   if (!before) return tl::unexpected(before.error());
   if (!*before) return std::nullopt;
   auto fastening = FasteningProcessor::restore(
@@ -161,16 +152,15 @@ Result<std::optional<RunStatistics>> branch(const BranchPoint& from, const NewRe
       act_alike(source->scene, scene) ? Settings::as_before : Settings::changed);
   if (!fastening) return tl::unexpected(fastening.error());
 
-  const int copies = from.frame + 1;
-  auto target = begin_with_copies(take, header_of_take(reader, from, take, scene), reader, copies);
+  auto target = begin_with_copies(take, header_of_take(reader, frame, take, scene), reader, copies);
   if (!target) return tl::unexpected(target.error());
   RunStatistics statistics = statistics_of(reader, copies);
   statistics.scene_name = scene.name;
-  SimulatedFrames onward(scene, *std::move(fastening), from.frame);
-  BackgroundWriter file(*std::move(target));
-  file.append_checkpoint(static_cast<std::uint64_t>(onward.fastening().steps()),
-                         onward.fastening().state());
-  return run(onward, *plan, true, file, observer, std::move(statistics));
+  SimulatedFrames onward(scene, *std::move(fastening), frame);
+  BackgroundWriter writer(*std::move(target));
+  writer.append_checkpoint(static_cast<std::uint64_t>(onward.fastening().steps()),
+                           onward.fastening().state());
+  return run(onward, *plan, true, writer, observer, std::move(statistics));
 }
 
 }  // namespace ribbon

@@ -103,7 +103,7 @@ Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
                                .settings = options.settings,
                                .overwrite = options.force ? Overwrite::yes : Overwrite::no};
   if (options.task == RecorderTask::branch)
-    return branch({options.input, options.from_frame}, recording, observer, options.limit);
+    return branch(options.input, options.from_frame, recording, observer, options.limit);
   if (auto other = is_no_recording(options.input); !other) return tl::unexpected(other.error());
   const auto scene = read_scene(options.input, options.settings);
   if (!scene) return tl::unexpected(scene.error());

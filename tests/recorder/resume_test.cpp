@@ -267,12 +267,12 @@ TEST_F(ResumeTight, a_take_of_frames_before_it_was_drawn_on_ends_when_it_is_tigh
   ASSERT_EQ(refusal({.frames = frames_ + 5}), "");
   const fs::path take = folder_ / "take.rbn";
   for (const int frame : {0, frames_ / 2, frames_ - 2}) {
-    ASSERT_TRUE(branch({file_, frame}, replacing(take), goes_on).has_value());
+    ASSERT_TRUE(branch(file_, frame, replacing(take), goes_on).has_value());
     EXPECT_EQ(RecordingReader::open(take)->ending(), RunEnding::tight);
     EXPECT_EQ(frames_of(take), whole_) << frame;
   }
   const RunLimit limit{.frames = frames_ + 7};
-  ASSERT_TRUE(branch({file_, frames_ + 2}, replacing(take), goes_on, limit).has_value());
+  ASSERT_TRUE(branch(file_, frames_ + 2, replacing(take), goes_on, limit).has_value());
   EXPECT_EQ(RecordingReader::open(take)->frame_count(), frames_ + 7);
 }
 
