@@ -8,27 +8,27 @@ bool Argument::is_given() const {
   return option_->count() > 0;
 }
 
-Argument Argument::required() const {
+Argument Argument::required() {
   option_->required();
   return *this;
 }
 
-Argument Argument::with_default_shown() const {
+Argument Argument::with_default_shown() {
   option_->capture_default_str();
   return *this;
 }
 
-Argument Argument::excludes(Argument other) const {
+Argument Argument::excludes(Argument other) {
   option_->excludes(other.option_);
   return *this;
 }
 
-Argument Argument::needs(Argument other) const {
+Argument Argument::needs(Argument other) {
   option_->needs(other.option_);
   return *this;
 }
 
-Argument Argument::one_of(const std::vector<std::string>& words) const {
+Argument Argument::one_of(const std::vector<std::string>& words) {
   option_->check(CLI::IsMember(words));
   return *this;
 }

@@ -23,12 +23,12 @@ class Argument {
   // Was it given? To be asked after parsing.
   [[nodiscard]] bool is_given() const;
 
-  Argument required() const;
-  Argument with_default_shown() const;
-  Argument excludes(Argument other) const;
-  Argument needs(Argument other) const;
+  Argument required();
+  Argument with_default_shown();
+  Argument excludes(Argument other);
+  Argument needs(Argument other);
   // Of a text: one of these words.
-  Argument one_of(const std::vector<std::string>& words) const;
+  Argument one_of(const std::vector<std::string>& words);
 
  private:
   CLI::Option* option_;

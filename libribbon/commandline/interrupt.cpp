@@ -37,12 +37,12 @@ struct sigaction handle(int signal) {
 
 Interrupt::Interrupt() {
   interrupt_requested = false;
-  for (std::size_t i = 0; i < signals_.size(); ++i) old_[i] = handle(signals_[i]);
+  for (std::size_t i = 0; i < signals.size(); ++i) old_[i] = handle(signals[i]);
   assert(old_[0].sa_handler != request);
 }
 
 Interrupt::~Interrupt() {
-  for (std::size_t i = 0; i < signals_.size(); ++i) ::sigaction(signals_[i], &old_[i], nullptr);
+  for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &old_[i], nullptr);
 }
 
 bool Interrupt::requested() const {

@@ -20,8 +20,8 @@ class Interrupt {
   [[nodiscard]] bool requested() const;
 
  private:
-  static constexpr std::array signals_ = {SIGINT, SIGTERM, SIGHUP};
-  std::array<struct sigaction, signals_.size()> old_ = {};
+  static constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, signals.size()> old_ = {};
 };
 
 }  // namespace ribbon

@@ -48,7 +48,7 @@ Result<Drawing> read_drawing(const DrawnSvg& drawn) {
   if (auto there = check_readable(drawn.file); !there) return tl::unexpected(there.error());
   const auto path = find_svg_path(drawn.file.path, drawn.path_id);
   if (!path) return tl::unexpected(path.error());
-  const auto coarse = flattened(*path, std::numeric_limits<double>::max());
+  auto coarse = flattened(*path, std::numeric_limits<double>::max());
   if (!coarse) return coarse;
   return flattened(*path, flatness_per_extent * extent_of(*coarse));
 }

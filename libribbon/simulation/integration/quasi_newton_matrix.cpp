@@ -103,7 +103,7 @@ void QuasiNewtonMatrix::factor(const SpringNetwork& network, double inertia) {
 
 void QuasiNewtonMatrix::solve(const MatrixX3d& force, MatrixX3d& displacement) {
   displacement.resize(force.rows(), 3);
-  parallel_ranges(3, 1, [&](std::size_t axis, std::size_t) {
+  parallel_ranges(3, 1, [&](Eigen::Index axis, Eigen::Index) {
     const Eigen::Map<const MatrixXd> forces(force.col(axis).data(), grid_.across, grid_.along);
     Eigen::Map<MatrixXd> displacements(displacement.col(axis).data(), grid_.across, grid_.along);
     MatrixXd& amplitudes = amplitudes_[axis];
