@@ -47,7 +47,7 @@ Result<void> write_pictures(RecordingReader& reader, const std::vector<int>& fra
   int done = 0;
   for (const int index : frames) {
     if (interrupt.requested())
-      return failure("", "interrupted before frame " + std::to_string(index + 1),
+      return failure("", filled_in("interrupted before frame {}", index + 1),
                      "run it again with --frames to go on");
     if (auto shown = renderer.show(index); !shown) return shown;
     const Picture picture = renderer.picture(cameras.front(), options.size);
@@ -56,9 +56,9 @@ Result<void> write_pictures(RecordingReader& reader, const std::vector<int>& fra
   }
   progress.clear();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  tell(options, std::to_string(done) + (done == 1 ? " picture, " : " pictures, ") +
-                    decimals(elapsed.count() / done, 2) +
-                    " s each, last: " + pattern.file(frames.back() + 1).string());
+  tell(options,
+       filled_in("{} {}, {:.2f} s each, last: {}", done, done == 1 ? "picture" : "pictures",
+                 elapsed.count() / done, pattern.file(frames.back() + 1).string()));
   return {};
 }
 
@@ -76,9 +76,8 @@ Result<void> write_sheet(RecordingReader& reader, const RecordingInfo& info,
     columns.push_back(std::move(column));
   }
   const RecordingHeader& header = reader.header();
-  std::string ribbon = std::to_string(header.grid.across) + " × " +
-                       std::to_string(header.grid.along) + " particles, " +
-                       std::to_string(reader.frame_count()) + " frames recorded";
+  std::string ribbon = filled_in("{} × {} particles, {} frames recorded", header.grid.across,
+                                 header.grid.along, reader.frame_count());
   if (info.outcome) ribbon += " · " + outcome_text(*info.outcome);
   auto written = write_png(options.sheet, contact_sheet(header.scene_name, ribbon, columns));
   if (written) tell(options, "contact sheet: " + options.sheet.string());
@@ -181,12 +180,12 @@ Result<std::vector<int>> frames_to_verify(const RecordingReader& reader, const O
   return frames;
 }
 
-Result<ExitCode> verify_recording(RecordingReader& reader, const Options& options) {
+Result<ExitCode> verify(RecordingReader& reader, const Options& options) {
   const auto frames = frames_to_verify(reader, options);
   if (!frames) return tl::unexpected(frames.error());
   ProgressLine progress("frame", frames->back() - frames->front() + 1, options.quiet);
   const Interrupt interrupt;
-  const auto verification = verify(reader, *frames, options.certify_every, [&](int done) {
+  const auto verification = verify_recording(reader, *frames, options.certify_every, [&](int done) {
     progress.update(done);
     return !interrupt.requested();
   });
@@ -204,7 +203,11 @@ Result<ExitCode> play(const Options& options) {
   set_thread_limit(options.threads);
   auto reader = RecordingReader::open(options.recording);
   if (!reader) return tl::unexpected(reader.error());
-  if (options.verify) return verify_recording(*reader, options);
+  if (options.pictures.empty() && options.sheet.empty() && !options.info && !options.json &&
+      !options.verify && !options.follow)
+    return failure("", "nothing to do",
+                   "ask for pictures (-o), a --sheet, --info, --follow or --verify");
+  if (options.verify) return verify(*reader, options);
   if (options.follow) return follow_recording(*reader, options);
   const RecordingInfo info = recording_info(options.recording, *reader);
   if (options.info || options.json)

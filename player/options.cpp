@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "commandline/arguments.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -40,8 +41,8 @@ Result<PictureSize> parse_size(const std::string& text) {
   if (cross == std::string::npos || !read_side(text.substr(0, cross), size.width) ||
       !read_side(text.substr(cross + 1), size.height))
     return failure("--size " + text, "is not a picture size",
-                   "write WIDTHxHEIGHT, each from " + std::to_string(smallest_side) + " to " +
-                       std::to_string(largest_side) + ", as in 1280x720");
+                   filled_in("write WIDTHxHEIGHT, each from {} to {}, as in 1280x720",
+                             smallest_side, largest_side));
   return size;
 }
 
@@ -99,10 +100,6 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   const auto parsed = parse_size(size);
   if (!parsed) return tl::unexpected(parsed.error());
   options.size = *parsed;
-  if (options.pictures.empty() && options.sheet.empty() && !options.info && !options.json &&
-      !options.verify && !options.follow)
-    return failure("", "nothing to do",
-                   "ask for pictures (-o), a --sheet, --info, --follow or --verify");
   return options;
 }
 

@@ -3,11 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "recorder/recorded_frames.h"
-#include "recorder/recorded_run.h"
-#include "recorder/resume.h"
-#include "recorder/start.h"
-#include "scene/setting.h"
+#include "recorder/copied_frames.h"
+#include "recorder/run/recorded_run.h"
+#include "recorder/run/start.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -45,17 +44,16 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
 }
 
 // The recorded scene with the changes, as far as they are possible.
-Result<Scene> scene_of_take(const Scene& recorded, const std::vector<std::string>& settings,
-                            const RunLimit& limit) {
-  const auto scene =
-      read_scene_with(recorded.file, recorded.text, settings).and_then([&](const Scene& changed) {
-        return extended(changed, limit);
-      });
-  if (!scene) return scene;
-  const auto fixed = common_to_both_that_differs(recorded, *scene);
-  if (!fixed) return scene;
+Result<RunPlan> plan_of_take(const Scene& recorded, const std::vector<std::string>& settings,
+                             const RunLimit& limit) {
+  auto plan = read_scene(recorded.file, recorded.text, settings).and_then([&](const Scene& scene) {
+    return plan_of(scene, limit);
+  });
+  if (!plan) return plan;
+  const auto fixed = common_to_both_that_differs(recorded, plan->scene);
+  if (!fixed) return plan;
   return failure(recorded.file.string(),
-                 std::string(fixed->first) + " cannot change in a branch: " + fixed->second,
+                 filled_in("{} cannot change in a branch: {}", fixed->first, fixed->second),
                  "record a scene of its own");
 }
 
@@ -69,114 +67,100 @@ bool act_alike(Scene a, const Scene& b) {
   return a == b;
 }
 
-Result<void> check_ends(const BranchPoint& from, const NewRecording& take,
-                        const RecordingReader& source) {
-  std::error_code code;
-  if (fs::equivalent(from.source, take.file, code))
-    return failure(take.file.string(), "a take cannot branch off into its own recording",
-                   "name another file after -o");
-  if (from.frame < 0 || from.frame >= source.frame_count())
-    return failure(from.source.string(), "there is no frame " + std::to_string(from.frame + 1),
-                   "name one from 1 to " + std::to_string(source.frame_count()));
-  return check_place(take);
+Result<void> check_frame(RecordedRun& source, int frame, const RunPlan& plan) {
+  const int number = frame + 1;
+  const int frames = source.reader.frame_count();
+  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+    return failure(source.file.string(), problem, remedy);
+  };
+  if (frame < 0 || frame >= frames)
+    return refuse(filled_in("there is no frame {}", number),
+                  filled_in("name one from 1 to {}", frames));
+  if (frame >= plan.frames)
+    return refuse(
+        filled_in("frame {} lies beyond the end of the branch, which is to have {} frames", number,
+                  plan.frames),
+        "branch off earlier, or add --until or --set time.duration");
+  if (const auto lost = first_lost_frame(source.reader, number))
+    return refuse(filled_in("frame {} is lost", *lost + 1),
+                  "branch off before it, or repeat the run from its scene");
+  return {};
 }
 
-RecordingHeader header_of(const RecordingReader& source, const BranchPoint& from,
-                          const NewRecording& take, const Scene& scene) {
+Result<void> check_place(const fs::path& source, const NewRecording& take) {
+  std::error_code code;
+  if (fs::equivalent(source, take.file, code))
+    return failure(take.file.string(), "a take cannot branch off into its own recording",
+                   "name another file after -o");
+  return take.check_place();
+}
+
+RecordingHeader header_of_take(const RecordingReader& source, int frame, const NewRecording& take,
+                               const Scene& scene) {
   RecordingHeader header = source.header();
   header.origin = Origin{.recording_id = source.recording_id(),
                          .scene_name = header.scene_name,
-                         .frame = static_cast<std::uint32_t>(from.frame),
-                         .changed_settings = settings_text(take.settings)};
+                         .frame = static_cast<std::uint32_t>(frame),
+                         .changed_settings = take.settings_text()};
   header.scene_name = scene.name;
   header.scene_text = scene.text;
   header.writer = take.program;
   return header;
 }
 
-Result<void> copy_frames(RecordingReader& source, int count, RecordingWriter& target) {
-  for (int frame = 0; frame < count; ++frame) {
-    const auto quantised = source.read_quantised(frame);
-    if (!quantised) return tl::unexpected(quantised.error());
-    if (auto appended = target.append(*source.numbers(frame), **quantised); !appended)
-      return appended;
-  }
-  return {};
-}
-
-// They must decode to what they were.
-Result<void> check_copies(RecordingReader& source, int count, const fs::path& target) {
-  auto copy = RecordingReader::open(target);
-  if (!copy) return tl::unexpected(copy.error());
-  for (int frame = 0; frame < count; ++frame)
-    if (!same_frame(source, *copy, frame))
-      return failure(target.string() + ": frame " + std::to_string(frame + 1),
-                     "it was not copied as it was", "report this; the source is as it was");
-  return {};
-}
-
-// Are all frames there, and will there be more?
-Result<void> check_whole(const BranchPoint& from, RecordingReader& source, const RunPlan& plan) {
-  const int count = from.frame + 1;
-  if (plan.frames < count)
-    return failure(from.source.string(),
-                   "frame " + std::to_string(count) +
-                       " lies beyond the end of the branch, which is to have " +
-                       std::to_string(plan.frames) + " frames",
-                   "branch off earlier, or add --until or --set time.duration");
-  const auto lost = first_lost_frame(source, count);
-  if (!lost) return {};
-  return failure(from.source.string(), "frame " + std::to_string(*lost + 1) + " is lost",
-                 "branch off before it, or repeat the run from its scene");
-}
-
+// The copies must decode to what the frames were.
 Result<RecordingWriter> begin_with_copies(const NewRecording& take, const RecordingHeader& header,
                                           RecordingReader& source, int count) {
   auto target = RecordingWriter::create(take.file, header, take.overwrite);
   if (!target) return target;
-  if (auto copied = copy_frames(source, count, *target); !copied)
-    return tl::unexpected(copied.error());
-  if (auto same = check_copies(source, count, take.file); !same)
-    return tl::unexpected(same.error());
+  for (int frame = 0; frame < count; ++frame) {
+    const auto quantised = source.read_quantised(frame);
+    if (!quantised) return tl::unexpected(quantised.error());
+    if (auto appended = target->append(*source.numbers(frame), **quantised); !appended)
+      return tl::unexpected(appended.error());
+  }
+  auto copy = RecordingReader::open(take.file);
+  if (!copy) return tl::unexpected(copy.error());
+  for (int frame = 0; frame < count; ++frame)
+    if (!same_frame(source, *copy, frame))
+      return failure(filled_in("{}: frame {}", take.file.string(), frame + 1),
+                     "it was not copied as it was", "report this; the source is as it was");
   return target;
 }
 
 }  // namespace
 
-Result<std::optional<RunStatistics>> branch(const BranchPoint& from, const NewRecording& take,
-                                            const RunObserver& observer, const RunLimit& limit) {
-  auto source = RecordingReader::open(from.source);
+Result<std::optional<RunStatistics>> branch(const fs::path& file, int frame,
+                                            const NewRecording& take, const RunObserver& observer,
+                                            const RunLimit& limit) {
+  const int copies = frame + 1;
+  auto source = RecordedRun::open(file, copies);
   if (!source) return tl::unexpected(source.error());
-  const auto recorded = recorded_scene(from.source, *source);
-  if (!recorded) return tl::unexpected(recorded.error());
-  const auto scene = scene_of_take(*recorded, take.settings, limit);
-  if (!scene) return tl::unexpected(scene.error());
-  const RunPlan plan = plan_of(*scene, limit);
-  Result<void> sound = check_ends(from, take, *source);
-  if (sound) sound = check_whole(from, *source, plan);
-  if (!sound) return tl::unexpected(sound.error());
+  const auto plan = plan_of_take(source->scene, take.settings, limit);
+  if (!plan) return tl::unexpected(plan.error());
+  const Scene& scene = plan->scene;
+  RecordingReader& reader = source->reader;
+  Result<void> possible = check_place(file, take);
+  if (possible) possible = check_frame(*source, frame, *plan);
+  if (!possible) return tl::unexpected(possible.error());
 
-  auto before =
-      simulated_again(from.source, *source, *recorded, from.frame, observer.frame_simulated_again);
+  auto before = source->simulated_again(frame, observer.frame_simulated_again);
   if (!before) return tl::unexpected(before.error());
   if (!*before) return std::nullopt;
   auto fastening = FasteningProcessor::restore(
-      *scene, rest_size_of(source->header()), source->header().obstacle,
-      (*before)->fastening().state(),
-      act_alike(*recorded, *scene) ? Settings::as_before : Settings::changed);
+      scene, source->rest_size(), reader.header().obstacle, (*before)->fastening().state(),
+      act_alike(source->scene, scene) ? Settings::as_before : Settings::changed);
   if (!fastening) return tl::unexpected(fastening.error());
 
-  auto target =
-      begin_with_copies(take, header_of(*source, from, take, *scene), *source, from.frame + 1);
+  auto target = begin_with_copies(take, header_of_take(reader, frame, take, scene), reader, copies);
   if (!target) return tl::unexpected(target.error());
-  RunStatistics statistics;
-  if (const auto copy = RecordingReader::open(take.file)) statistics = statistics_of(*copy);
-  statistics.start = std::string(word_for(fastening->start().kind));
-  SimulatedFrames onward(*scene, *std::move(fastening), from.frame);
-  BackgroundWriter file(*std::move(target));
-  file.append_checkpoint(static_cast<std::uint64_t>(onward.fastening().steps()),
-                         onward.fastening().state());
-  return run(onward, plan, true, file, observer, std::move(statistics));
+  RunStatistics statistics = statistics_of(reader, copies);
+  statistics.scene_name = scene.name;
+  SimulatedFrames onward(scene, *std::move(fastening), frame);
+  BackgroundWriter writer(*std::move(target));
+  writer.append_checkpoint(static_cast<std::uint64_t>(onward.fastening().steps()),
+                           onward.fastening().state());
+  return run(onward, *plan, true, writer, observer, std::move(statistics));
 }
 
 }  // namespace ribbon

@@ -11,12 +11,13 @@
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
-#include "recorder/recorded_frames.h"
+#include "recorder/copied_frames.h"
 #include "recording/records/header_record.h"
 #include "recording/writer/compact_encoder.h"
 #include "recording/writer/record_file.h"
 #include "recording/writer/recording_writer.h"
 #include "recording/writer/references.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 class PartFile {
  public:
   explicit PartFile(const fs::path& whole)
-      : path_(whole.string() + ".part" + std::to_string(::getpid())) {}
+      : path_(filled_in("{}.part{}", whole.string(), ::getpid())) {}
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
   ~PartFile() {
@@ -90,7 +91,7 @@ class Compactor {
 };
 
 // Nothing is left out of a recording without its owner's knowing.
-Result<void> check_whole(const fs::path& path, RecordingReader& source) {
+Result<void> check_undamaged(const fs::path& path, RecordingReader& source) {
   if (!first_lost_frame(source, source.frame_count()) && source.damage().empty()) return {};
   return failure(path.string(), "is damaged, and compacting it would make that final",
                  "compact a copy that is whole, or leave it: it plays as far as it can be read");
@@ -143,8 +144,7 @@ Result<bool> compare(const fs::path& path, const fs::path& part,
   if (!same_rest(*before, *after)) return otherwise("");
   const int frames = before->frame_count();
   for (int frame = 0; frame < frames; ++frame) {
-    if (!same_frame(*before, *after, frame))
-      return otherwise(": frame " + std::to_string(frame + 1));
+    if (!same_frame(*before, *after, frame)) return otherwise(filled_in(": frame {}", frame + 1));
     if (go_on && !go_on(frame + 1, frames)) return false;
   }
   return true;
@@ -179,7 +179,7 @@ Result<std::optional<Compaction>> compact(const fs::path& recording,
   // and again now that nobody else can write it.
   auto source = RecordingReader::open(path);
   if (!source) return tl::unexpected(source.error());
-  if (auto whole = check_whole(path, *source); !whole) return tl::unexpected(whole.error());
+  if (auto whole = check_undamaged(path, *source); !whole) return tl::unexpected(whole.error());
 
   const PartFile part(path);
   Compaction compaction{source->frame_count(), source->file_bytes(), source->file_bytes()};

@@ -1,19 +1,22 @@
 // ribbon-record: fastens the ribbon of a scene and records every frame.
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "commandline/interrupt.h"
 #include "commandline/progress.h"
 #include "commandline/tool.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
+#include "playback/recording_reader.h"
 #include "recorder/branch.h"
 #include "recorder/compact.h"
 #include "recorder/options.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
-#include "scene/setting.h"
+#include "scene/scene.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -21,8 +24,8 @@ namespace ribbon {
 namespace {
 
 std::string remark_on(const FrameNumbers& numbers) {
-  return "strain " + decimals(100 * numbers.worst_strain, 1) + " %, penetrations " +
-         std::to_string(numbers.penetrating_edges);
+  return filled_in("strain {:.1f} %, penetrations {}", 100 * numbers.worst_strain,
+                   numbers.penetrating_edges);
 }
 
 // Draws the progress of a run, and ends it when Ctrl-C is pressed; before its first frame, while
@@ -81,6 +84,15 @@ class Watch {
   std::optional<Interrupt> interrupt_;
 };
 
+// A recording in the place of the scene would be refused as wrong TOML.
+Result<void> is_no_recording(const std::filesystem::path& scene) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(scene, code) || !RecordingReader::open(scene)) return {};
+  return failure(scene.string(), "is a recording, not a scene",
+                 "go on with it by --resume, branch a new take off by --from, or name a scene "
+                 "(.toml)");
+}
+
 Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
                                               const RunObserver& observer) {
   constexpr const char* program = "ribbon-record " RIBBON_VERSION;
@@ -91,10 +103,9 @@ Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
                                .settings = options.settings,
                                .overwrite = options.force ? Overwrite::yes : Overwrite::no};
   if (options.task == RecorderTask::branch)
-    return branch({options.input, options.from_frame}, recording, observer, options.limit);
-  const auto scene = read_file(options.input).and_then([&](std::string text) {
-    return read_scene_with(options.input, std::move(text), options.settings);
-  });
+    return branch(options.input, options.from_frame, recording, observer, options.limit);
+  if (auto other = is_no_recording(options.input); !other) return tl::unexpected(other.error());
+  const auto scene = read_scene(options.input, options.settings);
   if (!scene) return tl::unexpected(scene.error());
   auto statistics = record(*scene, recording, observer, options.limit);
   if (!statistics) return tl::unexpected(statistics.error());
@@ -108,14 +119,11 @@ const char* nothing_done(const RecorderOptions& options) {
 }
 
 std::string summary_line(const Compaction& compaction) {
-  const auto megabytes = [](std::uint64_t bytes) {
-    return decimals(static_cast<double>(bytes) / 1e6, 1) + " MB";
-  };
+  const double before_mb = static_cast<double>(compaction.bytes_before) / 1e6;
   if (compaction.bytes_after == compaction.bytes_before)
-    return "it stays as it is, " + megabytes(compaction.bytes_before) + " are as small as it gets";
-  return "compacted, " + std::to_string(compaction.frames) + " frames as they were; " +
-         megabytes(compaction.bytes_before) + " before, " + megabytes(compaction.bytes_after) +
-         " now";
+    return filled_in("it stays as it is, {:.1f} MB are as small as it gets", before_mb);
+  return filled_in("compacted, {} frames as they were; {:.1f} MB before, {:.1f} MB now",
+                   compaction.frames, before_mb, static_cast<double>(compaction.bytes_after) / 1e6);
 }
 
 // Nothing where the user ended it.

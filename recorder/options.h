@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "recorder/run.h"
+#include "recorder/run/run_plan.h"
 #include "result/result.h"
 
 namespace ribbon {

@@ -3,16 +3,16 @@
 #include <utility>
 
 #include "obstacle/obstacle.h"
-#include "recorder/start.h"
-#include "recorder/stopwatch.h"
+#include "recorder/run/start.h"
+#include "recorder/run/stopwatch.h"
 #include "recording/codec/entropy_tables.h"
 
 namespace ribbon {
 
 namespace {
 
-RecordingHeader header_of(const Scene& scene, const std::string& program, const Start& start,
-                          const std::optional<TriangleMesh>& obstacle) {
+RecordingHeader header_of_run(const Scene& scene, const std::string& program, const Start& start,
+                              const std::optional<TriangleMesh>& obstacle) {
   const RibbonMesh& ribbon = start.ribbon;
   RecordingHeader header;
   header.scene_name = scene.name;
@@ -38,31 +38,32 @@ RecordingHeader header_of(const Scene& scene, const std::string& program, const 
 
 Result<RunStatistics> record(const Scene& wanted, const NewRecording& recording,
                              const RunObserver& observer, const RunLimit& limit) {
-  if (auto place = check_place(recording); !place) return tl::unexpected(place.error());
-  const auto scene = extended(wanted, limit);
-  if (!scene) return tl::unexpected(scene.error());
-  const auto obstacle = read_obstacle(*scene);
+  if (auto place = recording.check_place(); !place) return tl::unexpected(place.error());
+  const auto plan = plan_of(wanted, limit);
+  if (!plan) return tl::unexpected(plan.error());
+  const Scene& scene = plan->scene;
+  const auto obstacle = read_obstacle(scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
   Stopwatch stopwatch;
-  auto start = find_start(*scene, *obstacle, observer.start_sought);
+  auto start = find_start(scene, *obstacle, observer.start_sought);
   if (!start) return tl::unexpected(start.error());
   const double start_s = stopwatch.lap();
   // Not before the start has been found: a scene without one leaves an older recording alone.
-  auto target = RecordingWriter::create(
-      recording.file, header_of(*scene, recording.program, *start, *obstacle), recording.overwrite);
+  auto target = RecordingWriter::create(recording.file,
+                                        header_of_run(scene, recording.program, *start, *obstacle),
+                                        recording.overwrite);
   if (!target) return tl::unexpected(target.error());
   BackgroundWriter file(*std::move(target));
   if (!recording.settings.empty())
     file.append_session({.reason = SessionReason::begun,
                          .program = recording.program,
-                         .changed_settings = settings_text(recording.settings)});
-  const RunStatistics statistics{.scene_name = scene->name,
+                         .changed_settings = recording.settings_text()});
+  const RunStatistics statistics{.scene_name = scene.name,
                                  .along = start->ribbon.grid.along,
                                  .across = start->ribbon.grid.across,
-                                 .start = std::string(word_for(start->fastening.start().kind)),
                                  .start_s = start_s};
-  SimulatedFrames frames(*scene, std::move(start->fastening), -1);
-  return run(frames, plan_of(*scene, limit), false, file, observer, statistics);
+  SimulatedFrames frames(scene, std::move(start->fastening), -1);
+  return run(frames, *plan, false, file, observer, statistics);
 }
 
 }  // namespace ribbon

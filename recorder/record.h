@@ -1,8 +1,9 @@
 // From a scene to a recording: the stations in order.
 #pragma once
 
-#include "recorder/run.h"
-#include "recorder/run_statistics.h"
+#include "recorder/new_recording.h"
+#include "recorder/run/run.h"
+#include "recorder/run/run_statistics.h"
 #include "result/result.h"
 #include "scene/scene.h"
 

@@ -4,9 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "playback/recording_reader.h"
-#include "recorder/run.h"
-#include "recorder/run_statistics.h"
+#include "recorder/run/run.h"
+#include "recorder/run/run_statistics.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -24,8 +23,5 @@ namespace ribbon {
 Result<std::optional<RunStatistics>> resume(const std::filesystem::path& path,
                                             const std::string& program, const RunObserver& observer,
                                             const RunLimit& limit = {});
-
-// What there is to tell of the frames of a recording.
-RunStatistics statistics_of(const RecordingReader& reader);
 
 }  // namespace ribbon

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "text/number_text.h"
+
 namespace ribbon {
 
 namespace {
@@ -66,8 +68,8 @@ Result<Model> model_of_recording(const RecordingHeader& header, bool with_obstac
   if (header.grid.along < 2 || header.grid.across < 2)
     return contradiction("the ribbon has fewer than 2 x 2 particles");
   if (header.uv.cols() != header.grid.particle_count())
-    return contradiction("it has uv for " + std::to_string(header.uv.cols()) + " of " +
-                         std::to_string(header.grid.particle_count()) + " particles");
+    return contradiction(filled_in("it has uv for {} of {} particles", header.uv.cols(),
+                                   header.grid.particle_count()));
   if (!header.uv.allFinite()) return contradiction("a uv is not a finite number");
   Model model{.objects = {ribbon_object(header)}, .frames_per_second = header.frames_per_second};
   if (with_obstacle && header.obstacle)
@@ -82,15 +84,15 @@ Result<Model> model_of_recording(const RecordingHeader& header, bool with_obstac
 Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number) {
   assert(!model.objects.empty());
   ModelObject& ribbon = model.objects.front();
-  const std::string place = "frame " + std::to_string(number);
+  const std::string place = filled_in("frame {}", number);
   if (positions.cols() != ribbon.positions.cols())
     return failure(place,
-                   "holds " + std::to_string(positions.cols()) +
-                       " particles where the ribbon has " + std::to_string(ribbon.positions.cols()),
+                   filled_in("holds {} particles where the ribbon has {}", positions.cols(),
+                             ribbon.positions.cols()),
                    "leave it out with --frames");
   for (Eigen::Index particle = 0; particle < positions.cols(); ++particle)
     if (!positions.col(particle).allFinite())
-      return failure(place, "particle " + std::to_string(particle) + " is not at a finite position",
+      return failure(place, filled_in("particle {} is not at a finite position", particle),
                      "leave it out with --frames");
   ribbon.positions = positions;
   return {};

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "text/number_text.h"
+
 namespace ribbon {
 
 namespace {
@@ -57,11 +59,10 @@ Result<int> index_of(const std::string& text, int number, int frame_count) {
   const std::int64_t index =
       number > 0 ? std::int64_t{number} - 1 : std::int64_t{frame_count} + number;
   if (number != 0 && index >= 0 && index < frame_count) return static_cast<int>(index);
-  const std::string count = std::to_string(frame_count);
-  return bad(text,
-             "name frame " + std::to_string(number) + " of a recording with " + count + " frames",
-             frame_count == 0 ? "record some first"
-                              : "write numbers from 1 to " + count + ", or -1 for the last");
+  return bad(text, filled_in("name frame {} of a recording with {} frames", number, frame_count),
+             frame_count == 0
+                 ? "record some first"
+                 : filled_in("write numbers from 1 to {}, or -1 for the last", frame_count));
 }
 
 std::vector<int> counted(std::int64_t first, std::int64_t last, std::int64_t step) {

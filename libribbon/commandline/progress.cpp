@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "text/number_text.h"
+
 namespace ribbon {
 
 namespace {
@@ -33,16 +35,11 @@ std::string bar(double share) {
   return "[" + std::string(full, '#') + std::string(bar_cells - full, '.') + "]";
 }
 
-std::string two_digits(long long number) {
-  return (number < 10 ? "0" : "") + std::to_string(number);
-}
-
 // "0:07", "12:30", "3:05:00".
 std::string clock_text(double seconds) {
   const long long whole = std::llround(seconds);
-  const std::string tail = two_digits(whole % 60);
-  if (whole < 3600) return std::to_string(whole / 60) + ":" + tail;
-  return std::to_string(whole / 3600) + ":" + two_digits(whole / 60 % 60) + ":" + tail;
+  if (whole < 3600) return filled_in("{}:{:02}", whole / 60, whole % 60);
+  return filled_in("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 }  // namespace
@@ -50,8 +47,8 @@ std::string clock_text(double seconds) {
 std::string progress_text(const std::string& unit, int done, int total, double elapsed_s,
                           const std::string& remark, int columns) {
   const double share = total > 0 ? std::clamp(static_cast<double>(done) / total, 0.0, 1.0) : 1.0;
-  std::string text = bar(share) + " " + std::to_string(done) + "/" + std::to_string(total) + " " +
-                     unit + (total == 1 ? "" : "s");
+  std::string text =
+      filled_in("{} {}/{} {}{}", bar(share), done, total, unit, total == 1 ? "" : "s");
   if (done > 0 && done < total) text += ", ETA " + clock_text(elapsed_s / done * (total - done));
   if (!remark.empty()) text += ", " + remark;
   // A line that fills the last column would wrap on some terminals and could not be erased.

@@ -186,9 +186,9 @@ std::optional<Outcome> outcome(RecordingReader& reader) {
 std::string outcome_text(const Outcome& outcome) {
   std::string text = outcome.embraces_object ? "round the object" : "not round the object";
   if (outcome.slipped_off)
-    text = "slipped off the object at " + decimals(outcome.slipped_off->time_s, 2) + " s";
+    text = filled_in("slipped off the object at {:.2f} s", outcome.slipped_off->time_s);
   if (outcome.knot_distance_m)
-    text += ", the knot " + decimals(1000 * *outcome.knot_distance_m, 1) + " mm from it";
+    text += filled_in(", the knot {:.1f} mm from it", 1000 * *outcome.knot_distance_m);
   return text;
 }
 

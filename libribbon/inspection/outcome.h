@@ -1,6 +1,7 @@
 // How a run came out: is the ribbon tied round its object, or did it slip off?
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 

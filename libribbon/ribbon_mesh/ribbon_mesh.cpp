@@ -6,12 +6,12 @@
 
 namespace ribbon {
 
-Result<DrawnRibbon> draw_ribbon(const Scene& scene) {
+Result<RibbonMesh> draw_ribbon(const Scene& scene) {
   const auto curve = generate_space_curve(
       scene.curve, scene.ribbon.width_m, scene.ribbon.along,
       scene.contact == ContactMethod::gate ? TightPassage::squeeze : TightPassage::refuse);
   if (!curve) return tl::unexpected(curve.error());
-  return DrawnRibbon{generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis), curve->squeezed};
+  return generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
 }
 
 RibbonMesh generate_ribbon_mesh(const SpaceCurve& curve, const RibbonScene& ribbon, Axis axis) {
@@ -20,6 +20,7 @@ RibbonMesh generate_ribbon_mesh(const SpaceCurve& curve, const RibbonScene& ribb
   mesh.grid = {ribbon.along, ribbon.across};
   mesh.length_m = curve.length_m;
   mesh.width_m = ribbon.width_m;
+  mesh.squeezed = curve.squeezed;
   mesh.positions.resize(3, mesh.grid.particle_count());
   mesh.uv.resize(2, mesh.grid.particle_count());
 

@@ -18,18 +18,13 @@ struct RibbonMesh {
   Eigen::Matrix2Xf uv;         // 2 x particles: u along, v across, both from 0 to 1
   double length_m = 0;         // of the flat band
   double width_m = 0;
-};
-
-// A ribbon as its scene draws it.
-struct DrawnRibbon {
-  RibbonMesh mesh;
   std::optional<Error> squeezed = std::nullopt;  // the drawing's passage that is too tight for it
 };
 
 // Reads the drawing of the scene and puts the ribbon on it. Passages that are too tight are
 // squeezed where the gate grows the ribbon into them, and refused where contact is as published.
 // Fails where the drawing does not work.
-Result<DrawnRibbon> draw_ribbon(const Scene& scene);
+Result<RibbonMesh> draw_ribbon(const Scene& scene);
 
 // Puts `ribbon.across` particles on the width line of each of the curve's points. The curve must
 // have been sampled with `ribbon.along` points; axis: the one its crossings were pulled apart

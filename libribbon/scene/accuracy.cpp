@@ -19,7 +19,7 @@ void set_accuracy(const AccuracyLevel& level, Scene& scene) {
   scene.time.step_s = level.step_s;
   scene.time.integrator = level.integrator;
   scene.time.tolerance = level.tolerance;
-  scene.smoothing = level.smoothing;
+  scene.strain_correction = level.strain_correction;
 }
 
 }  // namespace ribbon

@@ -14,13 +14,13 @@ struct AccuracyLevel {
   double step_s = 0;
   IntegrationMethod integrator = IntegrationMethod::rk4;
   double tolerance = 0;
-  SmoothingScene smoothing;
+  StrainCorrectionScene strain_correction;
 };
 
 // From the fastest to the most accurate. A new Scene is `balanced`.
 extern const std::array<AccuracyLevel, 4> accuracy_levels;
 
-// Makes the scene one of that level: its step, integrator, tolerance and smoothing.
+// Makes the scene one of that level: its step, integrator, tolerance and strain correction.
 void set_accuracy(const AccuracyLevel& level, Scene& scene);
 
 }  // namespace ribbon

@@ -12,6 +12,7 @@
 #include "scene/document.h"
 #include "scene/nearest_word.h"
 #include "scene/scene.h"
+#include "scene/setting.h"
 
 namespace ribbon {
 
@@ -540,13 +541,19 @@ Result<Scene> scene_of(const Document& document) {
 
 }  // namespace
 
-Result<Scene> read_scene(const std::filesystem::path& file) {
-  Result<std::string> text = read_file(file);
-  if (!text) return tl::unexpected(text.error());
-  return read_scene(file, *std::move(text));
+Result<Scene> read_scene(const std::filesystem::path& file,
+                         const std::vector<std::string>& settings) {
+  return read_file(file).and_then(
+      [&](std::string text) { return read_scene(file, std::move(text), settings); });
 }
 
-Result<Scene> read_scene(const std::filesystem::path& file, std::string text) {
+Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
+                         const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) {
+    auto changed = with_setting(file, text, setting);
+    if (!changed) return tl::unexpected(changed.error());
+    text = *std::move(changed);
+  }
   return parse_document(file, text).and_then(scene_of).map([&](Scene scene) {
     scene.file = file;
     scene.text = std::move(text);

@@ -109,12 +109,12 @@ struct TimeScene {
 };
 
 // How edges are kept near their rest length where contact is in the way.
-struct SmoothingScene {
+struct StrainCorrectionScene {
   double strain = 0.08;  // that is aimed at, of the rest length
   int most_rounds = 10;  // of sweeps, each followed by the gate
   int most_sweeps = 20;  // over all contacts and edges, in each of them
 
-  bool operator==(const SmoothingScene&) const = default;
+  bool operator==(const StrainCorrectionScene&) const = default;
 };
 
 struct RecordingScene {
@@ -143,17 +143,20 @@ struct Scene {
   std::optional<ObstacleScene> obstacle;
   std::optional<FasteningScene> fastening;
   TimeScene time;
-  SmoothingScene smoothing;
+  StrainCorrectionScene strain_correction;
   RecordingScene recording;
 
   bool operator==(const Scene&) const = default;
 };
 
-// Reads and checks a scene file. Relative file names in it are taken from its own folder. Fails
-// with file, line and column when a key is unknown, has the wrong type or an impossible value.
-Result<Scene> read_scene(const std::filesystem::path& file);
+// Reads and checks a scene file in which settings have been changed, one after the other
+// (with_setting()). Relative file names in it are taken from its own folder. Fails with file, line
+// and column when a key is unknown, has the wrong type or an impossible value.
+Result<Scene> read_scene(const std::filesystem::path& file,
+                         const std::vector<std::string>& settings = {});
 
 // Likewise, of the text of a scene; `file` says where it stands and in which folder to look.
-Result<Scene> read_scene(const std::filesystem::path& file, std::string text);
+Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
+                         const std::vector<std::string>& settings = {});
 
 }  // namespace ribbon

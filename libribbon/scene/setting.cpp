@@ -100,14 +100,4 @@ Result<std::string> with_setting(const std::filesystem::path& file, const std::s
   return changed;
 }
 
-Result<Scene> read_scene_with(const std::filesystem::path& file, std::string text,
-                              const std::vector<std::string>& settings) {
-  for (const std::string& setting : settings) {
-    auto changed = with_setting(file, text, setting);
-    if (!changed) return tl::unexpected(changed.error());
-    text = *std::move(changed);
-  }
-  return read_scene(file, std::move(text));
-}
-
 }  // namespace ribbon

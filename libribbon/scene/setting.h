@@ -3,10 +3,8 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "result/result.h"
-#include "scene/scene.h"
 
 namespace ribbon {
 
@@ -20,9 +18,5 @@ std::string setting_of(const std::string& key, double value);
 // scene knows such a key, and such a value, is for read_scene() to say.
 Result<std::string> with_setting(const std::filesystem::path& file, const std::string& text,
                                  const std::string& setting);
-
-// Reads the scene of a text after such settings have been changed in it, one after the other.
-Result<Scene> read_scene_with(const std::filesystem::path& file, std::string text,
-                              const std::vector<std::string>& settings);
 
 }  // namespace ribbon

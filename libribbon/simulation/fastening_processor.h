@@ -24,7 +24,7 @@ enum class Settings { as_before, changed };
 
 // How tight the ribbon is now (paper, section 7).
 struct Tightness {
-  double progress = 1;       // of the last two seconds against the command; 1: free, 0: locked
+  double progress = 1;       // in the last two seconds, against a free ribbon; 1: free, 0: locked
   double contact_share = 0;  // of the rows, that touch another part of the ribbon or the obstacle
   double rope_length = 0;    // rest length of the knotted part over the ribbon's width
 };

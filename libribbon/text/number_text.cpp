@@ -1,5 +1,6 @@
 #include "text/number_text.h"
 
+#include <fmt/args.h>
 #include <fmt/core.h>
 
 namespace ribbon {
@@ -14,6 +15,13 @@ std::string short_number(double number, int digits) {
 
 std::string metres(double length_m) {
   return short_number(length_m, 3) + " m";
+}
+
+std::string filled_in(std::string_view pattern, std::initializer_list<TextValue> values) {
+  fmt::dynamic_format_arg_store<fmt::format_context> arguments;
+  for (const TextValue& value : values)
+    std::visit([&arguments](const auto& known) { arguments.push_back(known); }, value);
+  return fmt::vformat(pattern, arguments);
 }
 
 std::string number_list(const std::vector<int>& numbers) {

@@ -43,9 +43,9 @@ void draw_column(const SheetColumn& column, int left, const CaptionPainter& pain
 
 std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& numbers) {
   const std::uint32_t edges = numbers.penetrating_edges;
-  return {"frame " + std::to_string(frame_number) + " · " + decimals(numbers.time_s, 2) + " s",
-          "strain " + decimals(100 * numbers.worst_strain, 1) + " % · " + std::to_string(edges) +
-              (edges == 1 ? " penetration" : " penetrations")};
+  return {filled_in("frame {} · {:.2f} s", frame_number, numbers.time_s),
+          filled_in("strain {:.1f} % · {} {}", 100 * numbers.worst_strain, edges,
+                    edges == 1 ? "penetration" : "penetrations")};
 }
 
 Picture contact_sheet(const std::string& title, const std::string& subtitle,

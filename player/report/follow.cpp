@@ -32,11 +32,11 @@ Result<void> follow(RecordingReader& reader, const FollowObserver& observer) {
 }
 
 std::string frame_line(int index, const FrameNumbers& numbers) {
-  std::string text = "frame " + std::to_string(index + 1) + ": " + decimals(numbers.time_s, 2) +
-                     " s, strain " + decimals(100 * numbers.worst_strain, 1) + " %, penetrations " +
-                     std::to_string(numbers.penetrating_edges);
+  std::string text =
+      filled_in("frame {}: {:.2f} s, strain {:.1f} %, penetrations {}", index + 1, numbers.time_s,
+                100 * numbers.worst_strain, numbers.penetrating_edges);
   if (numbers.tightness)
-    text += ", progress " + decimals(100 * numbers.tightness->progress, 1) + " %";
+    text += filled_in(", progress {:.1f} %", 100 * numbers.tightness->progress);
   return text;
 }
 

@@ -28,8 +28,8 @@ const FrameNumbers* last_known(const RecordingInfo& info) {
 }
 
 std::string frames_text(const RecordingInfo& info) {
-  std::string text = std::to_string(info.frame_count()) + " in " + decimals(info.duration_s(), 2) +
-                     " s, " + short_number(info.header.frames_per_second) + " per second";
+  std::string text = filled_in("{} in {:.2f} s, {:.6g} per second", info.frame_count(),
+                               info.duration_s(), info.header.frames_per_second);
   if (info.finished) return text;
   return text + (info.being_written ? "; more are being recorded"
                                     : "; the recorder was stopped on the way");
@@ -45,19 +45,19 @@ std::string settings_text(const std::string& settings) {
 
 std::string origin_text(const std::optional<Origin>& origin) {
   if (!origin) return "";
-  return report_line("branch of", origin->scene_name + ", from its frame " +
-                                      std::to_string(origin->frame + 1) +
-                                      settings_text(origin->changed_settings));
+  return report_line("branch of",
+                     filled_in("{}, from its frame {}{}", origin->scene_name, origin->frame + 1,
+                               settings_text(origin->changed_settings)));
 }
 
 std::string sessions_text(const RecordingInfo& info) {
   std::string text;
   for (const Session& session : info.sessions)
-    text += report_line(session.note.reason == SessionReason::unknown
-                            ? "resumed"
-                            : std::string(word_for(session.note.reason)),
-                        "at frame " + std::to_string(session.first_frame + 1) + " by " +
-                            session.note.program + settings_text(session.note.changed_settings));
+    text += report_line(
+        session.note.reason == SessionReason::unknown ? "resumed"
+                                                      : std::string(word_for(session.note.reason)),
+        filled_in("at frame {} by {}{}", session.first_frame + 1, session.note.program,
+                  settings_text(session.note.changed_settings)));
   return text;
 }
 
@@ -65,7 +65,7 @@ std::string checkpoints_text(const RecordingInfo& info) {
   constexpr std::size_t told = 3;  // at each end of a long list
   const std::vector<int>& frames = info.checkpoints;
   if (frames.empty()) return report_line("checkpoints", "none");
-  std::string text = std::to_string(frames.size()) + ", at frames ";
+  std::string text = filled_in("{}, at frames ", frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (i >= told && i + told < frames.size()) {
       if (i == told) text += ", ...";
@@ -78,24 +78,23 @@ std::string checkpoints_text(const RecordingInfo& info) {
 
 std::string error_text(double max_position_error_m) {
   if (max_position_error_m == 0) return "none beyond rounding to single precision";
-  return "at most " + short_number(1000 * max_position_error_m) + " mm";
+  return filled_in("at most {:.6g} mm", 1000 * max_position_error_m);
 }
 
 std::string obstacle_text(const RecordingInfo& info) {
   if (!info.header.obstacle) return "none";
   const TriangleMesh& mesh = *info.header.obstacle;
-  return (mesh.name.empty() ? "" : mesh.name + ", ") + std::to_string(mesh.vertices.cols()) +
-         " vertices, " + std::to_string(mesh.triangles.cols()) + " triangles";
+  return (mesh.name.empty() ? "" : mesh.name + ", ") +
+         filled_in("{} vertices, {} triangles", mesh.vertices.cols(), mesh.triangles.cols());
 }
 
 std::string gap_text(const RecordingHeader& header) {
   if (header.stated_gap_m == 0) return "none stated";
-  return "at least " + short_number(1000 * header.stated_gap_m) + " mm, as stated";
+  return filled_in("at least {:.6g} mm, as stated", 1000 * header.stated_gap_m);
 }
 
 std::string vector_text(const Eigen::Vector3d& vector) {
-  return "(" + short_number(vector.x()) + ", " + short_number(vector.y()) + ", " +
-         short_number(vector.z()) + ")";
+  return filled_in("({:.6g}, {:.6g}, {:.6g})", vector.x(), vector.y(), vector.z());
 }
 
 std::string axis_text(const std::optional<CentreAxis>& axis) {
@@ -107,12 +106,11 @@ std::string numbers_text(const RecordingInfo& info) {
   const auto strain = info.worst_strain();
   const auto penetrations = info.most_penetrations();
   if (!strain || !penetrations) return report_line("numbers", "none");
-  return report_line("worst strain", decimals(100 * strain->value, 1) + " % in frame " +
-                                         std::to_string(strain->frame)) +
-         report_line("penetrations", "at most " + decimals(penetrations->value, 0) + ", in frame " +
-                                         std::to_string(penetrations->frame) +
-                                         "; in the last frame " +
-                                         std::to_string(*info.last_penetrations()));
+  return report_line("worst strain",
+                     filled_in("{:.1f} % in frame {}", 100 * strain->value, strain->frame)) +
+         report_line("penetrations", filled_in("at most {:.0f}, in frame {}; in the last frame {}",
+                                               penetrations->value, penetrations->frame,
+                                               *info.last_penetrations()));
 }
 
 // Empty where the recording does not tell.
@@ -123,32 +121,28 @@ std::string ending_text(RunEnding ending) {
     case RunEnding::tight:
       return report_line("ended", "when the ribbon was tight");
     case RunEnding::stopped:
-      return report_line("ended", "early, as the user asked");
+      return report_line("ended", "early, as the user asked: stopped, or at a limit");
     case RunEnding::unknown:
       break;
   }
   return "";
 }
 
-std::string percent(float fraction) {
-  return decimals(100 * fraction, 1) + " %";
-}
-
 std::string tightness_text(const RecordingInfo& info) {
   const auto tightness = info.last_tightness();
   if (!tightness) return "";
-  return report_line("last frame", "progress " + percent(tightness->progress) + ", pull " +
-                                       percent(tightness->pull) + ", truncated " +
-                                       percent(tightness->truncated)) +
-         report_line("", "in contact " + percent(tightness->contact) + ", rope length " +
-                             decimals(tightness->rope_length, 1) + " widths");
+  return report_line("last frame", filled_in("progress {:.1f} %, pull {:.1f} %, truncated {:.1f} %",
+                                             100 * tightness->progress, 100 * tightness->pull,
+                                             100 * tightness->truncated)) +
+         report_line("", filled_in("in contact {:.1f} %, rope length {:.1f} widths",
+                                   100 * tightness->contact, tightness->rope_length));
 }
 
 std::string damage_text(const RecordingInfo& info) {
   std::string text;
   for (const Damage& damage : info.damage)
-    text += report_line("damage", std::to_string(damage.length) + " bytes at byte " +
-                                      std::to_string(damage.byte) + ": " + damage.reason);
+    text += report_line(
+        "damage", filled_in("{} bytes at byte {}: {}", damage.length, damage.byte, damage.reason));
   if (!info.missing.empty()) text += report_line("lost frames", number_list(info.missing));
   return text;
 }
@@ -219,17 +213,15 @@ std::string info_text(const RecordingInfo& info) {
          sessions_text(info) + report_line("frames", frames_text(info)) + ending_text(info.ending) +
          (info.outcome ? report_line("outcome", outcome_text(*info.outcome)) : "") +
          checkpoints_text(info) +
-         report_line("ribbon", std::to_string(header.grid.across) + " x " +
-                                   std::to_string(header.grid.along) + " particles, " +
-                                   short_number(header.ribbon_width_m) + " m wide, " +
-                                   short_number(header.ribbon_length_m) + " m long") +
+         report_line("ribbon", filled_in("{} x {} particles, {:.6g} m wide, {:.6g} m long",
+                                         header.grid.across, header.grid.along,
+                                         header.ribbon_width_m, header.ribbon_length_m)) +
          report_line("obstacle", obstacle_text(info)) +
          report_line("centre axis", axis_text(header.centre_axis)) +
          report_line("gap", gap_text(header)) + numbers_text(info) + tightness_text(info) +
          report_line("position error", error_text(header.max_position_error_m)) +
-         report_line("size", std::to_string(info.file_bytes) + " bytes, " +
-                                 decimals(info.bytes_per_vertex_and_frame(), 2) +
-                                 " per vertex and frame") +
+         report_line("size", filled_in("{} bytes, {:.2f} per vertex and frame", info.file_bytes,
+                                       info.bytes_per_vertex_and_frame())) +
          damage_text(info);
 }
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "inspection/verify.h"
+#include "inspection/verify_recording.h"
 
 namespace ribbon {
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 #include "player/report/report_line.h"
 #include "player/report/verification_report.h"
@@ -10,13 +11,16 @@ namespace ribbon {
 namespace {
 
 constexpr std::size_t most_changes = 3;
+constexpr double strain_limit = 0.1;  // section 5.5 of the paper
+
+std::string particle_text(const RibbonGrid& grid, int particle) {
+  return filled_in("row {} column {}", grid.row(particle), grid.column(particle));
+}
 
 std::string triangle_text(const RibbonGrid& grid, int triangle) {
   if (triangle >= grid.triangle_count())
-    return "obstacle triangle " + std::to_string(triangle - grid.triangle_count());
-  const int corner = grid.quad(triangle / 2)[0];
-  return "ribbon row " + std::to_string(grid.row(corner)) + " column " +
-         std::to_string(grid.column(corner));
+    return filled_in("obstacle triangle {}", triangle - grid.triangle_count());
+  return "ribbon " + particle_text(grid, grid.quad(triangle / 2)[0]);
 }
 
 std::string pair_text(const RibbonGrid& grid, const TrianglePair& pair) {
@@ -24,21 +28,16 @@ std::string pair_text(const RibbonGrid& grid, const TrianglePair& pair) {
 }
 
 std::string counted(long long count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (std::abs(count) == 1 ? "" : "s");
-}
-
-std::string particle_text(const RibbonGrid& grid, int particle) {
-  return "row " + std::to_string(grid.row(particle)) + " column " +
-         std::to_string(grid.column(particle));
+  return filled_in("{} {}{}", count, thing, std::abs(count) == 1 ? "" : "s");
 }
 
 std::string moment_text(int frame, const std::optional<double>& time_s) {
-  return "frame " + std::to_string(frame) + (time_s ? " (" + decimals(*time_s, 2) + " s)" : "");
+  return time_s ? filled_in("frame {} ({:.2f} s)", frame, *time_s) : filled_in("frame {}", frame);
 }
 
 std::string frames_text(const Verification& verification) {
-  std::string text = std::to_string(verification.frames_checked) + " of " +
-                     std::to_string(verification.frames_asked) + " checked";
+  std::string text =
+      filled_in("{} of {} checked", verification.frames_checked, verification.frames_asked);
   if (!verification.lost.empty()) text += "; lost: " + number_list(verification.lost);
   if (!verification.not_finite.empty())
     text += "; with coordinates that are no numbers: " + number_list(verification.not_finite);
@@ -47,12 +46,13 @@ std::string frames_text(const Verification& verification) {
 
 std::string intersections_text(const Verification& verification) {
   if (verification.intersecting_pairs == 0) return report_line("intersections", "none");
+  const auto& most = *verification.most_intersections;
   std::string text = report_line(
-      "intersections", (verification.all_pairs_counted ? "" : "at least ") +
-                           counted(verification.intersecting_pairs, "pair") + " of triangles in " +
-                           counted(verification.intersecting_frames, "frame") + ", most in frame " +
-                           std::to_string(verification.most_intersections->frame) + ": " +
-                           std::to_string(verification.most_intersections->pairs));
+      "intersections",
+      filled_in("{}{} of triangles in {}, most in frame {}: {}",
+                verification.all_pairs_counted ? "" : "at least ",
+                counted(static_cast<long long>(verification.intersecting_pairs), "pair"),
+                counted(verification.intersecting_frames, "frame"), most.frame, most.pairs));
   for (const Intersection& example : verification.first_intersections)
     text += report_line("", moment_text(example.frame, example.time_s) + ": " +
                                 pair_text(verification.header.grid, example.pair));
@@ -62,23 +62,33 @@ std::string intersections_text(const Verification& verification) {
 std::string stated_text(const Verification& verification) {
   const double stated_m = verification.header.stated_gap_m;
   if (stated_m == 0) return "none is stated";
-  return (verification.keeps_stated_gap() ? "at least the stated " : "LESS than the stated ") +
-         short_number(stated_m) + " m";
+  return filled_in("{} the stated {:.6g} m",
+                   verification.keeps_stated_gap() ? "at least" : "LESS than", stated_m);
 }
 
 std::string gap_text(const Verification& verification) {
   if (!verification.smallest_gap) return "not known";
   const auto& [gap, frame] = *verification.smallest_gap;
-  return short_number(gap.certain_m) + " m in frame " + std::to_string(frame) + ", " +
-         pair_text(verification.header.grid, gap.pair) + "; " + stated_text(verification);
+  return filled_in("{:.6g} m in frame {}, {}; {}", gap.certain_m, frame,
+                   pair_text(verification.header.grid, gap.pair), stated_text(verification));
+}
+
+bool is_beyond_limit(const Verification& verification) {
+  return verification.largest_strain && verification.largest_strain->strain.strain > strain_limit;
 }
 
 std::string strain_text(const Verification& verification) {
   if (!verification.largest_strain) return "not known";
   const auto& [strain, frame] = *verification.largest_strain;
   const RibbonGrid& grid = verification.header.grid;
-  return decimals(100 * strain.strain, 1) + " % in frame " + std::to_string(frame) + ", from " +
-         particle_text(grid, strain.first) + " to " + particle_text(grid, strain.second);
+  std::string text =
+      filled_in("{:.1f} % in frame {}, from {} to {}", 100 * strain.strain, frame,
+                particle_text(grid, strain.first), particle_text(grid, strain.second));
+  const bool is_diagonal = grid.row(strain.first) != grid.row(strain.second) &&
+                           grid.column(strain.first) != grid.column(strain.second);
+  if (is_diagonal && is_beyond_limit(verification))
+    text += ", a diagonal, which only shear springs limit";
+  return text;
 }
 
 std::string knot_text(const Verification& verification) {
@@ -89,12 +99,10 @@ std::string knot_text(const Verification& verification) {
   if (verification.uncertain_frames > 0)
     text += report_line("", "not known in " + counted(verification.uncertain_frames, "frame"));
   if (changes.empty()) return text + report_line("", "the same in all of " + certified);
-  text += report_line("", "CHANGED " + counted(changes.size(), "time") + "; " + certified);
+  text += report_line("", "CHANGED " + counted(std::ssize(changes), "time") + "; " + certified);
   for (std::size_t k = 0; k < std::min(most_changes, changes.size()); ++k) {
-    text += report_line(
-        "", "frame " + std::to_string(changes[k].frame_before) + ": " + changes[k].before);
-    text += report_line(
-        "", "frame " + std::to_string(changes[k].frame_after) + ": " + changes[k].after);
+    text += report_line("", filled_in("frame {}: {}", changes[k].frame_before, changes[k].before));
+    text += report_line("", filled_in("frame {}: {}", changes[k].frame_after, changes[k].after));
   }
   return text;
 }
@@ -104,12 +112,12 @@ std::string outcome_lines(const Verification& verification) {
   if (verification.outcome) text += report_line("outcome", outcome_text(*verification.outcome));
   const auto& passages = verification.passages_over_ends;
   for (std::size_t k = 0; k < std::min(most_changes, passages.size()); ++k)
-    text += report_line("", moment_text(passages[k].frame, passages[k].time_s) +
-                                ": over an end of the object, from " +
-                                counted(passages[k].turns_before, "turn") + " to " +
-                                std::to_string(passages[k].turns_after));
+    text += report_line(
+        "", filled_in("{}: over an end of the object, from {} to {}",
+                      moment_text(passages[k].frame, passages[k].time_s),
+                      counted(passages[k].turns_before, "turn"), passages[k].turns_after));
   if (passages.size() > most_changes)
-    text += report_line("", "and " + std::to_string(passages.size() - most_changes) + " more");
+    text += report_line("", filled_in("and {} more", passages.size() - most_changes));
   return text;
 }
 
@@ -117,7 +125,8 @@ std::string verdict_text(const Verification& verification) {
   std::string text;
   for (const std::string& complaint : verification.complaints())
     text += (text.empty() ? "" : ", ") + complaint;
-  return text.empty() ? "nothing is wrong" : "WRONG: " + text;
+  text = text.empty() ? "nothing is wrong" : "WRONG: " + text;
+  return text + (is_beyond_limit(verification) ? "; strain beyond 10 % is not judged" : "");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ struct Outcome {
   double worst_strain = 0;  // of any edge along or across, and diagonal where there is shear
   double last_strain = 0;
   // The most energy at any time, kinetic and elastic, over what there was at the start plus what
-  // the fastening force has put in until then. Above 1, contact and smoothing have strained
+  // the fastening force has put in until then. Above 1, contact and strain correction have strained
   // springs.
   double energy = 0;
   // More than that by what all springs hold at the strain limit of 10 %: no bound is in sight.

@@ -24,7 +24,7 @@ Result<SampleRibbon> ribbon_of(const Scene& scene) {
   if (!ribbon) return tl::unexpected(ribbon.error());
   auto obstacle = read_obstacle(scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
-  return SampleRibbon{scene, std::move(ribbon->mesh), *std::move(obstacle)};
+  return SampleRibbon{scene, *std::move(ribbon), *std::move(obstacle)};
 }
 
 Result<SampleRibbon> sample_ribbon(const std::filesystem::path& scene_file, int along, int across) {

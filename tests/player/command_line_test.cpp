@@ -272,6 +272,7 @@ TEST_F(RibbonPlay, absurd_numbers_are_refused) {
 
 TEST_F(RibbonPlay, asking_for_nothing_or_for_something_unknown_is_refused) {
   expect_refusal(play("knot.rbn"), "nothing to do");
+  expect_refusal(play("nothere.rbn"), "nothere.rbn: cannot be opened");
   expect_refusal(play("knot.rbn --turbo"), "--turbo");
   expect_refusal(play(""), "--help");
 }

@@ -32,7 +32,7 @@ class Branch : public TestInFolder {
 
   [[nodiscard]] Result<std::optional<RunStatistics>> branched(
       int frame, const std::vector<std::string>& settings, const RunLimit& limit = {}) const {
-    return branch({source(), frame}, {target(), "brancher", settings, Overwrite::yes}, goes_on,
+    return branch(source(), frame, {target(), "brancher", settings, Overwrite::yes}, goes_on,
                   limit);
   }
   [[nodiscard]] std::string refusal(int frame, const std::vector<std::string>& settings) const {
@@ -102,10 +102,10 @@ TEST_F(Branch, can_be_resumed_and_branched_again) {
   ASSERT_TRUE(resume(target(), "test", goes_on).has_value());
   EXPECT_EQ(frames_of(target()).size(), 61U);
   EXPECT_EQ(first_difference(frames_of(target()), whole), -1);
-  ASSERT_TRUE(branch({target(), 40}, {folder_ / "third.rbn", "test", {"springs.bend=10"}}, goes_on)
+  ASSERT_TRUE(branch(target(), 40, {folder_ / "third.rbn", "test", {"springs.bend=10"}}, goes_on)
                   .has_value());
   EXPECT_EQ(first_difference(frames_of(folder_ / "third.rbn"), whole), 41);
-  const auto too_early = branch({target(), 10}, {folder_ / "fourth.rbn", "test"}, goes_on);
+  const auto too_early = branch(target(), 10, {folder_ / "fourth.rbn", "test"}, goes_on);
   ASSERT_FALSE(too_early.has_value());
   EXPECT_NE(too_early.error().sentence().find("branch off from 'small loop'"), std::string::npos);
 }
@@ -154,7 +154,7 @@ TEST_F(Branch, an_older_recording_is_replaced_only_by_a_take_that_begins) {
   EXPECT_NE(refusal(61, {}).find("there is no frame 62"), std::string::npos);
   const RunObserver gives_up{[](int, int, const FrameNumbers&) { return true; },
                              [](int, int) { return false; }};
-  EXPECT_FALSE(branch({source(), 20}, replacing(target()), gives_up)->has_value());
+  EXPECT_FALSE(branch(source(), 20, replacing(target()), gives_up)->has_value());
   EXPECT_EQ(read_file(target()).value(), "older");
 }
 

@@ -56,7 +56,7 @@ TEST_F(Record, the_header_says_what_was_recorded) {
 }
 
 // Sixteen particles across are 2 mm apart; rounding by 2e-5 of the length may move the ends of such
-// an edge by 5 % of it. Hands that do not yield strain the ribbon as far as smoothing lets them.
+// an edge by 5 % of it. Hands that do not yield strain the ribbon as far as they are let.
 TEST_F(Record, a_fine_ribbon_is_recorded_within_the_strain_limit) {
   scene_.ribbon.across = 16;
   scene_.fastening->speed_m_s = 3;

@@ -6,6 +6,7 @@
 
 #include "files/files.h"
 #include "files/temporary_folder.h"
+#include "recorder/branch.h"
 #include "recorder/frames_of.h"
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
@@ -260,6 +261,19 @@ TEST_F(ResumeTight, a_tight_knot_is_drawn_on_only_when_asked_to) {
   EXPECT_EQ(reader.sessions()[0].note.changed_settings, "time.until = \"duration\"\n");
   EXPECT_EQ(reader.sessions()[1].note.reason, SessionReason::resumed);
   EXPECT_EQ(first_difference(whole_, frames_of(file_)), -1);
+}
+
+TEST_F(ResumeTight, a_take_of_frames_before_it_was_drawn_on_ends_when_it_is_tight_itself) {
+  ASSERT_EQ(refusal({.frames = frames_ + 5}), "");
+  const fs::path take = folder_ / "take.rbn";
+  for (const int frame : {0, frames_ / 2, frames_ - 2}) {
+    ASSERT_TRUE(branch(file_, frame, replacing(take), goes_on).has_value());
+    EXPECT_EQ(RecordingReader::open(take)->ending(), RunEnding::tight);
+    EXPECT_EQ(frames_of(take), whole_) << frame;
+  }
+  const RunLimit limit{.frames = frames_ + 7};
+  ASSERT_TRUE(branch(file_, frames_ + 2, replacing(take), goes_on, limit).has_value());
+  EXPECT_EQ(RecordingReader::open(take)->frame_count(), frames_ + 7);
 }
 
 TEST_F(ResumeTight, killed_after_its_last_frame_it_only_needs_its_end) {

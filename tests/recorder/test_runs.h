@@ -1,7 +1,7 @@
 // Runs as tests ask for them.
 #pragma once
 
-#include "recorder/run.h"
+#include "recorder/run/run.h"
 
 namespace ribbon {
 

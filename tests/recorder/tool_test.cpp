@@ -179,6 +179,14 @@ TEST_F(RibbonRecord, what_cannot_be_read_or_written_is_named) {
   expect_refusal(run("small.toml"), "--output");
 }
 
+TEST_F(RibbonRecord, a_recording_in_the_place_of_a_scene_is_told_with_what_can_be_done) {
+  ASSERT_EQ(run("small.toml -o knot.rbn --quiet").exit_code, 0);
+  expect_refusal(run("knot.rbn -o other.rbn"),
+                 "knot.rbn: is a recording, not a scene; go on with it by --resume");
+  expect_refusal(run("knot.rbn --set fastening.speed=1 -o other.rbn"), "--from");
+  EXPECT_FALSE(fs::exists(folder_ / "other.rbn"));
+}
+
 TEST_F(RibbonRecord, what_does_not_go_together_is_told) {
   ASSERT_EQ(run("small.toml -o knot.rbn --quiet").exit_code, 0);
   expect_refusal(run(""), "no scene to record");

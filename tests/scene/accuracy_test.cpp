@@ -14,9 +14,9 @@ void expect_level(const AccuracyLevel& level, const Scene& scene) {
   EXPECT_EQ(scene.time.step_s, level.step_s);
   EXPECT_EQ(scene.time.integrator, level.integrator);
   EXPECT_EQ(scene.time.tolerance, level.tolerance);
-  EXPECT_EQ(scene.smoothing.strain, level.smoothing.strain);
-  EXPECT_EQ(scene.smoothing.most_rounds, level.smoothing.most_rounds);
-  EXPECT_EQ(scene.smoothing.most_sweeps, level.smoothing.most_sweeps);
+  EXPECT_EQ(scene.strain_correction.strain, level.strain_correction.strain);
+  EXPECT_EQ(scene.strain_correction.most_rounds, level.strain_correction.most_rounds);
+  EXPECT_EQ(scene.strain_correction.most_sweeps, level.strain_correction.most_sweeps);
 }
 
 TEST(Accuracy, a_level_sets_what_the_scene_does_not) {
@@ -37,9 +37,11 @@ TEST(Accuracy, each_level_is_finer_than_the_one_before) {
     const AccuracyLevel& fine = accuracy_levels[i];
     EXPECT_LT(fine.step_s, coarse.step_s) << fine.word;
     EXPECT_LE(fine.tolerance, coarse.tolerance) << fine.word;
-    EXPECT_LE(fine.smoothing.strain, coarse.smoothing.strain) << fine.word;
-    EXPECT_GE(fine.smoothing.most_rounds, coarse.smoothing.most_rounds) << fine.word;
-    EXPECT_GE(fine.smoothing.most_sweeps, coarse.smoothing.most_sweeps) << fine.word;
+    EXPECT_LE(fine.strain_correction.strain, coarse.strain_correction.strain) << fine.word;
+    EXPECT_GE(fine.strain_correction.most_rounds, coarse.strain_correction.most_rounds)
+        << fine.word;
+    EXPECT_GE(fine.strain_correction.most_sweeps, coarse.strain_correction.most_sweeps)
+        << fine.word;
   }
 }
 

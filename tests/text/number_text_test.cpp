@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 namespace ribbon::number_text_test {
 
 TEST(NumberText, runs_of_numbers_are_drawn_together) {
@@ -17,6 +19,16 @@ TEST(NumberText, decimals_are_fixed_and_short_numbers_are_short) {
   EXPECT_EQ(decimals(0.96, 1), "1.0");
   EXPECT_EQ(short_number(0.25), "0.25");
   EXPECT_EQ(short_number(0.00001), "1e-05");
+}
+
+TEST(NumberText, sentences_are_filled_in_with_numbers_and_words) {
+  const std::string knot = "knot";
+  EXPECT_EQ(filled_in("{}: frame {} of {}", knot, 3, std::uint64_t{7}), "knot: frame 3 of 7");
+  EXPECT_EQ(filled_in("{:.1f} s in {} {}", 0.96, -2L, "steps"), "1.0 s in -2 steps");
+  EXPECT_EQ(filled_in("{:.3g} m {}", 0.012345, knot.c_str()), "0.0123 m knot");
+  EXPECT_EQ(filled_in("{:<5}{:>6.1f}", "a", 2.0), "a       2.0");
+  EXPECT_EQ(filled_in("100 %"), "100 %");
+  EXPECT_EQ(filled_in("{}", "{}"), "{}") << "values are no patterns";
 }
 
 TEST(NumberText, the_largest_number_has_room) {

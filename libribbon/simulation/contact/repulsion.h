@@ -1,6 +1,7 @@
 // Updating velocity and displacement of what collides (paper, section 5.4.2).
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 
 #include "simulation/contact/collision.h"

@@ -43,7 +43,6 @@ class RibbonBody {
     if (!bvh_) build(positions);
     return *bvh_;
   }
-  [[nodiscard]] bool exists() const { return surface_.has_value(); }
   void forget() {
     surface_.reset();
     bvh_.reset();

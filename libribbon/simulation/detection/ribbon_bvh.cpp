@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int surrounding = 1;  // blocks to every side of a patch
+constexpr int margin = 1;  // blocks to every side of a patch that are looked at with it
 constexpr int patches_to_a_branch = 256;
 
 Vector3d middle(const Box& box) {
@@ -148,7 +148,7 @@ RibbonBvh::Tangents RibbonBvh::tangents_of_block(std::span<const MovingBox> rang
   return tangents;
 }
 
-// Of every block with what surrounds it: first beside it in its row, then over the rows.
+// Of every block with its margin: first beside it in its row, then over the rows.
 void RibbonBvh::refit_blocks(std::span<const MovingBox> ranges) {
   const auto at_block = [this](std::vector<Tangents>& of, int row, int column) -> Tangents& {
     const int block_number = row * block_columns_ + column;
@@ -165,17 +165,17 @@ void RibbonBvh::refit_blocks(std::span<const MovingBox> ranges) {
     for (int column = 0; column < block_columns_; ++column) {
       Tangents& wide = at_block(widened_, row, column);
       wide = at_block(blocks_, row, column);
-      const int last = std::min(block_columns_ - 1, column + surrounding);
-      for (int other = std::max(0, column - surrounding); other <= last; ++other)
+      const int last = std::min(block_columns_ - 1, column + margin);
+      for (int other = std::max(0, column - margin); other <= last; ++other)
         wide.include(at_block(blocks_, row, other));
     }
   });
   for_rows([&](int row) {
-    const int last = std::min(block_rows_ - 1, row + surrounding);
+    const int last = std::min(block_rows_ - 1, row + margin);
     for (int column = 0; column < block_columns_; ++column) {
       Tangents& all = at_block(blocks_, row, column);
       all = at_block(widened_, row, column);
-      for (int other = std::max(0, row - surrounding); other <= last; ++other)
+      for (int other = std::max(0, row - margin); other <= last; ++other)
         all.include(at_block(widened_, other, column));
     }
   });
@@ -278,14 +278,13 @@ bool RibbonBvh::lie_flat(const PatchPair& pair) const {
   if (pair.a == pair.b) return flat_[pair.a] != 0;
   const Patch& a = at(pair.a);
   const Patch& b = at(pair.b);
-  const auto surrounds = [](const Patch& outer, const Patch& inner) {
-    return outer.first_row - surrounding <= inner.first_row &&
-           inner.end_row <= outer.end_row + surrounding &&
-           outer.first_column - surrounding <= inner.first_column &&
-           inner.end_column <= outer.end_column + surrounding;
+  const auto holds_with_margin = [](const Patch& outer, const Patch& inner) {
+    return outer.first_row - margin <= inner.first_row && inner.end_row <= outer.end_row + margin &&
+           outer.first_column - margin <= inner.first_column &&
+           inner.end_column <= outer.end_column + margin;
   };
-  if (flat_[pair.a] != 0 && surrounds(a, b)) return true;
-  if (flat_[pair.b] != 0 && surrounds(b, a)) return true;
+  if (flat_[pair.a] != 0 && holds_with_margin(a, b)) return true;
+  if (flat_[pair.b] != 0 && holds_with_margin(b, a)) return true;
   const bool one_after_another = a.first_column == b.first_column && a.end_column == b.end_column &&
                                  (a.end_row == b.first_row || b.end_row == a.first_row);
   const bool side_by_side = a.first_row == b.first_row && a.end_row == b.end_row &&

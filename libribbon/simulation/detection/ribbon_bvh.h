@@ -21,15 +21,14 @@ namespace ribbon {
 // for a map of a convex region to be one-to-one, with its factor). It is linear in the positions:
 // what holds at the start and at the end of straight ways holds all the time between.
 //
-// The leaves are blocks of two by two quads. Each patch looks at its surroundings, too, one block
-// to every side, so that a patch and a small neighbour lie in one rectangle. Built once, refitted
-// for each detection.
+// The leaves are blocks of two by two quads. Each patch is looked at with a margin of one block to
+// every side, so that a patch and a small neighbour lie in one rectangle. Built once, refitted for
+// each detection.
 class RibbonBvh {
  public:
   explicit RibbonBvh(const RibbonGrid& grid);
 
-  // Over the ranges of the particles. reach_m: pairs that cannot come this
-  // close are spared.
+  // Over the ranges of the particles. reach_m: pairs that cannot come this close are spared.
   void refit(std::span<const MovingBox> ranges, double reach_m);
 
   // Pairs of features of the ribbon that share no vertex and may come within the reach of each
@@ -59,7 +58,7 @@ class RibbonBvh {
     [[nodiscard]] int blocks() const { return (end_row - first_row) * (end_column - first_column); }
   };
 
-  // Of a patch and its surroundings.
+  // Of a patch with its margin.
   struct Tangents {
     MovingBox along;       // edges along the ribbon
     MovingBox across;      // edges across it
@@ -113,10 +112,10 @@ class RibbonBvh {
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  // of what is packed
   std::vector<PackedBox> vertices_;                   // grown by half the reach
   std::vector<PackedBox> boxes_;                      // of the patches
-  std::vector<Tangents> tangents_;                    // of the patches with their surroundings
-  std::vector<char> flat_;                            // is the patch with its surroundings?
+  std::vector<Tangents> tangents_;                    // of the patches with their margins
+  std::vector<char> flat_;                            // is the patch with its margin?
   std::vector<char> looked_at_;                       // has the patch such a particle?
-  std::vector<Tangents> blocks_;   // of single blocks, then with their surroundings
+  std::vector<Tangents> blocks_;                      // of single blocks, then with their margins
   std::vector<Tangents> widened_;  // of blocks and what lies beside them in the same row
 };
 

@@ -26,8 +26,8 @@ struct Neighbour {
   double shared_m = 0;  // length of the shared outline
 };
 
-// The regions of one rank while the next is grouped.
-struct Rank {
+// The regions of one level while the next is grouped.
+struct Level {
   std::vector<int> nodes;             // their node numbers
   std::vector<double> contours_m;     // length of each region's outline
   std::vector<int> first;             // into neighbours, one more than regions
@@ -48,25 +48,25 @@ struct SharedPiece {
 };
 
 // Joins the pieces that two regions share.
-void set_neighbours(std::vector<SharedPiece> pieces, Rank& rank) {
+void set_neighbours(std::vector<SharedPiece> pieces, Level& level) {
   std::stable_sort(pieces.begin(), pieces.end(), [](const SharedPiece& a, const SharedPiece& b) {
     return std::tie(a.region, a.other) < std::tie(b.region, b.other);
   });
-  rank.first.assign(rank.contours_m.size() + 1, 0);
+  level.first.assign(level.contours_m.size() + 1, 0);
   const SharedPiece* last = nullptr;
   for (const SharedPiece& piece : pieces) {
     if (last == nullptr || last->region != piece.region || last->other != piece.other) {
-      rank.neighbours.push_back({piece.other, 0});
-      ++rank.first[piece.region + 1];
+      level.neighbours.push_back({piece.other, 0});
+      ++level.first[piece.region + 1];
     }
-    rank.neighbours.back().shared_m += piece.length_m;
+    level.neighbours.back().shared_m += piece.length_m;
     last = &piece;
   }
-  std::partial_sum(rank.first.begin(), rank.first.end(), rank.first.begin());
+  std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
 }
 
-double shared_m(const Rank& rank, int a, int b) {
-  const auto neighbours = rank.neighbours_of(a);
+double shared_m(const Level& level, int a, int b) {
+  const auto neighbours = level.neighbours_of(a);
   const auto found = std::partition_point(neighbours.begin(), neighbours.end(),
                                           [&](const Neighbour& n) { return n.region < b; });
   return found == neighbours.end() || found->region != b ? 0 : found->shared_m;
@@ -93,34 +93,34 @@ struct TrianglesAtEdges {
   std::vector<int> triangles;
 };
 
-Rank triangle_rank(const CollisionSurface& surface, const Matrix3Xd& positions) {
-  Rank rank;
+Level triangle_level(const CollisionSurface& surface, const Matrix3Xd& positions) {
+  Level level;
   const auto count = surface.triangles.cols();
-  rank.contours_m.assign(count, 0);
-  rank.nodes.resize(count);
-  std::iota(rank.nodes.begin(), rank.nodes.end(), 0);
+  level.contours_m.assign(count, 0);
+  level.nodes.resize(count);
+  std::iota(level.nodes.begin(), level.nodes.end(), 0);
   const TrianglesAtEdges triangles(surface);
   std::vector<SharedPiece> pieces;
   for (std::size_t e = 0; e < surface.edges.size(); ++e) {
     const auto [a, b] = surface.edges[e];
     const double length_m = (positions.col(b) - positions.col(a)).norm();
     for (const int t : triangles.at(e)) {
-      rank.contours_m[t] += length_m;
+      level.contours_m[t] += length_m;
       for (const int other : triangles.at(e))
         if (other != t) pieces.push_back({t, other, length_m});
     }
   }
-  set_neighbours(std::move(pieces), rank);
-  return rank;
+  set_neighbours(std::move(pieces), level);
+  return level;
 }
 
 // The best partners for region r among the regions that are still free: none, one or two.
-std::vector<int> best_partners(const Rank& rank, const std::vector<int>& group_of, int r) {
+std::vector<int> best_partners(const Level& level, const std::vector<int>& group_of, int r) {
   const auto is_free = [&](int region) { return group_of[region] < 0; };
-  const auto contour_m = [&](int region) { return rank.contours_m[region]; };
+  const auto contour_m = [&](int region) { return level.contours_m[region]; };
   std::vector<int> best;
   double best_m = std::numeric_limits<double>::infinity();
-  for (const auto& [a, ra_m] : rank.neighbours_of(r)) {
+  for (const auto& [a, ra_m] : level.neighbours_of(r)) {
     if (!is_free(a)) continue;
     const double pair_m = contour_m(r) + contour_m(a) - 2 * ra_m;
     if (best.size() < 2 && pair_m < best_m) {
@@ -128,10 +128,10 @@ std::vector<int> best_partners(const Rank& rank, const std::vector<int>& group_o
       best_m = pair_m;
     }
     for (const int middle : {r, a}) {
-      for (const auto& [b, shared] : rank.neighbours_of(middle)) {
+      for (const auto& [b, shared] : level.neighbours_of(middle)) {
         if (b == r || b == a || !is_free(b)) continue;
         const double triple_m =
-            pair_m + contour_m(b) - 2 * (shared_m(rank, r, b) + shared_m(rank, a, b));
+            pair_m + contour_m(b) - 2 * (shared_m(level, r, b) + shared_m(level, a, b));
         if (best.size() < 2 || triple_m < best_m) {
           best = {a, b};
           best_m = triple_m;
@@ -142,20 +142,20 @@ std::vector<int> best_partners(const Rank& rank, const std::vector<int>& group_o
   return best;
 }
 
-// Numbers of the groups that the regions of `rank` form; returns how many there are: as many as
+// Numbers of the groups that the regions of `level` form; returns how many there are: as many as
 // regions when no two of them are connected.
-int grouped(const Rank& rank, std::vector<int>& group_of) {
-  const auto count = static_cast<int>(rank.nodes.size());
-  group_of.assign(rank.nodes.size(), -1);
+int grouped(const Level& level, std::vector<int>& group_of) {
+  const auto count = static_cast<int>(level.nodes.size());
+  group_of.assign(level.nodes.size(), -1);
   int groups = 0;
   for (int r = 0; r < count; ++r) {
     if (group_of[r] >= 0) continue;
-    const std::vector<int> partners = best_partners(rank, group_of, r);
+    const std::vector<int> partners = best_partners(level, group_of, r);
     if (partners.empty()) {
       // All neighbours are taken: join the one with the longest shared outline.
       int best = -1;
       double best_m = -1;
-      for (const auto& [a, shared] : rank.neighbours_of(r))
+      for (const auto& [a, shared] : level.neighbours_of(r))
         if (shared > best_m) {
           best = a;
           best_m = shared;
@@ -172,14 +172,14 @@ int grouped(const Rank& rank, std::vector<int>& group_of) {
   return groups;
 }
 
-Rank next_rank(const Rank& rank, const std::vector<int>& group_of, int groups) {
-  Rank next;
+Level next_level(const Level& level, const std::vector<int>& group_of, int groups) {
+  Level next;
   next.contours_m.assign(groups, 0);
   std::vector<SharedPiece> pieces;
-  for (std::size_t r = 0; r < rank.nodes.size(); ++r) {
+  for (std::size_t r = 0; r < level.nodes.size(); ++r) {
     const int group = group_of[r];
-    next.contours_m[group] += rank.contours_m[r];
-    for (const auto& [other, shared] : rank.neighbours_of(static_cast<int>(r))) {
+    next.contours_m[group] += level.contours_m[r];
+    for (const auto& [other, shared] : level.neighbours_of(static_cast<int>(r))) {
       const int other_group = group_of[other];
       if (other_group == group_of[r])
         next.contours_m[group] -= shared;
@@ -243,13 +243,13 @@ Vector3d normal(const Matrix3Xd& positions, const Eigen::Vector3i& triangle) {
 TriangleBvh::TriangleBvh(const CollisionSurface& surface, const Matrix3Xd& positions)
     : triangles_(surface.triangles) {
   assert(triangles_.cols() > 0);
-  Rank rank = triangle_rank(surface, positions);
-  first_child_.assign(rank.nodes.size() + 1, 0);
+  Level level = triangle_level(surface, positions);
+  first_child_.assign(level.nodes.size() + 1, 0);
   first_joining_node_ = std::numeric_limits<int>::max();
   std::vector<int> group_of;
-  while (rank.nodes.size() > 1) {
-    int groups = grouped(rank, group_of);
-    if (groups == static_cast<int>(rank.nodes.size())) {
+  while (level.nodes.size() > 1) {
+    int groups = grouped(level, group_of);
+    if (groups == static_cast<int>(level.nodes.size())) {
       // Neighbourhood says nothing about separate pieces: they are paired as they come.
       first_joining_node_ =
           std::min(first_joining_node_, static_cast<int>(first_child_.size()) - 1);
@@ -257,15 +257,15 @@ TriangleBvh::TriangleBvh(const CollisionSurface& surface, const Matrix3Xd& posit
       for (std::size_t r = 0; r < group_of.size(); ++r) group_of[r] = static_cast<int>(r / 2);
     }
     std::vector<std::vector<int>> members(groups);
-    for (std::size_t r = 0; r < rank.nodes.size(); ++r)
-      members[group_of[r]].push_back(rank.nodes[r]);
-    Rank next = next_rank(rank, group_of, groups);
+    for (std::size_t r = 0; r < level.nodes.size(); ++r)
+      members[group_of[r]].push_back(level.nodes[r]);
+    Level next = next_level(level, group_of, groups);
     for (const auto& children : members) {
       next.nodes.push_back(static_cast<int>(first_child_.size()) - 1);
       children_.insert(children_.end(), children.begin(), children.end());
       first_child_.push_back(static_cast<int>(children_.size()));
     }
-    rank = std::move(next);
+    level = std::move(next);
   }
   const std::size_t nodes = first_child_.size() - 1;
   boxes_.resize(nodes);

@@ -12,7 +12,7 @@
 
 namespace ribbon {
 
-// A tree over the triangles of one surface. Each leaf is a triangle; a region one rank higher
+// A tree over the triangles of one surface. Each leaf is a triangle; a region one level higher
 // groups the three adjacent regions whose common contour is shortest. The tree is built once; for
 // each detection its boxes and, where they are asked for, its curvatures are refitted bottom-up,
 // boxes by union and curvatures by bitwise and. A curvature has one bit for each of 14 directions:

@@ -7,13 +7,13 @@ namespace ribbon {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-StrainCorrection::StrainCorrection(const RestSize& size, double limit)
+PublishedStrainCorrection::PublishedStrainCorrection(const RestSize& size, double limit)
     : grid_(size.grid),
       along_(stretch_families(size)[0]),
       across_(stretch_families(size)[1]),
       limit_(limit) {}
 
-double StrainCorrection::excess_m(double length_m, double rest_length_m) const {
+double PublishedStrainCorrection::excess_m(double length_m, double rest_length_m) const {
   // What is over the limit is brought a little within it, so that repeated rounds come to an end.
   const double aim = 0.95 * limit_ * rest_length_m;
   if (length_m > (1 + limit_) * rest_length_m) return length_m - rest_length_m - aim;
@@ -21,7 +21,7 @@ double StrainCorrection::excess_m(double length_m, double rest_length_m) const {
   return 0;
 }
 
-bool StrainCorrection::any_over_limit(const Matrix3Xd& positions) const {
+bool PublishedStrainCorrection::any_over_limit(const Matrix3Xd& positions) const {
   bool any = false;
   for (const SpringFamily& family : {along_, across_})
     for_each_spring(grid_, family, [&](int a, int b) {
@@ -31,8 +31,8 @@ bool StrainCorrection::any_over_limit(const Matrix3Xd& positions) const {
   return any;
 }
 
-void StrainCorrection::correct_edge(int a, int b, double rest_length_m, const Vector3d& smoothed,
-                                    Matrix3Xd& positions) const {
+void PublishedStrainCorrection::correct_edge(int a, int b, double rest_length_m,
+                                             const Vector3d& smoothed, Matrix3Xd& positions) const {
   const Vector3d edge = positions.col(b) - positions.col(a);
   const double excess = excess_m(edge.norm(), rest_length_m);
   if (excess == 0) return;
@@ -44,7 +44,7 @@ void StrainCorrection::correct_edge(int a, int b, double rest_length_m, const Ve
   positions.col(b) -= 0.5 * excess * direction;
 }
 
-void StrainCorrection::apply(Matrix3Xd& positions) const {
+void PublishedStrainCorrection::apply(Matrix3Xd& positions) const {
   const Matrix3Xd directions = smoothed_tangents(grid_, positions);
   for_each_spring(grid_, along_, [&](int a, int b) {
     correct_edge(a, b, along_.rest_length_m, directions.col(a) + directions.col(b), positions);

@@ -1,4 +1,4 @@
-// Smoothing by post-step geometric correction (paper, section 5.5, Figure 9).
+// Strain correction as published: post-step and geometric (paper, section 5.5, Figure 9).
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +9,9 @@ namespace ribbon {
 
 // The correction of one ribbon: edges along and across are brought back within `limit` of their
 // rest length.
-class StrainCorrection {
+class PublishedStrainCorrection {
  public:
-  StrainCorrection(const RestSize& size, double limit);
+  PublishedStrainCorrection(const RestSize& size, double limit);
 
   // Is any edge along or across longer or shorter than the limit allows?
   [[nodiscard]] bool any_over_limit(const Eigen::Matrix3Xd& positions) const;

@@ -122,13 +122,19 @@ class StartSearch {
     return !bodies_.is_particle(place.other);
   }
 
+  // The strands have no room: where the drawing is tightest, if it had to be squeezed.
+  [[nodiscard]] std::string tight_passage() const {
+    const auto& tight = ribbon_.squeezed;
+    return tight ? " (" + tight->place + ": " + tight->problem + ")" : "";
+  }
+
   // Of the thinnest band, which was seen to be pierced.
   [[nodiscard]] std::string what_is_pierced() const {
     assert(pierced_);
     return "even a thin band along the drawing meets " +
            (of_obstacle(*pierced_) ? "the obstacle at " + place_of(pierced_->particle)
                                    : "itself at " + place_of(pierced_->particle) + ", and " +
-                                         place_of(pierced_->other));
+                                         place_of(pierced_->other) + tight_passage());
   }
   [[nodiscard]] std::string remedy_for_what_is_pierced() const {
     return (of_obstacle(*pierced_) ? "" : "set a smaller ribbon.width, or ") +
@@ -141,18 +147,21 @@ class StartSearch {
 
   tl::unexpected<Error> too_close() {
     const auto at = first_closer_than(too_close_m_, bodies_, cloth_.positions);
+    const bool from_obstacle = at && of_obstacle(*at);
     return failure(scene_.name,
                    "the ribbon does not come clear of " +
-                       std::string(at && of_obstacle(*at) ? "the obstacle" : "itself") +
-                       (at ? " at " + place_of(at->particle) : ""),
-                   remedy(at && of_obstacle(*at)));
+                       std::string(from_obstacle ? "the obstacle" : "itself") +
+                       (at ? " at " + place_of(at->particle) : "") +
+                       (from_obstacle ? "" : tight_passage()),
+                   remedy(from_obstacle));
   }
 
   tl::unexpected<Error> no_room(const GrowthReport& growth) {
     if (pierced_)
       return failure(scene_.name, what_is_pierced() + "; moved out of it, it does not settle",
                      remedy_for_what_is_pierced());
-    const std::string at = ", strained most at " + place_of(growth.strained_particle);
+    const std::string at =
+        ", strained most at " + place_of(growth.strained_particle) + tight_passage();
     if (growth.settled_fraction == 0)
       return failure(scene_.name, "even a thin band along the drawing does not settle" + at,
                      remedy(false));

@@ -25,7 +25,7 @@ GateSettings::GateSettings(const RestSize& size, const PairDistances& pair_dista
 
 void GatedMotion::detect(const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::detection);
-  candidates_ = find_contact_candidates(bodies_, settings_.broad_phase, certified_, target);
+  candidates_ = find_contact_candidates(bodies_, settings_.broad_phase, free_positions_, target);
   clock_.count_detection(candidates_.pairs.size());
 }
 
@@ -46,7 +46,7 @@ void GatedMotion::detect_if_outgrown_by_more_than(int particles, const Matrix3Xd
 std::vector<FeaturePair> GatedMotion::approaching(const Matrix3Xd& target) const {
   std::vector<FeaturePair> pairs;
   for (const std::size_t i :
-       approaching_pairs(candidates_, certified_, target - certified_, reach_m()))
+       approaching_pairs(candidates_, free_positions_, target - free_positions_, reach_m()))
     pairs.push_back(candidates_.pairs[i]);
   return pairs;
 }
@@ -54,7 +54,8 @@ std::vector<FeaturePair> GatedMotion::approaching(const Matrix3Xd& target) const
 int GatedMotion::truncate(const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::truncation);
   const auto advance = [&] {
-    return truncate_displacements(candidates_, bodies_, settings_.distances, target, certified_);
+    return truncate_displacements(candidates_, bodies_, settings_.distances, target,
+                                  free_positions_);
   };
   TruncationReport report;
   for (int i = 0; i < most_truncations; ++i) {
@@ -63,7 +64,7 @@ int GatedMotion::truncate(const Matrix3Xd& target) {
     // particles do.
     for (int again = 1; !report.stragglers.empty(); ++again) {
       if (again > detections_of_stragglers) {
-        report.stragglers.resize(certified_.cols());
+        report.stragglers.resize(free_positions_.cols());
         std::iota(report.stragglers.begin(), report.stragglers.end(), 0);
       }
       detect_around(report.stragglers, Widening::onward_and_back, target);

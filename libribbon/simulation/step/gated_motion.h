@@ -7,6 +7,7 @@
 #include "ribbon_mesh/rest_size.h"
 #include "simulation/contact/pair_distances.h"
 #include "simulation/detection/bodies.h"
+#include "simulation/detection/feature_pairs.h"
 #include "simulation/step/stage_clock.h"
 #include "simulation/truncation/contact_candidates.h"
 
@@ -20,15 +21,15 @@ struct GateSettings {
   double negligible_m;  // displacements that are not worth another truncation
 };
 
-// Within one step: from the positions at its start, which are certified, stage by stage toward the
-// targets that integration and corrections set. What it refers to must outlive it.
+// Within one step: from the positions at its start, in which nothing intersects, stage by stage
+// toward the targets that integration and corrections set. What it refers to must outlive it.
 class GatedMotion {
  public:
   GatedMotion(const GateSettings& settings, const Eigen::Matrix3Xd& start, Bodies& bodies,
               StageClock& clock)
-      : settings_(settings), bodies_(bodies), clock_(clock), certified_(start) {}
+      : settings_(settings), bodies_(bodies), clock_(clock), free_positions_(start) {}
 
-  // The broad phase, around the displacements from the certified positions to the targets.
+  // The broad phase, around the displacements from the free positions to the targets.
   void detect(const Eigen::Matrix3Xd& target);
 
   // Detects again around the particles whose targets lie outside their bounds, if they are more
@@ -38,11 +39,12 @@ class GatedMotion {
   // The pairs that the displacements to the targets could bring into contact.
   [[nodiscard]] std::vector<FeaturePair> approaching(const Eigen::Matrix3Xd& target) const;
 
-  // Moves the certified positions toward the targets as far as displacement truncation lets.
-  // Returns how many particles do not reach them.
+  // Moves the free positions toward the targets as far as displacement truncation lets. Returns how
+  // many particles do not reach them.
   int truncate(const Eigen::Matrix3Xd& target);
 
-  [[nodiscard]] const Eigen::Matrix3Xd& certified() const { return certified_; }
+  // In which nothing intersects: as far as the gate has let the ribbon pass.
+  [[nodiscard]] const Eigen::Matrix3Xd& free_positions() const { return free_positions_; }
   [[nodiscard]] const ContactCandidates& candidates() const { return candidates_; }
   // Pairs this close may come into contact by what still moves them.
   [[nodiscard]] double reach_m() const {
@@ -56,7 +58,7 @@ class GatedMotion {
   const GateSettings& settings_;
   Bodies& bodies_;
   StageClock& clock_;
-  Eigen::Matrix3Xd certified_;  // what the gate has let pass
+  Eigen::Matrix3Xd free_positions_;
   ContactCandidates candidates_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "ribbon_mesh/springs.h"
 #include "simulation/detection/swept_pairs.h"
@@ -59,7 +58,7 @@ StepReport TimeStep::correct_with_gate(const Matrix3Xd& before, Bodies& bodies, 
   motion.detect(cloth.positions);            // section 5.4
   repel_a_few_times(motion, bodies, cloth);  // section 5.4.2
   StepReport report{.is_over_limit = true};
-  for (int round = 0; round < smoothing_.most_rounds && report.is_over_limit; ++round) {
+  for (int round = 0; round < strain_correction_.most_rounds && report.is_over_limit; ++round) {
     correct_strain_and_contact(motion, bodies, cloth);  // cf. section 5.5
     // A few particles outside their bounds are truncated, which may strain their edges; many are
     // worth another look, and any when edges are strained.
@@ -110,7 +109,7 @@ void TimeStep::repel_a_few_times(const GatedMotion& motion, const Bodies& bodies
   const std::vector<FeaturePair> pairs = motion.approaching(cloth.positions);
   bool any_collision = true;
   for (int round = 0; round < repulsion_rounds && any_collision; ++round)
-    any_collision = repel(pairs, motion.certified(), bodies, cloth);
+    any_collision = repel(pairs, motion.free_positions(), bodies, cloth);
 }
 
 // while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes
@@ -134,13 +133,13 @@ void TimeStep::correct_strain_and_contact(const GatedMotion& motion, const Bodie
   const StageTimer timer(clock_, StepStage::strain_correction);
   const Matrix3Xd before = cloth.positions;
   const auto contacts = contact_constraints(motion.candidates(), bodies, distances_,
-                                            motion.reach_m(), motion.certified(), cloth);
-  RowActivity activity = strain_limit_.activity();
+                                            motion.reach_m(), motion.free_positions(), cloth);
+  RowActivity activity = strain_constraints_.activity();
   bool any = true;
   int sweeps = 0;
-  for (; sweeps < smoothing_.most_sweeps && any; ++sweeps) {
+  for (; sweeps < strain_correction_.most_sweeps && any; ++sweeps) {
     any = keep_apart(contacts, bodies, activity, cloth.positions);
-    any = strain_limit_.tighten(activity, cloth.positions) || any;
+    any = strain_constraints_.tighten(activity, cloth.positions) || any;
   }
   clock_.count_sweeps(sweeps);
   cloth.velocities += (cloth.positions - before) / step_s_;
@@ -152,13 +151,13 @@ int TimeStep::truncate(GatedMotion& motion, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::truncation);
   const int truncated = motion.truncate(cloth.positions);
   for (Eigen::Index particle = 0; particle < cloth.particle_count(); ++particle) {
-    const Vector3d lost = cloth.positions.col(particle) - motion.certified().col(particle);
+    const Vector3d lost = cloth.positions.col(particle) - motion.free_positions().col(particle);
     const double lost_m = lost.norm();
     const double speed_m_s = lost_m > 0 ? lost.dot(cloth.velocities.col(particle)) / lost_m : 0;
     if (speed_m_s > 0)
       cloth.velocities.col(particle) -= std::min(speed_m_s, lost_m / step_s_) * lost / lost_m;
   }
-  cloth.positions = motion.certified();
+  cloth.positions = motion.free_positions();
   return truncated;
 }
 
@@ -173,7 +172,7 @@ StepReport TimeStep::recover(Bodies& bodies, Cloth& cloth) {
 
 bool TimeStep::is_over_limit(const Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
-  return strain_limit_.worst_excess(cloth.positions) > strain_left_over;
+  return strain_constraints_.worst_excess(cloth.positions) > strain_left_over;
 }
 
 // ---- Before the first step
@@ -201,11 +200,11 @@ StepReport TimeStep::settle(int rounds, Bodies& bodies, Cloth& cloth) {
 
 namespace {
 
-StrainLimit strain_limit(const Scene& scene, const RestSize& size, double rounding_m) {
+StrainConstraints strain_constraints(const Scene& scene, const RestSize& size, double rounding_m) {
   std::vector<LimitedFamily> limited;
   const auto limit = [&](const SpringFamily& family) {
     limited.push_back(
-        {family, aimed_strain(scene.smoothing.strain, family.rest_length_m, rounding_m)});
+        {family, aimed_strain(scene.strain_correction.strain, family.rest_length_m, rounding_m)});
   };
   for (const SpringFamily& family : stretch_families(size)) limit(family);
   if (scene.springs.shear > 0)
@@ -231,8 +230,8 @@ TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLength
           {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s, scene.time.tolerance})),
       distances_(pair_distances(scene, size, lengths)),
       repulsion_{.friction = scene.friction},
-      smoothing_(scene.smoothing),
-      strain_limit_(strain_limit(scene, size, lengths.rounding_m)),
+      strain_correction_(scene.strain_correction),
+      strain_constraints_(strain_constraints(scene, size, lengths.rounding_m)),
       gate_(size, distances_),
       published_correction_(size, paper_strain_limit),
       recovery_(RecoverySettings::of_edge(size.shortest_edge_m())) {}

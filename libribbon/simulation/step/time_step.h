@@ -3,12 +3,14 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <vector>
 
 #include "ribbon_mesh/rest_size.h"
 #include "scene/scene.h"
 #include "simulation/contact/contact_lengths.h"
 #include "simulation/contact/repulsion.h"
 #include "simulation/detection/bodies.h"
+#include "simulation/detection/feature_pairs.h"
 #include "simulation/fastening/hands.h"
 #include "simulation/integration/integrator.h"
 #include "simulation/published/recovery.h"
@@ -17,7 +19,7 @@
 #include "simulation/step/gated_motion.h"
 #include "simulation/step/stage_clock.h"
 #include "simulation/step/step_report.h"
-#include "simulation/truncation/strain_limit.h"
+#include "simulation/truncation/strain_constraints.h"
 
 namespace ribbon {
 
@@ -82,10 +84,10 @@ class TimeStep {
   std::unique_ptr<Integrator> integrator_;
   PairDistances distances_;
   RepulsionSettings repulsion_;
-  SmoothingScene smoothing_;  // of the gate
-  StrainLimit strain_limit_;
+  StrainCorrectionScene strain_correction_;  // of the gate
+  StrainConstraints strain_constraints_;
   GateSettings gate_;
-  StrainCorrection published_correction_;
+  PublishedStrainCorrection published_correction_;
   RecoverySettings recovery_;
   StageClock clock_;
 };

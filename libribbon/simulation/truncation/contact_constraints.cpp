@@ -20,11 +20,12 @@ constexpr double negligible_violation = 1e-3;  // of a distance
 std::vector<ContactConstraint> contact_constraints(const ContactCandidates& candidates,
                                                    const Bodies& bodies,
                                                    const PairDistances& distances, double reach_m,
-                                                   const Matrix3Xd& certified, const Cloth& cloth) {
+                                                   const Matrix3Xd& free_positions,
+                                                   const Cloth& cloth) {
   std::vector<ContactConstraint> constraints;
-  const VertexPositions vertices = bodies.vertices(certified);
+  const VertexPositions vertices = bodies.vertices(free_positions);
   for (const std::size_t i :
-       approaching_pairs(candidates, certified, cloth.positions - certified, reach_m)) {
+       approaching_pairs(candidates, free_positions, cloth.positions - free_positions, reach_m)) {
     const FeaturePair& pair = candidates.pairs[i];
     const auto x = corners(pair, vertices);
     ContactConstraint constraint;

@@ -23,13 +23,13 @@ struct ContactConstraint {
   double distance_m = 0;
 };
 
-// One for each listed pair that could come into contact between `certified` and the cloth's present
-// positions: along the line between its closest points at `certified`, contact shall not begin, or,
-// where it has begun, not become any closer.
+// One for each listed pair that could come into contact between `free_positions`, in which nothing
+// intersects, and the cloth's present positions: along the line between its closest points in the
+// free ones, contact shall not begin, or, where it has begun, not become any closer.
 std::vector<ContactConstraint> contact_constraints(const ContactCandidates& candidates,
                                                    const Bodies& bodies,
                                                    const PairDistances& distances, double reach_m,
-                                                   const Eigen::Matrix3Xd& certified,
+                                                   const Eigen::Matrix3Xd& free_positions,
                                                    const Cloth& cloth);
 
 // One sweep: moves apart, in order and by momentum conservation, the pairs that do not keep their

@@ -39,13 +39,13 @@ void add_single_numbers(std::vector<AccuracySetting>& settings) {
   }
   for (const double strain : {0.06, 0.04}) {
     AccuracyLevel numbers = balanced;
-    numbers.smoothing.strain = strain;
+    numbers.strain_correction.strain = strain;
     settings.push_back({"strain " + digits(100 * strain) + " %", numbers});
   }
   for (const auto& [rounds, sweeps] : {std::pair{3, 5}, {10, 5}, {3, 20}, {20, 40}}) {
     AccuracyLevel numbers = balanced;
-    numbers.smoothing.most_rounds = rounds;
-    numbers.smoothing.most_sweeps = sweeps;
+    numbers.strain_correction.most_rounds = rounds;
+    numbers.strain_correction.most_sweeps = sweeps;
     settings.push_back(
         {std::to_string(rounds) + " rounds of " + std::to_string(sweeps) + " sweeps", numbers});
   }

@@ -21,8 +21,8 @@ class EnergyAccount {
   // Hands that yield put in less than is counted here.
   void add_step(const Eigen::Matrix3Xd& before, const Eigen::Matrix3Xd& after);
 
-  // Energy over what had been put in, when that was most. Above 1, contact and smoothing have
-  // strained springs.
+  // Energy over what had been put in, when that was most. Above 1, contact and strain correction
+  // have strained springs.
   [[nodiscard]] double most() const { return most_; }
 
   // Was there ever more than what had been put in and what all springs hold at the strain limit of

@@ -22,7 +22,7 @@ struct StepCost {
   double most_bytes = 0;    // at any time in the steps
   double start_bytes = 0;   // at any time while the start was looked for
   double listed_pairs = 0;  // of features, by all detections
-  double sweeps = 0;        // of the smoothing
+  double sweeps = 0;        // of the strain correction
 };
 
 // Of `steps` steps, after `steps_before` that are not measured. Fails as the processor does.

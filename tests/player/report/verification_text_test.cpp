@@ -86,6 +86,23 @@ TEST(VerificationText, slipping_off_is_told_and_is_no_fault) {
   EXPECT_EQ(json["knot"]["passages_over_ends"][0]["turns_after"], 2);
 }
 
+TEST(VerificationText, strain_beyond_the_limit_is_no_fault_and_is_not_passed_over) {
+  Verification verification = all_in_order();
+  verification.largest_strain = {{0.099, 4, 8}, 9};
+  EXPECT_NE(verification_text("", verification).find("column 2\n"), std::string::npos);
+  EXPECT_TRUE(verification_text("", verification).ends_with("nothing is wrong\n"));
+  verification.largest_strain = {{0.65, 4, 8}, 9};
+  EXPECT_TRUE(verification.complaints().empty());
+  const std::string text = verification_text("", verification);
+  EXPECT_NE(text.find("65.0 % in frame 9, from row 1 column 1 to row 2 column 2, a diagonal, which "
+                      "only shear springs limit\n"),
+            std::string::npos)
+      << text;
+  EXPECT_TRUE(text.ends_with("nothing is wrong; strain beyond 10 % is not judged\n")) << text;
+  verification.largest_strain = {{0.65, 4, 7}, 9};
+  EXPECT_NE(verification_text("", verification).find("row 2 column 1\n"), std::string::npos);
+}
+
 TEST(VerificationText, equal_certificates_that_know_nothing_prove_nothing) {
   Verification verification = all_in_order();
   verification.certificate = "first end buried";

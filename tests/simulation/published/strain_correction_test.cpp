@@ -13,20 +13,20 @@ Matrix3Xd flat(const RibbonGrid& grid) {
   return positions;
 }
 
-TEST(StrainCorrection, leaves_a_ribbon_within_the_limit_alone) {
+TEST(PublishedStrainCorrection, leaves_a_ribbon_within_the_limit_alone) {
   const RibbonGrid grid{5, 3};
-  const StrainCorrection correction({grid, 4, 2}, 0.1);
+  const PublishedStrainCorrection correction({grid, 4, 2}, 0.1);
   Matrix3Xd positions = 1.09 * flat(grid);
   EXPECT_FALSE(correction.any_over_limit(positions));
   correction.apply(positions);
   EXPECT_EQ(positions, 1.09 * flat(grid));
 }
 
-TEST(StrainCorrection, brings_a_stretched_pair_together_about_its_centre) {
+TEST(PublishedStrainCorrection, brings_a_stretched_pair_together_about_its_centre) {
   // Two rows 2 m apart at rest length 1: brought to 1.095, each particle moves
   // 0.4525 toward the other.
   const RibbonGrid grid{2, 2};
-  const StrainCorrection correction({grid, 1, 1}, 0.1);
+  const PublishedStrainCorrection correction({grid, 1, 1}, 0.1);
   Matrix3Xd positions = flat(grid);
   positions.row(0) *= 2;
   EXPECT_TRUE(correction.any_over_limit(positions));
@@ -36,20 +36,20 @@ TEST(StrainCorrection, brings_a_stretched_pair_together_about_its_centre) {
   EXPECT_NEAR(positions(1, 0), 0, 1e-12);
 }
 
-TEST(StrainCorrection, pushes_a_shrunk_pair_apart) {
+TEST(PublishedStrainCorrection, pushes_a_shrunk_pair_apart) {
   const RibbonGrid grid{2, 2};
-  const StrainCorrection correction({grid, 1, 1}, 0.1);
+  const PublishedStrainCorrection correction({grid, 1, 1}, 0.1);
   Matrix3Xd positions = flat(grid);
   positions.row(0) *= 0.5;
   correction.apply(positions);
   EXPECT_NEAR(positions(0, 2) - positions(0, 0), 0.905, 1e-12);
 }
 
-TEST(StrainCorrection, moves_particles_along_the_smoothed_surface_not_off_it) {
+TEST(PublishedStrainCorrection, moves_particles_along_the_smoothed_surface_not_off_it) {
   // One particle of a flat ribbon is lifted a little: its stretched edges are shortened in the
   // plane.
   const RibbonGrid grid{21, 3};
-  const StrainCorrection correction({grid, 20, 2}, 0.01);
+  const PublishedStrainCorrection correction({grid, 20, 2}, 0.01);
   Matrix3Xd positions = flat(grid);
   positions(2, grid.particle(10, 1)) = 0.3;
   Matrix3Xd corrected = positions;
@@ -60,9 +60,9 @@ TEST(StrainCorrection, moves_particles_along_the_smoothed_surface_not_off_it) {
             0.3 * moved.row(0).cwiseAbs().maxCoeff());
 }
 
-TEST(StrainCorrection, repeated_it_brings_every_edge_within_the_limit) {
+TEST(PublishedStrainCorrection, repeated_it_brings_every_edge_within_the_limit) {
   const RibbonGrid grid{12, 4};
-  const StrainCorrection correction({grid, 11, 3}, 0.1);
+  const PublishedStrainCorrection correction({grid, 11, 3}, 0.1);
   Matrix3Xd positions = 1.4 * flat(grid);
   int rounds = 0;
   while (correction.any_over_limit(positions) && rounds < 500) {

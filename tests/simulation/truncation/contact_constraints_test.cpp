@@ -16,18 +16,19 @@ constexpr BroadPhaseLengths lengths{.reach_m = 0.2, .slack_m = 0.1, .longest_dis
 // The flat ribbon over a floor at height floor_y, about to sink by `sink` everywhere.
 struct Sinking {
   Sinking(double floor_y, double sink) : planted(ribbon_over_floor(grid, floor_y)) {
-    certified = planted.positions;
-    cloth = {certified, Matrix3Xd::Zero(3, grid.particle_count()), 1};
+    free_positions = planted.positions;
+    cloth = {free_positions, Matrix3Xd::Zero(3, grid.particle_count()), 1};
     cloth.positions.row(1).array() -= sink;
-    candidates = find_contact_candidates(planted.bodies, lengths, certified, cloth.positions);
-    constraints = contact_constraints(candidates, planted.bodies, distances, 0.3, certified, cloth);
+    candidates = find_contact_candidates(planted.bodies, lengths, free_positions, cloth.positions);
+    constraints =
+        contact_constraints(candidates, planted.bodies, distances, 0.3, free_positions, cloth);
   }
   bool keep_apart_once() {
     return keep_apart(constraints, planted.bodies, activity, cloth.positions);
   }
 
   OverFloor planted;
-  Matrix3Xd certified;
+  Matrix3Xd free_positions;
   Cloth cloth;
   ContactCandidates candidates;
   std::vector<ContactConstraint> constraints;

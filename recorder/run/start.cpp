@@ -1,19 +1,12 @@
-#include "recorder/start.h"
+#include "recorder/run/start.h"
 
 #include <utility>
 
-#include "recorder/tying.h"
+#include "recorder/run/tying.h"
 
 namespace ribbon {
 
 namespace {
-
-// A start without room is told with the tightest passage of the drawing, if that was squeezed.
-Error with_tight_passage(const DrawnRibbon& ribbon, Error error) {
-  if (ribbon.squeezed)
-    error.problem += " (" + ribbon.squeezed->place + ": " + ribbon.squeezed->problem + ")";
-  return error;
-}
 
 // Growth keeps the knot; the recovery schemes know nothing of it.
 Result<void> start_is_tied_as_drawn(const Scene& scene, const RibbonMesh& ribbon,
@@ -33,11 +26,11 @@ Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& 
                          const StartObserver& observer) {
   auto ribbon = draw_ribbon(scene);
   if (!ribbon) return tl::unexpected(ribbon.error());
-  auto fastening = FasteningProcessor::create(scene, ribbon->mesh, obstacle, observer);
-  if (!fastening) return tl::unexpected(with_tight_passage(*ribbon, fastening.error()));
-  if (auto tied = start_is_tied_as_drawn(scene, ribbon->mesh, obstacle, *fastening); !tied)
+  auto fastening = FasteningProcessor::create(scene, *ribbon, obstacle, observer);
+  if (!fastening) return tl::unexpected(fastening.error());
+  if (auto tied = start_is_tied_as_drawn(scene, *ribbon, obstacle, *fastening); !tied)
     return tl::unexpected(tied.error());
-  return Start{std::move(ribbon->mesh), *std::move(fastening)};
+  return Start{*std::move(ribbon), *std::move(fastening)};
 }
 
 std::optional<CentreAxis> centre_axis(const Scene& scene) {

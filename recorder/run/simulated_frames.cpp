@@ -1,9 +1,8 @@
-#include "recorder/simulated_frames.h"
+#include "recorder/run/simulated_frames.h"
 
-#include <cmath>
 #include <utility>
 
-#include "recorder/stopwatch.h"
+#include "recorder/run/stopwatch.h"
 
 namespace ribbon {
 
@@ -80,12 +79,6 @@ SimulatedFrame SimulatedFrames::next() {
   frame.numbers = frame_numbers(fastening_, sums, frame.positions.cols());
   effort_.measuring_s += stopwatch.lap();
   return frame;
-}
-
-int frame_count(const Scene& scene) {
-  return static_cast<int>(
-             std::floor(scene.time.duration_s * scene.recording.frames_per_second * (1 + 1e-12))) +
-         1;
 }
 
 }  // namespace ribbon

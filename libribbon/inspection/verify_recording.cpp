@@ -1,10 +1,11 @@
-#include "inspection/verify.h"
+#include "inspection/verify_recording.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "knot/knot_witness.h"
 #include "parallel/parallel.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -19,9 +20,9 @@ struct DecodedFrame {
   Eigen::Matrix3Xf positions;
 };
 
-class Verifying {
+class RecordingVerifier {
  public:
-  Verifying(RecordingReader& reader, const std::vector<int>& asked, int certify_every)
+  RecordingVerifier(RecordingReader& reader, const std::vector<int>& asked, int certify_every)
       : reader_(reader),
         asked_(asked),
         certify_every_(certify_every),
@@ -154,18 +155,18 @@ std::vector<std::string> Verification::complaints() const {
   return list;
 }
 
-Result<Verification> verify(RecordingReader& reader, const std::vector<int>& asked,
-                            int certify_every, const VerificationObserver& observer) {
-  Verifying verifying(reader, asked, certify_every);
+Result<Verification> verify_recording(RecordingReader& reader, const std::vector<int>& asked,
+                                      int certify_every, const VerificationObserver& observer) {
+  RecordingVerifier verifier(reader, asked, certify_every);
   const int end = asked.back() + 1;
   for (int begin = asked.front(); begin < end; begin += batch_frames) {
     const int batch_end = std::min(begin + batch_frames, end);
-    verifying.verify_batch(begin, batch_end);
+    verifier.verify_batch(begin, batch_end);
     if (!observer(batch_end - asked.front()) && batch_end < end)
-      return failure("", "interrupted after frame " + std::to_string(batch_end),
+      return failure("", filled_in("interrupted after frame {}", batch_end),
                      "run it again; --frames verifies a part");
   }
-  return verifying.finish();
+  return verifier.finish();
 }
 
 }  // namespace ribbon

@@ -1,4 +1,5 @@
-// Keeping every edge near its rest length where contact is in the way (cf. paper, section 5.5).
+// Strain correction with the gate: every edge near its rest length, where contact is in the way
+// (cf. paper, section 5.5).
 #pragma once
 
 #include <Eigen/Core>
@@ -17,12 +18,11 @@ struct LimitedFamily {
   [[nodiscard]] double longest_m() const { return (1 + limit) * family.rest_length_m; }
 };
 
-// The published correction, which is told apart as StrainCorrection, does not know of contact and
-// therefore moves along the smoothed surface. This one takes turns with contact and moves along the
-// edges.
-class StrainLimit {
+// PublishedStrainCorrection does not know of contact and therefore moves along the smoothed
+// surface. These constraints take turns with those of contact and move along the edges.
+class StrainConstraints {
  public:
-  StrainLimit(const RibbonGrid& grid, std::vector<LimitedFamily> families);
+  StrainConstraints(const RibbonGrid& grid, std::vector<LimitedFamily> families);
 
   // One sweep: both particles of each edge beyond the limit move toward or away from each other by
   // equal parts, one family after the other; rows that rest are passed over. Was any beyond it by

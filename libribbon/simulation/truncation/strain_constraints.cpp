@@ -1,4 +1,4 @@
-#include "simulation/truncation/strain_limit.h"
+#include "simulation/truncation/strain_constraints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,10 +53,10 @@ bool tighten_all(const LimitedFamily& limited, const RibbonGrid& grid, RowActivi
 
 }  // namespace
 
-StrainLimit::StrainLimit(const RibbonGrid& grid, std::vector<LimitedFamily> families)
+StrainConstraints::StrainConstraints(const RibbonGrid& grid, std::vector<LimitedFamily> families)
     : grid_(grid), families_(std::move(families)) {}
 
-bool StrainLimit::tighten(RowActivity& activity, Eigen::Matrix3Xd& positions) const {
+bool StrainConstraints::tighten(RowActivity& activity, Eigen::Matrix3Xd& positions) const {
   bool any = false;
   for (std::size_t i = 0; i < families_.size(); ++i) {
     activity.begin(i);
@@ -65,7 +65,7 @@ bool StrainLimit::tighten(RowActivity& activity, Eigen::Matrix3Xd& positions) co
   return any;
 }
 
-double StrainLimit::worst_excess(const Eigen::Matrix3Xd& positions) const {
+double StrainConstraints::worst_excess(const Eigen::Matrix3Xd& positions) const {
   double worst = -std::numeric_limits<double>::infinity();
   for (const auto& [family, limit] : families_)
     worst = std::max(worst, worst_strain(grid_, family, positions) - limit);

@@ -1,4 +1,4 @@
-#include "recorder/tying.h"
+#include "recorder/run/tying.h"
 
 #include <gtest/gtest.h>
 

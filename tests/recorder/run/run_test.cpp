@@ -1,4 +1,4 @@
-#include "recorder/run.h"
+#include "recorder/run/run.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include "files/temporary_folder.h"
 #include "playback/recording_reader.h"
 #include "recorder/record.h"
+#include "recorder/run/start.h"
 #include "recorder/small_scene.h"
-#include "recorder/start.h"
 #include "recorder/test_runs.h"
 #include "simulation/state/state_archive.h"
 
@@ -58,7 +58,7 @@ TEST_F(Run, without_loss_a_ribbon_that_leaves_its_reach_ends_the_run_with_a_sent
       scene_, {header.grid, header.ribbon_length_m, header.ribbon_width_m}, std::nullopt, state);
   SimulatedFrames frames(scene_, *std::move(moving), -1);
   BackgroundWriter file(RecordingWriter::create(folder_ / "fast.rbn", header).value());
-  const auto answer = run(frames, plan_of(scene_, {}), false, file, goes_on, {});
+  const auto answer = run(frames, plan_of(scene_).value(), false, file, goes_on, {});
   ASSERT_FALSE(answer.has_value());
   EXPECT_NE(answer.error().sentence().find("beyond the "), std::string::npos)
       << answer.error().sentence();
@@ -66,28 +66,29 @@ TEST_F(Run, without_loss_a_ribbon_that_leaves_its_reach_ends_the_run_with_a_sent
 }
 
 TEST_F(Run, a_limit_beyond_the_scene_lengthens_it_and_one_within_cuts_it_short) {
+  const auto frames = [&](const RunLimit& limit) { return plan_of(scene_, limit)->frames; };
   // 0.2 s at 30 frames/s.
-  EXPECT_EQ(plan_of(scene_, {}).frames, 7);
-  EXPECT_FALSE(plan_of(scene_, {}).is_cut_short);
-  EXPECT_EQ(plan_of(scene_, {.until_s = 0.1}).frames, 4);
-  EXPECT_TRUE(plan_of(scene_, {.until_s = 0.1}).is_cut_short);
-  EXPECT_EQ(plan_of(scene_, {.frames = 5}).frames, 5);
+  EXPECT_EQ(frames({}), 7);
+  EXPECT_FALSE(plan_of(scene_)->is_cut_short);
+  EXPECT_EQ(frames({.until_s = 0.1}), 4);
+  EXPECT_TRUE(plan_of(scene_, {.until_s = 0.1})->is_cut_short);
+  EXPECT_EQ(frames({.frames = 5}), 5);
+  EXPECT_EQ(plan_of(scene_, {.frames = 5})->scene.text, scene_.text);
   for (const RunLimit& limit : {RunLimit{.until_s = 0.5}, RunLimit{.frames = 16}}) {
-    const Scene longer = extended(scene_, limit).value();
-    EXPECT_DOUBLE_EQ(longer.time.duration_s, 0.5);
-    EXPECT_EQ(plan_of(longer, limit).frames, 16);
-    EXPECT_FALSE(plan_of(longer, limit).is_cut_short);
+    const RunPlan longer = plan_of(scene_, limit).value();
+    EXPECT_DOUBLE_EQ(longer.scene.time.duration_s, 0.5);
+    EXPECT_EQ(longer.frames, 16);
+    EXPECT_FALSE(longer.is_cut_short);
   }
-  EXPECT_EQ(extended(scene_, {.frames = 5})->text, scene_.text);
 }
 
 TEST_F(Run, tells_what_recording_took) {
   const RunStatistics statistics = record(scene_, replacing(folder_ / "knot.rbn"), goes_on).value();
   EXPECT_GT(statistics.recording_s, 0);
-  EXPECT_GT(statistics.writer.encoding_s, 0);
-  EXPECT_GT(statistics.writer.writing_s, 0);
-  EXPECT_GT(statistics.writer.syncing_s, 0);
-  EXPECT_GT(statistics.writer.longest_queue, 0);
+  EXPECT_GT(statistics.beside_it.writer.encoding_s, 0);
+  EXPECT_GT(statistics.beside_it.writer.writing_s, 0);
+  EXPECT_GT(statistics.beside_it.writer.syncing_s, 0);
+  EXPECT_GT(statistics.beside_it.longest_queue, 0U);
   EXPECT_GT(statistics.share_of_recording(), 0);
   EXPECT_LT(statistics.share_of_recording(), 1);
 }

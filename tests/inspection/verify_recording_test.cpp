@@ -1,4 +1,4 @@
-#include "inspection/verify.h"
+#include "inspection/verify_recording.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "inspection/looped_ribbon.h"
 #include "recording/sample_recording.h"
 
-namespace ribbon::verify_test {
+namespace ribbon::verify_recording_test {
 
 Verification verify_file(const std::filesystem::path& path, std::vector<int> frames = {},
                          int certify_every = 10) {
@@ -18,7 +18,7 @@ Verification verify_file(const std::filesystem::path& path, std::vector<int> fra
     frames.resize(reader->frame_count());
     std::iota(frames.begin(), frames.end(), 0);
   }
-  auto verification = verify(*reader, frames, certify_every, [](int) { return true; });
+  auto verification = verify_recording(*reader, frames, certify_every, [](int) { return true; });
   EXPECT_TRUE(verification.has_value());
   return *verification;
 }
@@ -191,9 +191,9 @@ TEST(Verify, whoever_watches_can_stop_it) {
   ASSERT_TRUE(reader.has_value());
   std::vector<int> frames(40);
   std::iota(frames.begin(), frames.end(), 0);
-  const auto stopped = verify(*reader, frames, 10, [](int done) { return done < 20; });
+  const auto stopped = verify_recording(*reader, frames, 10, [](int done) { return done < 20; });
   ASSERT_FALSE(stopped.has_value());
   EXPECT_EQ(stopped.error().problem, "interrupted after frame 32");
 }
 
-}  // namespace ribbon::verify_test
+}  // namespace ribbon::verify_recording_test

@@ -6,16 +6,18 @@
 #include <string>
 
 #include "inspection/outcome.h"
+#include "playback/recording_reader.h"
 #include "recording/records/recording.h"
+#include "recording/writer/background_writer.h"
 #include "simulation/step/stage_clock.h"
 
 namespace ribbon {
 
 struct RunStatistics {
-  std::string scene_name;
+  std::string scene_name = {};
   int along = 0;
   int across = 0;
-  std::string start;        // how it was made: "free", "grown" or "recovered"
+  std::string start = {};   // how it was made: "free", "grown" or "recovered"
   double start_s = 0;       // wall time that took
   long steps = 0;           // that led to the last frame
   long computed_steps = 0;  // by this run: others may have been before it
@@ -26,14 +28,8 @@ struct RunStatistics {
   StageSums stages = {};    // what it was spent for
   double measuring_s = 0;   // wall time spent on the numbers of frames
   double recording_s = 0;   // wall time for which recording them, and checkpoints, blocked the run
-  // What was done beside it.
-  struct Writer {
-    double encoding_s = 0;
-    double writing_s = 0;
-    double syncing_s = 0;
-    long longest_queue = 0;  // frames that waited at the same time, at most
-  } writer = {};
-  std::uint64_t bytes = 0;  // of the recording
+  BackgroundFigures beside_it = {};  // of the writer that worked beside the run
+  std::uint64_t bytes = 0;           // of the recording
   RunEnding ending = RunEnding::unknown;
   bool limit_reached = false;  // stopped: where --until or --frames asked, and not by Ctrl-C
   bool until_tight = false;    // was the run to end when the ribbon is tight?
@@ -54,6 +50,9 @@ struct RunStatistics {
   [[nodiscard]] double share_of_recording() const;
   [[nodiscard]] double bits_per_vertex_and_frame() const;
 };
+
+// What there is to tell of the first frames of a recording, so many.
+RunStatistics statistics_of(const RecordingReader& reader, int frames);
 
 // Where the time of the run went, in lines of text: each stage of the steps, and the frames.
 std::string profile_text(const RunStatistics& statistics);

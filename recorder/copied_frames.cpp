@@ -1,4 +1,4 @@
-#include "recorder/recorded_frames.h"
+#include "recorder/copied_frames.h"
 
 #include <cstring>
 

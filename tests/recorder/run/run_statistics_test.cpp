@@ -1,4 +1,4 @@
-#include "recorder/run_statistics.h"
+#include "recorder/run/run_statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -37,10 +37,11 @@ TEST(RunStatistics, of_a_run_that_did_nothing_divide_by_nothing) {
 }
 
 TEST(RunStatistics, fit_on_one_line) {
-  EXPECT_EQ(summary_line(example()),
-            "grown start; 2 frames, 1.0 s in 100 steps (25.0 steps/s); worst strain 30.0 %; "
-            "penetrating edges 5 "
-            "at worst, 2 at last; 0.0 MB (16.0 bits per vertex and frame)");
+  EXPECT_EQ(
+      summary_line(example()),
+      "grown start; 2 frames, 1.0 s in 100 steps (25.0 steps/s); worst strain of a spring 30.0 %; "
+      "penetrating edges 5 "
+      "at worst, 2 at last; 0.0 MB (16.0 bits per vertex and frame)");
 }
 
 TEST(RunStatistics, tell_where_the_time_went) {
@@ -51,7 +52,8 @@ TEST(RunStatistics, tell_where_the_time_went) {
   statistics.stages.sweeps = 1230;
   statistics.measuring_s = 0.75;
   statistics.recording_s = 0.25;
-  statistics.writer = {.encoding_s = 0.5, .writing_s = 0.1, .syncing_s = 0.05, .longest_queue = 3};
+  statistics.beside_it.writer = {.encoding_s = 0.5, .writing_s = 0.1, .syncing_s = 0.05};
+  statistics.beside_it.longest_queue = 3;
   // By hand: 5 s in all, so detection takes 40 % and 20 ms of each of 100 steps.
   EXPECT_EQ(
       profile_text(statistics),
@@ -90,7 +92,7 @@ TEST(RunStatistics, of_a_run_that_went_on_tell_what_it_did_itself) {
   statistics.steps = 150;
   statistics.first_frame = 1;
   statistics.recording_s = 1;
-  statistics.writer.longest_queue = 7;
+  statistics.beside_it.longest_queue = 7;
   EXPECT_EQ(statistics.steps_per_second(), 25);
   EXPECT_EQ(statistics.share_of_recording(), 0.2);
   const auto json = nlohmann::json::parse(statistics_json(statistics));
@@ -118,8 +120,7 @@ RunStatistics tight() {
 TEST(RunStatistics, say_why_a_run_ended) {
   RunStatistics statistics = tight();
   EXPECT_TRUE(
-      summary_line(statistics)
-          .ends_with("; ended tight: progress 2.2 % of the command, rope length 12.2 widths"))
+      summary_line(statistics).ends_with("; ended tight: progress 2.2 %, rope length 12.2 widths"))
       << summary_line(statistics);
   statistics.ending = RunEnding::duration;
   EXPECT_NE(summary_line(statistics).find("; not yet tight: progress 2.2 %"), std::string::npos);

@@ -94,7 +94,7 @@ using VerificationObserver = std::function<bool(int)>;
 // is computed for the first and the last of them and for every `certify_every`-th between; to
 // follow the ribbon's ends, the frames in between are decoded as well. Fails when the observer
 // stops it. The answer does not depend on the number of threads.
-Result<Verification> verify(RecordingReader& reader, const std::vector<int>& asked,
-                            int certify_every, const VerificationObserver& observer);
+Result<Verification> verify_recording(RecordingReader& reader, const std::vector<int>& asked,
+                                      int certify_every, const VerificationObserver& observer);
 
 }  // namespace ribbon

@@ -45,7 +45,4 @@ class SimulatedFrames {
   Effort effort_;
 };
 
-// One frame at the start of `scene` and then one for each frame time up to its duration.
-int frame_count(const Scene& scene);
-
 }  // namespace ribbon

@@ -1,6 +1,7 @@
-#include "recorder/run_statistics.h"
+#include "recorder/run/run_statistics.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "inspection/figures_json.h"
 #include "text/json.h"
@@ -33,43 +34,42 @@ double RunStatistics::bits_per_vertex_and_frame() const {
   return frames > 0 ? 8.0 * static_cast<double>(bytes) / vertices / frames : 0;
 }
 
+RunStatistics statistics_of(const RecordingReader& reader, int frames) {
+  const RecordingHeader& header = reader.header();
+  RunStatistics statistics{.scene_name = header.scene_name,
+                           .along = header.grid.along,
+                           .across = header.grid.across,
+                           .first_frame = frames};
+  for (int frame = 0; frame < frames; ++frame) {
+    if (const auto numbers = reader.numbers(frame))
+      statistics.add(*numbers);
+    else
+      ++statistics.frames;
+  }
+  return statistics;
+}
+
 namespace {
 
 std::string tightness_text(const TightnessNumbers& tightness) {
-  return "progress " + decimals(100 * tightness.progress, 1) + " % of the command, rope length " +
-         decimals(tightness.rope_length, 1) + " widths";
+  return filled_in("progress {:.1f} %, rope length {:.1f} widths", 100 * tightness.progress,
+                   tightness.rope_length);
 }
 
 // Nothing where the run lasted as long as it was to.
 std::string ending_text(const RunStatistics& statistics) {
   if (statistics.limit_reached)
-    return "; ended at " + decimals(statistics.simulated_s, 1) + " s, as asked";
+    return filled_in("; ended at {:.1f} s, as asked", statistics.simulated_s);
   if (statistics.ending == RunEnding::stopped) return "; ended early by the user";
   if (!statistics.until_tight || !statistics.tightness) return "";
   return (statistics.ending == RunEnding::tight ? "; ended tight: " : "; not yet tight: ") +
          tightness_text(*statistics.tightness);
 }
 
-// Text in a column of so many characters.
-std::string left(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size()), ' ');
-  return text;
-}
-std::string right(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
-}
-
-std::string profile_line(const std::string& what, double time_s, double of_s, long times) {
+std::string profile_line(std::string_view what, double time_s, double of_s, long times) {
   const double each_ms = times > 0 ? 1000 * time_s / static_cast<double>(times) : 0;
   const double percent = of_s > 0 ? 100 * time_s / of_s : 0;
-  return "  " + left(what, 17) + right(decimals(percent, 1), 6) + " %" +
-         right(decimals(each_ms, 3), 11) + " ms\n";
-}
-
-std::string per_step(long count, const RunStatistics& statistics, int digits) {
-  return decimals(
-      static_cast<double>(count) / static_cast<double>(std::max(1L, statistics.computed_steps)),
-      digits);
+  return filled_in("  {:<17}{:>6.1f} %{:>11.3f} ms\n", what, percent, each_ms);
 }
 
 Json stages_json(const StageSums& stages) {
@@ -90,34 +90,40 @@ Json stages_json(const StageSums& stages) {
 std::string profile_text(const RunStatistics& statistics) {
   const double all_s = statistics.simulation_s + statistics.measuring_s + statistics.recording_s;
   const int frames = statistics.frames - statistics.first_frame;
-  std::string text = "a step, " + std::to_string(statistics.computed_steps) + " times:\n";
+  std::string text = filled_in("a step, {} times:\n", statistics.computed_steps);
   // A step truncates or recovers; the other takes no time.
   for (std::size_t stage = 0; stage < step_stage_count; ++stage)
     if (const double time_s = statistics.stages.time_s[stage]; time_s > 0)
-      text += profile_line(std::string(word_for(static_cast<StepStage>(stage))), time_s, all_s,
+      text += profile_line(word_for(static_cast<StepStage>(stage)), time_s, all_s,
                            statistics.computed_steps);
-  text += "a frame, " + std::to_string(frames) + " times:\n" +
+  text += filled_in("a frame, {} times:\n", frames) +
           profile_line("measuring", statistics.measuring_s, all_s, frames) +
           profile_line("recording", statistics.recording_s, all_s, frames) +
           "beside these, of the same time:\n" +
-          profile_line("encoding", statistics.writer.encoding_s, all_s, frames) +
-          profile_line("writing", statistics.writer.writing_s, all_s, frames) +
-          profile_line("syncing", statistics.writer.syncing_s, all_s, frames);
-  return text + "in a step " + per_step(statistics.stages.detections, statistics, 2) +
-         " detections, " + per_step(statistics.stages.listed_pairs, statistics, 0) +
-         " pairs of features listed, " + per_step(statistics.stages.sweeps, statistics, 1) +
-         " sweeps over all edges\n";
+          profile_line("encoding", statistics.beside_it.writer.encoding_s, all_s, frames) +
+          profile_line("writing", statistics.beside_it.writer.writing_s, all_s, frames) +
+          profile_line("syncing", statistics.beside_it.writer.syncing_s, all_s, frames);
+  const auto per_step = [&](long count) {
+    return static_cast<double>(count) /
+           static_cast<double>(std::max(1L, statistics.computed_steps));
+  };
+  const StageSums& sums = statistics.stages;
+  return text + filled_in(
+                    "in a step {:.2f} detections, {:.0f} pairs of features listed, {:.1f} "
+                    "sweeps over all edges\n",
+                    per_step(sums.detections), per_step(sums.listed_pairs), per_step(sums.sweeps));
 }
 
 std::string summary_line(const RunStatistics& statistics) {
-  return statistics.start + " start; " + std::to_string(statistics.frames) + " frames, " +
-         decimals(statistics.simulated_s, 1) + " s in " + std::to_string(statistics.steps) +
-         " steps (" + decimals(statistics.steps_per_second(), 1) + " steps/s); worst strain " +
-         decimals(100 * statistics.worst_strain, 1) + " %; penetrating edges " +
-         std::to_string(statistics.worst_penetrating_edges) + " at worst, " +
-         std::to_string(statistics.last_penetrating_edges) + " at last; " +
-         decimals(static_cast<double>(statistics.bytes) / 1e6, 1) + " MB (" +
-         decimals(statistics.bits_per_vertex_and_frame(), 1) + " bits per vertex and frame)" +
+  return filled_in("{} start; {} frames, {:.1f} s in {} steps ({:.1f} steps/s); ", statistics.start,
+                   statistics.frames, statistics.simulated_s, statistics.steps,
+                   statistics.steps_per_second()) +
+         filled_in("worst strain of a spring {:.1f} %; penetrating edges {} at worst, {} at last; ",
+                   100 * statistics.worst_strain, statistics.worst_penetrating_edges,
+                   statistics.last_penetrating_edges) +
+         filled_in("{:.1f} MB ({:.1f} bits per vertex and frame)",
+                   static_cast<double>(statistics.bytes) / 1e6,
+                   statistics.bits_per_vertex_and_frame()) +
          ending_text(statistics) +
          (statistics.outcome ? "; " + outcome_text(*statistics.outcome) : "");
 }
@@ -139,10 +145,10 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"measuring_s", statistics.measuring_s},
       {"recording_s", statistics.recording_s},
       {"recording_share", statistics.share_of_recording()},
-      {"encoding_s", statistics.writer.encoding_s},
-      {"writing_s", statistics.writer.writing_s},
-      {"syncing_s", statistics.writer.syncing_s},
-      {"longest_queue", statistics.writer.longest_queue},
+      {"encoding_s", statistics.beside_it.writer.encoding_s},
+      {"writing_s", statistics.beside_it.writer.writing_s},
+      {"syncing_s", statistics.beside_it.writer.syncing_s},
+      {"longest_queue", statistics.beside_it.longest_queue},
       {"steps_per_second", statistics.steps_per_second()},
       {"bytes", statistics.bytes},
       {"bits_per_vertex_and_frame", statistics.bits_per_vertex_and_frame()},

@@ -1,0 +1,47 @@
+#include "recorder/run/run_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scene/setting.h"
+
+namespace ribbon {
+
+namespace {
+
+// A frame time that falls on the end up to rounding is within it.
+int frames_within(double duration_s, double frames_per_second) {
+  return static_cast<int>(std::floor(duration_s * frames_per_second * (1 + 1e-12))) + 1;
+}
+
+Result<Scene> lasting(double duration_s, const Scene& scene) {
+  auto longer = read_scene(scene.file, scene.text, {setting_of("time.duration", duration_s)});
+  if (longer) longer->name = scene.name;
+  return longer;
+}
+
+}  // namespace
+
+Result<RunPlan> plan_of(const Scene& scene, const RunLimit& limit) {
+  const double frames_per_second = scene.recording.frames_per_second;
+  RunPlan plan{scene, frame_count(scene)};
+  if (!limit.is_set()) return plan;
+  const int limited =
+      limit.frames ? *limit.frames : frames_within(*limit.until_s, frames_per_second);
+  if (limited > plan.frames) {
+    auto longer = lasting(limit.until_s.value_or((limited - 1) / frames_per_second), scene);
+    if (!longer) return tl::unexpected(longer.error());
+    const int frames = frame_count(*longer);
+    plan = {*std::move(longer), frames};
+  }
+  plan.is_cut_short = limited < plan.frames;
+  plan.frames = std::min(plan.frames, limited);
+  return plan;
+}
+
+int frame_count(const Scene& scene) {
+  return frames_within(scene.time.duration_s, scene.recording.frames_per_second);
+}
+
+}  // namespace ribbon
