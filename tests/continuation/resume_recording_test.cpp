@@ -14,9 +14,11 @@
 #include <vector>
 
 #include "files/files.h"
+#include "files/flipped.h"
 #include "playback/recording_reader.h"
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
+#include "result/refusal.h"
 
 namespace ribbon::resume_recording_test {
 
@@ -196,9 +198,7 @@ TEST_F(ResumedRecording, after_damage_only_what_was_hit_is_lost) {
   }
   const std::string bytes = read_file(path_).value();
   for (std::size_t at = 2000; at < bytes.size() - 200; at += 197) {
-    std::string damaged = bytes;
-    damaged[at] = static_cast<char>(damaged[at] ^ 0x40);
-    put_file(path_, damaged);
+    put_file(path_, flipped(bytes, at, 0x40));
     auto before = RecordingReader::open(path_);
     auto writer = resume_recording(path_).value();
     ASSERT_EQ(writer.frames_written(), static_cast<std::uint32_t>(killed_at));
@@ -221,9 +221,8 @@ TEST_F(ResumedRecording, only_one_writer_at_a_time) {
   put_file(path_, whole_);
   auto first = resume_recording(path_);
   ASSERT_TRUE(first.has_value());
-  const auto second = resume_recording(path_);
-  ASSERT_FALSE(second.has_value());
-  EXPECT_EQ(second.error().problem, "is being written by another program");
+  EXPECT_THAT(refusal_of(resume_recording(path_)),
+              HasSubstr("is being written by another program"));
   EXPECT_FALSE(RecordingWriter::create(path_, sample_header({3, 2})).has_value());
   EXPECT_EQ(std::filesystem::file_size(path_), whole_.size());
   { const RecordingWriter done = std::move(*first); }
@@ -232,14 +231,13 @@ TEST_F(ResumedRecording, only_one_writer_at_a_time) {
 
 TEST_F(ResumedRecording, what_is_no_recording_is_left_alone) {
   put_file(path_, "some text that is longer than the head of a record");
-  EXPECT_EQ(resume_recording(path_).error().problem, "is not a ribbon recording");
+  EXPECT_THAT(refusal_of(resume_recording(path_)), HasSubstr("is not a ribbon recording"));
   EXPECT_EQ(read_file(path_).value().size(), 50U);
   EXPECT_FALSE(resume_recording("/no/such.rbn").has_value());
   put_file(path_, whole_);
   std::filesystem::permissions(path_, std::filesystem::perms::owner_read);
   if (::access(path_.c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write anything";
-  EXPECT_NE(resume_recording(path_).error().sentence().find("cannot be written"),
-            std::string::npos);
+  EXPECT_THAT(refusal_of(resume_recording(path_)), HasSubstr("cannot be written"));
 }
 
 TEST_F(ResumedRecording, after_a_full_disk_it_goes_on) {

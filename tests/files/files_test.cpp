@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "result/refusal.h"
+
 namespace ribbon::files_test {
 
 TEST(Files, what_was_written_is_read_back) {
@@ -18,15 +20,11 @@ TEST(Files, what_was_written_is_read_back) {
 }
 
 TEST(Files, a_failed_write_leaves_the_older_file_alone) {
-  const Result<void> written = write_file("/dev/full/never", "x");
-  ASSERT_FALSE(written.has_value());
-  EXPECT_NE(written.error().sentence().find("/dev/full"), std::string::npos);
+  EXPECT_THAT(refusal_of(write_file("/dev/full/never", "x")), HasSubstr("/dev/full"));
 }
 
 TEST(Files, a_missing_file_is_named) {
-  const auto bytes = read_file("/no/such/file");
-  ASSERT_FALSE(bytes.has_value());
-  EXPECT_EQ(bytes.error().place, "/no/such/file");
+  EXPECT_THAT(refusal_of(read_file("/no/such/file")), StartsWith("/no/such/file: "));
 }
 
 TEST(Files, a_folder_is_not_a_file) {

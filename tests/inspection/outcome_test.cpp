@@ -4,6 +4,7 @@
 
 #include "inspection/figures_json.h"
 #include "inspection/looped_ribbon.h"
+#include "result/refusal.h"
 
 namespace ribbon::outcome_test {
 
@@ -76,7 +77,7 @@ TEST(OutcomeOfARecording, a_loop_that_slips_off_is_told_with_its_moment) {
   EXPECT_EQ(outcome->slipped_off->frame, 16);
   EXPECT_EQ(outcome->slipped_off->time_s, 0.3);
   EXPECT_EQ(outcome_text(*outcome).substr(0, 33), "slipped off the object at 0.30 s,");
-  EXPECT_NE(outcome_json(outcome).text().find("\"frame\": 16"), std::string::npos);
+  EXPECT_THAT(outcome_json(outcome).text(), HasSubstr("\"frame\": 16"));
 }
 
 TEST(OutcomeOfARecording, a_knot_beside_its_post_is_not_round_it) {

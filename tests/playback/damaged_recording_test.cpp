@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "files/files.h"
+#include "files/flipped.h"
 #include "playback/recording_reader.h"
 #include "recording/codec/position_encoder.h"
 #include "recording/coding/bytes.h"
@@ -19,6 +20,7 @@
 #include "recording/records/record_head.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
+#include "result/refusal.h"
 
 namespace ribbon::damaged_recording_test {
 
@@ -143,9 +145,7 @@ TEST_F(DamagedRecording, a_cut_tail_is_a_normal_end) {
 
 TEST_F(DamagedRecording, every_flipped_byte_of_a_finished_file_costs_at_most_its_group) {
   for (std::size_t byte = 0; byte < finished_.size(); ++byte) {
-    std::string bytes = finished_;
-    bytes[byte] = static_cast<char>(bytes[byte] ^ (byte % 2 == 0 ? 0x01 : 0xC3));
-    auto reader = open(bytes);
+    auto reader = open(flipped(finished_, byte, byte % 2 == 0 ? 0x01 : 0xC3));
     if (byte >= file_signature.size() && byte < header_end_) {
       ASSERT_FALSE(reader.has_value()) << "byte " << byte;
       continue;
@@ -166,9 +166,7 @@ TEST_F(DamagedRecording, every_flipped_byte_of_a_finished_file_costs_at_most_its
 
 TEST_F(DamagedRecording, every_flipped_byte_of_a_killed_file_costs_at_most_its_group) {
   for (std::size_t byte = header_end_; byte < killed_.size(); ++byte) {
-    std::string bytes = killed_;
-    bytes[byte] = static_cast<char>(bytes[byte] ^ 0x20);
-    auto reader = open(bytes);
+    auto reader = open(flipped(killed_, byte, 0x20));
     ASSERT_TRUE(reader.has_value()) << "byte " << byte;
     std::vector<int> expected = group_from(frame_at(byte));
     const bool last_head =
@@ -182,9 +180,7 @@ TEST_F(DamagedRecording, every_flipped_byte_of_a_killed_file_costs_at_most_its_g
 }
 
 TEST_F(DamagedRecording, damage_is_reported_where_it_is) {
-  std::string bytes = killed_;
-  bytes[begin_[5] + record_head_bytes + 3] ^= 1;
-  auto reader = open(bytes);
+  auto reader = open(flipped(killed_, begin_[5] + record_head_bytes + 3));
   ASSERT_TRUE(reader.has_value());
   ASSERT_EQ(reader->damage().size(), 1U);
   EXPECT_EQ(reader->damage()[0].byte, begin_[5]);
@@ -196,9 +192,7 @@ TEST_F(DamagedRecording, damage_is_reported_where_it_is) {
 }
 
 TEST_F(DamagedRecording, a_check_finds_what_nobody_has_read_yet) {
-  std::string bytes = finished_;
-  bytes[begin_[5] + record_head_bytes + 3] ^= 1;
-  auto reader = open(bytes);
+  auto reader = open(flipped(finished_, begin_[5] + record_head_bytes + 3));
   ASSERT_TRUE(reader.has_value());
   EXPECT_TRUE(reader->readable(6)) << "the index is whole";
   reader->check();
@@ -370,9 +364,7 @@ TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
     }
     ASSERT_TRUE(writer->finish().has_value());
   }
-  std::string bytes = read_file(path_).value();
-  bytes[first_index + record_head_bytes + 20] ^= 1;
-  auto reader = open(bytes);
+  auto reader = open(flipped(read_file(path_).value(), first_index + record_head_bytes + 20));
   ASSERT_TRUE(reader.has_value());
   EXPECT_TRUE(reader->damage().empty()) << "nobody has needed it";
   EXPECT_TRUE(reader->readable(256));
@@ -386,21 +378,17 @@ TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
 TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {
   std::string payload = header_payload(sample_header({3, 2}));
   payload[0] = 7;
-  const auto reader = open(std::string(file_signature) + make_record(RecordType::header, payload));
-  ASSERT_FALSE(reader.has_value());
-  EXPECT_EQ(reader.error().sentence(), path_.string() +
-                                           ": was written in format version 7, this program reads "
-                                           "version 2; use a newer program");
+  EXPECT_EQ(
+      refusal_of(open(std::string(file_signature) + make_record(RecordType::header, payload))),
+      path_.string() +
+          ": was written in format version 7, this program reads "
+          "version 2; use a newer program");
 }
 
 TEST_F(DamagedRecording, an_error_names_the_frame_as_users_count) {
-  std::string bytes = killed_;
-  bytes[begin_[5] + record_head_bytes + 3] ^= 1;
-  auto reader = open(bytes);
+  auto reader = open(flipped(killed_, begin_[5] + record_head_bytes + 3));
   Eigen::Matrix3Xf read;
-  const auto result = reader->read(7, read);
-  ASSERT_FALSE(result.has_value());
-  EXPECT_EQ(result.error().place, path_.string() + ": frame 8");
+  EXPECT_THAT(refusal_of(reader->read(7, read)), StartsWith(path_.string() + ": frame 8: "));
 }
 
 }  // namespace ribbon::damaged_recording_test

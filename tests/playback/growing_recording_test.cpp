@@ -9,6 +9,7 @@
 #include "playback/recording_reader.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/background_writer.h"
+#include "result/refusal.h"
 
 namespace ribbon::growing_recording_test {
 
@@ -113,9 +114,7 @@ TEST(GrowingRecording, one_that_is_recorded_anew_is_told) {
   write_sample_recording(path, 5);
   auto reader = RecordingReader::open(path).value();
   const auto writer = RecordingWriter::create(path, sample_header());
-  const auto refreshed = reader.refresh();
-  ASSERT_FALSE(refreshed.has_value());
-  EXPECT_EQ(refreshed.error().sentence(),
+  EXPECT_EQ(refusal_of(reader.refresh()),
             path.string() +
                 ": has become shorter while it was read; it is another recording now: "
                 "open it again");

@@ -7,6 +7,7 @@
 
 #include "files/files.h"
 #include "recording/sample_recording.h"
+#include "result/refusal.h"
 
 namespace ribbon::recording_reader_test {
 
@@ -72,9 +73,7 @@ TEST(RecordingReader, a_killed_recording_reads_like_a_finished_one) {
 }
 
 TEST(RecordingReader, a_missing_file_is_named) {
-  const auto reader = RecordingReader::open("/no/such.rbn");
-  ASSERT_FALSE(reader.has_value());
-  EXPECT_EQ(reader.error().sentence(),
+  EXPECT_EQ(refusal_of(RecordingReader::open("/no/such.rbn")),
             "/no/such.rbn: cannot be opened (No such file or directory); check the name and the "
             "permissions");
 }
@@ -83,9 +82,7 @@ TEST(RecordingReader, what_is_no_recording_is_refused) {
   const auto path = temporary_file("text.rbn");
   for (const char* bytes : {"", "x", "some text that is longer than the head of a record"}) {
     ASSERT_TRUE(write_file(path, bytes).has_value());
-    const auto reader = RecordingReader::open(path);
-    ASSERT_FALSE(reader.has_value());
-    EXPECT_EQ(reader.error().problem, "is not a ribbon recording");
+    EXPECT_THAT(refusal_of(RecordingReader::open(path)), HasSubstr("is not a ribbon recording"));
   }
   EXPECT_FALSE(RecordingReader::open(testing::TempDir()).has_value());
   EXPECT_FALSE(RecordingReader::open("/dev/null").has_value());

@@ -1,6 +1,7 @@
 // Ribbons of every size and place: each is fastened without an intersection, or refused.
 #include <gtest/gtest.h>
 
+#include "result/refusal.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
@@ -42,31 +43,12 @@ TEST(Extremes, edges_from_a_tenth_of_a_millimetre_to_a_kilometre) {
   }
 }
 
-TEST(Extremes, a_scene_of_a_tenth_of_a_millimetre_moves_like_a_large_one) {
-  const auto end_after = [](double size) {
-    const Scaled scaled(size);
-    auto fastening = FasteningProcessor::create(scaled.scene, scaled.mesh, scaled.obstacle).value();
-    for (int step = 0; step < 30; ++step) fastening.step();
-    return Eigen::Vector3d(fastening.positions().col(0) / size);
-  };
-  EXPECT_LT((end_after(1) - end_after(1e-4 / 0.02)).norm(), 1e-3);
-}
-
 TEST(Extremes, far_from_the_origin_within_the_limit) {
   Scaled scaled(1);
   scaled.mesh.positions.colwise() += Eigen::Vector3d(300, -200, 500);
   scaled.obstacle.vertices.colwise() += Eigen::Vector3f(300, -200, 500);
   scaled.scene.fastening->axis_point_m = {300, -200, 500};
   expect_free_for_30_steps(scaled.scene, scaled.mesh, scaled.obstacle);
-}
-
-TEST(Extremes, a_million_lengths_from_the_origin_is_refused_with_the_distance_that_is_allowed) {
-  Scaled scaled(1);
-  scaled.mesh.positions.row(0).array() += 1e6 * scaled.mesh.length_m;
-  const auto answer = FasteningProcessor::create(scaled.scene, scaled.mesh, std::nullopt);
-  ASSERT_FALSE(answer.has_value());
-  EXPECT_NE(answer.error().problem.find("from the origin"), std::string::npos);
-  EXPECT_NE(answer.error().remedy.find("within 679 m"), std::string::npos);
 }
 
 TEST(Extremes, a_ribbon_of_four_particles) {
@@ -98,9 +80,8 @@ TEST(Extremes, particles_in_one_place_are_refused_with_their_row) {
   RibbonMesh mesh = mesh_of_loop(scene);
   const int first = mesh.grid.particle(60, 0);
   for (int k = 0; k < 12; ++k) mesh.positions.col(first + k) = mesh.positions.col(first);
-  const auto answer = FasteningProcessor::create(scene, mesh, std::nullopt);
-  ASSERT_FALSE(answer.has_value());
-  EXPECT_NE(answer.error().problem.find("row 6"), std::string::npos) << answer.error().sentence();
+  EXPECT_THAT(refusal_of(FasteningProcessor::create(scene, mesh, std::nullopt)),
+              HasSubstr("row 6"));
 }
 
 TEST(Extremes, a_loop_pulled_a_thousand_times_too_hard_stays_free) {
@@ -119,7 +100,7 @@ void expect_bounded_by_any_integrator(Scene scene) {
     const RibbonMesh mesh = mesh_of_loop(scene);
     auto fastening = FasteningProcessor::create(scene, mesh, post(0.45));
     if (!fastening && method != IntegrationMethod::implicit) {
-      EXPECT_NE(fastening.error().remedy.find("time.integrator"), std::string::npos);
+      EXPECT_THAT(fastening.error().remedy, HasSubstr("time.integrator"));
       continue;
     }
     ASSERT_TRUE(fastening.has_value()) << fastening.error().sentence();

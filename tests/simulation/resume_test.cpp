@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parallel/parallel.h"
+#include "result/refusal.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
 #include "simulation/state/state_archive.h"
@@ -174,9 +175,8 @@ TEST(Resume, a_start_that_was_grown_is_not_searched_again) {
 }
 
 std::string refusal(const Case& run, const std::string& state) {
-  const auto answer =
-      FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state);
-  return answer ? "" : answer.error().sentence();
+  return refusal_of(
+      FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state));
 }
 
 constexpr auto lowest = std::numeric_limits<std::int64_t>::min();
@@ -205,16 +205,14 @@ TEST(Resume, every_cut_state_and_every_other_length_is_refused) {
     const std::string state = fastening.state();
     ASSERT_EQ(refusal(run, state), "");
     for (std::size_t size = 0; size < state.size(); size += 61)
-      EXPECT_NE(refusal(run, state.substr(0, size)).find("does not fit the scene"),
-                std::string::npos)
-          << size;
+      EXPECT_THAT(refusal(run, state.substr(0, size)), HasSubstr("does not fit the scene")) << size;
     std::vector<std::int64_t> numbers = numbers_of(state);
     ASSERT_EQ(state_of(numbers), state);
     numbers.push_back(0);
-    EXPECT_NE(refusal(run, state_of(numbers)).find("longer than"), std::string::npos);
+    EXPECT_THAT(refusal(run, state_of(numbers)), HasSubstr("longer than"));
     numbers.resize(numbers.size() - 2);
-    EXPECT_NE(refusal(run, state_of(numbers)).find("cut off"), std::string::npos);
-    EXPECT_NE(refusal(run, state + 'x').find("cut off"), std::string::npos);
+    EXPECT_THAT(refusal(run, state_of(numbers)), HasSubstr("cut off"));
+    EXPECT_THAT(refusal(run, state + 'x'), HasSubstr("cut off"));
   }
 }
 
@@ -244,19 +242,19 @@ TEST(Resume, a_state_of_another_scene_is_refused_and_told_why) {
   const std::string state = fastening.state();
   Case other = run;
   other.scene.ribbon.along = 121;
-  EXPECT_NE(refusal(other, state).find("particles along"), std::string::npos);
+  EXPECT_THAT(refusal(other, state), HasSubstr("particles along"));
   other = run;
   other.scene.ribbon.across = 5;
-  EXPECT_NE(refusal(other, state).find("particles across"), std::string::npos);
+  EXPECT_THAT(refusal(other, state), HasSubstr("particles across"));
   other = run;
   other.scene.fastening.reset();
-  EXPECT_NE(refusal(other, state).find("its ribbon is fastened"), std::string::npos);
+  EXPECT_THAT(refusal(other, state), HasSubstr("its ribbon is fastened"));
   other = run;
   other.scene.time.step_s = 0.005;
-  EXPECT_NE(refusal(other, state).find("time.step"), std::string::npos);
+  EXPECT_THAT(refusal(other, state), HasSubstr("time.step"));
   std::vector<std::int64_t> newer = numbers_of(state);
   newer[0] = 2;
-  EXPECT_NE(refusal(run, state_of(newer)).find("another version"), std::string::npos);
+  EXPECT_THAT(refusal(run, state_of(newer)), HasSubstr("another version"));
   EXPECT_EQ(refusal(run, state), "");
 }
 
@@ -333,7 +331,7 @@ TEST(Resume, springs_too_stiff_for_the_step_are_refused_as_at_the_start) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
   Case stiff = run;
   stiff.scene.springs.stretch = 1e6;
-  EXPECT_NE(refusal(stiff, begun(run).state()).find("parts"), std::string::npos);
+  EXPECT_THAT(refusal(stiff, begun(run).state()), HasSubstr("parts"));
 }
 
 }  // namespace ribbon::resume_test

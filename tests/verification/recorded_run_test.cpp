@@ -75,10 +75,4 @@ TEST_F(RecordedRun, all_oracles_find_the_same_pairs_when_particles_are_swapped) 
   }
 }
 
-TEST_F(RecordedRun, its_header_names_the_axis_that_it_was_fastened_towards) {
-  ASSERT_TRUE(reader_.header().centre_axis.has_value());
-  EXPECT_EQ(reader_.header().centre_axis->point_m, Eigen::Vector3d::Zero());
-  EXPECT_EQ(reader_.header().centre_axis->direction, Eigen::Vector3d::UnitY());
-}
-
 }  // namespace ribbon::recorded_run_test

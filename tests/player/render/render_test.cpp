@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "parallel/parallel.h"
+#include "parallel/any_threads.h"
 #include "player/quads.h"
 #include "player/render/cloth_pattern.h"
 
@@ -203,14 +203,9 @@ TEST(Render, pixels_are_the_same_for_any_number_of_threads) {
   camera.eye = {0, 0, 12};
   camera.half_width = 0.2F;
   camera.half_height = 0.1F;
-  const auto pixels = [&](int threads) {
-    set_thread_limit(threads);
+  same_for_any_threads([&] {
     return encode_srgb(render(scene, camera, {203, 101}, SamplePatterns(5))).rgb;
-  };
-  const auto expected = pixels(1);
-  EXPECT_EQ(pixels(2), expected);
-  EXPECT_EQ(pixels(7), expected);
-  set_thread_limit(0);
+  });
 }
 
 TEST(Render, tiles_left_out_would_have_shown_nothing_else) {

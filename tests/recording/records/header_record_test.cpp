@@ -6,6 +6,7 @@
 
 #include "recording/coding/bytes.h"
 #include "recording/sample_recording.h"
+#include "result/refusal.h"
 
 namespace ribbon::header_record_test {
 
@@ -60,21 +61,10 @@ TEST(HeaderRecord, what_a_newer_minor_version_appends_is_ignored) {
   EXPECT_TRUE(parse_header_payload(payload).has_value());
 }
 
-TEST(HeaderRecord, a_newer_major_version_is_refused_with_a_sentence) {
-  std::string payload = header_payload(sample_header());
-  payload[0] = 3;
-  const auto read = parse_header_payload(payload);
-  ASSERT_FALSE(read.has_value());
-  EXPECT_EQ(read.error().sentence(),
-            "was written in format version 3, this program reads version 2; use a newer program");
-}
-
 TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
   std::string payload = header_payload(sample_header());
   payload[0] = 1;
-  const auto read = parse_header_payload(payload);
-  ASSERT_FALSE(read.has_value());
-  EXPECT_EQ(read.error().sentence(),
+  EXPECT_EQ(refusal_of(parse_header_payload(payload)),
             "was written in format version 1, this program reads version 2; record it again");
 }
 

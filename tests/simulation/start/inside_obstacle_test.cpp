@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "result/refusal.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
 
@@ -57,11 +58,10 @@ TriangleMesh with_repeated_corners(const TriangleMesh& mesh) {
   return apart;
 }
 
-std::string answer_to(const TriangleMesh& obstacle, ContactMethod contact = ContactMethod::gate) {
+std::string refusal(const TriangleMesh& obstacle, ContactMethod contact = ContactMethod::gate) {
   Scene scene = scene_of_loop();
   scene.contact = contact;
-  const auto answer = FasteningProcessor::create(scene, mesh_of_loop(scene), obstacle);
-  return answer ? "accepted" : answer.error().sentence();
+  return refusal_of(FasteningProcessor::create(scene, mesh_of_loop(scene), obstacle));
 }
 
 TEST(InsideObstacle, a_mesh_is_closed_where_no_edge_is_left_over) {
@@ -77,27 +77,26 @@ TEST(InsideObstacle, a_mesh_is_closed_where_no_edge_is_left_over) {
 TEST(InsideObstacle, a_ribbon_drawn_inside_is_refused_with_the_question_for_the_unit) {
   // The loop has a radius of 0.5 m and rises by 0.16 m.
   for (const ContactMethod contact : {ContactMethod::gate, ContactMethod::paper})
-    EXPECT_EQ(answer_to(closed_post(2), contact)
-                  .find("loop: the ribbon lies inside the obstacle; is curve.unit right?"),
-              0U);
+    EXPECT_THAT(refusal(closed_post(2), contact),
+                StartsWith("loop: the ribbon lies inside the obstacle; is curve.unit right?"));
 }
 
 TEST(InsideObstacle, a_ribbon_inside_an_open_mesh_is_accepted) {
-  EXPECT_EQ(answer_to(post(2)), "accepted");
+  EXPECT_EQ(refusal(post(2)), "");
 }
 
 TEST(InsideObstacle, a_ribbon_round_the_obstacle_is_accepted) {
-  EXPECT_EQ(answer_to(closed_post(0.3)), "accepted");
+  EXPECT_EQ(refusal(closed_post(0.3)), "");
 }
 
 TEST(InsideObstacle, a_ribbon_in_the_hole_of_a_ring_is_accepted) {
-  EXPECT_EQ(answer_to(torus(0.8, 1, 0.6)), "accepted");
+  EXPECT_EQ(refusal(torus(0.8, 1, 0.6)), "");
 }
 
 TEST(InsideObstacle, a_ribbon_that_leads_in_and_out_is_told_what_it_pierces_not_that_it_is_inside) {
   TriangleMesh in_the_way = closed_post(0.3);
   in_the_way.vertices.row(2).array() -= 0.5F;
-  EXPECT_EQ(answer_to(in_the_way).find("lies inside"), std::string::npos);
+  EXPECT_THAT(refusal(in_the_way), Not(HasSubstr("lies inside")));
 }
 
 }  // namespace ribbon::inside_obstacle_test

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "parallel/parallel.h"
+#include "parallel/any_threads.h"
 #include "simulation/detection/closest_weights.h"
 #include "simulation/detection/swept_pairs.h"
 #include "simulation/detection/vertex_ranges.h"
@@ -163,20 +163,15 @@ TEST(DisplacementTruncation,
 
 TEST(DisplacementTruncation, gives_the_same_bits_for_any_number_of_threads) {
   const RibbonGrid grid{121, 9};
-  std::vector<Matrix3Xd> answers;
-  for (const int threads : {1, 2, 5}) {
-    set_thread_limit(threads);
+  same_for_any_threads([&] {
     Matrix3Xd x = folded_ribbon(grid, 0.5);
     Bodies bodies = ribbon_alone(grid);
     Matrix3Xd target = x;
     for (int p = 0; p < grid.particle_count(); ++p)
       target.col(p) += 0.4 * Vector3d(std::sin(p), std::cos(3 * p), std::sin(7 * p));
     truncate(bodies, 0.02, target, x);
-    answers.push_back(x);
-  }
-  set_thread_limit(0);
-  EXPECT_EQ(answers[0], answers[1]);
-  EXPECT_EQ(answers[0], answers[2]);
+    return x;
+  });
 }
 
 }  // namespace ribbon::displacement_truncation_test
