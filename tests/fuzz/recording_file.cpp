@@ -56,13 +56,6 @@ Frames frames_of(RecordingReader& reader) {
   return frames;
 }
 
-bool same_bits(const Eigen::Matrix3Xf& a, const Eigen::Matrix3Xf& b) {
-  return a.cols() == b.cols() &&
-         std::equal(a.data(), a.data() + a.size(), b.data(), [](float x, float y) {
-           return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
-         });
-}
-
 void must_agree(const Frames& some, const Frames& others) {
   for (const auto& [number, positions] : some)
     if (const auto other = others.find(number); other != others.end())

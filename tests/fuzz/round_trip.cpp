@@ -83,13 +83,6 @@ std::vector<const QuantisedFrame*> take_references(const std::vector<QuantisedFr
   return references;
 }
 
-bool same_bits(const Eigen::Matrix3Xf& a, const Eigen::Matrix3Xf& b) {
-  return a.cols() == b.cols() &&
-         std::equal(a.data(), a.data() + a.size(), b.data(), [](float x, float y) {
-           return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
-         });
-}
-
 void check_bound(const Eigen::Matrix3Xf& decoded, const Eigen::Matrix3Xd& positions,
                  double bound_m) {
   if (bound_m == 0)

@@ -15,7 +15,7 @@ namespace ribbon {
 
 inline constexpr double width_m = 0.02;
 inline const CentreAxis upright{{0, 0, 0}, {0, 1, 0}};
-inline const TriangleMesh object = post(0.05, -0.3, 0.3);
+inline const TriangleMesh object = closed(tube(0.05, -0.3, 0.3));
 
 struct Pose {
   double height_m = 0;  // of the loop

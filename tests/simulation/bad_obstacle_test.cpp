@@ -179,16 +179,7 @@ TEST(BadObstacle, far_more_triangles_than_the_ribbon_has_all_slivers_stop_it) {
 }
 
 TEST(BadObstacle, one_that_intersects_itself_stops_it) {
-  TriangleMesh mesh = post(radius_m);
-  const TriangleMesh other = post(0.39, 7);
-  const auto first = static_cast<int>(mesh.vertices.cols());
-  Eigen::Matrix3Xf vertices(3, first + other.vertices.cols());
-  vertices << mesh.vertices, other.vertices;
-  Eigen::Matrix3Xi triangles(3, mesh.triangles.cols() + other.triangles.cols());
-  triangles << mesh.triangles, (other.triangles.array() + first).matrix();
-  mesh.vertices = vertices;
-  mesh.triangles = triangles;
-  EXPECT_GT(draw_tight(mesh), 0.39);
+  EXPECT_GT(draw_tight(together(post(radius_m), post(0.39, 7))), 0.39);
 }
 
 }  // namespace ribbon::bad_obstacle_test

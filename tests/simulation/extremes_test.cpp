@@ -53,13 +53,7 @@ TEST(Extremes, far_from_the_origin_within_the_limit) {
 
 TEST(Extremes, a_ribbon_of_four_particles) {
   Scene scene = scene_of_loop();
-  scene.ribbon.along = 2;
-  scene.ribbon.across = 2;
-  SpaceCurve straight;
-  straight.points.resize(3, 2);
-  straight.points << 0, 0.1, 0.5, 0.5, 0, 0;
-  straight.length_m = 0.1;
-  const RibbonMesh mesh = generate_ribbon_mesh(straight, scene.ribbon, Axis::y);
+  const RibbonMesh mesh = mesh_of_four_particles(scene);
   expect_free_for_30_steps(scene, mesh, std::nullopt);
   expect_free_for_30_steps(scene, mesh, post(0.3));
 }
@@ -113,15 +107,8 @@ void expect_bounded_by_any_integrator(Scene scene) {
   }
 }
 
-Scene small_loop() {
-  Scene scene = scene_of_loop();
-  scene.ribbon.along = 80;
-  scene.ribbon.across = 3;
-  return scene;
-}
-
 TEST(Extremes, springs_without_resistance_and_of_any_resistance) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   const double particle_mass_kg = scene.ribbon.mass_kg / 240;
   for (const double ratio : {0.0, 1.0, 1e2, 1e4, 3e4, 1e6, 1e8, 1e10, 1e12}) {
     SCOPED_TRACE(ratio);
@@ -132,7 +119,7 @@ TEST(Extremes, springs_without_resistance_and_of_any_resistance) {
 }
 
 TEST(Extremes, springs_of_one_kind_and_springs_five_orders_apart) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   for (const SpringScene& springs :
        {SpringScene{.bend = 10}, SpringScene{.stretch = 10}, SpringScene{.shear = 10},
         SpringScene{.stretch = 1e5, .shear = 1, .bend = 1e-5},
@@ -144,7 +131,7 @@ TEST(Extremes, springs_of_one_kind_and_springs_five_orders_apart) {
 }
 
 TEST(Extremes, steps_from_ten_microseconds_to_a_tenth_of_a_second) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   for (const double step_s : {1e-5, 1e-4, 1e-3, 0.1}) {
     SCOPED_TRACE(step_s);
     scene.time.step_s = step_s;
@@ -153,7 +140,7 @@ TEST(Extremes, steps_from_ten_microseconds_to_a_tenth_of_a_second) {
 }
 
 TEST(Extremes, masses_from_a_microgram_to_a_million_tons) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   for (const double mass_kg : {1e-9, 1e9}) {
     SCOPED_TRACE(mass_kg);
     scene.ribbon.mass_kg = mass_kg;
@@ -162,7 +149,7 @@ TEST(Extremes, masses_from_a_microgram_to_a_million_tons) {
 }
 
 TEST(Extremes, air_from_next_to_none_to_more_than_a_step_can_hold) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   for (const double per_s : {1e-6, 1e3, 1e6, 1e12}) {
     SCOPED_TRACE(per_s);
     scene.air_resistance_per_s = per_s;
@@ -171,7 +158,7 @@ TEST(Extremes, air_from_next_to_none_to_more_than_a_step_can_hold) {
 }
 
 TEST(Extremes, nothing_at_all_stays_where_it_is) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   scene.springs = {};
   scene.air_resistance_per_s = 0;
   scene.fastening.reset();

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "geometry/flat_ribbon.h"
 #include "geometry/ribbon_grid.h"
 #include "parallel/any_threads.h"
 #include "simulation/detection/feature_pairs.h"
@@ -70,9 +71,7 @@ TEST(TriangleBvh, every_rank_groups_about_three_regions) {
 
 TEST(TriangleBvh, a_flat_ribbon_has_no_pairs_to_test) {
   const RibbonGrid grid{60, 5};
-  Matrix3Xd flat(3, grid.particle_count());
-  for (int p = 0; p < grid.particle_count(); ++p)
-    flat.col(p) << 0.1 * grid.row(p), 0.1 * grid.column(p), 0;
+  const Matrix3Xd flat = 0.1 * flat_ribbon(grid);
   const CollisionSurface surface = collision_surface(grid.triangles());
   TriangleBvh bvh(surface, flat);
   refit(bvh, flat, flat, 0.05);

@@ -18,15 +18,8 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 std::string name_of(IntegrationMethod method) {
-  switch (method) {
-    case IntegrationMethod::symplectic_euler:
-      return "symplectic_euler";
-    case IntegrationMethod::implicit:
-      return "implicit";
-    case IntegrationMethod::rk4:
-      break;
-  }
-  return "rk4";
+  if (method == IntegrationMethod::rk4) return "rk4";
+  return method == IntegrationMethod::implicit ? "implicit" : "symplectic_euler";
 }
 
 class AnyIntegrator : public testing::TestWithParam<IntegrationMethod> {};

@@ -3,19 +3,12 @@
 
 #include <Eigen/Core>
 
+#include "geometry/flat_ribbon.h"
 #include "geometry/ribbon_grid.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/published/penetration.h"
 
 namespace ribbon {
-
-// A flat ribbon in the plane y = 0, rows 1 m apart along x, columns 1 m apart along z.
-inline Eigen::Matrix3Xd flat_ribbon(const RibbonGrid& grid) {
-  Eigen::Matrix3Xd positions(3, grid.particle_count());
-  for (int p = 0; p < grid.particle_count(); ++p)
-    positions.col(p) << grid.row(p), 0, grid.column(p);
-  return positions;
-}
 
 // A ribbon folded like a U lying on its side: the second half returns at height `distance` over the
 // first.

@@ -94,18 +94,12 @@ TEST(FreeStart, a_grown_ribbon_has_its_rest_size) {
 
 // A ring-shaped box round the loop: 24 cm high inside, 4 cm deep.
 TriangleMesh ring_box() {
-  const std::array<TriangleMesh, 2> tubes = {post(0.48, 60), post(0.52, 60)};
-  TriangleMesh mesh;
-  mesh.name = "ring box";
-  mesh.vertices.resize(3, 2 * 120 + 8);
-  mesh.triangles.resize(3, 2 * 120 + 4);
-  mesh.vertices.leftCols(240) << tubes[0].vertices, tubes[1].vertices;
-  mesh.triangles.leftCols(240) << tubes[0].triangles, (tubes[1].triangles.array() + 120).matrix();
-  mesh.vertices.rightCols(8) << -2, 2, 2, -2, -2, 2, 2, -2,        //
+  TriangleMesh lids{"lids", Eigen::Matrix3Xf(3, 8), Eigen::Matrix3Xi(3, 4)};
+  lids.vertices << -2, 2, 2, -2, -2, 2, 2, -2,                     //
       0.12F, 0.12F, 0.12F, 0.12F, -0.12F, -0.12F, -0.12F, -0.12F,  //
       2, 2, -2, -2, 2, 2, -2, -2;
-  mesh.triangles.rightCols(4) << 240, 240, 244, 244, 241, 242, 245, 246, 242, 243, 246, 247;
-  return mesh;
+  lids.triangles << 0, 0, 4, 4, 1, 2, 5, 6, 2, 3, 6, 7;
+  return together(together(post(0.48, 60), post(0.52, 60)), lids);
 }
 
 TEST(FreeStart, a_ribbon_without_room_is_refused_with_a_width_that_found_room) {
