@@ -15,6 +15,7 @@
 
 #include "files/files.h"
 #include "files/flipped.h"
+#include "playback/frames_of.h"
 #include "playback/recording_reader.h"
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
@@ -54,9 +55,7 @@ class ResumedRecording : public testing::Test {
     append(whole, 0, frames);
     EXPECT_TRUE(whole.finish(RunEnding::duration).has_value());
     whole_ = read_file(whole_path_).value();
-    auto reader = RecordingReader::open(whole_path_).value();
-    for (int frame = 0; frame < frames; ++frame)
-      EXPECT_TRUE(reader.read(frame, truth_.emplace_back()).has_value());
+    truth_ = frames_of(whole_path_);
   }
 
   // As if it had never been interrupted.
@@ -64,21 +63,17 @@ class ResumedRecording : public testing::Test {
     auto reader = RecordingReader::open(path_);
     for (const bool walked : {false, true}) {
       if (walked) reader->check();
-      ASSERT_EQ(reader->frame_count(), count);
+      const auto played = frames_of(*reader);
+      ASSERT_EQ(played.size(), static_cast<std::size_t>(count));
+      EXPECT_EQ(first_difference(played, truth_), -1);
       EXPECT_TRUE(reader->damage().empty());
-      for (int frame = 0; frame < count; ++frame) {
-        Eigen::Matrix3Xf read;
-        ASSERT_TRUE(reader->read(frame, read).has_value()) << frame;
-        ASSERT_EQ(read, truth_[frame]) << frame;
-        ASSERT_EQ(reader->numbers(frame), sample_numbers(frame));
-      }
     }
   }
 
   std::filesystem::path whole_path_ = temporary_file("whole.rbn");
   std::filesystem::path path_ = temporary_file("resumed.rbn");
   std::string whole_;
-  std::vector<Eigen::Matrix3Xf> truth_;
+  std::vector<PlayedFrame> truth_;
 };
 
 TEST_F(ResumedRecording, a_killed_one_goes_on_to_the_same_bytes) {
@@ -204,15 +199,12 @@ TEST_F(ResumedRecording, after_damage_only_what_was_hit_is_lost) {
     ASSERT_EQ(writer.frames_written(), static_cast<std::uint32_t>(killed_at));
     append(writer, killed_at, frames);
     ASSERT_TRUE(writer.finish().has_value());
-    auto reader = RecordingReader::open(path_);
-    ASSERT_EQ(reader->frame_count(), frames);
+    const auto played = frames_of(path_);
+    ASSERT_EQ(played.size(), truth_.size());
     for (int frame = 0; frame < frames; ++frame) {
-      Eigen::Matrix3Xf read;
-      const bool done = reader->read(frame, read).has_value();
-      ASSERT_EQ(done, frame >= killed_at || before->readable(frame)) << at << ": " << frame;
-      if (done) {
-        ASSERT_EQ(read, truth_[frame]);
-      }
+      const bool is_there = frame >= killed_at || before->readable(frame);
+      ASSERT_EQ(played[frame].positions.cols() > 0, is_there) << at << ": " << frame;
+      ASSERT_TRUE(!is_there || played[frame] == truth_[frame]) << at << ": " << frame;
     }
   }
 }
@@ -274,14 +266,12 @@ TEST_F(ResumedRecording, stale_blocks_of_another_recording_are_never_its_frames)
     auto reader = RecordingReader::open(path_);
     ASSERT_TRUE(reader.has_value());
     int lost = 0;
-    for (int frame = 0; frame < reader->frame_count(); ++frame) {
-      Eigen::Matrix3Xf read;
-      if (!reader->read(frame, read)) {
+    const auto played = frames_of(*reader);
+    for (std::size_t frame = 0; frame < played.size(); ++frame)
+      if (played[frame].positions.cols() == 0)
         ++lost;
-        continue;
-      }
-      ASSERT_EQ(read, truth_[frame]);
-    }
+      else
+        ASSERT_EQ(played[frame].positions, truth_[frame].positions);
     reader->check();
     EXPECT_FALSE(reader->damage().empty());
     EXPECT_EQ(reader->frame_count(), frames);

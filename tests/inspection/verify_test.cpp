@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "inspection/looped_ribbon.h"
+#include "knot/knotted_curves.h"
 #include "recording/sample_recording.h"
 #include "result/refusal.h"
 
@@ -105,17 +106,6 @@ TEST(Verify, the_largest_strain_is_found_where_it_is) {
   EXPECT_NEAR(verification.largest_strain->strain.strain, 1, 1e-2);
 }
 
-// A band 0.1 wide along a trefoil drawn as a polynomial; `depth` -1 is its mirror image.
-Eigen::Matrix3Xd open_trefoil(const RibbonGrid& grid, double depth) {
-  Eigen::Matrix3Xd positions(3, grid.particle_count());
-  for (int p = 0; p < grid.particle_count(); ++p) {
-    const double t = 2.2 * (2.0 * grid.row(p) / (grid.along - 1) - 1);
-    positions.col(p) << t * (t * t - 3), t * t * (t * t - 4),
-        depth * t * (t * t * t * t - 10) / 5 + 0.1 * grid.column(p) / (grid.across - 1);
-  }
-  return positions;
-}
-
 // Neither frame intersects: only the knot tells.
 TEST(Verify, a_strand_that_passed_through_another_between_two_frames_is_found) {
   RecordingHeader header = sample_header();
@@ -123,9 +113,9 @@ TEST(Verify, a_strand_that_passed_through_another_between_two_frames_is_found) {
   header.uv.setZero(2, header.grid.particle_count());
   header.obstacle.reset();
   header.ribbon_length_m = 40;
-  const Verification verification =
-      verify_frames(header, {open_trefoil(header.grid, 1), open_trefoil(header.grid, 0.5),
-                             open_trefoil(header.grid, -0.5), open_trefoil(header.grid, -1)});
+  const Verification verification = verify_frames(
+      header, {open_trefoil(header.grid, 1, 0.1), open_trefoil(header.grid, 0.5, 0.1),
+               open_trefoil(header.grid, -0.5, 0.1), open_trefoil(header.grid, -1, 0.1)});
   EXPECT_EQ(verification.complaints(), Complaints{"the knot has changed"});
   ASSERT_EQ(verification.certificate_changes.size(), 1U);
   const CertificateChange& change = verification.certificate_changes.front();

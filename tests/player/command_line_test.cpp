@@ -115,13 +115,13 @@ TEST_F(RibbonPlay, damage_costs_frames_and_is_told) {
 
 TEST_F(RibbonPlay, follow_tells_of_every_frame_until_the_recorder_ends) {
   auto writer = RecordingWriter::create(recording_, sample_header()).value();
-  ASSERT_TRUE(writer.append(sample_numbers(0), sample_positions(0)).has_value());
+  append_sample_frames(writer, 0, 1);
   EXPECT_THAT(run("knot.rbn --info").output, HasSubstr("; more are being recorded"));
   ToolRun outcome;
   std::thread follower([&] { outcome = run("knot.rbn --follow --info"); });
   for (int frame = 1; frame < 20; ++frame) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ASSERT_TRUE(writer.append(sample_numbers(frame), sample_positions(frame)).has_value());
+    append_sample_frames(writer, frame, frame + 1);
   }
   { const RecordingWriter killed = std::move(writer); }
   follower.join();

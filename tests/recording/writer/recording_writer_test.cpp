@@ -7,6 +7,7 @@
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
+#include "playback/sample_frame.h"
 #include "recording/codec/position_encoder.h"
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
@@ -43,7 +44,7 @@ TEST(RecordingWriter, each_frame_is_in_the_file_when_append_returns) {
   auto writer = RecordingWriter::create(path, sample_header());
   ASSERT_TRUE(writer.has_value());
   for (int frame = 0; frame < 40; ++frame) {
-    ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
+    append_sample_frames(*writer, frame, frame + 1);
     EXPECT_EQ(writer->frames_written(), static_cast<std::uint32_t>(frame + 1));
     EXPECT_EQ(std::filesystem::file_size(path), writer->bytes_written());
     EXPECT_EQ(RecordingReader::open(path)->frame_count(), frame + 1);
@@ -73,8 +74,7 @@ TEST(RecordingWriter, when_the_disk_fills_up_everything_before_is_intact) {
   const auto path = temporary_file("full.rbn");
   auto writer = RecordingWriter::create(path, sample_header());
   ASSERT_TRUE(writer.has_value());
-  for (int frame = 0; frame < 3; ++frame)
-    ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
+  append_sample_frames(*writer, 0, 3);
   Result<void> fourth;
   {
     const SizeLimit limit(writer->bytes_written() + 50);
@@ -86,27 +86,24 @@ TEST(RecordingWriter, when_the_disk_fills_up_everything_before_is_intact) {
                 "resume the run");
   EXPECT_EQ(std::filesystem::file_size(path), writer->bytes_written())
       << "half a record must not stay behind";
-  ASSERT_TRUE(writer->append(sample_numbers(3), sample_positions(3)).has_value())
-      << "space was freed";
+  append_sample_frames(*writer, 3, 4);  // space was freed
   ASSERT_TRUE(writer->finish().has_value());
   auto reader = RecordingReader::open(path);
   ASSERT_TRUE(reader.has_value());
   EXPECT_EQ(reader->frame_count(), 4);
-  Eigen::Matrix3Xf positions;
-  ASSERT_TRUE(reader->read(3, positions).has_value());
-  EXPECT_LE((positions.cast<double>() - sample_positions(3)).cwiseAbs().maxCoeff(), 1e-5);
+  expect_sample_frame(*reader, 3);
 }
 
 TEST(RecordingWriter, a_refused_frame_is_named_and_the_recording_goes_on) {
   const auto path = temporary_file("refused.rbn");
   auto writer = RecordingWriter::create(path, sample_header());
   ASSERT_TRUE(writer.has_value());
-  ASSERT_TRUE(writer->append(sample_numbers(0), sample_positions(0)).has_value());
+  append_sample_frames(*writer, 0, 1);
   Eigen::Matrix3Xd positions = sample_positions(1);
   positions(0, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(refusal_of(writer->append(sample_numbers(1), positions)),
               StartsWith(path.string() + ": frame 2: "));
-  ASSERT_TRUE(writer->append(sample_numbers(1), sample_positions(1)).has_value());
+  append_sample_frames(*writer, 1, 2);
   ASSERT_TRUE(writer->finish().has_value());
   EXPECT_EQ(RecordingReader::open(path)->frame_count(), 2);
 }
@@ -114,7 +111,7 @@ TEST(RecordingWriter, a_refused_frame_is_named_and_the_recording_goes_on) {
 TEST(RecordingWriter, two_writers_on_one_file_are_refused) {
   const auto path = temporary_file("two writers.rbn");
   auto first = RecordingWriter::create(path, sample_header());
-  ASSERT_TRUE(first->append(sample_numbers(0), sample_positions(0)).has_value());
+  append_sample_frames(*first, 0, 1);
   EXPECT_EQ(refusal_of(RecordingWriter::create(path, sample_header())),
             path.string() +
                 ": is being written by another program; wait until that has ended, or "
@@ -138,7 +135,7 @@ TEST(RecordingWriter, checkpoints_and_sessions_come_back) {
   {
     auto writer = RecordingWriter::create(path, sample_header());
     for (int frame = 0; frame < 600; ++frame) {
-      ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
+      append_sample_frames(*writer, frame, frame + 1);
       if (frame % 100 == 50) {
         ASSERT_TRUE(writer->append_checkpoint(10UL * frame, "state " + std::to_string(frame)));
       }
@@ -163,7 +160,7 @@ TEST(RecordingWriter, checkpoints_and_sessions_come_back) {
 TEST(RecordingWriter, a_state_that_no_reader_would_take_is_refused) {
   const auto path = temporary_file("large state.rbn");
   auto writer = RecordingWriter::create(path, sample_header());
-  ASSERT_TRUE(writer->append(sample_numbers(0), sample_positions(0)).has_value());
+  append_sample_frames(*writer, 0, 1);
   EXPECT_FALSE(writer->append_checkpoint(1, std::string(240 * 4096 + (1 << 20) + 1, 'x')));
   EXPECT_TRUE(writer->append_checkpoint(1, std::string(240 * 4096 + (1 << 20), 'x')));
 }
@@ -196,12 +193,7 @@ TEST(RecordingWriter, frames_encoded_by_others_may_come_in_any_order) {
   ASSERT_EQ(reader->frame_count(), 5);
   for (const bool walked : {false, true}) {
     if (walked) reader->check();
-    for (int frame = 0; frame < 5; ++frame) {
-      Eigen::Matrix3Xf positions;
-      ASSERT_TRUE(reader->read(frame, positions).has_value());
-      EXPECT_LE((positions.cast<double>() - sample_positions(frame)).cwiseAbs().maxCoeff(), 1e-5);
-      EXPECT_EQ(reader->numbers(frame), sample_numbers(frame));
-    }
+    for (int frame = 0; frame < 5; ++frame) expect_sample_frame(*reader, frame);
   }
 }
 
