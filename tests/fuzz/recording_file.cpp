@@ -3,11 +3,9 @@
 #include <unistd.h>
 
 #include <Eigen/Core>
-#include <bit>
 #include <map>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "continuation/resume_recording.h"
 #include "fuzz/must.h"

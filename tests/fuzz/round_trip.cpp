@@ -1,5 +1,4 @@
 // Whatever the positions, the codec keeps its bound or refuses them.
-#include <bit>
 #include <cmath>
 #include <random>
 

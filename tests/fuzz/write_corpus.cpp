@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "files/files.h"
 #include "fuzz/reference_frames.h"

@@ -7,7 +7,6 @@
 #include <functional>
 #include <numbers>
 #include <random>
-#include <vector>
 
 #include "geometry/ribbon_grid.h"
 #include "knot/type/simplify_curve.h"

@@ -1,7 +1,6 @@
 // A reader beside a writer.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "continuation/resume_recording.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "files/files.h"
 #include "files/flipped.h"
 #include "files/temporary_folder.h"

@@ -3,10 +3,8 @@
 // readable its number, u32, and f32 x, y, z of each particle. recordings_for_readers FOLDER
 // RECORDING...: does so for these.
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>

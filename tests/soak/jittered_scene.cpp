@@ -1,7 +1,6 @@
 // jittered_scene SCENE SEED SIZE_M OUTPUT: writes the scene with its drawing moved here and there.
 #include <cstdlib>
 #include <span>
-#include <string>
 
 #include "commandline/tool.h"
 #include "files/files.h"

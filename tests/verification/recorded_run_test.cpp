@@ -1,8 +1,6 @@
 // Both oracles on what is really recorded, as it is and bent out of shape.
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "playback/recording_reader.h"
 #include "recorder/record.h"
 #include "recorder/small_scene.h"

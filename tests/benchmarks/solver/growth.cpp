@@ -3,7 +3,6 @@
 // particles. RECORDING: its last frame, refined by cubics, is where the tight ribbons begin;
 // without it only loose ones are measured. Prints the table of docs/measured.md. Exit code 2 when
 // something could not be read or written.
-#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>

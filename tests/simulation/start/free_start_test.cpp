@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "curve/space_curve.h"
 #include "parallel/any_threads.h"
 #include "result/refusal.h"
