@@ -24,6 +24,10 @@ class Record : public TestInFolder {
     return record(scene_, replacing(file), goes_on).value();
   }
 
+  [[nodiscard]] RecordingReader recorded() const {
+    return RecordingReader::open(folder_ / "knot.rbn").value();
+  }
+
   Scene scene_;
 };
 
@@ -33,7 +37,7 @@ TEST_F(Record, a_frame_is_recorded_at_the_first_step_at_or_after_its_time) {
   EXPECT_EQ(frame_count(scene_), 7);
   EXPECT_EQ(statistics.frames, 7);
   EXPECT_EQ(statistics.steps, 20);
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   ASSERT_EQ(reader.frame_count(), 7);
   constexpr std::array expected_s = {0.0, 0.04, 0.07, 0.1, 0.14, 0.17, 0.2};
   for (int frame = 0; frame < 7; ++frame)
@@ -42,7 +46,7 @@ TEST_F(Record, a_frame_is_recorded_at_the_first_step_at_or_after_its_time) {
 
 TEST_F(Record, the_header_says_what_was_recorded) {
   (void)record_all(folder_ / "knot.rbn");
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   const RecordingHeader& header = reader.header();
   EXPECT_TRUE(reader.finished());
   EXPECT_EQ(header.scene_name, "small loop");
@@ -85,7 +89,7 @@ TEST_F(Record, ends_early_when_asked_and_says_so) {
              {[](int done, int total, const FrameNumbers&) { return done < 3 || total != 7; }})
           .value();
   EXPECT_EQ(statistics.ending, RunEnding::stopped);
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_EQ(reader.ending(), RunEnding::stopped);
   EXPECT_EQ(reader.frame_count(), 3);
   EXPECT_TRUE(reader.finished());
@@ -93,7 +97,7 @@ TEST_F(Record, ends_early_when_asked_and_says_so) {
 
 TEST_F(Record, every_frame_tells_how_tight_the_ribbon_is) {
   (void)record_all(folder_ / "knot.rbn");
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_EQ(reader.ending(), RunEnding::duration);
   EXPECT_EQ(reader.numbers(0)->tightness->progress, 1) << "nothing was commanded yet";
   EXPECT_EQ(reader.numbers(0)->tightness->pull, 1);
@@ -109,7 +113,7 @@ TEST_F(Record, every_frame_tells_how_tight_the_ribbon_is) {
 TEST_F(Record, what_nothing_fastens_has_no_tightness) {
   scene_.fastening.reset();
   (void)record_all(folder_ / "knot.rbn");
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_FALSE(reader.numbers(6)->tightness.has_value());
 }
 
@@ -123,7 +127,7 @@ TEST_F(Record, a_run_until_tight_ends_by_itself) {
   EXPECT_EQ(statistics.ending, RunEnding::tight);
   EXPECT_GT(statistics.simulated_s, 2);
   EXPECT_LT(statistics.simulated_s, 30);
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_EQ(reader.ending(), RunEnding::tight);
   ASSERT_EQ(reader.frame_count(), statistics.frames);
   const TightnessNumbers last = *reader.numbers(statistics.frames - 1)->tightness;
@@ -165,7 +169,7 @@ TEST_F(Record, a_ribbon_too_wide_for_the_crossing_is_grown_and_states_its_gap) {
   EXPECT_EQ(statistics.start, "grown");
   EXPECT_GT(statistics.start_s, 0);
   EXPECT_EQ(statistics.worst_penetrating_edges, 0U);
-  EXPECT_GT(RecordingReader::open(folder_ / "knot.rbn").value().header().stated_gap_m, 0);
+  EXPECT_GT(recorded().header().stated_gap_m, 0);
 }
 
 TEST_F(Record, as_published_too_wide_a_ribbon_is_refused_by_its_drawing) {
@@ -186,7 +190,7 @@ TEST_F(Record, recoveries_of_the_start_are_in_the_first_frame) {
   scene_.contact = ContactMethod::paper;
   const RunStatistics statistics = record_all(folder_ / "knot.rbn");
   EXPECT_EQ(statistics.start, "recovered");
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_GT(reader.numbers(0)->recovery_iterations, 0U);
   EXPECT_EQ(reader.header().stated_gap_m, 0);
 }

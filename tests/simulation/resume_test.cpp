@@ -58,8 +58,11 @@ std::vector<Case> runs() {
   return all;
 }
 
-FasteningProcessor begun(const Case& run) {
-  return FasteningProcessor::create(run.scene, mesh_of_loop(run.scene), run.obstacle).value();
+FasteningProcessor begun(const Case& run, int steps = 0) {
+  auto fastening =
+      FasteningProcessor::create(run.scene, mesh_of_loop(run.scene), run.obstacle).value();
+  for (int step = 0; step < steps; ++step) fastening.step();
+  return fastening;
 }
 
 RestSize size_of(const Scene& scene) {
@@ -114,8 +117,7 @@ TEST(Resume, remembers_how_the_ribbon_was_drawn_tight) {
   Case run{"post", scene_of_loop(), post(post_radius_m)};
   run.scene.fastening->yield_strain = 0.05;
   run.scene.fastening->speed_m_s = 1;
-  FasteningProcessor uninterrupted = begun(run);
-  for (int step = 0; step < 230; ++step) uninterrupted.step();
+  FasteningProcessor uninterrupted = begun(run, 230);
   FasteningProcessor follower = restored(run, uninterrupted.state());
   int steps = 0;
   for (; steps < 1000 && !uninterrupted.is_tight(); ++steps) {
@@ -133,8 +135,7 @@ TEST(Resume, does_not_depend_on_the_number_of_threads) {
   std::vector<std::string> ends;
   for (const int threads : {1, 2, 5}) {
     set_thread_limit(threads);
-    FasteningProcessor first = begun(run);
-    for (int step = 0; step < 25; ++step) first.step();
+    FasteningProcessor first = begun(run, 25);
     set_thread_limit(6 - threads);
     FasteningProcessor second = restored(run, first.state());
     for (int step = 0; step < 25; ++step) second.step();
@@ -200,8 +201,7 @@ TEST(Resume, every_cut_state_and_every_other_length_is_refused) {
   for (const ContactMethod contact : {ContactMethod::gate, ContactMethod::paper}) {
     Case run{"small", fast_loop(IntegrationMethod::rk4, contact)};
     run.scene.ribbon.along = 40;
-    FasteningProcessor fastening = begun(run);
-    fastening.step();
+    FasteningProcessor fastening = begun(run, 1);
     const std::string state = fastening.state();
     ASSERT_EQ(refusal(run, state), "");
     for (std::size_t size = 0; size < state.size(); size += 61)
@@ -221,8 +221,7 @@ TEST(Resume, every_number_of_a_state_may_be_wrong) {
   Case run{"small", fast_loop(IntegrationMethod::symplectic_euler, ContactMethod::gate)};
   run.scene.ribbon.along = 20;
   run.scene.ribbon.across = 2;
-  FasteningProcessor fastening = begun(run);
-  fastening.step();
+  FasteningProcessor fastening = begun(run, 1);
   const std::vector<std::int64_t> state = numbers_of(fastening.state());
   int refused = 0;
   for (std::size_t at = 0; at < state.size(); ++at)
@@ -260,8 +259,7 @@ TEST(Resume, a_state_of_another_scene_is_refused_and_told_why) {
 
 TEST(Resume, changed_settings_act_from_there_on) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
-  FasteningProcessor before = begun(run);
-  for (int step = 0; step < 20; ++step) before.step();
+  FasteningProcessor before = begun(run, 20);
   const std::string state = before.state();
   const auto goes_on = [&](const Scene& scene, int steps) {
     auto changed =
@@ -288,8 +286,7 @@ TEST(Resume, changed_settings_act_from_there_on) {
 // Measured anew, but for a ribbon that moves already: it does not seem to gain on the command.
 TEST(Resume, with_changed_settings_progress_counts_from_there) {
   Case run{"loop", scene_of_loop()};
-  FasteningProcessor before = begun(run);
-  for (int step = 0; step < 60; ++step) before.step();
+  FasteningProcessor before = begun(run, 60);
   run.scene.springs.bend *= 1.01;
   auto changed = FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle,
                                              before.state(), Settings::changed)
@@ -305,8 +302,7 @@ TEST(Resume, with_changed_settings_progress_counts_from_there) {
 
 TEST(Resume, the_clock_goes_on_with_another_step) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
-  FasteningProcessor before = begun(run);
-  for (int step = 0; step < 20; ++step) before.step();
+  FasteningProcessor before = begun(run, 20);
   Scene scene = run.scene;
   scene.time.step_s = 0.004;
   auto changed = FasteningProcessor::restore(scene, size_of(scene), run.obstacle, before.state(),

@@ -2,7 +2,6 @@
 // level of accuracy and single settings around them cost, and how far they are from the converged
 // fastening. Prints the table of docs/accuracy.md. Exit code 1 when a level is beaten in time and
 // in accuracy, 2 when something could not be read or written.
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -116,8 +115,7 @@ void print(const AccuracyFigures& figures) {
   std::printf("| %s | %.3g | %.2g %% | %s %% | %s | %s | %s | %.1f %% | %.2f |\n",
               figures.name.c_str(), figures.processor_s, 100 * figures.before_contact,
               with_spread(in_percent(figures.after_contact), 2).c_str(),
-              with_spread(figures.tight_s, 2).c_str(),
-              with_spread(figures.rope_length, 2).c_str(),
+              with_spread(figures.tight_s, 2).c_str(), with_spread(figures.rope_length, 2).c_str(),
               with_spread(figures.ends_apart_m, 4).c_str(), 100 * figures.worst_strain,
               figures.energy);
   std::fflush(stdout);

@@ -21,6 +21,17 @@ inline Eigen::Matrix3Xd folded_ribbon(const RibbonGrid& grid, double distance) {
   return positions;
 }
 
+// The folded ribbon with nothing else about.
+struct Folded {
+  RibbonGrid grid;
+  Eigen::Matrix3Xd positions;
+  Bodies bodies;
+};
+
+inline Folded folded(double distance, const RibbonGrid& grid = {21, 5}) {
+  return {grid, folded_ribbon(grid, distance), {grid, std::nullopt}};
+}
+
 inline Bodies ribbon_alone(const RibbonGrid& grid) {
   return {grid, std::nullopt};
 }

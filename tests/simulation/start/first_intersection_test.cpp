@@ -9,18 +9,14 @@ namespace ribbon::first_intersection_test {
 using Eigen::Matrix3Xd;
 
 TEST(FirstIntersection, a_free_ribbon_has_none) {
-  const RibbonGrid grid{21, 5};
-  const Matrix3Xd positions = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, positions, bodies] = folded(0.5);
   EXPECT_FALSE(first_intersection(bodies, positions).has_value());
   EXPECT_FALSE(first_closer_than(0.2, bodies, positions).has_value());
 }
 
 TEST(FirstIntersection, of_two_layers_names_a_particle_of_each) {
-  const RibbonGrid grid{21, 5};
-  Matrix3Xd positions = folded_ribbon(grid, 0.5);
+  auto [grid, positions, bodies] = folded(0.5);
   positions(1, grid.particle(15, 2)) = -0.2;
-  Bodies bodies = ribbon_alone(grid);
   const auto at = first_intersection(bodies, positions);
   ASSERT_TRUE(at.has_value());
   // Row 15 lies over x = 20 - 15 - 0.5 = 4.5, between rows 4 and 5.
