@@ -211,13 +211,12 @@ TEST_F(ResumedRecording, after_damage_only_what_was_hit_is_lost) {
 
 TEST_F(ResumedRecording, only_one_writer_at_a_time) {
   put_file(path_, whole_);
-  auto first = resume_recording(path_);
-  ASSERT_TRUE(first.has_value());
+  auto first = resume_recording(path_).value();
   EXPECT_THAT(refusal_of(resume_recording(path_)),
               HasSubstr("is being written by another program"));
   EXPECT_FALSE(RecordingWriter::create(path_, sample_header({3, 2})).has_value());
   EXPECT_EQ(std::filesystem::file_size(path_), whole_.size());
-  { const RecordingWriter done = std::move(*first); }
+  { const RecordingWriter done = std::move(first); }
   EXPECT_TRUE(resume_recording(path_).has_value()) << "the lock goes with its writer";
 }
 
@@ -263,18 +262,17 @@ TEST_F(ResumedRecording, stale_blocks_of_another_recording_are_never_its_frames)
   constexpr std::size_t block = 4096;
   for (std::size_t at = block; at + block < whole_.size(); at += block) {
     put_file(path_, std::string(whole_).replace(at, block, stale, at, block));
-    auto reader = RecordingReader::open(path_);
-    ASSERT_TRUE(reader.has_value());
+    auto reader = RecordingReader::open(path_).value();
     int lost = 0;
-    const auto played = frames_of(*reader);
+    const auto played = frames_of(reader);
     for (std::size_t frame = 0; frame < played.size(); ++frame)
       if (played[frame].positions.cols() == 0)
         ++lost;
       else
         ASSERT_EQ(played[frame].positions, truth_[frame].positions);
-    reader->check();
-    EXPECT_FALSE(reader->damage().empty());
-    EXPECT_EQ(reader->frame_count(), frames);
+    reader.check();
+    EXPECT_FALSE(reader.damage().empty());
+    EXPECT_EQ(reader.frame_count(), frames);
     EXPECT_LT(lost, 64);
   }
 }

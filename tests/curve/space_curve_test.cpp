@@ -206,10 +206,4 @@ TEST(SpaceCurve, points_that_are_no_numbers_are_refused) {
   EXPECT_NE(problem_of(scene_of({{0, 0}, {1e300, 1}}), 0.1), "");
 }
 
-TEST(SpaceCurve, missing_drawing_is_named) {
-  CurveScene scene;
-  scene.drawing = DrawnSvg{{"/no/such/knot.svg"}, ""};
-  EXPECT_THAT(problem_of(scene, 0.1), HasSubstr("/no/such/knot.svg"));
-}
-
 }  // namespace ribbon::space_curve_test

@@ -165,11 +165,10 @@ TEST(Verify, a_loop_that_moves_beside_the_object_is_no_fault) {
 }
 
 TEST(Verify, whoever_watches_can_stop_it) {
-  auto reader = RecordingReader::open(sample(40));
-  ASSERT_TRUE(reader.has_value());
+  auto reader = RecordingReader::open(sample(40)).value();
   std::vector<int> frames(40);
   std::iota(frames.begin(), frames.end(), 0);
-  EXPECT_THAT(refusal_of(verify(*reader, frames, 10, [](int done) { return done < 20; })),
+  EXPECT_THAT(refusal_of(verify(reader, frames, 10, [](int done) { return done < 20; })),
               HasSubstr("interrupted after frame 32"));
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "geometry/triangle_mesh.h"
+#include "player/render/surface.h"
 #include "recording/records/recording.h"
 
 namespace ribbon::test {
@@ -34,6 +35,14 @@ inline Eigen::Matrix3Xf flat_quad() {
   Eigen::Matrix3Xf positions(3, 4);
   positions << -2, -2, 2, 2, -0.5F, 0.5F, -0.5F, 0.5F, 0, 0, 0, 0;
   return positions;
+}
+
+// What is drawn of a ribbon of one quad whose particles are there.
+inline Surface quad_surface(const Eigen::Matrix3Xf& positions) {
+  const RecordingHeader header = quad_ribbon();
+  Surface ribbon = ribbon_surface(header.grid);
+  update_ribbon(header.grid, positions, ribbon);
+  return ribbon;
 }
 
 }  // namespace ribbon::test

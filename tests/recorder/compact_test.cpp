@@ -151,9 +151,8 @@ TEST_F(Compacted, what_is_compact_stays_byte_for_byte) {
   record_waves();
   ASSERT_EQ(refusal(), "");
   const std::string once = bytes("knot.rbn");
-  const auto again = compact(file_).value();
-  ASSERT_TRUE(again.has_value());
-  EXPECT_EQ(again->bytes_after, again->bytes_before);
+  const auto again = compact(file_).value().value();
+  EXPECT_EQ(again.bytes_after, again.bytes_before);
   EXPECT_TRUE(bytes("knot.rbn") == once);
   EXPECT_EQ(names(".").size(), 1U);
 }
@@ -262,8 +261,7 @@ TEST_F(Compacted, no_writer_can_have_it_meanwhile) {
   };
   ASSERT_TRUE(compact(file_, {try_to_write, try_to_write}).has_value());
   EXPECT_EQ(refused, 2 * frames);
-  const auto writer = resume_recording(file_);
-  ASSERT_TRUE(writer.has_value());
+  const auto writer = resume_recording(file_).value();
   const std::string busy = bytes("knot.rbn");
   EXPECT_THAT(refusal(), HasSubstr("is being written by another program"));
   EXPECT_TRUE(bytes("knot.rbn") == busy);

@@ -18,11 +18,10 @@ std::string state() {
 TEST(CheckpointRecord, everything_comes_back) {
   for (const std::string& written : {std::string(), state()}) {
     const std::string payload = checkpoint_payload(id, 17, 0x123456789A, written);
-    const auto read = parse_checkpoint_payload(payload, id, grid);
-    ASSERT_TRUE(read.has_value());
-    EXPECT_EQ(read->frame, 17U);
-    EXPECT_EQ(read->steps, 0x123456789AU);
-    EXPECT_TRUE(read->state == written);
+    const auto read = parse_checkpoint_payload(payload, id, grid).value();
+    EXPECT_EQ(read.frame, 17U);
+    EXPECT_EQ(read.steps, 0x123456789AU);
+    EXPECT_TRUE(read.state == written);
     EXPECT_EQ(parse_checkpoint_fields(payload)->frame, 17U);
   }
 }
