@@ -25,6 +25,13 @@ struct ToolRun {
   std::string errors;  // standard error
 };
 
+// What it says where it could.
+inline std::string output_of(const ToolRun& run) {
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.errors, "");
+  return run.output;
+}
+
 // It says in one sentence, after its name, why it could not.
 inline void expect_refusal(const ToolRun& run, const std::string& part) {
   EXPECT_EQ(run.exit_code, 2);
@@ -46,8 +53,9 @@ class ToolTest : public TestInFolder {
                                 outputs_.string() + "/errors'";
     // NOLINTNEXTLINE(concurrency-mt-unsafe, cert-env33-c)
     const int status = std::system(command.c_str());
-    return {std::filesystem::path(program_).filename(), WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            read_file(outputs_ / "output").value_or(""), read_file(outputs_ / "errors").value_or("")};
+    return {
+        std::filesystem::path(program_).filename(), WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+        read_file(outputs_ / "output").value_or(""), read_file(outputs_ / "errors").value_or("")};
   }
 
   // A file's bytes; none where it is not there.

@@ -44,13 +44,10 @@ PictureSize png_size(const std::string& bytes) {
 }
 
 TEST_F(RibbonPlay, every_frame_becomes_a_picture) {
-  const ToolRun outcome = play_small("-o 'frames/{frame:04}.png'");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(output_of(play_small("-o 'frames/{frame:04}.png'")), HasSubstr("7 pictures"));
   EXPECT_THAT(names("frames"), ElementsAre("0001.png", "0002.png", "0003.png", "0004.png",
                                            "0005.png", "0006.png", "0007.png"));
   EXPECT_EQ(png_size(bytes("frames/0007.png")), (PictureSize{64, 48}));
-  EXPECT_EQ(outcome.errors, "");
-  EXPECT_THAT(outcome.output, HasSubstr("7 pictures"));
 }
 
 TEST_F(RibbonPlay, frames_are_chosen_by_range_and_step) {
@@ -79,22 +76,17 @@ TEST_F(RibbonPlay, a_contact_sheet_is_one_file) {
 }
 
 TEST_F(RibbonPlay, quiet_says_nothing) {
-  const ToolRun outcome = play_small("-o '{frame}.png' --frames 1 --quiet");
-  EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.output + outcome.errors, "");
+  EXPECT_EQ(output_of(play_small("-o '{frame}.png' --frames 1 --quiet")), "");
 }
 
 TEST_F(RibbonPlay, info_tells_what_the_recording_holds) {
-  const ToolRun outcome = run("knot.rbn --info");
-  EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_THAT(outcome.output, HasSubstr("frames          7 in 0.12 s, 50 per second\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("stone, 6 vertices, 8 triangles"));
+  EXPECT_THAT(output_of(run("knot.rbn --info")),
+              AllOf(HasSubstr("frames          7 in 0.12 s, 50 per second\n"),
+                    HasSubstr("stone, 6 vertices, 8 triangles")));
 }
 
 TEST_F(RibbonPlay, info_as_json_parses) {
-  const ToolRun outcome = run("knot.rbn --info --json");
-  EXPECT_EQ(outcome.exit_code, 0);
-  const auto json = nlohmann::json::parse(outcome.output);
+  const auto json = nlohmann::json::parse(output_of(run("knot.rbn --info --json")));
   EXPECT_EQ(json["frame_count"], 7);
   EXPECT_EQ(json["frames"][6]["recovery_iterations"], 12);
   EXPECT_EQ(json["file_bytes"], fs::file_size(recording_));
@@ -132,9 +124,7 @@ TEST_F(RibbonPlay, follow_tells_of_every_frame_until_the_recorder_ends) {
 }
 
 TEST_F(RibbonPlay, follow_renders_what_is_there_and_tells_what_is_lost) {
-  const ToolRun whole = play_small("-o 'frames/{frame}.png' --follow --quiet");
-  EXPECT_EQ(whole.exit_code, 0) << whole.errors;
-  EXPECT_EQ(whole.output, "");
+  EXPECT_EQ(output_of(play_small("-o 'frames/{frame}.png' --follow --quiet")), "");
   EXPECT_EQ(names("frames").size(), 7U);
   damage();
   const ToolRun damaged = play_small("-o 'frames/{frame}.png' --follow");
@@ -145,21 +135,18 @@ TEST_F(RibbonPlay, follow_renders_what_is_there_and_tells_what_is_lost) {
 }
 
 TEST_F(RibbonPlay, a_recording_in_order_is_verified) {
-  const ToolRun outcome = run("knot.rbn --verify");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.output << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("frames          7 of 7 checked\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("intersections   none\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("; at least the stated 0.0001 m\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("knot            unknot"));
-  EXPECT_THAT(outcome.output, HasSubstr("verdict         nothing is wrong\n"));
+  EXPECT_THAT(
+      output_of(run("knot.rbn --verify")),
+      AllOf(HasSubstr("frames          7 of 7 checked\n"), HasSubstr("intersections   none\n"),
+            HasSubstr("; at least the stated 0.0001 m\n"), HasSubstr("knot            unknot"),
+            HasSubstr("verdict         nothing is wrong\n")));
 }
 
 TEST_F(RibbonPlay, verification_as_json_does_not_depend_on_threads) {
-  const ToolRun one = run("knot.rbn --verify --json --threads 1 --certify-every 3");
-  const ToolRun three = run("knot.rbn --verify --json --threads 3 --certify-every 3");
-  EXPECT_EQ(one.exit_code, 0);
-  EXPECT_EQ(one.output, three.output);
-  const auto json = nlohmann::json::parse(one.output);
+  const std::string verify = "knot.rbn --verify --json --certify-every 3 --threads ";
+  const std::string one = output_of(run(verify + "1"));
+  EXPECT_EQ(one, output_of(run(verify + "3")));
+  const auto json = nlohmann::json::parse(one);
   EXPECT_EQ(json["passed"], true);
   EXPECT_EQ(json["frames"]["checked"], 7);
   EXPECT_EQ(json["knot"]["certified_frames"], 3);
@@ -235,12 +222,9 @@ TEST_F(RibbonPlay, asking_for_nothing_or_for_something_unknown_is_refused) {
 }
 
 TEST_F(RibbonPlay, help_has_examples_and_version_is_a_line) {
-  const ToolRun help = run("--help");
-  EXPECT_EQ(help.exit_code, 0);
-  EXPECT_THAT(help.output, HasSubstr("ribbon-play knot.rbn -o 'frames/{frame:04}.png'"));
-  const ToolRun version = run("--version");
-  EXPECT_EQ(version.exit_code, 0);
-  EXPECT_EQ(version.output, "ribbon-play " RIBBON_VERSION "\n");
+  EXPECT_THAT(output_of(run("--help")),
+              HasSubstr("ribbon-play knot.rbn -o 'frames/{frame:04}.png'"));
+  EXPECT_EQ(output_of(run("--version")), "ribbon-play " RIBBON_VERSION "\n");
 }
 
 }  // namespace ribbon::command_line_test

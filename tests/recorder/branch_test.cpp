@@ -98,8 +98,7 @@ TEST_F(Branch, can_be_resumed_and_branched_again) {
   const auto whole = frames_of(target());
   ASSERT_TRUE(branched(20, settings, {.frames = 33}).has_value());
   ASSERT_TRUE(resume(target(), "test", goes_on).has_value());
-  EXPECT_EQ(frames_of(target()).size(), 61U);
-  EXPECT_EQ(first_difference(frames_of(target()), whole), -1);
+  EXPECT_EQ(frames_of(target()), whole);
   ASSERT_TRUE(branch({target(), 40}, {folder_ / "third.rbn", "test", {"springs.bend=10"}}, goes_on)
                   .has_value());
   EXPECT_EQ(first_difference(frames_of(folder_ / "third.rbn"), whole), 41);

@@ -30,6 +30,12 @@ inline std::filesystem::path write_small_scene(const std::filesystem::path& fold
   return file;
 }
 
+// A drawing for it, which ends there.
+inline std::string line_to(const std::string& x) {
+  return "<svg xmlns='http://www.w3.org/2000/svg'><path id='band' d='M -300 0 L " + x +
+         " 0'/></svg>";
+}
+
 // The same scene drawn in line.svg, which has to lie beside it.
 inline std::string drawn_in_a_file(std::string scene) {
   const std::size_t points = scene.find("points");

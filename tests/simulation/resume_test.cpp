@@ -70,8 +70,10 @@ RestSize size_of(const Scene& scene) {
   return {mesh.grid, mesh.length_m, mesh.width_m};
 }
 
-FasteningProcessor restored(const Case& run, const std::string& state) {
-  return FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state).value();
+FasteningProcessor restored(const Case& run, const std::string& state,
+                            Settings settings = Settings::as_before) {
+  return FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state, settings)
+      .value();
 }
 
 // What there is to know about a processor, in full precision.
@@ -239,18 +241,15 @@ TEST(Resume, a_state_of_another_scene_is_refused_and_told_why) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
   FasteningProcessor fastening = begun(run);
   const std::string state = fastening.state();
-  Case other = run;
-  other.scene.ribbon.along = 121;
-  EXPECT_THAT(refusal(other, state), HasSubstr("particles along"));
-  other = run;
-  other.scene.ribbon.across = 5;
-  EXPECT_THAT(refusal(other, state), HasSubstr("particles across"));
-  other = run;
-  other.scene.fastening.reset();
-  EXPECT_THAT(refusal(other, state), HasSubstr("its ribbon is fastened"));
-  other = run;
-  other.scene.time.step_s = 0.005;
-  EXPECT_THAT(refusal(other, state), HasSubstr("time.step"));
+  const auto expect_refused = [&](const auto& change, const std::string& words) {
+    Case other = run;
+    change(other.scene);
+    EXPECT_THAT(refusal(other, state), HasSubstr(words));
+  };
+  expect_refused([](Scene& scene) { scene.ribbon.along = 121; }, "particles along");
+  expect_refused([](Scene& scene) { scene.ribbon.across = 5; }, "particles across");
+  expect_refused([](Scene& scene) { scene.fastening.reset(); }, "its ribbon is fastened");
+  expect_refused([](Scene& scene) { scene.time.step_s = 0.005; }, "time.step");
   std::vector<std::int64_t> newer = numbers_of(state);
   newer[0] = 2;
   EXPECT_THAT(refusal(run, state_of(newer)), HasSubstr("another version"));
@@ -261,26 +260,24 @@ TEST(Resume, changed_settings_act_from_there_on) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
   FasteningProcessor before = begun(run, 20);
   const std::string state = before.state();
-  const auto goes_on = [&](const Scene& scene, int steps) {
-    auto changed =
-        FasteningProcessor::restore(scene, size_of(scene), run.obstacle, state, Settings::changed);
-    EXPECT_TRUE(changed.has_value());
-    EXPECT_EQ(changed->positions(), before.positions());
-    EXPECT_EQ(changed->time_s(), before.time_s());
-    for (int step = 0; step < steps; ++step) changed->step();
-    return changed->positions();
+  const auto goes_on = [&](const Scene& scene) {
+    auto changed = restored({"", scene, run.obstacle}, state, Settings::changed);
+    EXPECT_EQ(changed.positions(), before.positions());
+    EXPECT_EQ(changed.time_s(), before.time_s());
+    for (int step = 0; step < 20; ++step) changed.step();
+    return changed.positions();
   };
-  const Matrix3Xd as_it_was = goes_on(run.scene, 20);
+  const Matrix3Xd as_it_was = goes_on(run.scene);
   Scene scene = run.scene;
   scene.fastening->speed_m_s *= 3;
-  const Matrix3Xd faster = goes_on(scene, 20);
+  const Matrix3Xd faster = goes_on(scene);
   const auto way_m = [&](const Matrix3Xd& to) { return (to - before.positions()).norm(); };
   EXPECT_GT(way_m(faster), 1.5 * way_m(as_it_was));
   scene = run.scene;
   scene.springs.stretch *= 4;
   scene.ribbon.mass_kg *= 2;
   scene.time.integrator = IntegrationMethod::implicit;
-  EXPECT_NE(goes_on(scene, 20), as_it_was);
+  EXPECT_NE(goes_on(scene), as_it_was);
 }
 
 // Measured anew, but for a ribbon that moves already: it does not seem to gain on the command.
@@ -288,9 +285,7 @@ TEST(Resume, with_changed_settings_progress_counts_from_there) {
   Case run{"loop", scene_of_loop()};
   FasteningProcessor before = begun(run, 60);
   run.scene.springs.bend *= 1.01;
-  auto changed = FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle,
-                                             before.state(), Settings::changed)
-                     .value();
+  auto changed = restored(run, before.state(), Settings::changed);
   EXPECT_EQ(changed.tightness()->progress, 1) << "nothing was commanded yet";
   for (int step = 0; step < 10; ++step) {
     before.step();
@@ -301,13 +296,10 @@ TEST(Resume, with_changed_settings_progress_counts_from_there) {
 }
 
 TEST(Resume, the_clock_goes_on_with_another_step) {
-  const Case run{"post", scene_of_loop(), post(post_radius_m)};
+  Case run{"post", scene_of_loop(), post(post_radius_m)};
   FasteningProcessor before = begun(run, 20);
-  Scene scene = run.scene;
-  scene.time.step_s = 0.004;
-  auto changed = FasteningProcessor::restore(scene, size_of(scene), run.obstacle, before.state(),
-                                             Settings::changed)
-                     .value();
+  run.scene.time.step_s = 0.004;
+  auto changed = restored(run, before.state(), Settings::changed);
   EXPECT_DOUBLE_EQ(changed.time_s(), 0.2);
   EXPECT_EQ(changed.steps(), 20);
   EXPECT_EQ(changed.steps_at(0.2), 20);
@@ -315,8 +307,7 @@ TEST(Resume, the_clock_goes_on_with_another_step) {
   EXPECT_EQ(changed.steps_at(0.2201), 26);
   for (int step = 0; step < 5; ++step) changed.step();
   EXPECT_DOUBLE_EQ(changed.time_s(), 0.22);
-  auto again =
-      FasteningProcessor::restore(scene, size_of(scene), run.obstacle, changed.state()).value();
+  auto again = restored(run, changed.state());
   EXPECT_EQ(again.time_s(), changed.time_s());
   again.step();
   changed.step();
