@@ -8,6 +8,7 @@
 #include <string>
 
 #include "files/files.h"
+#include "files/temporary_folder.h"
 #include "result/refusal.h"
 
 namespace ribbon::drawing_test {
@@ -17,9 +18,7 @@ using Eigen::Vector2d;
 constexpr double tolerance = 1e-3;
 
 std::filesystem::path file_with(const std::string& text) {
-  auto file = std::filesystem::path(testing::TempDir()) /
-              (std::string("drawing_") +
-               testing::UnitTest::GetInstance()->current_test_info()->name() + ".svg");
+  auto file = temporary_file("knot.svg");
   EXPECT_TRUE(write_file(file, text).has_value());
   return file;
 }

@@ -4,14 +4,13 @@
 
 #include <filesystem>
 
+#include "files/temporary_folder.h"
 #include "result/refusal.h"
 
 namespace ribbon::files_test {
 
 TEST(Files, what_was_written_is_read_back) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "ribbon-files-test";
-  std::filesystem::remove_all(folder);
-  const auto file = folder / "new folder" / "bytes.bin";
+  const auto file = temporary_file("new folder") / "bytes.bin";
   const std::string bytes("a\0b\nc", 5);
   ASSERT_TRUE(write_file(file, bytes).has_value());
   EXPECT_EQ(read_file(file).value(), bytes);

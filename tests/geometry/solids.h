@@ -39,6 +39,15 @@ inline TriangleMesh closed(TriangleMesh tube) {
   return tube;
 }
 
+// Two triangles with the given corners, counter-clockwise about their front.
+inline TriangleMesh quad_mesh(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                              const Eigen::Vector3f& c, const Eigen::Vector3f& d) {
+  TriangleMesh mesh{"quad", Eigen::Matrix3Xf(3, 4), Eigen::Matrix3Xi(3, 2)};
+  mesh.vertices << a, b, c, d;
+  mesh.triangles << 0, 0, 1, 2, 2, 3;
+  return mesh;
+}
+
 inline TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second) {
   TriangleMesh mesh = first;
   const Eigen::Index vertices = first.vertices.cols();

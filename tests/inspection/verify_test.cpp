@@ -13,15 +13,12 @@ namespace ribbon::verify_test {
 
 Verification verify_file(const std::filesystem::path& path, std::vector<int> frames = {},
                          int certify_every = 10) {
-  auto reader = RecordingReader::open(path);
-  EXPECT_TRUE(reader.has_value());
+  auto reader = RecordingReader::open(path).value();
   if (frames.empty()) {
-    frames.resize(reader->frame_count());
+    frames.resize(reader.frame_count());
     std::iota(frames.begin(), frames.end(), 0);
   }
-  auto verification = verify(*reader, frames, certify_every, [](int) { return true; });
-  EXPECT_TRUE(verification.has_value());
-  return *verification;
+  return verify(reader, frames, certify_every, [](int) { return true; }).value();
 }
 
 Verification verify_frames(const RecordingHeader& header,

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "files/files.h"
+#include "files/temporary_folder.h"
 #include "result/refusal.h"
 
 namespace ribbon::obstacle_test {
 
 std::filesystem::path written(const std::string& name, const std::string& text) {
-  auto file = std::filesystem::path(testing::TempDir()) / name;
+  auto file = temporary_file(name);
   EXPECT_TRUE(write_file(file, text).has_value());
   return file;
 }
@@ -64,9 +65,8 @@ TEST(Obstacle, what_cannot_be_read_is_told_with_its_place_in_the_scene) {
     const auto mesh = read_obstacle(scene);
     return mesh ? "none" : mesh.error().place + ": " + mesh.error().problem;
   };
-  const auto folder = std::filesystem::path(testing::TempDir());
-  const auto in_folder = [&](const std::string& name) {
-    return "knot.toml:12:8: '" + (folder / name).string() + "' ";
+  const auto in_folder = [](const std::string& name) {
+    return "knot.toml:12:8: '" + temporary_file(name).string() + "' ";
   };
   EXPECT_EQ(problem_of("/no/such/mesh.obj"), "knot.toml:12:8: '/no/such/mesh.obj' does not exist");
   EXPECT_EQ(problem_of("/usr"), "knot.toml:12:8: '/usr' is a folder");

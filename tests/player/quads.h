@@ -3,20 +3,10 @@
 
 #include <Eigen/Core>
 
-#include "geometry/triangle_mesh.h"
 #include "player/render/surface.h"
 #include "recording/records/recording.h"
 
 namespace ribbon::test {
-
-// A square of two triangles with the given corners, counter-clockwise about its front.
-inline TriangleMesh quad_mesh(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                              const Eigen::Vector3f& c, const Eigen::Vector3f& d) {
-  TriangleMesh mesh{"quad", Eigen::Matrix3Xf(3, 4), Eigen::Matrix3Xi(3, 2)};
-  mesh.vertices << a, b, c, d;
-  mesh.triangles << 0, 0, 1, 2, 2, 3;
-  return mesh;
-}
 
 // A ribbon of one quad, 4 m long and 1 m wide.
 inline RecordingHeader quad_ribbon() {

@@ -71,13 +71,9 @@ TEST(BadObstacle, an_open_half_has_edges_like_razors) {
 }
 
 TEST(BadObstacle, a_blade_without_thickness_is_not_cut_through) {
-  TriangleMesh mesh;
-  mesh.name = "blade";
-  mesh.vertices.resize(3, 4);
-  mesh.vertices << 0, 0, 0, 0, -0.6F, 0.6F, -0.6F, 0.6F, 0, 0, -0.42F, -0.42F;
-  mesh.triangles.resize(3, 2);
-  mesh.triangles << 0, 0, 2, 3, 3, 1;
-  EXPECT_GT(draw_tight(mesh), 0.41);
+  EXPECT_GT(
+      draw_tight(quad_mesh({0, -0.6F, 0}, {0, -0.6F, -0.42F}, {0, 0.6F, -0.42F}, {0, 0.6F, 0})),
+      0.41);
 }
 
 TEST(BadObstacle, duplicate_triangles_change_nothing) {

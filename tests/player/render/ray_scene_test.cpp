@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "geometry/solids.h"
 #include "player/quads.h"
 
 namespace ribbon::ray_scene_test {
@@ -15,7 +16,7 @@ RayScene two_quads(float ribbon_z = 0) {
   positions.row(2).setConstant(ribbon_z);
   RayScene scene;
   scene.set_obstacle(
-      creased_surface(test::quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1})));
+      creased_surface(quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1})));
   scene.set_ribbon(test::quad_surface(positions));
   return scene;
 }

@@ -104,7 +104,7 @@ TEST(Render, the_open_sky_gives_its_mean) {
 TEST(Render, a_point_in_shadow_sees_no_sun) {
   // A plate above the middle, in the way of light that comes at 45 degrees, not of the camera.
   const RenderScene scene = flat_scene(
-      test::quad_mesh({-0.2F, 0.8F, -1}, {0.2F, 0.8F, -1}, {0.2F, 1.2F, -1}, {-0.2F, 1.2F, -1}));
+      quad_mesh({-0.2F, 0.8F, -1}, {0.2F, 0.8F, -1}, {0.2F, 1.2F, -1}, {-0.2F, 1.2F, -1}));
   const Lighting lighting = only_sun({0, 1, -1});
   expect_color(radiance(scene, close_up(0, 0, -1), lighting), Color::Zero());
   expect_color(radiance(scene, close_up(0.5F, 0, -1), lighting),
@@ -113,7 +113,7 @@ TEST(Render, a_point_in_shadow_sees_no_sun) {
 
 TEST(Render, a_high_wall_hides_half_of_the_sky) {
   const RenderScene scene = flat_scene(
-      test::quad_mesh({0.02F, -900, 0}, {0.02F, -900, -900}, {0.02F, 900, -900}, {0.02F, 900, 0}));
+      quad_mesh({0.02F, -900, 0}, {0.02F, -900, -900}, {0.02F, 900, -900}, {0.02F, 900, 0}));
   Lighting lighting = only_sky(Color::Ones(), Color::Ones());
   const Camera camera = close_up(-0.05F, 0, -1);
   // From 0.07 m beside an endless wall, all directions beyond the vertical are hidden: one half.
@@ -124,8 +124,7 @@ TEST(Render, a_high_wall_hides_half_of_the_sky) {
 }
 
 TEST(Render, a_soft_sun_has_a_half_shadow_at_the_edge) {
-  const RenderScene scene =
-      flat_scene(test::quad_mesh({0, -1, -1}, {0, 1, -1}, {1, 1, -1}, {1, -1, -1}));
+  const RenderScene scene = flat_scene(quad_mesh({0, -1, -1}, {0, 1, -1}, {1, 1, -1}, {1, -1, -1}));
   Lighting lighting = only_sun({1, 0, -1});
   lighting.sun_radius = 0.1F;
   // Seen from x = -1 the plate's edge at (0, -1) cuts the sun's disc in halves.

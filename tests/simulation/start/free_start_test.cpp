@@ -90,14 +90,14 @@ TEST(FreeStart, a_grown_ribbon_has_its_rest_size) {
   EXPECT_LE(short_edges, 5);  // 1 % of all edges, along and across
 }
 
+// A square round the axis at a height.
+TriangleMesh level(float height) {
+  return quad_mesh({-2, height, 2}, {2, height, 2}, {2, height, -2}, {-2, height, -2});
+}
+
 // A ring-shaped box round the loop: 24 cm high inside, 4 cm deep.
 TriangleMesh ring_box() {
-  TriangleMesh lids{"lids", Eigen::Matrix3Xf(3, 8), Eigen::Matrix3Xi(3, 4)};
-  lids.vertices << -2, 2, 2, -2, -2, 2, 2, -2,                     //
-      0.12F, 0.12F, 0.12F, 0.12F, -0.12F, -0.12F, -0.12F, -0.12F,  //
-      2, 2, -2, -2, 2, 2, -2, -2;
-  lids.triangles << 0, 0, 4, 4, 1, 2, 5, 6, 2, 3, 6, 7;
-  return together(together(post(0.48, 60), post(0.52, 60)), lids);
+  return together(together(post(0.48, 60), post(0.52, 60)), together(level(0.12F), level(-0.12F)));
 }
 
 TEST(FreeStart, a_ribbon_without_room_is_refused_with_a_width_that_found_room) {
@@ -134,19 +134,12 @@ TriangleMesh post_in_the_way(double depth_m) {
 
 // Walls across the loop, so many that there is no room between them.
 TriangleMesh walls() {
-  constexpr Eigen::Index count = 12;
-  TriangleMesh mesh;
-  mesh.name = "walls";
-  mesh.vertices.resize(3, 4 * count);
-  mesh.triangles.resize(3, 2 * count);
-  for (Eigen::Index wall = 0; wall < count; ++wall) {
-    const int corner = static_cast<int>(4 * wall);
-    const auto z = static_cast<float>(0.08 * static_cast<double>(wall) - 0.48);
-    mesh.vertices.middleCols(corner, 4) << -9, 9, 9, -9, -9, -9, 9, 9, z, z, z, z;
-    mesh.triangles.col(2 * wall) << corner, corner + 1, corner + 2;
-    mesh.triangles.col(2 * wall + 1) << corner, corner + 2, corner + 3;
+  TriangleMesh all;
+  for (int wall = 0; wall < 12; ++wall) {
+    const float z = 0.08F * static_cast<float>(wall) - 0.48F;
+    all = together(all, quad_mesh({-9, -9, z}, {9, -9, z}, {9, 9, z}, {-9, 9, z}));
   }
-  return mesh;
+  return all;
 }
 
 TEST(FreeStart, a_ribbon_that_the_obstacle_is_in_the_way_of_is_moved_out_of_it) {
@@ -163,13 +156,8 @@ TEST(FreeStart, an_obstacle_that_reaches_a_selvage_only_leaves_room_for_the_thin
   // A floor under the loop, 5 mm over the lowest selvage.
   const Scene scene = scene_of_loop();
   const RibbonMesh mesh = mesh_of_loop(scene);
-  TriangleMesh floor;
-  floor.name = "floor";
   const auto height = static_cast<float>(mesh.positions.row(1).minCoeff() + 0.005);
-  floor.vertices.resize(3, 4);
-  floor.vertices << -2, 2, 2, -2, height, height, height, height, 2, 2, -2, -2;
-  floor.triangles.resize(3, 2);
-  floor.triangles << 0, 0, 1, 2, 2, 3;
+  const TriangleMesh floor = level(height);
   auto fastening = FasteningProcessor::create(scene, mesh, floor).value();
   EXPECT_EQ(fastening.start().kind, StartKind::grown);
   expect_free(fastening, mesh, floor);
