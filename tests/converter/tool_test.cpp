@@ -181,9 +181,9 @@ TEST_F(DamagedRecording, a_point_cache_starts_with_the_first_good_frame) {
 }
 
 TEST_F(DamagedRecording, lost_frames_alone_could_not) {
-  const std::string first = std::to_string(lost_.front() + 1);
-  for (const std::string output : {"a.pc2", "a.fbx"}) {
-    EXPECT_EQ(run("knot.rbn -o " + output + " --frames " + first).exit_code, 2);
+  const std::string first = "knot.rbn --frames " + std::to_string(lost_.front() + 1);
+  for (const std::string output : {" -o a.pc2", " -o a.fbx"}) {
+    EXPECT_EQ(run(first + output).exit_code, 2);
     EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
   }
 }
