@@ -57,7 +57,8 @@ TEST_F(Run, without_loss_a_ribbon_that_leaves_its_reach_ends_the_run_with_a_sent
       scene_, {header.grid, header.ribbon_length_m, header.ribbon_width_m}, std::nullopt, state);
   SimulatedFrames frames(scene_, *std::move(moving), -1);
   BackgroundWriter file(RecordingWriter::create(folder_ / "fast.rbn", header).value());
-  const std::string told = refusal_of(run(frames, plan_of(scene_).value(), false, file, goes_on, {}));
+  const std::string told =
+      refusal_of(run(frames, plan_of(scene_).value(), false, file, goes_on, {}));
   EXPECT_THAT(told, HasSubstr("beyond the "));
   EXPECT_THAT(told, HasSubstr("max_position_error above 0"));
 }
