@@ -12,7 +12,7 @@ build_packages=(
 )
 test_packages=(
   blender clang clang-format clang-tidy libcgal-dev libclang-14-dev libclang-rt-dev libdraco-dev
-  libgmp-dev libgtest-dev libmeshoptimizer-dev libmpfr-dev libzfp-dev llvm-14-dev python3
+  libgmp-dev libgmock-dev libmeshoptimizer-dev libmpfr-dev libzfp-dev llvm-14-dev python3
   python3-numpy regina-normal-dev shellcheck
 )
 

@@ -1,7 +1,5 @@
 #include "converter/cached_animation.h"
 
-#include <algorithm>
-
 #include "commandline/progress.h"
 #include "converter/export/obj_text.h"
 #include "converter/export/point_cache.h"

@@ -14,6 +14,6 @@ status=0
 "$root/build/release/tests/benchmarks/benchmark_accuracy" --json "$results/figures.json" "$@" |
   tee "$results/table.txt" || status=$?
 [[ $status -le 1 ]] || exit "$status"
-python3 "$root/tests/benchmarks/accuracy/plot_accuracy.py" "$results/figures.json" "$results/table.txt" \
+python3 -B "$root/tests/benchmarks/plot_accuracy.py" "$results/figures.json" "$results/table.txt" \
   "$root/docs/accuracy.md" "$root/docs/accuracy.svg"
 exit "$status"

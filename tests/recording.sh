@@ -28,6 +28,6 @@ status=0
 "$root/build/release/tests/benchmarks/benchmark_recording" --json "$results/figures.json" \
   --scratch "$results" "$@" "${recordings[@]}" || status=$?
 [[ $status -le 1 ]] || exit "$status"
-python3 "$root/tests/benchmarks/codec/plot_recording.py" "$results/figures.json" \
+python3 -B "$root/tests/benchmarks/plot_recording.py" "$results/figures.json" \
   "$root/docs/recording.md" "$root/docs/recording.svg"
 exit "$status"

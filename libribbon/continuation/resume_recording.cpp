@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "playback/frame_decoder.h"
 #include "playback/recording_contents.h"

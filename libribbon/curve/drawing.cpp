@@ -1,7 +1,6 @@
 #include "curve/drawing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <pugixml.hpp>
 #include <string_view>

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "curve/crossings.h"
-#include "curve/drawing.h"
 #include "result/result.h"
 #include "scene/scene.h"
 

@@ -1,7 +1,6 @@
 // Decodes any frame of a recording, with the frames that it needs.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>

@@ -1,7 +1,5 @@
 #include "playback/record_walk.h"
 
-#include <utility>
-
 #include "recording/coding/checksum.h"
 
 namespace ribbon {

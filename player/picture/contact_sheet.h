@@ -1,7 +1,6 @@
 // Several frames side by side, as in the paper's Figures 16 and 18.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

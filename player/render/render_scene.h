@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 
 #include "player/picture/color.h"
 #include "player/render/ray_scene.h"

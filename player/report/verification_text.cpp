@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 #include "player/report/report_line.h"
 #include "player/report/verification_report.h"
@@ -46,12 +47,12 @@ std::string frames_text(const Verification& verification) {
 std::string intersections_text(const Verification& verification) {
   if (verification.intersecting_pairs == 0) return report_line("intersections", "none");
   const auto& most = *verification.most_intersections;
-  std::string text =
-      report_line("intersections", filled_in("{}{} of triangles in {}, most in frame {}: {}",
-                                             verification.all_pairs_counted ? "" : "at least ",
-                                             counted(verification.intersecting_pairs, "pair"),
-                                             counted(verification.intersecting_frames, "frame"),
-                                             most.frame, most.pairs));
+  std::string text = report_line(
+      "intersections",
+      filled_in("{}{} of triangles in {}, most in frame {}: {}",
+                verification.all_pairs_counted ? "" : "at least ",
+                counted(static_cast<long long>(verification.intersecting_pairs), "pair"),
+                counted(verification.intersecting_frames, "frame"), most.frame, most.pairs));
   for (const Intersection& example : verification.first_intersections)
     text += report_line("", moment_text(example.frame, example.time_s) + ": " +
                                 pair_text(verification.header.grid, example.pair));
@@ -98,7 +99,7 @@ std::string knot_text(const Verification& verification) {
   if (verification.uncertain_frames > 0)
     text += report_line("", "not known in " + counted(verification.uncertain_frames, "frame"));
   if (changes.empty()) return text + report_line("", "the same in all of " + certified);
-  text += report_line("", "CHANGED " + counted(changes.size(), "time") + "; " + certified);
+  text += report_line("", "CHANGED " + counted(std::ssize(changes), "time") + "; " + certified);
   for (std::size_t k = 0; k < std::min(most_changes, changes.size()); ++k) {
     text += report_line("", filled_in("frame {}: {}", changes[k].frame_before, changes[k].before));
     text += report_line("", filled_in("frame {}: {}", changes[k].frame_after, changes[k].after));

@@ -10,7 +10,8 @@
 
 namespace ribbon {
 
-// What a benchmark found out, and whether it is as it should be.
+// What a benchmark found out, and whether it is as it should be. JSON is moved without exceptions,
+// but for its own assertions. NOLINTNEXTLINE(bugprone-exception-escape)
 struct Findings {
   nlohmann::ordered_json report;
   ExitCode code = ExitCode::done;

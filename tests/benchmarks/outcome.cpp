@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "benchmarks/solver/energy_account.h"
 #include "simulation/fastening_processor.h"

@@ -10,6 +10,8 @@
 #include <functional>
 #include <thread>
 
+#include "result/refusal.h"
+
 namespace ribbon::progress_test {
 
 TEST(ProgressText, tells_how_far_and_how_long_still) {
@@ -24,8 +26,8 @@ TEST(ProgressText, has_no_forecast_before_the_first_and_after_the_last) {
 }
 
 TEST(ProgressText, long_jobs_are_told_in_hours) {
-  EXPECT_NE(progress_text("frame", 1, 2, 11105, "", 80).find("ETA 3:05:05"), std::string::npos);
-  EXPECT_NE(progress_text("frame", 1, 2, 754, "", 80).find("ETA 12:34"), std::string::npos);
+  EXPECT_THAT(progress_text("frame", 1, 2, 11105, "", 80), HasSubstr("ETA 3:05:05"));
+  EXPECT_THAT(progress_text("frame", 1, 2, 754, "", 80), HasSubstr("ETA 12:34"));
 }
 
 TEST(ProgressText, one_unit_is_singular) {
@@ -104,9 +106,9 @@ TEST(ProgressLine, redraws_at_most_ten_times_a_second) {
     std::this_thread::sleep_for(std::chrono::milliseconds(110));
     line.update(1000);
   });
-  EXPECT_NE(seen.find(" 0/1000"), std::string::npos);
-  EXPECT_EQ(seen.find(" 1/1000"), std::string::npos);
-  EXPECT_NE(seen.find(" 1000/1000"), std::string::npos);
+  EXPECT_THAT(seen, HasSubstr(" 0/1000"));
+  EXPECT_THAT(seen, Not(HasSubstr(" 1/1000")));
+  EXPECT_THAT(seen, HasSubstr(" 1000/1000"));
 }
 
 TEST(ProgressLine, is_silent_when_quiet) {

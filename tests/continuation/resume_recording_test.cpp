@@ -14,9 +14,12 @@
 #include <vector>
 
 #include "files/files.h"
+#include "files/flipped.h"
+#include "playback/frames_of.h"
 #include "playback/recording_reader.h"
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
+#include "result/refusal.h"
 
 namespace ribbon::resume_recording_test {
 
@@ -52,9 +55,7 @@ class ResumedRecording : public testing::Test {
     append(whole, 0, frames);
     EXPECT_TRUE(whole.finish(RunEnding::duration).has_value());
     whole_ = read_file(whole_path_).value();
-    auto reader = RecordingReader::open(whole_path_).value();
-    for (int frame = 0; frame < frames; ++frame)
-      EXPECT_TRUE(reader.read(frame, truth_.emplace_back()).has_value());
+    truth_ = frames_of(whole_path_);
   }
 
   // As if it had never been interrupted.
@@ -62,21 +63,17 @@ class ResumedRecording : public testing::Test {
     auto reader = RecordingReader::open(path_);
     for (const bool walked : {false, true}) {
       if (walked) reader->check();
-      ASSERT_EQ(reader->frame_count(), count);
+      const auto played = frames_of(*reader);
+      ASSERT_EQ(played.size(), static_cast<std::size_t>(count));
+      EXPECT_EQ(first_difference(played, truth_), -1);
       EXPECT_TRUE(reader->damage().empty());
-      for (int frame = 0; frame < count; ++frame) {
-        Eigen::Matrix3Xf read;
-        ASSERT_TRUE(reader->read(frame, read).has_value()) << frame;
-        ASSERT_EQ(read, truth_[frame]) << frame;
-        ASSERT_EQ(reader->numbers(frame), sample_numbers(frame));
-      }
     }
   }
 
   std::filesystem::path whole_path_ = temporary_file("whole.rbn");
   std::filesystem::path path_ = temporary_file("resumed.rbn");
   std::string whole_;
-  std::vector<Eigen::Matrix3Xf> truth_;
+  std::vector<PlayedFrame> truth_;
 };
 
 TEST_F(ResumedRecording, a_killed_one_goes_on_to_the_same_bytes) {
@@ -196,50 +193,42 @@ TEST_F(ResumedRecording, after_damage_only_what_was_hit_is_lost) {
   }
   const std::string bytes = read_file(path_).value();
   for (std::size_t at = 2000; at < bytes.size() - 200; at += 197) {
-    std::string damaged = bytes;
-    damaged[at] = static_cast<char>(damaged[at] ^ 0x40);
-    put_file(path_, damaged);
+    put_file(path_, flipped(bytes, at, 0x40));
     auto before = RecordingReader::open(path_);
     auto writer = resume_recording(path_).value();
     ASSERT_EQ(writer.frames_written(), static_cast<std::uint32_t>(killed_at));
     append(writer, killed_at, frames);
     ASSERT_TRUE(writer.finish().has_value());
-    auto reader = RecordingReader::open(path_);
-    ASSERT_EQ(reader->frame_count(), frames);
+    const auto played = frames_of(path_);
+    ASSERT_EQ(played.size(), truth_.size());
     for (int frame = 0; frame < frames; ++frame) {
-      Eigen::Matrix3Xf read;
-      const bool done = reader->read(frame, read).has_value();
-      ASSERT_EQ(done, frame >= killed_at || before->readable(frame)) << at << ": " << frame;
-      if (done) {
-        ASSERT_EQ(read, truth_[frame]);
-      }
+      const bool is_there = frame >= killed_at || before->readable(frame);
+      ASSERT_EQ(played[frame].positions.cols() > 0, is_there) << at << ": " << frame;
+      ASSERT_TRUE(!is_there || played[frame] == truth_[frame]) << at << ": " << frame;
     }
   }
 }
 
 TEST_F(ResumedRecording, only_one_writer_at_a_time) {
   put_file(path_, whole_);
-  auto first = resume_recording(path_);
-  ASSERT_TRUE(first.has_value());
-  const auto second = resume_recording(path_);
-  ASSERT_FALSE(second.has_value());
-  EXPECT_EQ(second.error().problem, "is being written by another program");
+  auto first = resume_recording(path_).value();
+  EXPECT_THAT(refusal_of(resume_recording(path_)),
+              HasSubstr("is being written by another program"));
   EXPECT_FALSE(RecordingWriter::create(path_, sample_header({3, 2})).has_value());
   EXPECT_EQ(std::filesystem::file_size(path_), whole_.size());
-  { const RecordingWriter done = std::move(*first); }
+  { const RecordingWriter done = std::move(first); }
   EXPECT_TRUE(resume_recording(path_).has_value()) << "the lock goes with its writer";
 }
 
 TEST_F(ResumedRecording, what_is_no_recording_is_left_alone) {
   put_file(path_, "some text that is longer than the head of a record");
-  EXPECT_EQ(resume_recording(path_).error().problem, "is not a ribbon recording");
+  EXPECT_THAT(refusal_of(resume_recording(path_)), HasSubstr("is not a ribbon recording"));
   EXPECT_EQ(read_file(path_).value().size(), 50U);
   EXPECT_FALSE(resume_recording("/no/such.rbn").has_value());
   put_file(path_, whole_);
   std::filesystem::permissions(path_, std::filesystem::perms::owner_read);
   if (::access(path_.c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write anything";
-  EXPECT_NE(resume_recording(path_).error().sentence().find("cannot be written"),
-            std::string::npos);
+  EXPECT_THAT(refusal_of(resume_recording(path_)), HasSubstr("cannot be written"));
 }
 
 TEST_F(ResumedRecording, after_a_full_disk_it_goes_on) {
@@ -273,20 +262,17 @@ TEST_F(ResumedRecording, stale_blocks_of_another_recording_are_never_its_frames)
   constexpr std::size_t block = 4096;
   for (std::size_t at = block; at + block < whole_.size(); at += block) {
     put_file(path_, std::string(whole_).replace(at, block, stale, at, block));
-    auto reader = RecordingReader::open(path_);
-    ASSERT_TRUE(reader.has_value());
+    auto reader = RecordingReader::open(path_).value();
     int lost = 0;
-    for (int frame = 0; frame < reader->frame_count(); ++frame) {
-      Eigen::Matrix3Xf read;
-      if (!reader->read(frame, read)) {
+    const auto played = frames_of(reader);
+    for (std::size_t frame = 0; frame < played.size(); ++frame)
+      if (played[frame].positions.cols() == 0)
         ++lost;
-        continue;
-      }
-      ASSERT_EQ(read, truth_[frame]);
-    }
-    reader->check();
-    EXPECT_FALSE(reader->damage().empty());
-    EXPECT_EQ(reader->frame_count(), frames);
+      else
+        ASSERT_EQ(played[frame].positions, truth_[frame].positions);
+    reader.check();
+    EXPECT_FALSE(reader.damage().empty());
+    EXPECT_EQ(reader.frame_count(), frames);
     EXPECT_LT(lost, 64);
   }
 }

@@ -17,6 +17,7 @@
 #include "files/files.h"
 #include "playback/recording_reader.h"
 #include "recording/writer/recording_writer.h"
+#include "result/demanded.h"
 
 namespace {
 
@@ -42,20 +43,16 @@ void write_columns(std::ostream& json, const Columns& columns) {
 }
 
 void write_recording(const Folder& file, const ribbon::SampleKnot& knot) {
-  auto writer = ribbon::RecordingWriter::create(file, knot.header);
-  require(writer.has_value(), "cannot create the recording");
+  auto writer = demanded(ribbon::RecordingWriter::create(file, knot.header));
   for (std::size_t frame = 0; frame < knot.frames.size(); ++frame)
-    require(writer->append({.time_s = 0.02 * static_cast<double>(frame)}, knot.frames[frame])
-                .has_value(),
-            "cannot append a frame");
-  require(writer->finish().has_value(), "cannot finish the recording");
+    demanded(writer.append({.time_s = 0.02 * static_cast<double>(frame)}, knot.frames[frame]));
+  demanded(writer.finish());
 }
 
 // Everything that an export of the recording must show, in the recording's own axes and units.
 void write_reference(const Folder& recording, const Folder& file) {
-  auto reader = ribbon::RecordingReader::open(recording);
-  require(reader.has_value(), "cannot read the recording");
-  const ribbon::RecordingHeader& header = reader->header();
+  auto reader = demanded(ribbon::RecordingReader::open(recording));
+  const ribbon::RecordingHeader& header = reader.header();
   std::ofstream json(file);
   json << std::setprecision(std::numeric_limits<float>::max_digits10);
   json << R"({"ribbon": ")" << header.scene_name << R"(", "obstacle": ")" << header.obstacle->name
@@ -64,19 +61,15 @@ void write_reference(const Folder& recording, const Folder& file) {
   json << R"(, "quads": )" << header.grid.quad_count() << R"(, "obstacle_vertices": )";
   write_columns(json, header.obstacle->vertices);
   json << R"(, "obstacle_triangles": )" << header.obstacle->triangles.cols() << R"(, "frames": [)";
-  for (int frame = 0; frame < reader->frame_count(); ++frame) {
+  for (int frame = 0; frame < reader.frame_count(); ++frame) {
     Eigen::Matrix3Xf positions;
-    require(reader->read(frame, positions).has_value(), "cannot read a frame");
+    demanded(reader.read(frame, positions));
     json << (frame > 0 ? "," : "");
     write_columns(json, positions);
   }
   json << "]}\n";
   json.close();
   require(json.good(), "cannot write the reference");
-}
-
-void write(const Folder& file, const std::string& bytes) {
-  require(ribbon::write_file(file, bytes).has_value(), "cannot write a spoiled export");
 }
 
 Model model_of(const ribbon::SampleKnot& knot, const Eigen::Matrix3Xd& ribbon_positions) {
@@ -92,8 +85,8 @@ void write_spoiled(const Folder& folder, const ribbon::SampleKnot& knot, const s
                    const std::function<void(Model&)>& spoil) {
   Model model = model_of(knot, knot.frames[spoiled_frame]);
   spoil(model);
-  write(folder / (fault + ".obj"), ribbon::obj_text(model, "spoiled.mtl"));
-  write(folder / (fault + ".fbx"), ribbon::fbx_bytes(model).value());
+  demanded(ribbon::write_file(folder / (fault + ".obj"), ribbon::obj_text(model, "spoiled.mtl")));
+  demanded(ribbon::write_file(folder / (fault + ".fbx"), ribbon::fbx_bytes(model).value()));
 }
 
 void swap_y_and_z(Model& model) {
@@ -115,12 +108,10 @@ void write_spoiled_cache(const Folder& file, const ribbon::SampleKnot& knot,
                          const std::function<void(std::vector<Eigen::Matrix3Xd>&)>& spoil) {
   std::vector<Eigen::Matrix3Xd> frames = knot.frames;
   spoil(frames);
-  auto cache = ribbon::PointCacheWriter::create(file, knot.header.grid.particle_count(),
-                                                static_cast<int>(frames.size()));
-  require(cache.has_value(), "cannot create a spoiled cache");
-  for (const auto& frame : frames)
-    require(cache->append(frame.cast<float>()).has_value(), "cannot write a spoiled cache");
-  require(cache->finish().has_value(), "cannot finish a spoiled cache");
+  auto cache = demanded(ribbon::PointCacheWriter::create(file, knot.header.grid.particle_count(),
+                                                         static_cast<int>(frames.size())));
+  for (const auto& frame : frames) demanded(cache.append(frame.cast<float>()));
+  demanded(cache.finish());
 }
 
 void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
@@ -144,8 +135,9 @@ void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
   const Model right = model_of(knot, knot.frames[spoiled_frame]);
   const std::string unrepaired = ribbon::unrepaired_fbx_bytes(right).value();
   if (ribbon::fbx_top_list_end(unrepaired) == 0)  // an assimp before 5.3
-    write(folder / "unrepaired.fbx", unrepaired);
-  write(folder / "wrong_unit.fbx", with_wrong_unit(ribbon::fbx_bytes(right).value()));
+    demanded(ribbon::write_file(folder / "unrepaired.fbx", unrepaired));
+  demanded(ribbon::write_file(folder / "wrong_unit.fbx",
+                              with_wrong_unit(ribbon::fbx_bytes(right).value())));
   write_spoiled_cache(folder / "right.pc2", knot, [](auto&) {});
   write_spoiled_cache(folder / "moved_vertex.pc2", knot, [&](auto& f) { move_one(f[1]); });
   write_spoiled_cache(folder / "swapped_frames.pc2", knot, [](auto& f) { f[1].swap(f[2]); });

@@ -8,8 +8,9 @@
 #include "commandline/tool_run.h"
 #include "converter/sample_knot.h"
 #include "files/files.h"
-#include "files/temporary_folder.h"
+#include "files/flipped.h"
 #include "playback/recording_reader.h"
+#include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
 
 namespace ribbon::tool_test {
@@ -25,50 +26,22 @@ Eigen::Matrix3Xf cached_sample(const std::string& cache, std::size_t sample) {
   return positions;
 }
 
-class Tool : public TestInFolder {
+class Tool : public ToolTest {
  protected:
-  void SetUp() override {
-    recording_ = folder_ / "knot.rbn";
-    record(sample_knot());
-  }
+  Tool() : ToolTest(RIBBON_CONVERT) { record(sample_knot()); }
 
   void record(const SampleKnot& knot) const {
-    auto writer = RecordingWriter::create(recording_, knot.header).value();
-    for (std::size_t frame = 0; frame < knot.frames.size(); ++frame)
-      ASSERT_TRUE(writer.append({.time_s = 0.02 * static_cast<double>(frame)}, knot.frames[frame]));
-    ASSERT_TRUE(writer.finish());
+    write_recording(recording_, knot.header, knot.frames);
   }
 
-  // Runs the tool inside the test's folder; `before` is shell, for limits.
-  [[nodiscard]] ToolRun run(const std::string& arguments, const std::string& before = "") const {
-    return run_in(folder_, RIBBON_CONVERT, arguments, before);
-  }
-
-  // Names in a folder below the test's, sorted and joined by blanks.
-  [[nodiscard]] std::string names(const std::string& below) const {
-    std::vector<std::string> found;
-    for (const auto& entry : fs::directory_iterator(folder_ / below))
-      found.push_back(entry.path().filename().string());
-    std::sort(found.begin(), found.end());
-    std::string joined;
-    for (const std::string& name : found) joined += (joined.empty() ? "" : " ") + name;
-    return joined;
-  }
-
-  [[nodiscard]] std::string bytes(const std::string& file) const {
-    return read_file(folder_ / file).value();
-  }
-
-  fs::path recording_;
+  fs::path recording_ = folder_ / "knot.rbn";
 };
 
 TEST_F(Tool, an_obj_sequence_shares_one_material_library) {
-  const ToolRun answer = run("knot.rbn -o 'out/knot.{frame:04}.obj'");
-  EXPECT_EQ(answer.exit_code, 0) << answer.errors;
-  EXPECT_EQ(names("out"),
-            "knot.0001.obj knot.0002.obj knot.0003.obj knot.0004.obj knot.0005.obj knot.mtl");
-  EXPECT_NE(bytes("out/knot.0005.obj").find("mtllib knot.mtl\n"), std::string::npos);
-  EXPECT_EQ(answer.output.find("5 frames"), 0U) << answer.output;
+  EXPECT_THAT(output_of(run("knot.rbn -o 'out/knot.{frame:04}.obj'")), StartsWith("5 frames"));
+  EXPECT_THAT(names("out"), ElementsAre("knot.0001.obj", "knot.0002.obj", "knot.0003.obj",
+                                        "knot.0004.obj", "knot.0005.obj", "knot.mtl"));
+  EXPECT_THAT(bytes("out/knot.0005.obj"), HasSubstr("mtllib knot.mtl\n"));
 }
 
 TEST_F(Tool, the_number_of_threads_changes_nothing) {
@@ -80,26 +53,20 @@ TEST_F(Tool, the_number_of_threads_changes_nothing) {
   ASSERT_EQ(run("knot.rbn -o '1/{frame}.obj' --threads 1").exit_code, 0);
   ASSERT_EQ(run("knot.rbn -o '2/{frame}.obj' --threads 2").exit_code, 0);
   ASSERT_EQ(names("1"), names("2"));
-  int compared = 0;
-  for (const auto& entry : fs::directory_iterator(folder_ / "1")) {
-    const std::string name = entry.path().filename().string();
+  EXPECT_EQ(names("1").size(), 22U + 1);
+  for (const std::string& name : names("1"))
     EXPECT_TRUE(bytes("1/" + name) == bytes("2/" + name)) << name;
-    ++compared;
-  }
-  EXPECT_EQ(compared, 22 + 1);
 }
 
 TEST_F(Tool, an_fbx_sequence_has_one_file_a_frame) {
-  const ToolRun answer = run("knot.rbn -o 'out/knot.{frame:04}.fbx' --frames 2:4 --quiet");
-  EXPECT_EQ(answer.exit_code, 0) << answer.errors;
-  EXPECT_EQ(answer.output + answer.errors, "");
-  EXPECT_EQ(names("out"), "knot.0002.fbx knot.0003.fbx knot.0004.fbx");
-  EXPECT_TRUE(bytes("out/knot.0002.fbx").starts_with("Kaydara FBX Binary"));
+  EXPECT_EQ(output_of(run("knot.rbn -o 'out/knot.{frame:04}.fbx' --frames 2:4 --quiet")), "");
+  EXPECT_THAT(names("out"), ElementsAre("knot.0002.fbx", "knot.0003.fbx", "knot.0004.fbx"));
+  EXPECT_THAT(bytes("out/knot.0002.fbx"), StartsWith("Kaydara FBX Binary"));
 }
 
 TEST_F(Tool, a_point_cache_equals_the_recording_and_has_its_base) {
   ASSERT_EQ(run("knot.rbn -o out/knot.pc2").exit_code, 0);
-  EXPECT_EQ(names("out"), "knot.mtl knot.obj knot.pc2");
+  EXPECT_THAT(names("out"), ElementsAre("knot.mtl", "knot.obj", "knot.pc2"));
   const std::string cache = bytes("out/knot.pc2");
   ASSERT_EQ(cache.size(), 32 + 5 * sample_bytes);
   auto reader = RecordingReader::open(recording_).value();
@@ -115,73 +82,59 @@ TEST_F(Tool, a_point_cache_equals_the_recording_and_has_its_base) {
 
 TEST_F(Tool, the_last_frame_alone_needs_no_pattern) {
   ASSERT_EQ(run("knot.rbn -o last.obj --frames -1").exit_code, 0);
-  EXPECT_EQ(names("."), "knot.rbn last.mtl last.obj");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn", "last.mtl", "last.obj"));
 }
 
 TEST_F(Tool, the_obstacle_can_be_left_out) {
   ASSERT_EQ(run("knot.rbn -o a.obj --frames 1 --object ribbon").exit_code, 0);
-  EXPECT_EQ(bytes("a.obj").find("small object"), std::string::npos);
-  EXPECT_EQ(bytes("a.mtl").find("obstacle"), std::string::npos);
+  EXPECT_THAT(bytes("a.obj"), Not(HasSubstr("small object")));
+  EXPECT_THAT(bytes("a.mtl"), Not(HasSubstr("obstacle")));
 }
 
 TEST_F(Tool, several_frames_without_a_pattern_are_refused) {
-  const ToolRun answer = run("knot.rbn -o out/knot.obj");
-  EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.errors.find("{frame"), std::string::npos) << answer.errors;
-  EXPECT_EQ(names("."), "knot.rbn");
+  expect_refusal(run("knot.rbn -o out/knot.obj"), "{frame");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
 }
 
 TEST_F(Tool, a_point_cache_with_a_pattern_is_refused) {
-  const ToolRun answer = run("knot.rbn -o 'knot.{frame}.pc2'");
-  EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_NE(answer.errors.find("leave {frame} out"), std::string::npos) << answer.errors;
+  expect_refusal(run("knot.rbn -o 'knot.{frame}.pc2'"), "leave {frame} out");
 }
 
 TEST_F(Tool, an_unknown_extension_is_one_sentence_that_lists_the_known) {
-  const ToolRun answer = run("knot.rbn -o 'knot.{frame}.glb'");
-  EXPECT_EQ(answer.exit_code, 2);
-  EXPECT_EQ(answer.errors,
-            "ribbon-convert: knot.{frame}.glb: is not written as .glb (assimp splits the quads and "
-            "joins vertices); choose .obj or .fbx (one file a frame) or .pc2 (all frames in one "
-            "file)\n");
+  expect_refusal(
+      run("knot.rbn -o 'knot.{frame}.glb'"),
+      "knot.{frame}.glb: is not written as .glb (assimp splits the quads and "
+      "joins vertices); choose .obj or .fbx (one file a frame) or .pc2 (all frames in one "
+      "file)");
 }
 
 TEST_F(Tool, a_frame_that_is_not_there_is_refused) {
   EXPECT_EQ(run("knot.rbn -o a.obj --frames 6").exit_code, 2);
-  EXPECT_EQ(names("."), "knot.rbn");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
 }
 
 TEST_F(Tool, a_missing_recording_and_a_wrong_option_could_not) {
-  const ToolRun missing = run("other.rbn -o a.pc2");
-  EXPECT_EQ(missing.exit_code, 2);
-  EXPECT_NE(missing.errors.find("other.rbn"), std::string::npos) << missing.errors;
+  expect_refusal(run("other.rbn -o a.pc2"), "other.rbn");
   EXPECT_EQ(run("knot.rbn -o a.pc2 --speed 3").exit_code, 2);
   EXPECT_EQ(run("knot.rbn").exit_code, 2);
 }
 
 TEST_F(Tool, help_shows_examples_and_version_a_number) {
-  const ToolRun help = run("--help");
-  EXPECT_EQ(help.exit_code, 0);
-  EXPECT_NE(help.output.find("ribbon-convert knot.rbn -o 'out/knot.{frame:04}.obj'"),
-            std::string::npos);
-  const ToolRun version = run("--version");
-  EXPECT_EQ(version.exit_code, 0);
-  EXPECT_EQ(version.output.find("ribbon-convert "), 0U) << version.output;
+  EXPECT_THAT(output_of(run("--help")),
+              HasSubstr("ribbon-convert knot.rbn -o 'out/knot.{frame:04}.obj'"));
+  EXPECT_THAT(output_of(run("--version")), StartsWith("ribbon-convert "));
 }
 
 // A recording of 60 frames with one byte changed in the middle.
 class DamagedRecording : public Tool {
  protected:
   void SetUp() override {
-    Tool::SetUp();
     SampleKnot knot = sample_knot();
     knot.frames.clear();
     for (int frame = 0; frame < 60; ++frame)
       knot.frames.push_back(sample_wave(knot.header.grid, 0.1 * frame));
     record(knot);
-    std::string damaged = read_file(recording_).value();
-    damaged[damaged.size() / 2] = static_cast<char>(~damaged[damaged.size() / 2]);
-    ASSERT_TRUE(write_file(recording_, damaged));
+    ASSERT_TRUE(write_file(recording_, flipped(bytes("knot.rbn"), fs::file_size(recording_) / 2)));
     auto reader = RecordingReader::open(recording_).value();
     Eigen::Matrix3Xf positions;
     for (int frame = 0; frame < reader.frame_count(); ++frame)
@@ -198,13 +151,10 @@ class DamagedRecording : public Tool {
 TEST_F(DamagedRecording, the_good_frames_are_written_and_the_lost_are_listed) {
   const ToolRun answer = run("knot.rbn -o 'out/{frame:03}.obj'");
   EXPECT_EQ(answer.exit_code, 1);
-  EXPECT_NE(answer.errors.find("lost " + std::to_string(lost_.size()) +
-                               " of the frames: " + std::to_string(lost_.front() + 1)),
-            std::string::npos)
-      << answer.errors;
-  EXPECT_NE(answer.errors.find("damaged at byte"), std::string::npos) << answer.errors;
-  const auto files = std::distance(fs::directory_iterator(folder_ / "out"), {});
-  EXPECT_EQ(files, static_cast<std::ptrdiff_t>(good_.size()) + 1);
+  EXPECT_THAT(answer.errors, HasSubstr("lost " + std::to_string(lost_.size()) +
+                                       " of the frames: " + std::to_string(lost_.front() + 1)));
+  EXPECT_THAT(answer.errors, HasSubstr("damaged at byte"));
+  EXPECT_EQ(names("out").size(), good_.size() + 1);
 }
 
 TEST_F(DamagedRecording, a_point_cache_holds_the_frame_before_a_lost_one) {
@@ -231,30 +181,23 @@ TEST_F(DamagedRecording, a_point_cache_starts_with_the_first_good_frame) {
 }
 
 TEST_F(DamagedRecording, lost_frames_alone_could_not) {
-  for (const char* output : {"a.pc2", "a.fbx"}) {
-    const std::string first = std::to_string(lost_.front() + 1);
-    const ToolRun answer = run(std::string("knot.rbn -o ") + output + " --frames " + first);
-    EXPECT_EQ(answer.exit_code, 2);
-    EXPECT_EQ(names("."), "knot.rbn");
+  const std::string first = "knot.rbn --frames " + std::to_string(lost_.front() + 1);
+  for (const std::string output : {" -o a.pc2", " -o a.fbx"}) {
+    EXPECT_EQ(run(first + output).exit_code, 2);
+    EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
   }
 }
 
 TEST_F(Tool, an_unwritable_folder_is_named) {
-  for (const char* extension : {"{frame}.obj", "{frame}.fbx", "a.pc2"}) {
-    const ToolRun answer = run(std::string("knot.rbn -o 'knot.rbn/below/") + extension + "'");
-    EXPECT_EQ(answer.exit_code, 2);
-    EXPECT_NE(answer.errors.find("knot.rbn/below"), std::string::npos) << answer.errors;
-  }
+  for (const std::string name : {"{frame}.obj", "{frame}.fbx", "a.pc2"})
+    expect_refusal(run("knot.rbn -o 'knot.rbn/below/" + name + "'"), "knot.rbn/below");
 }
 
 TEST_F(Tool, a_disk_that_fills_up_leaves_no_half_file) {
-  for (const char* output : {"out/a.{frame}.obj", "out/a.{frame}.fbx", "out/a.pc2"}) {
-    const ToolRun answer =
-        run(std::string("knot.rbn -o '") + output + "'", "ulimit -f 2 &&");  // 1 or 2 kB
-    EXPECT_EQ(answer.exit_code, 2) << output;
-    EXPECT_NE(answer.errors.find("cannot be written"), std::string::npos) << answer.errors;
-    for (const auto& entry : fs::directory_iterator(folder_ / "out"))
-      EXPECT_EQ(entry.path().filename(), "a.mtl");
+  for (const std::string output : {"out/a.{frame}.obj", "out/a.{frame}.fbx", "out/a.pc2"}) {
+    // 1 or 2 kB.
+    expect_refusal(run("knot.rbn -o '" + output + "'", "ulimit -f 2 &&"), "cannot be written");
+    for (const std::string& name : names("out")) EXPECT_EQ(name, "a.mtl");
   }
 }
 

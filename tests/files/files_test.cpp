@@ -4,12 +4,13 @@
 
 #include <filesystem>
 
+#include "files/temporary_folder.h"
+#include "result/refusal.h"
+
 namespace ribbon::files_test {
 
 TEST(Files, what_was_written_is_read_back) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "ribbon-files-test";
-  std::filesystem::remove_all(folder);
-  const auto file = folder / "new folder" / "bytes.bin";
+  const auto file = temporary_file("new folder") / "bytes.bin";
   const std::string bytes("a\0b\nc", 5);
   ASSERT_TRUE(write_file(file, bytes).has_value());
   EXPECT_EQ(read_file(file).value(), bytes);
@@ -18,15 +19,11 @@ TEST(Files, what_was_written_is_read_back) {
 }
 
 TEST(Files, a_failed_write_leaves_the_older_file_alone) {
-  const Result<void> written = write_file("/dev/full/never", "x");
-  ASSERT_FALSE(written.has_value());
-  EXPECT_NE(written.error().sentence().find("/dev/full"), std::string::npos);
+  EXPECT_THAT(refusal_of(write_file("/dev/full/never", "x")), HasSubstr("/dev/full"));
 }
 
 TEST(Files, a_missing_file_is_named) {
-  const auto bytes = read_file("/no/such/file");
-  ASSERT_FALSE(bytes.has_value());
-  EXPECT_EQ(bytes.error().place, "/no/such/file");
+  EXPECT_THAT(refusal_of(read_file("/no/such/file")), StartsWith("/no/such/file: "));
 }
 
 TEST(Files, a_folder_is_not_a_file) {

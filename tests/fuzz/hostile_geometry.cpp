@@ -1,5 +1,4 @@
 // Whatever the bytes, the decoder answers with a whole frame or with none.
-#include <vector>
 
 #include "fuzz/fuzz_input.h"
 #include "fuzz/must.h"

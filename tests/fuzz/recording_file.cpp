@@ -3,11 +3,9 @@
 #include <unistd.h>
 
 #include <Eigen/Core>
-#include <bit>
 #include <map>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "continuation/resume_recording.h"
 #include "fuzz/must.h"
@@ -54,13 +52,6 @@ Frames frames_of(RecordingReader& reader) {
     frames[i] = positions;
   }
   return frames;
-}
-
-bool same_bits(const Eigen::Matrix3Xf& a, const Eigen::Matrix3Xf& b) {
-  return a.cols() == b.cols() &&
-         std::equal(a.data(), a.data() + a.size(), b.data(), [](float x, float y) {
-           return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
-         });
 }
 
 void must_agree(const Frames& some, const Frames& others) {

@@ -1,7 +1,6 @@
 // Gives the records of a recording right checksums again, so that a fuzzer gets past them.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 

@@ -1,5 +1,4 @@
 // Whatever the positions, the codec keeps its bound or refuses them.
-#include <bit>
 #include <cmath>
 #include <random>
 
@@ -81,13 +80,6 @@ std::vector<const QuantisedFrame*> take_references(const std::vector<QuantisedFr
   for (int i = input.between(0, static_cast<int>(most_references)); i > 0; --i)
     references.push_back(&frames[input.between(0, count - 1)]);
   return references;
-}
-
-bool same_bits(const Eigen::Matrix3Xf& a, const Eigen::Matrix3Xf& b) {
-  return a.cols() == b.cols() &&
-         std::equal(a.data(), a.data() + a.size(), b.data(), [](float x, float y) {
-           return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
-         });
 }
 
 void check_bound(const Eigen::Matrix3Xf& decoded, const Eigen::Matrix3Xd& positions,

@@ -3,13 +3,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "files/files.h"
 #include "fuzz/reference_frames.h"
 #include "recording/codec/position_encoder.h"
 #include "recording/writer/recording_writer.h"
 #include "recording/writer/references.h"
+#include "result/demanded.h"
 
 namespace ribbon {
 namespace {
@@ -27,11 +27,7 @@ std::string bytes_of(Number number) {
 }
 
 void write(const std::filesystem::path& file, const std::string& content) {
-  std::filesystem::create_directories(file.parent_path());
-  if (auto written = write_file(file, content); !written) {
-    std::fprintf(stderr, "%s\n", written.error().sentence().c_str());
-    std::exit(2);
-  }
+  demanded(write_file(file, content));
 }
 
 // Frames as round_trip.cpp reads them: grid, bound, reach; then of each frame what changes and,
@@ -101,37 +97,25 @@ RecordingHeader rich_header() {
   return header;
 }
 
-// Leaves the program where that does not work.
-void demand(const Result<void>& done) {
-  if (done) return;
-  std::fprintf(stderr, "%s\n", done.error().sentence().c_str());
-  std::exit(2);
-}
-
 void append(RecordingWriter& writer, int frame, bool with_tightness) {
   FrameNumbers numbers{.time_s = frame / 60.0};
   if (with_tightness) numbers.tightness = TightnessNumbers{.progress = 1};
-  demand(writer.append(numbers, wave(writer.header().grid, frame)));
-}
-
-RecordingWriter writer_of(const std::filesystem::path& file, const RecordingHeader& header) {
-  auto writer = RecordingWriter::create(file, header);
-  if (writer) return std::move(*writer);
-  std::fprintf(stderr, "%s\n", writer.error().sentence().c_str());
-  std::exit(2);
+  demanded(writer.append(numbers, wave(writer.header().grid, frame)));
 }
 
 void write_recordings(const std::filesystem::path& folder) {
-  RecordingWriter finished = writer_of(folder / "finished", header_of(1e-4));
+  RecordingWriter finished =
+      demanded(RecordingWriter::create(folder / "finished", header_of(1e-4)));
   for (int frame = 0; frame < 4; ++frame) append(finished, frame, false);
-  demand(finished.finish(RunEnding::tight));
-  RecordingWriter rich = writer_of(folder / "rich", rich_header());
+  demanded(finished.finish(RunEnding::tight));
+  RecordingWriter rich = demanded(RecordingWriter::create(folder / "rich", rich_header()));
   for (int frame = 0; frame < 3; ++frame) append(rich, frame, true);
-  demand(rich.append_checkpoint(7, "state"));
-  demand(rich.append_session(SessionNote{}));
+  demanded(rich.append_checkpoint(7, "state"));
+  demanded(rich.append_session(SessionNote{}));
   append(rich, 3, true);
-  demand(rich.finish(RunEnding::duration));
-  RecordingWriter exact = writer_of(folder / "exact_and_killed", header_of(0));
+  demanded(rich.finish(RunEnding::duration));
+  RecordingWriter exact =
+      demanded(RecordingWriter::create(folder / "exact_and_killed", header_of(0)));
   for (int frame = 0; frame < 18; ++frame) append(exact, frame, false);
 }
 

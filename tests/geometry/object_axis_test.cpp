@@ -15,7 +15,7 @@ TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3f& way) {
 }
 
 TEST(WindingNumber, is_one_inside_and_none_outside) {
-  const TriangleMesh mesh = post(0.1, -1, 2);
+  const TriangleMesh mesh = closed(tube(0.1, -1, 2));
   EXPECT_NEAR(winding_number(mesh, {0.05, 1.9, 0}), 1, 1e-9);
   EXPECT_NEAR(winding_number(mesh, {0.05, 2.1, 0}), 0, 1e-9);
   EXPECT_NEAR(winding_number(mesh, {0.11, 0, 0}), 0, 1e-9);
@@ -25,48 +25,37 @@ TEST(WindingNumber, is_one_inside_and_none_outside) {
 }
 
 TEST(ObjectAxis, runs_from_end_to_end_of_a_post) {
-  const auto axis = object_axis(upright, post(0.1, -1, 2));
-  ASSERT_TRUE(axis.has_value());
-  EXPECT_EQ(axis->line, upright);
-  EXPECT_NEAR(axis->extent().low_m, -1, 1e-6);
-  EXPECT_NEAR(axis->extent().high_m, 2, 1e-6);
-  EXPECT_TRUE(axis->is_inside(1.9));
-  EXPECT_FALSE(axis->is_inside(2.1));
+  const auto axis = object_axis(upright, closed(tube(0.1, -1, 2))).value();
+  EXPECT_EQ(axis.line, upright);
+  EXPECT_NEAR(axis.extent().low_m, -1, 1e-6);
+  EXPECT_NEAR(axis.extent().high_m, 2, 1e-6);
+  EXPECT_TRUE(axis.is_inside(1.9));
+  EXPECT_FALSE(axis.is_inside(2.1));
 }
 
 TEST(ObjectAxis, runs_from_end_to_end_of_a_pipe_that_is_open) {
-  const auto axis = object_axis(upright, post(0.1, -1, 2, false));
-  ASSERT_TRUE(axis.has_value());
-  EXPECT_NEAR(axis->extent().low_m, -1, 1e-3);
-  EXPECT_NEAR(axis->extent().high_m, 2, 1e-3);
+  const auto axis = object_axis(upright, tube(0.1, -1, 2)).value();
+  EXPECT_NEAR(axis.extent().low_m, -1, 1e-3);
+  EXPECT_NEAR(axis.extent().high_m, 2, 1e-3);
 }
 
 TEST(ObjectAxis, is_outside_between_two_parts_of_the_object) {
-  TriangleMesh two = post(0.1, -1, 2);
-  const TriangleMesh other = post(0.1, 3, 4);
-  const Eigen::Index vertices = two.vertices.cols();
-  const Eigen::Index triangles = two.triangles.cols();
-  two.vertices.conservativeResize(3, 2 * vertices);
-  two.vertices.rightCols(vertices) = other.vertices;
-  two.triangles.conservativeResize(3, 2 * triangles);
-  two.triangles.rightCols(triangles) = other.triangles.array() + static_cast<int>(vertices);
-  const auto axis = object_axis(upright, two);
-  ASSERT_TRUE(axis.has_value());
-  ASSERT_EQ(axis->inside.size(), 2U);
-  EXPECT_FALSE(axis->is_inside(2.5));
-  EXPECT_NEAR(axis->extent().high_m, 4, 1e-6);
+  const auto axis =
+      object_axis(upright, together(closed(tube(0.1, -1, 2)), closed(tube(0.1, 3, 4)))).value();
+  ASSERT_EQ(axis.inside.size(), 2U);
+  EXPECT_FALSE(axis.is_inside(2.5));
+  EXPECT_NEAR(axis.extent().high_m, 4, 1e-6);
 }
 
 TEST(ObjectAxis, goes_through_the_middle_of_an_object_beside_the_centre_axis) {
-  const auto axis = object_axis(upright, moved(post(0.1, -1, 1), {0.3F, 5, 0}));
-  ASSERT_TRUE(axis.has_value());
-  EXPECT_NEAR(axis->line.point_m.x(), 0.3, 1e-6);
-  EXPECT_NEAR(axis->height_m({7, 5.5, 7}), 0.5, 1e-6);
-  EXPECT_NEAR(axis->extent().low_m, -1, 1e-6);
+  const auto axis = object_axis(upright, moved(closed(tube(0.1, -1, 1)), {0.3F, 5, 0})).value();
+  EXPECT_NEAR(axis.line.point_m.x(), 0.3, 1e-6);
+  EXPECT_NEAR(axis.height_m({7, 5.5, 7}), 0.5, 1e-6);
+  EXPECT_NEAR(axis.extent().low_m, -1, 1e-6);
 }
 
 TEST(ObjectAxis, there_is_none_without_an_axis_or_an_object) {
-  EXPECT_FALSE(object_axis(std::nullopt, post(1, -1, 1)).has_value());
+  EXPECT_FALSE(object_axis(std::nullopt, closed(tube(1, -1, 1))).has_value());
   EXPECT_FALSE(object_axis(upright, std::nullopt).has_value());
   EXPECT_FALSE(object_axis(upright, TriangleMesh{}).has_value());
 }

@@ -1,6 +1,7 @@
 // Meshes from formulas.
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 
@@ -8,32 +9,54 @@
 
 namespace ribbon {
 
-// An upright prism about the axis y, from low_m to high_m, with or without its two ends.
-inline TriangleMesh post(double radius_m, double low_m, double high_m, bool closed = true) {
-  constexpr int sides = 24;
-  TriangleMesh mesh{"post", Eigen::Matrix3Xf(3, 2 * sides + 2), Eigen::Matrix3Xi(3, 4 * sides)};
-  const auto put = [&](int index, double x, double y, double z) {
-    mesh.vertices.col(index) = Eigen::Vector3d(x, y, z).cast<float>();
-  };
-  put(2 * sides, 0, low_m, 0);
-  put(2 * sides + 1, 0, high_m, 0);
-  for (int k = 0; k < sides; ++k) {
-    const double angle = 2 * std::numbers::pi * k / sides;
-    put(2 * k, radius_m * std::sin(angle), low_m, radius_m * std::cos(angle));
-    put(2 * k + 1, radius_m * std::sin(angle), high_m, radius_m * std::cos(angle));
-    const int low = 2 * k;
-    const int next = 2 * ((k + 1) % sides);
-    mesh.triangles.col(4 * k) << low, next, low + 1;
-    mesh.triangles.col(4 * k + 1) << next, next + 1, low + 1;
-    mesh.triangles.col(4 * k + 2) << next, low, 2 * sides;
-    mesh.triangles.col(4 * k + 3) << low + 1, next + 1, 2 * sides + 1;
+// An upright prism about the axis y, open at both ends, its outside outwards. Its corners lie low
+// and high by turns.
+inline TriangleMesh tube(double radius_m, double low_m, double high_m, int sides = 24) {
+  TriangleMesh mesh{"post", Eigen::Matrix3Xf(3, 2 * sides), Eigen::Matrix3Xi(3, 2 * sides)};
+  for (int s = 0; s < sides; ++s) {
+    const double angle = 2 * std::numbers::pi * s / sides;
+    const int low = 2 * s;
+    const int next = 2 * ((s + 1) % sides);
+    for (int end = 0; end < 2; ++end)
+      mesh.vertices.col(low + end) << static_cast<float>(radius_m * std::sin(angle)),
+          static_cast<float>(end == 0 ? low_m : high_m),
+          static_cast<float>(radius_m * std::cos(angle));
+    mesh.triangles.col(low) << low, next, next + 1;
+    mesh.triangles.col(low + 1) << low, next + 1, low + 1;
   }
-  if (closed) return mesh;
-  TriangleMesh pipe = mesh;
-  pipe.triangles.resize(3, 2 * sides);
-  for (int k = 0; k < sides; ++k)
-    pipe.triangles.middleCols(2 * k, 2) = mesh.triangles.middleCols(4 * k, 2);
-  return pipe;
+  return mesh;
+}
+
+// A tube with a lid at either end, a fan round its first corner.
+inline TriangleMesh closed(TriangleMesh tube) {
+  const Eigen::Index wall = tube.triangles.cols();
+  const int sides = static_cast<int>(wall / 2);
+  tube.triangles.conservativeResize(3, wall + 2L * (sides - 2));
+  for (int s = 1; s + 1 < sides; ++s) {
+    tube.triangles.col(wall + 2L * (s - 1)) << 0, 2 * (s + 1), 2 * s;
+    tube.triangles.col(wall + 2L * (s - 1) + 1) << 1, 2 * s + 1, 2 * (s + 1) + 1;
+  }
+  return tube;
+}
+
+// Two triangles with the given corners, counter-clockwise about their front.
+inline TriangleMesh quad_mesh(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                              const Eigen::Vector3f& c, const Eigen::Vector3f& d) {
+  TriangleMesh mesh{"quad", Eigen::Matrix3Xf(3, 4), Eigen::Matrix3Xi(3, 2)};
+  mesh.vertices << a, b, c, d;
+  mesh.triangles << 0, 0, 1, 2, 2, 3;
+  return mesh;
+}
+
+inline TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second) {
+  TriangleMesh mesh = first;
+  const Eigen::Index vertices = first.vertices.cols();
+  mesh.vertices.conservativeResize(3, vertices + second.vertices.cols());
+  mesh.vertices.rightCols(second.vertices.cols()) = second.vertices;
+  mesh.triangles.conservativeResize(3, first.triangles.cols() + second.triangles.cols());
+  mesh.triangles.rightCols(second.triangles.cols()) =
+      second.triangles.array() + static_cast<int>(vertices);
+  return mesh;
 }
 
 }  // namespace ribbon

@@ -15,7 +15,7 @@ namespace ribbon {
 
 inline constexpr double width_m = 0.02;
 inline const CentreAxis upright{{0, 0, 0}, {0, 1, 0}};
-inline const TriangleMesh object = post(0.05, -0.3, 0.3);
+inline const TriangleMesh object = closed(tube(0.05, -0.3, 0.3));
 
 struct Pose {
   double height_m = 0;  // of the loop
@@ -74,6 +74,7 @@ inline Eigen::Matrix3Xd looped_ribbon(const RecordingHeader& header, const Pose&
 inline std::filesystem::path record_loops(const RecordingHeader& header,
                                           const std::vector<Pose>& poses) {
   std::vector<Eigen::Matrix3Xd> frames;
+  frames.reserve(poses.size());
   for (const Pose& pose : poses) frames.push_back(looped_ribbon(header, pose));
   auto path = temporary_file("loops.rbn");
   std::filesystem::remove(path);

@@ -7,7 +7,6 @@
 #include <functional>
 #include <numbers>
 #include <random>
-#include <vector>
 
 #include "geometry/ribbon_grid.h"
 #include "knot/type/simplify_curve.h"
@@ -98,6 +97,17 @@ inline Curve overhand_knot_lifted(int count, double lift) {
     if (std::abs(t + 0.52) < 0.2) result(2, k) += lift;
   }
   return result;
+}
+
+// A ribbon `width` wide along a trefoil drawn as a polynomial; `depth` -1 is its mirror image.
+inline Eigen::Matrix3Xd open_trefoil(const RibbonGrid& grid, double depth, double width) {
+  Eigen::Matrix3Xd positions(3, grid.particle_count());
+  for (int p = 0; p < grid.particle_count(); ++p) {
+    const double t = 2.2 * (2.0 * grid.row(p) / (grid.along - 1) - 1);
+    positions.col(p) << t * (t * t - 3), t * t * (t * t - 4),
+        depth * t * (t * t * t * t - 10) / 5 + width * grid.column(p) / (grid.across - 1);
+  }
+  return positions;
 }
 
 inline Eigen::Matrix3d random_rotation(std::mt19937& random) {

@@ -1,23 +1,17 @@
 // A reader beside a writer.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "continuation/resume_recording.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"
+#include "playback/sample_frame.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/background_writer.h"
+#include "result/refusal.h"
 
 namespace ribbon::growing_recording_test {
-
-void expect_frame(RecordingReader& reader, int frame) {
-  Eigen::Matrix3Xf read;
-  ASSERT_TRUE(reader.read(frame, read).has_value()) << frame;
-  EXPECT_LE((read.cast<double>() - sample_positions(frame)).cwiseAbs().maxCoeff(), 1e-5);
-  EXPECT_EQ(reader.numbers(frame), sample_numbers(frame));
-}
 
 TEST(GrowingRecording, a_reader_sees_each_frame_when_it_is_there) {
   const auto path = temporary_file("growing.rbn");
@@ -25,10 +19,10 @@ TEST(GrowingRecording, a_reader_sees_each_frame_when_it_is_there) {
   auto reader = RecordingReader::open(path).value();
   EXPECT_TRUE(reader.is_being_written());
   for (int frame = 0; frame < 300; ++frame) {
-    ASSERT_TRUE(writer.append(sample_numbers(frame), sample_positions(frame)).has_value());
+    append_sample_frames(writer, frame, frame + 1);
     ASSERT_TRUE(reader.refresh().has_value());
     ASSERT_EQ(reader.frame_count(), frame + 1);
-    expect_frame(reader, frame);
+    expect_sample_frame(reader, frame);
   }
   ASSERT_TRUE(writer.append_checkpoint(5, "state").has_value());
   ASSERT_TRUE(reader.refresh().has_value());
@@ -58,12 +52,11 @@ TEST(GrowingRecording, a_reader_of_a_finished_one_sees_it_extended) {
   auto reader = RecordingReader::open(path).value();
   EXPECT_TRUE(reader.finished());
   auto writer = resume_recording(path).value();
-  for (int frame = 20; frame < 40; ++frame)
-    ASSERT_TRUE(writer.append(sample_numbers(frame), sample_positions(frame)).has_value());
+  append_sample_frames(writer, 20, 40);
   ASSERT_TRUE(reader.refresh().has_value());
   EXPECT_FALSE(reader.finished());
   EXPECT_EQ(reader.frame_count(), 40);
-  for (const int frame : {39, 0, 19, 20}) expect_frame(reader, frame);
+  for (const int frame : {39, 0, 19, 20}) expect_sample_frame(reader, frame);
   ASSERT_TRUE(writer.finish(RunEnding::duration).has_value());
   ASSERT_TRUE(reader.refresh().has_value());
   EXPECT_TRUE(reader.finished());
@@ -100,12 +93,11 @@ TEST(GrowingRecording, a_torn_tail_that_is_replaced_is_forgotten) {
   auto reader = RecordingReader::open(path).value();
   EXPECT_EQ(reader.damage().size(), 1U);
   auto writer = resume_recording(path).value();
-  for (int frame = 5; frame < 8; ++frame)
-    ASSERT_TRUE(writer.append(sample_numbers(frame), sample_positions(frame)).has_value());
+  append_sample_frames(writer, 5, 8);
   ASSERT_TRUE(reader.refresh().has_value());
   EXPECT_TRUE(reader.damage().empty());
   ASSERT_EQ(reader.frame_count(), 8);
-  for (int frame = 0; frame < 8; ++frame) expect_frame(reader, frame);
+  for (int frame = 0; frame < 8; ++frame) expect_sample_frame(reader, frame);
 }
 
 TEST(GrowingRecording, one_that_is_recorded_anew_is_told) {
@@ -113,9 +105,7 @@ TEST(GrowingRecording, one_that_is_recorded_anew_is_told) {
   write_sample_recording(path, 5);
   auto reader = RecordingReader::open(path).value();
   const auto writer = RecordingWriter::create(path, sample_header());
-  const auto refreshed = reader.refresh();
-  ASSERT_FALSE(refreshed.has_value());
-  EXPECT_EQ(refreshed.error().sentence(),
+  EXPECT_EQ(refusal_of(reader.refresh()),
             path.string() +
                 ": has become shorter while it was read; it is another recording now: "
                 "open it again");
@@ -129,11 +119,11 @@ TEST(GrowingRecording, a_reader_keeps_up_with_a_writer_in_the_background) {
   for (int frame = 0; frame < 200; ++frame) {
     writer.append(sample_numbers(frame), sample_positions(frame));
     ASSERT_TRUE(reader.refresh().has_value());
-    for (; seen < reader.frame_count(); ++seen) expect_frame(reader, seen);
+    for (; seen < reader.frame_count(); ++seen) expect_sample_frame(reader, seen);
   }
   ASSERT_TRUE(writer.finish(RunEnding::duration).has_value());
   ASSERT_TRUE(reader.refresh().has_value());
-  for (; seen < reader.frame_count(); ++seen) expect_frame(reader, seen);
+  for (; seen < reader.frame_count(); ++seen) expect_sample_frame(reader, seen);
   EXPECT_EQ(seen, 200);
   EXPECT_TRUE(reader.damage().empty());
 }

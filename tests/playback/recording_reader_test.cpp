@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "files/files.h"
+#include "playback/frames_of.h"
+#include "playback/sample_frame.h"
 #include "recording/sample_recording.h"
+#include "result/refusal.h"
 
 namespace ribbon::recording_reader_test {
-
-double largest_error(const Eigen::Matrix3Xf& read, int frame) {
-  return (read.cast<double>() - sample_positions(frame)).cwiseAbs().maxCoeff();
-}
 
 TEST(RecordingReader, what_was_recorded_is_read_back) {
   const auto path = temporary_file("read back.rbn");
@@ -26,10 +25,7 @@ TEST(RecordingReader, what_was_recorded_is_read_back) {
   EXPECT_EQ(reader->file_bytes(), std::filesystem::file_size(path));
   for (int frame = 0; frame < 40; ++frame) {
     EXPECT_TRUE(reader->readable(frame));
-    EXPECT_EQ(reader->numbers(frame), sample_numbers(frame));
-    Eigen::Matrix3Xf positions;
-    ASSERT_TRUE(reader->read(frame, positions).has_value());
-    EXPECT_LE(largest_error(positions, frame), 1e-5);
+    expect_sample_frame(*reader, frame);
   }
 }
 
@@ -40,16 +36,14 @@ TEST(RecordingReader, jumping_to_a_frame_equals_playing_to_it) {
   auto player = RecordingReader::open(path);
   auto jumper = RecordingReader::open(path);
   ASSERT_TRUE(player.has_value() && jumper.has_value());
-  std::vector<Eigen::Matrix3Xf> played(frames);
-  for (int frame = 0; frame < frames; ++frame)
-    ASSERT_TRUE(player->read(frame, played[frame]).has_value());
+  const std::vector<PlayedFrame> played = frames_of(*player);
   for (int step = 0; step < 3 * frames; ++step) {
     const int frame = (step * 29 + step / 7) % frames;  // back and forth, some of them twice
     Eigen::Matrix3Xf jumped;
     ASSERT_TRUE(jumper->read(frame, jumped).has_value());
-    ASSERT_EQ(jumped, played[frame]) << "frame " << frame;
+    ASSERT_EQ(jumped, played[frame].positions) << "frame " << frame;
     ASSERT_TRUE(jumper->read(frame, jumped).has_value());
-    ASSERT_EQ(jumped, played[frame]) << "frame " << frame << " again";
+    ASSERT_EQ(jumped, played[frame].positions) << "frame " << frame << " again";
   }
 }
 
@@ -61,20 +55,12 @@ TEST(RecordingReader, a_killed_recording_reads_like_a_finished_one) {
   ASSERT_TRUE(finished.has_value() && killed.has_value());
   EXPECT_FALSE(killed->finished());
   EXPECT_TRUE(killed->damage().empty());
-  ASSERT_EQ(killed->frame_count(), 35);
-  for (int frame = 0; frame < 35; ++frame) {
-    Eigen::Matrix3Xf a;
-    Eigen::Matrix3Xf b;
-    EXPECT_EQ(killed->numbers(frame), finished->numbers(frame));
-    ASSERT_TRUE(finished->read(frame, a).has_value() && killed->read(frame, b).has_value());
-    EXPECT_EQ(a, b);
-  }
+  EXPECT_EQ(killed->frame_count(), 35);
+  EXPECT_EQ(frames_of(*killed), frames_of(*finished));
 }
 
 TEST(RecordingReader, a_missing_file_is_named) {
-  const auto reader = RecordingReader::open("/no/such.rbn");
-  ASSERT_FALSE(reader.has_value());
-  EXPECT_EQ(reader.error().sentence(),
+  EXPECT_EQ(refusal_of(RecordingReader::open("/no/such.rbn")),
             "/no/such.rbn: cannot be opened (No such file or directory); check the name and the "
             "permissions");
 }
@@ -83,9 +69,7 @@ TEST(RecordingReader, what_is_no_recording_is_refused) {
   const auto path = temporary_file("text.rbn");
   for (const char* bytes : {"", "x", "some text that is longer than the head of a record"}) {
     ASSERT_TRUE(write_file(path, bytes).has_value());
-    const auto reader = RecordingReader::open(path);
-    ASSERT_FALSE(reader.has_value());
-    EXPECT_EQ(reader.error().problem, "is not a ribbon recording");
+    EXPECT_THAT(refusal_of(RecordingReader::open(path)), HasSubstr("is not a ribbon recording"));
   }
   EXPECT_FALSE(RecordingReader::open(testing::TempDir()).has_value());
   EXPECT_FALSE(RecordingReader::open("/dev/null").has_value());

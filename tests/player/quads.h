@@ -3,19 +3,10 @@
 
 #include <Eigen/Core>
 
-#include "geometry/triangle_mesh.h"
+#include "player/render/surface.h"
 #include "recording/records/recording.h"
 
 namespace ribbon::test {
-
-// A square of two triangles with the given corners, counter-clockwise about its front.
-inline TriangleMesh quad_mesh(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
-                              const Eigen::Vector3f& c, const Eigen::Vector3f& d) {
-  TriangleMesh mesh{"quad", Eigen::Matrix3Xf(3, 4), Eigen::Matrix3Xi(3, 2)};
-  mesh.vertices << a, b, c, d;
-  mesh.triangles << 0, 0, 1, 2, 2, 3;
-  return mesh;
-}
 
 // A ribbon of one quad, 4 m long and 1 m wide.
 inline RecordingHeader quad_ribbon() {
@@ -34,6 +25,14 @@ inline Eigen::Matrix3Xf flat_quad() {
   Eigen::Matrix3Xf positions(3, 4);
   positions << -2, -2, 2, 2, -0.5F, 0.5F, -0.5F, 0.5F, 0, 0, 0, 0;
   return positions;
+}
+
+// What is drawn of a ribbon of one quad whose particles are there.
+inline Surface quad_surface(const Eigen::Matrix3Xf& positions) {
+  const RecordingHeader header = quad_ribbon();
+  Surface ribbon = ribbon_surface(header.grid);
+  update_ribbon(header.grid, positions, ribbon);
+  return ribbon;
 }
 
 }  // namespace ribbon::test

@@ -11,8 +11,8 @@
 
 #include "commandline/tool_run.h"
 #include "continuation/resume_recording.h"
-#include "files/temporary_folder.h"
-#include "recorder/frames_of.h"
+#include "files/flipped.h"
+#include "playback/frames_of.h"
 #include "recorder/process.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
@@ -37,8 +37,10 @@ Eigen::Matrix3Xd waves(int frame) {
   return positions;
 }
 
-class Compacted : public TestInFolder {
+class Compacted : public ToolTest {
  protected:
+  Compacted() : ToolTest(RIBBON_RECORD) {}
+
   void record_waves(const RecordingHeader& header, Ending ending = Ending::finished) {
     auto writer = RecordingWriter::create(file_, header).value();
     for (int frame = 0; frame < frames; ++frame) {
@@ -61,14 +63,7 @@ class Compacted : public TestInFolder {
     record_waves(header);
   }
 
-  [[nodiscard]] std::string refusal() const {
-    const auto answer = compact(file_);
-    return answer ? "" : answer.error().sentence();
-  }
-  [[nodiscard]] std::string bytes() const { return read_file(file_).value(); }
-  [[nodiscard]] std::ptrdiff_t files_in_folder() const {
-    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-  }
+  [[nodiscard]] std::string refusal() const { return refusal_of(compact(file_)); }
 
   fs::path file_ = folder_ / "knot.rbn";
 };
@@ -91,7 +86,7 @@ TEST_F(Compacted, every_frame_has_the_same_bits_and_the_file_is_smaller) {
     EXPECT_TRUE(reader.damage().empty());
     EXPECT_EQ(frames_of(reader), before);
     EXPECT_EQ(reader.recording_id(), id) << "branches know it by that";
-    EXPECT_EQ(files_in_folder(), 1);
+    EXPECT_EQ(names(".").size(), 1U);
   }
 }
 
@@ -155,12 +150,11 @@ TEST_F(Compacted, recordings_of_few_frames_work) {
 TEST_F(Compacted, what_is_compact_stays_byte_for_byte) {
   record_waves();
   ASSERT_EQ(refusal(), "");
-  const std::string once = bytes();
-  const auto again = compact(file_).value();
-  ASSERT_TRUE(again.has_value());
-  EXPECT_EQ(again->bytes_after, again->bytes_before);
-  EXPECT_TRUE(bytes() == once);
-  EXPECT_EQ(files_in_folder(), 1);
+  const std::string once = bytes("knot.rbn");
+  const auto again = compact(file_).value().value();
+  EXPECT_EQ(again.bytes_after, again.bytes_before);
+  EXPECT_TRUE(bytes("knot.rbn") == once);
+  EXPECT_EQ(names(".").size(), 1U);
 }
 
 TEST_F(Compacted, one_that_a_kill_left_behind_stays_one_that_can_be_resumed) {
@@ -200,39 +194,37 @@ TEST_F(Compacted, a_run_goes_on_behind_it_to_the_same_bits) {
   ASSERT_TRUE(record(scene, replacing(file_), goes_on, {.frames = 40}).has_value());
   ASSERT_LT(compact(file_).value()->bytes_after, fs::file_size(folder_ / "whole.rbn"));
   ASSERT_TRUE(resume(file_, "test", goes_on, {.frames = 61}).has_value());
-  const auto resumed = frames_of(file_);
-  EXPECT_EQ(resumed.size(), 61U);
-  EXPECT_EQ(first_difference(resumed, whole), -1);
+  EXPECT_EQ(frames_of(file_), whole);
 }
 
 // Wherever the disk is full: in the header, in frames, at the end.
 TEST_F(Compacted, a_full_disk_leaves_the_recording_as_it_was) {
   record_waves();
-  const std::string before = bytes();
+  const std::string before = bytes("knot.rbn");
   const fs::path copy = folder_ / "small.rbn";
   fs::copy_file(file_, copy);
   const std::uint64_t needed = compact(copy).value()->bytes_after;
   fs::remove(copy);
   for (const std::uint64_t room : {std::uint64_t{100}, needed / 3, needed - 100, needed - 1}) {
     const SizeLimit limit(room);
-    EXPECT_NE(refusal().find("cannot be compacted"), std::string::npos) << room;
-    EXPECT_TRUE(bytes() == before) << room;
-    EXPECT_EQ(files_in_folder(), 1) << room;
+    EXPECT_THAT(refusal(), HasSubstr("cannot be compacted")) << room;
+    EXPECT_TRUE(bytes("knot.rbn") == before) << room;
+    EXPECT_EQ(names(".").size(), 1U) << room;
   }
   EXPECT_EQ(refusal(), "");
 }
 
 TEST_F(Compacted, given_up_it_leaves_the_recording_as_it_was) {
   record_waves();
-  const std::string before = bytes();
+  const std::string before = bytes("knot.rbn");
   const auto gives_up = [](int done, int) { return done < 30; };
   for (const CompactionObserver& observer :
        {CompactionObserver{gives_up, {}}, CompactionObserver{{}, gives_up}}) {
     const auto answer = compact(file_, observer);
     ASSERT_TRUE(answer.has_value()) << answer.error().sentence();
     EXPECT_FALSE(answer->has_value());
-    EXPECT_TRUE(bytes() == before);
-    EXPECT_EQ(files_in_folder(), 1);
+    EXPECT_TRUE(bytes("knot.rbn") == before);
+    EXPECT_EQ(names(".").size(), 1U);
   }
 }
 
@@ -240,7 +232,7 @@ TEST_F(Compacted, given_up_it_leaves_the_recording_as_it_was) {
 TEST_F(Compacted, a_kill_leaves_a_whole_recording) {
   record_waves();
   const auto before = frames_of(file_);
-  const std::string original = bytes();
+  const std::string original = bytes("knot.rbn");
   std::mt19937 random(3);
   for (unsigned kill = 0; kill < 15; ++kill) {
     ASSERT_TRUE(write_file(file_, original).has_value());
@@ -267,31 +259,29 @@ TEST_F(Compacted, no_writer_can_have_it_meanwhile) {
   };
   ASSERT_TRUE(compact(file_, {try_to_write, try_to_write}).has_value());
   EXPECT_EQ(refused, 2 * frames);
-  const auto writer = resume_recording(file_);
-  ASSERT_TRUE(writer.has_value());
-  const std::string busy = bytes();
-  EXPECT_NE(refusal().find("is being written by another program"), std::string::npos) << refusal();
-  EXPECT_TRUE(bytes() == busy);
+  const auto writer = resume_recording(file_).value();
+  const std::string busy = bytes("knot.rbn");
+  EXPECT_THAT(refusal(), HasSubstr("is being written by another program"));
+  EXPECT_TRUE(bytes("knot.rbn") == busy);
 }
 
 TEST_F(Compacted, a_damaged_one_is_refused) {
   record_waves();
-  const std::string whole = bytes();
+  const std::string whole = bytes("knot.rbn");
   for (const std::size_t at : {std::size_t{2}, whole.size() / 3, whole.size() / 2}) {
-    std::string damaged = whole;
-    damaged[at] = static_cast<char>(damaged[at] ^ 0x20);
+    const std::string damaged = flipped(whole, at, 0x20);
     ASSERT_TRUE(write_file(file_, damaged).has_value());
-    EXPECT_NE(refusal().find("knot.rbn: is damaged"), std::string::npos) << refusal();
-    EXPECT_TRUE(bytes() == damaged);
+    EXPECT_THAT(refusal(), HasSubstr("knot.rbn: is damaged"));
+    EXPECT_TRUE(bytes("knot.rbn") == damaged);
   }
 }
 
 TEST_F(Compacted, what_is_no_recording_is_told_and_left_as_it_is) {
   ASSERT_TRUE(write_file(file_, "a letter").has_value());
-  EXPECT_NE(refusal().find("is not a ribbon recording"), std::string::npos);
-  EXPECT_EQ(bytes(), "a letter");
+  EXPECT_THAT(refusal(), HasSubstr("is not a ribbon recording"));
+  EXPECT_EQ(bytes("knot.rbn"), "a letter");
   file_ = folder_ / "missing.rbn";
-  EXPECT_NE(refusal().find("missing.rbn"), std::string::npos);
+  EXPECT_THAT(refusal(), HasSubstr("missing.rbn"));
   EXPECT_FALSE(fs::exists(file_));
 }
 
@@ -309,36 +299,23 @@ TEST_F(Compacted, links_and_permissions_stay) {
 
 TEST_F(Compacted, the_tool_compacts_alone_and_behind_a_run) {
   write_small_scene(folder_);
-  const auto run = [this](const std::string& words) {
-    return run_in(folder_, RIBBON_RECORD, words);
-  };
   ASSERT_EQ(run("small.toml -o one.rbn --frames 40 --quiet").exit_code, 0);
   const auto before = frames_of(folder_ / "one.rbn");
-  const ToolRun alone = run("--compact one.rbn");
-  EXPECT_EQ(alone.exit_code, 0) << alone.errors;
-  EXPECT_EQ(alone.output.rfind("one.rbn: compacted, 40 frames as they were", 0), 0U)
-      << alone.output;
+  EXPECT_THAT(output_of(run("--compact one.rbn")),
+              StartsWith("one.rbn: compacted, 40 frames as they were"));
   EXPECT_EQ(frames_of(folder_ / "one.rbn"), before);
-  const ToolRun behind = run("small.toml -o two.rbn --frames 40 --compact");
-  EXPECT_EQ(behind.exit_code, 0) << behind.errors;
+  EXPECT_EQ(run("small.toml -o two.rbn --frames 40 --compact").exit_code, 0);
   EXPECT_EQ(fs::file_size(folder_ / "two.rbn"), fs::file_size(folder_ / "one.rbn"));
   EXPECT_EQ(run("--resume two.rbn --frames 61 --compact").exit_code, 0);
   EXPECT_EQ(first_difference(before, frames_of(folder_ / "two.rbn")), -1);
 }
 
 TEST_F(Compacted, what_does_not_go_with_it_is_told) {
-  const auto refusal_of = [this](const std::string& words) {
-    const ToolRun run = run_in(folder_, RIBBON_RECORD, words);
-    EXPECT_EQ(run.exit_code, 2) << words;
-    return run.errors;
-  };
-  EXPECT_NE(refusal_of("--compact").find("nothing to compact"), std::string::npos);
+  expect_refusal(run("--compact"), "nothing to compact");
   for (const char* const more : {"--until 3", "--frames 9", "--stats x.json", "--profile",
                                  "--force", "--set fastening.speed=1"})
-    EXPECT_NE(refusal_of("--compact knot.rbn " + std::string(more)).find("--compact alone"),
-              std::string::npos)
-        << more;
-  EXPECT_NE(refusal_of("--compact missing.rbn").find("missing.rbn"), std::string::npos);
+    expect_refusal(run("--compact knot.rbn " + std::string(more)), "--compact alone");
+  expect_refusal(run("--compact missing.rbn"), "missing.rbn");
 }
 
 }  // namespace ribbon::compact_test

@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "recorder/frames_of.h"
+#include "playback/frames_of.h"
 #include "recorder/process.h"
 
 namespace ribbon {

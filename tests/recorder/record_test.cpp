@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "files/temporary_folder.h"
-#include "parallel/parallel.h"
 #include "playback/recording_reader.h"
 #include "recorder/small_scene.h"
 #include "recorder/test_runs.h"
+#include "result/refusal.h"
 #include "verification/largest_strain.h"
 
 namespace ribbon::record_test {
@@ -24,6 +24,10 @@ class Record : public TestInFolder {
     return record(scene_, replacing(file), goes_on).value();
   }
 
+  [[nodiscard]] RecordingReader recorded() const {
+    return RecordingReader::open(folder_ / "knot.rbn").value();
+  }
+
   Scene scene_;
 };
 
@@ -33,7 +37,7 @@ TEST_F(Record, a_frame_is_recorded_at_the_first_step_at_or_after_its_time) {
   EXPECT_EQ(frame_count(scene_), 7);
   EXPECT_EQ(statistics.frames, 7);
   EXPECT_EQ(statistics.steps, 20);
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   ASSERT_EQ(reader.frame_count(), 7);
   constexpr std::array expected_s = {0.0, 0.04, 0.07, 0.1, 0.14, 0.17, 0.2};
   for (int frame = 0; frame < 7; ++frame)
@@ -42,7 +46,7 @@ TEST_F(Record, a_frame_is_recorded_at_the_first_step_at_or_after_its_time) {
 
 TEST_F(Record, the_header_says_what_was_recorded) {
   (void)record_all(folder_ / "knot.rbn");
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   const RecordingHeader& header = reader.header();
   EXPECT_TRUE(reader.finished());
   EXPECT_EQ(header.scene_name, "small loop");
@@ -53,6 +57,7 @@ TEST_F(Record, the_header_says_what_was_recorded) {
   EXPECT_EQ(header.ribbon_width_m, 0.03);
   EXPECT_NEAR(header.max_position_error_m, 1e-5 * header.ribbon_length_m, 1e-15);
   EXPECT_FALSE(header.obstacle.has_value());
+  EXPECT_EQ(header.centre_axis, (CentreAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()}));
 }
 
 // Sixteen particles across are 2 mm apart; rounding by 2e-5 of the length may move the ends of such
@@ -78,25 +83,13 @@ TEST_F(Record, a_fine_ribbon_is_recorded_within_the_strain_limit) {
   EXPECT_GT(worst, 0.06);  // or it would have stayed within it anyway
 }
 
-TEST_F(Record, the_same_scene_gives_the_same_bytes_for_any_number_of_threads) {
-  std::string first;
-  for (const int threads : {1, 2, 5}) {
-    set_thread_limit(threads);
-    (void)record_all(folder_ / "knot.rbn");
-    const std::string bytes = read_file(folder_ / "knot.rbn").value();
-    if (first.empty()) first = bytes;
-    EXPECT_TRUE(bytes == first) << threads;
-  }
-  set_thread_limit(0);
-}
-
 TEST_F(Record, ends_early_when_asked_and_says_so) {
   const auto statistics =
       record(scene_, replacing(folder_ / "knot.rbn"),
              {[](int done, int total, const FrameNumbers&) { return done < 3 || total != 7; }})
           .value();
   EXPECT_EQ(statistics.ending, RunEnding::stopped);
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_EQ(reader.ending(), RunEnding::stopped);
   EXPECT_EQ(reader.frame_count(), 3);
   EXPECT_TRUE(reader.finished());
@@ -104,7 +97,7 @@ TEST_F(Record, ends_early_when_asked_and_says_so) {
 
 TEST_F(Record, every_frame_tells_how_tight_the_ribbon_is) {
   (void)record_all(folder_ / "knot.rbn");
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_EQ(reader.ending(), RunEnding::duration);
   EXPECT_EQ(reader.numbers(0)->tightness->progress, 1) << "nothing was commanded yet";
   EXPECT_EQ(reader.numbers(0)->tightness->pull, 1);
@@ -120,20 +113,12 @@ TEST_F(Record, every_frame_tells_how_tight_the_ribbon_is) {
 TEST_F(Record, what_nothing_fastens_has_no_tightness) {
   scene_.fastening.reset();
   (void)record_all(folder_ / "knot.rbn");
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_FALSE(reader.numbers(6)->tightness.has_value());
 }
 
-// The loop closes round a square post and stops.
 TEST_F(Record, a_run_until_tight_ends_by_itself) {
-  const fs::path post = folder_ / "post.obj";
-  ASSERT_TRUE(write_file(post,
-                         "v -0.03 -0.4 -0.14\nv 0.03 -0.4 -0.14\nv 0.03 -0.4 -0.08\n"
-                         "v -0.03 -0.4 -0.08\nv -0.03 0.4 -0.14\nv 0.03 0.4 -0.14\n"
-                         "v 0.03 0.4 -0.08\nv -0.03 0.4 -0.08\n"
-                         "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n")
-                  .has_value());
-  scene_.obstacle = ObstacleScene{.file = {post}};
+  scene_.obstacle = ObstacleScene{.file = {write_square_post(folder_)}};
   scene_.time = {.step_s = 0.01, .duration_s = 60, .until = RunsUntil::tight};
   scene_.fastening->speed_m_s = 0.5;
   scene_.fastening->yield_strain = 0.05;
@@ -142,7 +127,7 @@ TEST_F(Record, a_run_until_tight_ends_by_itself) {
   EXPECT_EQ(statistics.ending, RunEnding::tight);
   EXPECT_GT(statistics.simulated_s, 2);
   EXPECT_LT(statistics.simulated_s, 30);
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_EQ(reader.ending(), RunEnding::tight);
   ASSERT_EQ(reader.frame_count(), statistics.frames);
   const TightnessNumbers last = *reader.numbers(statistics.frames - 1)->tightness;
@@ -154,9 +139,8 @@ TEST_F(Record, a_run_until_tight_ends_by_itself) {
 
 TEST_F(Record, an_obstacle_that_cannot_be_read_is_named_before_anything_is_written) {
   scene_.obstacle = ObstacleScene{.file = {folder_ / "missing.obj"}};
-  const auto answer = record(scene_, replacing(folder_ / "knot.rbn"), goes_on);
-  ASSERT_FALSE(answer.has_value());
-  EXPECT_NE(answer.error().sentence().find("missing.obj"), std::string::npos);
+  EXPECT_THAT(refusal_of(record(scene_, replacing(folder_ / "knot.rbn"), goes_on)),
+              HasSubstr("missing.obj"));
   EXPECT_FALSE(fs::exists(folder_ / "knot.rbn"));
 }
 
@@ -167,13 +151,11 @@ TEST_F(Record, a_scene_without_a_free_start_leaves_an_older_recording_as_it_was)
   scene_.ribbon.width_m = 50;
   scene_.curve.clearance_m = 5;
   const RunObserver observer{[](int, int, const FrameNumbers&) { return true; }};
-  const auto answer = record(scene_, replacing(file), observer);
-  ASSERT_FALSE(answer.has_value());
-  const std::string sentence = answer.error().sentence();
-  EXPECT_EQ(sentence.find("small loop: "), 0U) << sentence;
-  EXPECT_NE(sentence.find("row "), std::string::npos) << sentence;
-  EXPECT_NE(sentence.find("drawing at ("), std::string::npos) << sentence;
-  EXPECT_NE(sentence.find("ribbon.width"), std::string::npos) << sentence;
+  const std::string sentence = refusal_of(record(scene_, replacing(file), observer));
+  EXPECT_THAT(sentence, StartsWith("small loop: "));
+  EXPECT_THAT(sentence, HasSubstr("row "));
+  EXPECT_THAT(sentence, HasSubstr("drawing at ("));
+  EXPECT_THAT(sentence, HasSubstr("ribbon.width"));
   EXPECT_TRUE(read_file(file).value() == before);
   const auto refused = record(scene_, replacing(folder_ / "new.rbn"), observer);
   EXPECT_FALSE(refused.has_value());
@@ -187,15 +169,14 @@ TEST_F(Record, a_ribbon_too_wide_for_the_crossing_is_grown_and_states_its_gap) {
   EXPECT_EQ(statistics.start, "grown");
   EXPECT_GT(statistics.start_s, 0);
   EXPECT_EQ(statistics.worst_penetrating_edges, 0U);
-  EXPECT_GT(RecordingReader::open(folder_ / "knot.rbn").value().header().stated_gap_m, 0);
+  EXPECT_GT(recorded().header().stated_gap_m, 0);
 }
 
 TEST_F(Record, as_published_too_wide_a_ribbon_is_refused_by_its_drawing) {
   scene_.contact = ContactMethod::paper;
   scene_.ribbon.width_m = 2;
-  const auto answer = record(scene_, replacing(folder_ / "knot.rbn"), goes_on);
-  ASSERT_FALSE(answer.has_value());
-  EXPECT_NE(answer.error().sentence().find("too short for a ribbon"), std::string::npos);
+  EXPECT_THAT(refusal_of(record(scene_, replacing(folder_ / "knot.rbn"), goes_on)),
+              HasSubstr("too short for a ribbon"));
 }
 
 TEST_F(Record, recoveries_of_the_start_are_in_the_first_frame) {
@@ -209,7 +190,7 @@ TEST_F(Record, recoveries_of_the_start_are_in_the_first_frame) {
   scene_.contact = ContactMethod::paper;
   const RunStatistics statistics = record_all(folder_ / "knot.rbn");
   EXPECT_EQ(statistics.start, "recovered");
-  const auto reader = RecordingReader::open(folder_ / "knot.rbn").value();
+  const auto reader = recorded();
   EXPECT_GT(reader.numbers(0)->recovery_iterations, 0U);
   EXPECT_EQ(reader.header().stated_gap_m, 0);
 }

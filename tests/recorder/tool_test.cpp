@@ -7,9 +7,8 @@
 #include <thread>
 
 #include "commandline/tool_run.h"
-#include "files/temporary_folder.h"
+#include "playback/frames_of.h"
 #include "playback/recording_reader.h"
-#include "recorder/frames_of.h"
 #include "recorder/process.h"
 #include "recorder/small_scene.h"
 
@@ -26,49 +25,30 @@ void wait_until_written(const fs::path& file, int frames) {
   while (!is_being_written()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
-class RibbonRecord : public TestInFolder {
+class RibbonRecord : public ToolTest {
  protected:
-  void SetUp() override { write_small_scene(folder_); }
-  [[nodiscard]] ToolRun run(const std::string& arguments, const std::string& before = "") const {
-    return run_in(folder_, RIBBON_RECORD, arguments, before);
-  }
+  RibbonRecord() : ToolTest(RIBBON_RECORD) { write_small_scene(folder_); }
 
   // As long.toml.
-  void write_small_scene_lasting(int seconds) const {
-    std::string text = small_scene_text();
-    text.replace(text.find("duration = 0.2"), 14, "duration = " + std::to_string(seconds));
-    ASSERT_TRUE(write_file(folder_ / "long.toml", text).has_value());
+  void write_small_scene_lasting(const std::string& seconds) const {
+    ASSERT_TRUE(write_file(folder_ / "long.toml", small_scene_text(seconds)).has_value());
   }
 };
 
-// One sentence: one line after the tool's name.
-void expect_refusal(const ToolRun& run, const std::string& part) {
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_EQ(run.errors.rfind("ribbon-record: ", 0), 0U) << run.errors;
-  EXPECT_NE(run.errors.find(part), std::string::npos) << run.errors;
-  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-  EXPECT_EQ(run.output, "");
-}
-
 TEST_F(RibbonRecord, records_a_scene_and_sums_it_up_in_one_line) {
-  const ToolRun answer = run("small.toml -o knot.rbn");
-  EXPECT_EQ(answer.exit_code, 0) << answer.errors;
-  EXPECT_EQ(answer.output.rfind("knot.rbn: free start; 7 frames, 0.2 s in 20 steps", 0), 0U)
-      << answer.output;
-  EXPECT_EQ(std::count(answer.output.begin(), answer.output.end(), '\n'), 1);
-  EXPECT_EQ(answer.errors, "");
+  const std::string answer = output_of(run("small.toml -o knot.rbn"));
+  EXPECT_THAT(answer, StartsWith("knot.rbn: free start; 7 frames, 0.2 s in 20 steps"));
+  EXPECT_EQ(std::count(answer.begin(), answer.end(), '\n'), 1);
   EXPECT_EQ(RecordingReader::open(folder_ / "knot.rbn").value().frame_count(), 7);
 }
 
 TEST_F(RibbonRecord, quiet_says_nothing) {
-  const ToolRun answer = run("small.toml -o knot.rbn --quiet");
-  EXPECT_EQ(answer.exit_code, 0);
-  EXPECT_EQ(answer.output + answer.errors, "");
+  EXPECT_EQ(output_of(run("small.toml -o knot.rbn --quiet")), "");
 }
 
 TEST_F(RibbonRecord, writes_the_figures_of_the_run) {
   ASSERT_EQ(run("small.toml -o knot.rbn --stats figures/run.json").exit_code, 0);
-  const auto json = nlohmann::json::parse(read_file(folder_ / "figures/run.json").value());
+  const auto json = nlohmann::json::parse(bytes("figures/run.json"));
   EXPECT_EQ(json["frames"], 7);
   EXPECT_EQ(json["bytes"], fs::file_size(folder_ / "knot.rbn"));
 }
@@ -76,11 +56,11 @@ TEST_F(RibbonRecord, writes_the_figures_of_the_run) {
 TEST_F(RibbonRecord, the_number_of_threads_changes_nothing) {
   ASSERT_EQ(run("small.toml -o one.rbn --threads 1").exit_code, 0);
   ASSERT_EQ(run("small.toml -o two.rbn --threads 2").exit_code, 0);
-  EXPECT_TRUE(read_file(folder_ / "one.rbn").value() == read_file(folder_ / "two.rbn").value());
+  EXPECT_TRUE(bytes("one.rbn") == bytes("two.rbn"));
 }
 
 TEST_F(RibbonRecord, ctrl_c_and_a_closed_terminal_leave_a_valid_recording) {
-  write_small_scene_lasting(600);
+  write_small_scene_lasting("600");
   for (const int signal : {SIGINT, SIGHUP}) {
     const pid_t recorder =
         spawned({"/bin/sh", "-c",
@@ -89,36 +69,34 @@ TEST_F(RibbonRecord, ctrl_c_and_a_closed_terminal_leave_a_valid_recording) {
     wait_until_written(folder_ / "knot.rbn", 3);
     ::kill(recorder, signal);
     EXPECT_EQ(waited_for(recorder), 0);
-    EXPECT_NE(read_file(folder_ / "output.txt")->find("ended early by the user"),
-              std::string::npos);
+    EXPECT_THAT(bytes("output.txt"), HasSubstr("ended early by the user"));
     EXPECT_TRUE(RecordingReader::open(folder_ / "knot.rbn")->finished());
     fs::remove(folder_ / "knot.rbn");
   }
 }
 
 TEST_F(RibbonRecord, a_limit_that_is_reached_is_no_early_end) {
-  for (const std::string limit : {"--until 0.1", "--frames 4"}) {
-    const ToolRun answer = run("small.toml --force -o knot.rbn " + limit);
-    EXPECT_TRUE(answer.output.ends_with("; ended at 0.1 s, as asked\n")) << answer.output;
-  }
+  for (const std::string limit : {"--until 0.1", "--frames 4"})
+    EXPECT_THAT(output_of(run("small.toml --force -o knot.rbn " + limit)),
+                EndsWith("; ended at 0.1 s, as asked\n"));
 }
 
 TEST_F(RibbonRecord, an_older_recording_is_replaced_by_force_alone) {
   ASSERT_EQ(run("small.toml -o knot.rbn --quiet").exit_code, 0);
   ASSERT_EQ(run("small.toml -o older.rbn --quiet --frames 3").exit_code, 0);
-  const std::string older = read_file(folder_ / "older.rbn").value();
+  const std::string older = bytes("older.rbn");
   for (const std::string words : {"small.toml", "--from 3 knot.rbn", "small.toml --compact"}) {
     expect_refusal(run(words + " -o older.rbn"),
                    "older.rbn: exists already; go on with that "
                    "recording by --resume, replace it by --force");
-    EXPECT_TRUE(read_file(folder_ / "older.rbn").value() == older);
+    EXPECT_TRUE(bytes("older.rbn") == older);
     EXPECT_EQ(run(words + " -o older.rbn --force").exit_code, 0);
     EXPECT_EQ(RecordingReader::open(folder_ / "older.rbn")->frame_count(), 7);
     ASSERT_TRUE(write_file(folder_ / "older.rbn", older).has_value());
   }
   // What cannot even begin leaves it as it is.
   expect_refusal(run("small.toml --force --set ribbon.width=50 -o older.rbn"), "ribbon.width");
-  EXPECT_TRUE(read_file(folder_ / "older.rbn").value() == older);
+  EXPECT_TRUE(bytes("older.rbn") == older);
   EXPECT_EQ(run("small.toml -o /dev/null --quiet").exit_code, 0) << "which holds nothing";
 }
 
@@ -147,23 +125,16 @@ TEST_F(RibbonRecord, settings_change_a_scene_as_if_they_stood_in_it) {
 // The drawing and the mesh stand beside the scene, wherever the recorder is started.
 TEST_F(RibbonRecord, a_run_beyond_its_scene_finds_its_files) {
   fs::create_directories(folder_ / "scenes");
-  ASSERT_TRUE(write_file(folder_ / "scenes/line.svg",
-                         "<svg xmlns='http://www.w3.org/2000/svg'><path d='M -300 0 L 300 0'/>"
-                         "</svg>")
-                  .has_value());
-  std::string text = small_scene_text();
-  const auto points = text.find("points");
-  text.replace(points, text.find("[ribbon]") - points, "svg = 'line.svg'\n");
-  ASSERT_TRUE(write_file(folder_ / "scenes/line.toml", text).has_value());
+  ASSERT_TRUE(write_file(folder_ / "scenes/line.svg", line_to("300")));
+  ASSERT_TRUE(write_file(folder_ / "scenes/line.toml", drawn_in_a_file(small_scene_text())));
   ASSERT_EQ(run("scenes/line.toml -o line.rbn --frames 9 --quiet").exit_code, 0);
   EXPECT_EQ(RecordingReader::open(folder_ / "line.rbn")->frame_count(), 9);
   fs::remove(folder_ / "scenes/line.svg");
   expect_refusal(run("scenes/line.toml -o new.rbn"),
                  "scenes/line.toml:3:7: 'scenes/line.svg' "
                  "does not exist");
-  ASSERT_TRUE(
-      write_file(folder_ / "posts.toml", small_scene_text() + "[obstacle]\nmesh = 'post.obj'\n")
-          .has_value());
+  const std::string with_post = small_scene_text() + "[obstacle]\nmesh = 'post.obj'\n";
+  ASSERT_TRUE(write_file(folder_ / "posts.toml", with_post));
   expect_refusal(run("posts.toml -o new.rbn"), "posts.toml:24:8: 'post.obj' does not exist");
 }
 
@@ -211,15 +182,10 @@ TEST_F(RibbonRecord, what_does_not_go_together_is_told) {
 TEST_F(RibbonRecord, resumes_extends_and_branches) {
   ASSERT_EQ(run("small.toml -o whole.rbn --quiet").exit_code, 0);
   ASSERT_EQ(run("small.toml -o knot.rbn --frames 3").exit_code, 0);
-  const ToolRun resumed = run("--resume knot.rbn");
-  EXPECT_EQ(resumed.exit_code, 0) << resumed.errors;
-  EXPECT_EQ(resumed.output.rfind("knot.rbn: free start; 7 frames, 0.2 s in 20 steps", 0), 0U)
-      << resumed.output;
-  EXPECT_EQ(first_difference(frames_of(folder_ / "knot.rbn"), frames_of(folder_ / "whole.rbn")),
-            -1);
-  const ToolRun nothing = run("--resume knot.rbn");
-  EXPECT_EQ(nothing.exit_code, 0);
-  EXPECT_NE(nothing.output.find("nothing to add"), std::string::npos);
+  EXPECT_THAT(output_of(run("--resume knot.rbn")),
+              StartsWith("knot.rbn: free start; 7 frames, 0.2 s in 20 steps"));
+  EXPECT_EQ(frames_of(folder_ / "knot.rbn"), frames_of(folder_ / "whole.rbn"));
+  EXPECT_THAT(output_of(run("--resume knot.rbn")), HasSubstr("nothing to add"));
   EXPECT_EQ(run("--resume knot.rbn --until 0.3 --quiet").output, "");
   EXPECT_EQ(RecordingReader::open(folder_ / "knot.rbn")->frame_count(), 10);
   ASSERT_EQ(run("--from 5 --set fastening.speed=1 --set time.duration=0.5 -o fast.rbn knot.rbn")
@@ -229,7 +195,7 @@ TEST_F(RibbonRecord, resumes_extends_and_branches) {
 }
 
 TEST_F(RibbonRecord, a_recording_is_written_by_one_at_a_time) {
-  write_small_scene_lasting(600);
+  write_small_scene_lasting("600");
   const std::string scene = folder_ / "long.toml";
   const std::string file = folder_ / "knot.rbn";
   // A new run, and then one that goes on with it.
@@ -250,7 +216,7 @@ TEST_F(RibbonRecord, a_recording_is_written_by_one_at_a_time) {
 }
 
 TEST_F(RibbonRecord, a_disk_that_fills_while_it_resumes_keeps_all_before) {
-  write_small_scene_lasting(2);
+  write_small_scene_lasting("2");
   ASSERT_EQ(run("long.toml -o whole.rbn --quiet").exit_code, 0);
   ASSERT_EQ(run("long.toml -o knot.rbn --quiet --frames 8").exit_code, 0);
   const auto kilobytes = fs::file_size(folder_ / "knot.rbn") / 1024 + 8;
@@ -263,9 +229,7 @@ TEST_F(RibbonRecord, a_disk_that_fills_while_it_resumes_keeps_all_before) {
   EXPECT_LT(kept.size(), whole.size());
   EXPECT_EQ(first_difference(kept, whole), -1);
   ASSERT_EQ(run("--resume knot.rbn --quiet").exit_code, 0);
-  const auto resumed = frames_of(folder_ / "knot.rbn");
-  EXPECT_EQ(resumed.size(), whole.size());
-  EXPECT_EQ(first_difference(resumed, whole), -1);
+  EXPECT_EQ(frames_of(folder_ / "knot.rbn"), whole);
 }
 
 TEST_F(RibbonRecord, a_full_disk_keeps_the_frames_before_it) {
@@ -278,9 +242,7 @@ TEST_F(RibbonRecord, a_full_disk_keeps_the_frames_before_it) {
 }
 
 TEST_F(RibbonRecord, help_shows_examples_and_version_the_version) {
-  const ToolRun help = run("--help");
-  EXPECT_EQ(help.exit_code, 0);
-  EXPECT_NE(help.output.find("Examples:"), std::string::npos);
+  EXPECT_THAT(output_of(run("--help")), HasSubstr("Examples:"));
   EXPECT_EQ(run("--version").output, "ribbon-record " RIBBON_VERSION "\n");
 }
 

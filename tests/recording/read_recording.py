@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from recorded_positions import Damaged, PositionCodec
+from recorded_positions import Content, Damaged, PositionCodec
 from zstd_frames import zstd_content
 
 SIGNATURE = b"\x89RBN\r\n\x1a\n"
@@ -23,33 +23,21 @@ HEADER, FRAME, INDEX, FOOTER, CHECKPOINT, SESSION, DIRECTORY = range(1, 8)
 RECORD_HEAD_BYTES = 24
 
 
-class Fields:
+class Fields(Content):
     """Takes fields from the front of a payload (conventions at the top of the document)."""
 
-    def __init__(self, payload):
-        self.payload = payload
-        self.at = 0
-
     def take(self, form):
-        try:
-            values = struct.unpack_from("<" + form, self.payload, self.at)
-        except struct.error as error:
-            raise Damaged("a payload ends in the middle of a field") from error
-        self.at += struct.calcsize("<" + form)
+        values = struct.unpack("<" + form, self.bytes(struct.calcsize("<" + form)))
         return values[0] if len(values) == 1 else values
 
-    def bytes(self):
-        size = self.take("I")
-        if size > len(self.payload) - self.at:
-            raise Damaged("a payload ends in the middle of a string")
-        self.at += size
-        return self.payload[self.at - size : self.at]
+    def string(self):
+        return self.bytes(self.take("I"))
 
     def text(self):
-        return self.bytes().decode()
+        return self.string().decode()
 
     def block(self):
-        return zstd_content(self.bytes())
+        return zstd_content(self.string())
 
 
 def records(data):
@@ -98,7 +86,7 @@ class Header:
         self.obstacle = self.take_obstacle(fields) if fields.take("B") == 1 else None
         self.stated_gap_m = fields.take("d")
         self.centre_axis = fields.take("6d") if fields.take("B") == 1 else None
-        self.entropy_tables = [fields.bytes() for _ in range(fields.take("I"))]
+        self.entropy_tables = [fields.string() for _ in range(fields.take("I"))]
         self.origin = self.take_origin(fields) if fields.take("B") == 1 else None
 
     @property

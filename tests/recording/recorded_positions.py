@@ -20,7 +20,7 @@ class Damaged(Exception):
 
 
 class Content:
-    """Takes what a frame's geometry is made of off its front."""
+    """Takes what a payload or a frame's geometry is made of off its front."""
 
     def __init__(self, data):
         self.data = data
@@ -28,7 +28,7 @@ class Content:
 
     def bytes(self, count):
         if count > len(self.data) - self.at:
-            raise Damaged("a frame's geometry ends too early")
+            raise Damaged("a payload or a frame's geometry ends too early")
         self.at += count
         return self.data[self.at - count : self.at]
 
@@ -141,8 +141,7 @@ class PositionCodec:
 
     def rebuild_intra(self, frame, residuals, weights):
         self.rebuild_coarse(frame, residuals)
-        pairs3, outer3, pairs, outer = weights
-        del pairs3  # plane 3 has none
+        _, outer3, pairs, outer = weights  # the first are plane 3's pairs, which has none
         i, j = self.planes[1]
         x = self.continued(frame, [0])
         middle = ((x(i - 1, j - 1) + x(i - 1, j + 1)) + (x(i + 1, j - 1) + x(i + 1, j + 1))) * F(0.25)

@@ -6,15 +6,16 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "commandline/tool.h"
+#include "files/files.h"
 #include "playback/recording_reader.h"
 #include "recording/codec/entropy_tables.h"
+#include "recording/coding/bytes.h"
 #include "recording/writer/recording_writer.h"
+#include "result/demanded.h"
 
 namespace ribbon {
 namespace {
@@ -88,7 +89,7 @@ Eigen::Matrix3Xd positions_at(const Kind& kind, int frame) {
   return positions;
 }
 
-Result<void> append(RecordingWriter& writer, const Kind& kind, int frame) {
+void append(RecordingWriter& writer, const Kind& kind, int frame) {
   FrameNumbers numbers{.time_s = frame / 60.0,
                        .worst_strain = 0.001 * frame,
                        .penetrating_edges = 3,
@@ -96,20 +97,10 @@ Result<void> append(RecordingWriter& writer, const Kind& kind, int frame) {
   if (kind.rich)
     numbers.tightness =
         TightnessNumbers{.progress = 1, .contact = 0.01F * static_cast<float>(frame)};
-  return writer.append(numbers, positions_at(kind, frame));
-}
-
-Result<void> append_all(RecordingWriter& writer, const Kind& kind) {
-  for (int frame = 0; frame < kind.frames; ++frame) {
-    if (auto done = append(writer, kind, frame); !done) return done;
-    if (!kind.rich || frame % 10 != 9) continue;
-    if (auto done = writer.append_checkpoint(3, "state " + std::to_string(frame)); !done)
-      return done;
-    if (auto done = writer.append_session({SessionReason::resumed, "program", "step = 0.02"});
-        !done)
-      return done;
-  }
-  return {};
+  demanded(writer.append(numbers, positions_at(kind, frame)));
+  if (!kind.rich || frame % 10 != 9) return;
+  demanded(writer.append_checkpoint(3, "state " + std::to_string(frame)));
+  demanded(writer.append_session({SessionReason::resumed, "program", "step = 0.02"}));
 }
 
 // Behind the header, which nothing can be read without.
@@ -123,59 +114,46 @@ void damage(const std::filesystem::path& path) {
   }
 }
 
-Result<void> write_recording(const std::filesystem::path& path, const Kind& kind) {
-  auto writer = RecordingWriter::create(path, header_of(kind));
-  if (!writer) return tl::unexpected(writer.error());
-  if (auto done = append_all(*writer, kind); !done) return done;
-  if (kind.finished)
-    if (auto done = writer->finish(RunEnding::tight); !done) return done;
+void write_recording(const std::filesystem::path& path, const Kind& kind) {
+  RecordingWriter writer = demanded(RecordingWriter::create(path, header_of(kind)));
+  for (int frame = 0; frame < kind.frames; ++frame) append(writer, kind, frame);
+  if (kind.finished) demanded(writer.finish(RunEnding::tight));
   if (kind.damaged) damage(path);
-  return {};
 }
 
-Result<void> write_frames(const std::filesystem::path& recording,
-                          const std::filesystem::path& frames) {
-  auto reader = RecordingReader::open(recording);
-  if (!reader) return tl::unexpected(reader.error());
-  reader->check();
-  std::ofstream out(frames, std::ios::binary);
+void write_frames(const std::filesystem::path& recording, const std::filesystem::path& frames) {
+  RecordingReader reader = demanded(RecordingReader::open(recording));
+  reader.check();
+  std::string bytes;
   Eigen::Matrix3Xf positions;
-  for (int i = 0; i < reader->frame_count(); ++i) {
-    if (!reader->read(i, positions)) continue;
-    const auto number = static_cast<std::uint32_t>(i);
-    out.write(reinterpret_cast<const char*>(&number), sizeof number);
-    out.write(reinterpret_cast<const char*>(positions.data()),
-              static_cast<std::streamsize>(positions.size() * sizeof(float)));
+  for (int i = 0; i < reader.frame_count(); ++i) {
+    if (!reader.read(i, positions)) continue;
+    put<std::uint32_t>(bytes, static_cast<std::uint32_t>(i));
+    bytes.append(reinterpret_cast<const char*>(positions.data()),
+                 static_cast<std::size_t>(positions.size()) * sizeof(float));
   }
-  if (!out.flush()) return failure(frames.string(), "could not be written", "free some space");
-  return {};
+  demanded(write_file(frames, bytes));
 }
 
-Result<void> write_all(const std::filesystem::path& folder,
-                       const std::vector<std::filesystem::path>& others) {
+void write_for_readers(const std::filesystem::path& folder,
+                       std::vector<std::filesystem::path> recordings) {
   std::filesystem::create_directories(folder);
-  std::vector<std::filesystem::path> recordings = others;
-  if (others.empty())
+  if (recordings.empty())
     for (const Kind& kind : kinds) {
       recordings.push_back(folder / (kind.name + ".rbn"));
-      if (auto done = write_recording(recordings.back(), kind); !done) return done;
+      write_recording(recordings.back(), kind);
     }
   for (const std::filesystem::path& recording : recordings)
-    if (auto done = write_frames(recording, folder / (recording.stem().string() + ".frames"));
-        !done)
-      return done;
-  return {};
+    write_frames(recording, folder / (recording.stem().string() + ".frames"));
 }
 
 }  // namespace
 }  // namespace ribbon
 
 int main(int argc, char** argv) {
-  using namespace ribbon;
-  return run_tool("recordings_for_readers", [&]() -> Result<ExitCode> {
-    if (argc < 2) return failure("command line", "names no folder", "write FOLDER [RECORDING...]");
-    if (auto done = write_all(argv[1], {argv + 2, argv + argc}); !done)
-      return tl::unexpected(done.error());
-    return ExitCode::done;
-  });
+  if (argc < 2) {
+    std::fputs("usage: recordings_for_readers FOLDER [RECORDING...]\n", stderr);
+    return 2;
+  }
+  ribbon::write_for_readers(argv[1], {argv + 2, argv + argc});
 }

@@ -68,6 +68,7 @@ void add_compacted(const RibbonGrid& grid, double max_error_m, Hash& hash) {
   PositionEncoder encoder(parameters, max_error_m);
   PositionDecoder decoder(parameters);
   std::vector<QuantisedFrame> frames;
+  frames.reserve(8);
   for (int frame = 0; frame < 8; ++frame)
     frames.push_back(encoder.rounded(positions_at(grid, frame)).value());
   for (const std::vector<std::size_t>& around :

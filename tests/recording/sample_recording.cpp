@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "recording/writer/recording_writer.h"
-
 namespace ribbon {
 
 namespace {
@@ -71,6 +69,11 @@ FrameNumbers sample_numbers(int frame) {
           static_cast<std::uint32_t>(2 * frame)};
 }
 
+void append_sample_frames(RecordingWriter& writer, int begin, int end) {
+  for (int frame = begin; frame < end; ++frame)
+    ASSERT_TRUE(writer.append(sample_numbers(frame), sample_positions(frame)).has_value());
+}
+
 void write_recording(const std::filesystem::path& path, const RecordingHeader& header,
                      const std::vector<Eigen::Matrix3Xd>& frames, Ending ending) {
   auto writer = RecordingWriter::create(path, header);
@@ -85,10 +88,10 @@ void write_recording(const std::filesystem::path& path, const RecordingHeader& h
 }
 
 void write_sample_recording(const std::filesystem::path& path, int frames, Ending ending) {
-  std::vector<Eigen::Matrix3Xd> positions;
-  positions.reserve(frames);
-  for (int frame = 0; frame < frames; ++frame) positions.push_back(sample_positions(frame));
-  write_recording(path, sample_header(), positions, ending);
+  auto writer = RecordingWriter::create(path, sample_header()).value();
+  append_sample_frames(writer, 0, frames);
+  if (ending == Ending::killed) return;
+  ASSERT_TRUE(writer.finish().has_value());
 }
 
 }  // namespace ribbon

@@ -3,11 +3,10 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "files/temporary_folder.h"
-#include "recording/records/recording.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 
@@ -25,6 +24,9 @@ Eigen::Matrix3Xd sample_positions(int frame);
 
 // Time frame / 50 s; strain 0.001 * frame; frame % 3 penetrating edges; 2 * frame iterations.
 FrameNumbers sample_numbers(int frame);
+
+// Appends the frames from `begin` to before `end`. Fails the running test when that does not work.
+void append_sample_frames(RecordingWriter& writer, int begin, int end);
 
 enum class Ending { finished, killed };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "result/refusal.h"
 #include "scene/scene.h"
 
 namespace ribbon::outside_quotes_test {
@@ -25,10 +26,8 @@ TEST(OutsideQuotes, a_letter_anywhere_else_is_found) {
 }
 
 TEST(OutsideQuotes, a_scene_says_where) {
-  const auto scene = read_scene("knot.toml", "[ribbon]\nwidth = \u00bd\n");
-  ASSERT_FALSE(scene.has_value());
   EXPECT_EQ(
-      scene.error().sentence(),
+      refusal_of(read_scene("knot.toml", "[ribbon]\nwidth = \u00bd\n")),
       "knot.toml:2:9: a letter that is not plain ASCII stands outside of quotes; put the text "
       "that it belongs to in quotes");
 }

@@ -1,20 +1,11 @@
 #include "scene/scene_files.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "files/files.h"
+#include "files/temporary_folder.h"
 
 namespace ribbon {
-
-namespace {
-
-// Tests run at the same time in processes of their own.
-std::filesystem::path folder() {
-  return std::filesystem::path(testing::TempDir()) / ("scenes-" + std::to_string(::getpid()));
-}
-
-}  // namespace
 
 std::string smallest_scene() {
   return "[curve]\n"
@@ -35,17 +26,15 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 Result<Scene> read_text(const std::string& text) {
-  const std::filesystem::path file = folder() / "knot.toml";
+  const std::filesystem::path file = temporary_file("knot.toml");
   EXPECT_TRUE(write_file(file, text).has_value());
-  Result<Scene> scene = read_scene(file);
-  std::filesystem::remove_all(folder());
-  return scene;
+  return read_scene(file);
 }
 
 std::string complaint(const std::string& text) {
   const Result<Scene> scene = read_text(text);
   if (scene) return "";
-  return replaced(scene.error().sentence(), folder().string() + "/", "");
+  return replaced(scene.error().sentence(), temporary_file("").string(), "");
 }
 
 }  // namespace ribbon

@@ -71,13 +71,9 @@ TEST(BadObstacle, an_open_half_has_edges_like_razors) {
 }
 
 TEST(BadObstacle, a_blade_without_thickness_is_not_cut_through) {
-  TriangleMesh mesh;
-  mesh.name = "blade";
-  mesh.vertices.resize(3, 4);
-  mesh.vertices << 0, 0, 0, 0, -0.6F, 0.6F, -0.6F, 0.6F, 0, 0, -0.42F, -0.42F;
-  mesh.triangles.resize(3, 2);
-  mesh.triangles << 0, 0, 2, 3, 3, 1;
-  EXPECT_GT(draw_tight(mesh), 0.41);
+  EXPECT_GT(
+      draw_tight(quad_mesh({0, -0.6F, 0}, {0, -0.6F, -0.42F}, {0, 0.6F, -0.42F}, {0, 0.6F, 0})),
+      0.41);
 }
 
 TEST(BadObstacle, duplicate_triangles_change_nothing) {
@@ -179,16 +175,7 @@ TEST(BadObstacle, far_more_triangles_than_the_ribbon_has_all_slivers_stop_it) {
 }
 
 TEST(BadObstacle, one_that_intersects_itself_stops_it) {
-  TriangleMesh mesh = post(radius_m);
-  const TriangleMesh other = post(0.39, 7);
-  const auto first = static_cast<int>(mesh.vertices.cols());
-  Eigen::Matrix3Xf vertices(3, first + other.vertices.cols());
-  vertices << mesh.vertices, other.vertices;
-  Eigen::Matrix3Xi triangles(3, mesh.triangles.cols() + other.triangles.cols());
-  triangles << mesh.triangles, (other.triangles.array() + first).matrix();
-  mesh.vertices = vertices;
-  mesh.triangles = triangles;
-  EXPECT_GT(draw_tight(mesh), 0.39);
+  EXPECT_GT(draw_tight(together(post(radius_m), post(0.39, 7))), 0.39);
 }
 
 }  // namespace ribbon::bad_obstacle_test

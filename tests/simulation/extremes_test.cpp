@@ -1,6 +1,7 @@
 // Ribbons of every size and place: each is fastened without an intersection, or refused.
 #include <gtest/gtest.h>
 
+#include "result/refusal.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
@@ -42,16 +43,6 @@ TEST(Extremes, edges_from_a_tenth_of_a_millimetre_to_a_kilometre) {
   }
 }
 
-TEST(Extremes, a_scene_of_a_tenth_of_a_millimetre_moves_like_a_large_one) {
-  const auto end_after = [](double size) {
-    const Scaled scaled(size);
-    auto fastening = FasteningProcessor::create(scaled.scene, scaled.mesh, scaled.obstacle).value();
-    for (int step = 0; step < 30; ++step) fastening.step();
-    return Eigen::Vector3d(fastening.positions().col(0) / size);
-  };
-  EXPECT_LT((end_after(1) - end_after(1e-4 / 0.02)).norm(), 1e-3);
-}
-
 TEST(Extremes, far_from_the_origin_within_the_limit) {
   Scaled scaled(1);
   scaled.mesh.positions.colwise() += Eigen::Vector3d(300, -200, 500);
@@ -60,24 +51,9 @@ TEST(Extremes, far_from_the_origin_within_the_limit) {
   expect_free_for_30_steps(scaled.scene, scaled.mesh, scaled.obstacle);
 }
 
-TEST(Extremes, a_million_lengths_from_the_origin_is_refused_with_the_distance_that_is_allowed) {
-  Scaled scaled(1);
-  scaled.mesh.positions.row(0).array() += 1e6 * scaled.mesh.length_m;
-  const auto answer = FasteningProcessor::create(scaled.scene, scaled.mesh, std::nullopt);
-  ASSERT_FALSE(answer.has_value());
-  EXPECT_NE(answer.error().problem.find("from the origin"), std::string::npos);
-  EXPECT_NE(answer.error().remedy.find("within 679 m"), std::string::npos);
-}
-
 TEST(Extremes, a_ribbon_of_four_particles) {
   Scene scene = scene_of_loop();
-  scene.ribbon.along = 2;
-  scene.ribbon.across = 2;
-  SpaceCurve straight;
-  straight.points.resize(3, 2);
-  straight.points << 0, 0.1, 0.5, 0.5, 0, 0;
-  straight.length_m = 0.1;
-  const RibbonMesh mesh = generate_ribbon_mesh(straight, scene.ribbon, Axis::y);
+  const RibbonMesh mesh = mesh_of_four_particles(scene);
   expect_free_for_30_steps(scene, mesh, std::nullopt);
   expect_free_for_30_steps(scene, mesh, post(0.3));
 }
@@ -98,9 +74,8 @@ TEST(Extremes, particles_in_one_place_are_refused_with_their_row) {
   RibbonMesh mesh = mesh_of_loop(scene);
   const int first = mesh.grid.particle(60, 0);
   for (int k = 0; k < 12; ++k) mesh.positions.col(first + k) = mesh.positions.col(first);
-  const auto answer = FasteningProcessor::create(scene, mesh, std::nullopt);
-  ASSERT_FALSE(answer.has_value());
-  EXPECT_NE(answer.error().problem.find("row 6"), std::string::npos) << answer.error().sentence();
+  EXPECT_THAT(refusal_of(FasteningProcessor::create(scene, mesh, std::nullopt)),
+              HasSubstr("row 6"));
 }
 
 TEST(Extremes, a_loop_pulled_a_thousand_times_too_hard_stays_free) {
@@ -119,7 +94,7 @@ void expect_bounded_by_any_integrator(Scene scene) {
     const RibbonMesh mesh = mesh_of_loop(scene);
     auto fastening = FasteningProcessor::create(scene, mesh, post(0.45));
     if (!fastening && method != IntegrationMethod::implicit) {
-      EXPECT_NE(fastening.error().remedy.find("time.integrator"), std::string::npos);
+      EXPECT_THAT(fastening.error().remedy, HasSubstr("time.integrator"));
       continue;
     }
     ASSERT_TRUE(fastening.has_value()) << fastening.error().sentence();
@@ -132,15 +107,8 @@ void expect_bounded_by_any_integrator(Scene scene) {
   }
 }
 
-Scene small_loop() {
-  Scene scene = scene_of_loop();
-  scene.ribbon.along = 80;
-  scene.ribbon.across = 3;
-  return scene;
-}
-
 TEST(Extremes, springs_without_resistance_and_of_any_resistance) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   const double particle_mass_kg = scene.ribbon.mass_kg / 240;
   for (const double ratio : {0.0, 1.0, 1e2, 1e4, 3e4, 1e6, 1e8, 1e10, 1e12}) {
     SCOPED_TRACE(ratio);
@@ -151,7 +119,7 @@ TEST(Extremes, springs_without_resistance_and_of_any_resistance) {
 }
 
 TEST(Extremes, springs_of_one_kind_and_springs_five_orders_apart) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   for (const SpringScene& springs :
        {SpringScene{.bend = 10}, SpringScene{.stretch = 10}, SpringScene{.shear = 10},
         SpringScene{.stretch = 1e5, .shear = 1, .bend = 1e-5},
@@ -163,7 +131,7 @@ TEST(Extremes, springs_of_one_kind_and_springs_five_orders_apart) {
 }
 
 TEST(Extremes, steps_from_ten_microseconds_to_a_tenth_of_a_second) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   for (const double step_s : {1e-5, 1e-4, 1e-3, 0.1}) {
     SCOPED_TRACE(step_s);
     scene.time.step_s = step_s;
@@ -172,7 +140,7 @@ TEST(Extremes, steps_from_ten_microseconds_to_a_tenth_of_a_second) {
 }
 
 TEST(Extremes, masses_from_a_microgram_to_a_million_tons) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   for (const double mass_kg : {1e-9, 1e9}) {
     SCOPED_TRACE(mass_kg);
     scene.ribbon.mass_kg = mass_kg;
@@ -181,7 +149,7 @@ TEST(Extremes, masses_from_a_microgram_to_a_million_tons) {
 }
 
 TEST(Extremes, air_from_next_to_none_to_more_than_a_step_can_hold) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   for (const double per_s : {1e-6, 1e3, 1e6, 1e12}) {
     SCOPED_TRACE(per_s);
     scene.air_resistance_per_s = per_s;
@@ -190,7 +158,7 @@ TEST(Extremes, air_from_next_to_none_to_more_than_a_step_can_hold) {
 }
 
 TEST(Extremes, nothing_at_all_stays_where_it_is) {
-  Scene scene = small_loop();
+  Scene scene = scene_of_small_loop();
   scene.springs = {};
   scene.air_resistance_per_s = 0;
   scene.fastening.reset();

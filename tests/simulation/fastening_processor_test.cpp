@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "parallel/parallel.h"
+#include "parallel/any_threads.h"
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
 
@@ -67,16 +67,11 @@ TEST(FasteningProcessor, tells_where_the_time_of_its_steps_went) {
 }
 
 TEST(FasteningProcessor, gives_the_same_bits_for_any_number_of_threads) {
-  std::vector<Matrix3Xd> answers;
-  for (const int threads : {1, 2, 5}) {
-    set_thread_limit(threads);
+  same_for_any_threads([] {
     FasteningProcessor fastening = processor(scene_of_loop(), post(0.3));
     for (int i = 0; i < 40; ++i) fastening.step();
-    answers.push_back(fastening.positions());
-  }
-  set_thread_limit(0);
-  EXPECT_EQ(answers[0], answers[1]);
-  EXPECT_EQ(answers[0], answers[2]);
+    return fastening.positions();
+  });
 }
 
 TEST(FasteningProcessor, drawn_tight_round_a_post_it_knows_that_it_is) {
@@ -123,23 +118,6 @@ TEST(FasteningProcessor, as_published_recovers_and_reports_how_often) {
   for (int i = 0; i < 80; ++i) recoveries += fastening.step().recovery_iterations;
   EXPECT_GT(recoveries, 0);
   EXPECT_TRUE(fastening.positions().allFinite());
-}
-
-TEST(FasteningProcessor, a_scene_that_asks_for_nothing_leaves_the_ribbon_at_rest) {
-  Scene scene = scene_of_loop();
-  scene.springs = {};
-  scene.fastening.reset();
-  scene.air_resistance_per_s = 0;
-  const RibbonScene ribbon = scene.ribbon;
-  SpaceCurve straight;
-  straight.points.resize(3, ribbon.along);
-  for (int i = 0; i < ribbon.along; ++i) straight.points.col(i) << 0.02 * i, 0, 0;
-  straight.length_m = 0.02 * (ribbon.along - 1);
-  const RibbonMesh mesh = generate_ribbon_mesh(straight, ribbon, Axis::y);
-  auto nothing = FasteningProcessor::create(scene, mesh, std::nullopt).value();
-  nothing.step();
-  EXPECT_EQ(nothing.positions(), mesh.positions);
-  EXPECT_EQ(nothing.strain(), 0);
 }
 
 }  // namespace ribbon::fastening_processor_test

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/solids.h"
 #include "geometry/triangle_mesh.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/scene.h"
@@ -43,24 +44,34 @@ inline RibbonMesh mesh_of_loop(const Scene& scene, double size = 1) {
   return generate_ribbon_mesh(loop(scene.ribbon.along, size), scene.ribbon, Axis::y);
 }
 
+// With fewer particles, where there are many runs.
+inline Scene scene_of_small_loop() {
+  Scene scene = scene_of_loop();
+  scene.ribbon.along = 80;
+  scene.ribbon.across = 3;
+  return scene;
+}
+
+// A straight band along x, which begins at `begin`.
+inline SpaceCurve straight_curve(int samples, double length_m,
+                                 const Eigen::Vector3d& begin = Eigen::Vector3d::Zero()) {
+  SpaceCurve curve;
+  curve.points = begin.replicate(1, samples);
+  curve.points.row(0) += Eigen::RowVectorXd::LinSpaced(samples, 0, length_m);
+  curve.length_m = length_m;
+  return curve;
+}
+
+// Two rows are no loop: they stand as a straight band beside the axis.
+inline RibbonMesh mesh_of_four_particles(Scene& scene) {
+  scene.ribbon.along = 2;
+  scene.ribbon.across = 2;
+  return generate_ribbon_mesh(straight_curve(2, 0.1, {0, 0.5, 0}), scene.ribbon, Axis::y);
+}
+
 // A tube round the axis, open at both ends, its outside outwards.
 inline TriangleMesh post(double radius_m, int sides = 24) {
-  const int rims = 2 * sides;
-  TriangleMesh mesh;
-  mesh.name = "post";
-  mesh.vertices.resize(3, rims);
-  mesh.triangles.resize(3, rims);
-  for (int s = 0; s < sides; ++s) {
-    const double angle = 2 * std::numbers::pi * s / sides;
-    const int low = 2 * s;
-    const int next = 2 * ((s + 1) % sides);
-    for (int end = 0; end < 2; ++end)
-      mesh.vertices.col(low + end) << static_cast<float>(radius_m * std::sin(angle)),
-          end == 0 ? -0.6F : 0.6F, static_cast<float>(radius_m * std::cos(angle));
-    mesh.triangles.col(low) << low, next, next + 1;
-    mesh.triangles.col(low + 1) << low, next + 1, low + 1;
-  }
-  return mesh;
+  return tube(radius_m, -0.6, 0.6, sides);
 }
 
 }  // namespace ribbon

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parallel/parallel.h"
+#include "result/refusal.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
 #include "simulation/state/state_archive.h"
@@ -57,8 +58,11 @@ std::vector<Case> runs() {
   return all;
 }
 
-FasteningProcessor begun(const Case& run) {
-  return FasteningProcessor::create(run.scene, mesh_of_loop(run.scene), run.obstacle).value();
+FasteningProcessor begun(const Case& run, int steps = 0) {
+  auto fastening =
+      FasteningProcessor::create(run.scene, mesh_of_loop(run.scene), run.obstacle).value();
+  for (int step = 0; step < steps; ++step) fastening.step();
+  return fastening;
 }
 
 RestSize size_of(const Scene& scene) {
@@ -66,8 +70,10 @@ RestSize size_of(const Scene& scene) {
   return {mesh.grid, mesh.length_m, mesh.width_m};
 }
 
-FasteningProcessor restored(const Case& run, const std::string& state) {
-  return FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state).value();
+FasteningProcessor restored(const Case& run, const std::string& state,
+                            Settings settings = Settings::as_before) {
+  return FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state, settings)
+      .value();
 }
 
 // What there is to know about a processor, in full precision.
@@ -113,8 +119,7 @@ TEST(Resume, remembers_how_the_ribbon_was_drawn_tight) {
   Case run{"post", scene_of_loop(), post(post_radius_m)};
   run.scene.fastening->yield_strain = 0.05;
   run.scene.fastening->speed_m_s = 1;
-  FasteningProcessor uninterrupted = begun(run);
-  for (int step = 0; step < 230; ++step) uninterrupted.step();
+  FasteningProcessor uninterrupted = begun(run, 230);
   FasteningProcessor follower = restored(run, uninterrupted.state());
   int steps = 0;
   for (; steps < 1000 && !uninterrupted.is_tight(); ++steps) {
@@ -132,8 +137,7 @@ TEST(Resume, does_not_depend_on_the_number_of_threads) {
   std::vector<std::string> ends;
   for (const int threads : {1, 2, 5}) {
     set_thread_limit(threads);
-    FasteningProcessor first = begun(run);
-    for (int step = 0; step < 25; ++step) first.step();
+    FasteningProcessor first = begun(run, 25);
     set_thread_limit(6 - threads);
     FasteningProcessor second = restored(run, first.state());
     for (int step = 0; step < 25; ++step) second.step();
@@ -174,9 +178,8 @@ TEST(Resume, a_start_that_was_grown_is_not_searched_again) {
 }
 
 std::string refusal(const Case& run, const std::string& state) {
-  const auto answer =
-      FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state);
-  return answer ? "" : answer.error().sentence();
+  return refusal_of(
+      FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state));
 }
 
 constexpr auto lowest = std::numeric_limits<std::int64_t>::min();
@@ -200,21 +203,18 @@ TEST(Resume, every_cut_state_and_every_other_length_is_refused) {
   for (const ContactMethod contact : {ContactMethod::gate, ContactMethod::paper}) {
     Case run{"small", fast_loop(IntegrationMethod::rk4, contact)};
     run.scene.ribbon.along = 40;
-    FasteningProcessor fastening = begun(run);
-    fastening.step();
+    FasteningProcessor fastening = begun(run, 1);
     const std::string state = fastening.state();
     ASSERT_EQ(refusal(run, state), "");
     for (std::size_t size = 0; size < state.size(); size += 61)
-      EXPECT_NE(refusal(run, state.substr(0, size)).find("does not fit the scene"),
-                std::string::npos)
-          << size;
+      EXPECT_THAT(refusal(run, state.substr(0, size)), HasSubstr("does not fit the scene")) << size;
     std::vector<std::int64_t> numbers = numbers_of(state);
     ASSERT_EQ(state_of(numbers), state);
     numbers.push_back(0);
-    EXPECT_NE(refusal(run, state_of(numbers)).find("longer than"), std::string::npos);
+    EXPECT_THAT(refusal(run, state_of(numbers)), HasSubstr("longer than"));
     numbers.resize(numbers.size() - 2);
-    EXPECT_NE(refusal(run, state_of(numbers)).find("cut off"), std::string::npos);
-    EXPECT_NE(refusal(run, state + 'x').find("cut off"), std::string::npos);
+    EXPECT_THAT(refusal(run, state_of(numbers)), HasSubstr("cut off"));
+    EXPECT_THAT(refusal(run, state + 'x'), HasSubstr("cut off"));
   }
 }
 
@@ -223,8 +223,7 @@ TEST(Resume, every_number_of_a_state_may_be_wrong) {
   Case run{"small", fast_loop(IntegrationMethod::symplectic_euler, ContactMethod::gate)};
   run.scene.ribbon.along = 20;
   run.scene.ribbon.across = 2;
-  FasteningProcessor fastening = begun(run);
-  fastening.step();
+  FasteningProcessor fastening = begun(run, 1);
   const std::vector<std::int64_t> state = numbers_of(fastening.state());
   int refused = 0;
   for (std::size_t at = 0; at < state.size(); ++at)
@@ -242,60 +241,51 @@ TEST(Resume, a_state_of_another_scene_is_refused_and_told_why) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
   FasteningProcessor fastening = begun(run);
   const std::string state = fastening.state();
-  Case other = run;
-  other.scene.ribbon.along = 121;
-  EXPECT_NE(refusal(other, state).find("particles along"), std::string::npos);
-  other = run;
-  other.scene.ribbon.across = 5;
-  EXPECT_NE(refusal(other, state).find("particles across"), std::string::npos);
-  other = run;
-  other.scene.fastening.reset();
-  EXPECT_NE(refusal(other, state).find("its ribbon is fastened"), std::string::npos);
-  other = run;
-  other.scene.time.step_s = 0.005;
-  EXPECT_NE(refusal(other, state).find("time.step"), std::string::npos);
+  const auto expect_refused = [&](const auto& change, const std::string& words) {
+    Case other = run;
+    change(other.scene);
+    EXPECT_THAT(refusal(other, state), HasSubstr(words));
+  };
+  expect_refused([](Scene& scene) { scene.ribbon.along = 121; }, "particles along");
+  expect_refused([](Scene& scene) { scene.ribbon.across = 5; }, "particles across");
+  expect_refused([](Scene& scene) { scene.fastening.reset(); }, "its ribbon is fastened");
+  expect_refused([](Scene& scene) { scene.time.step_s = 0.005; }, "time.step");
   std::vector<std::int64_t> newer = numbers_of(state);
   newer[0] = 2;
-  EXPECT_NE(refusal(run, state_of(newer)).find("another version"), std::string::npos);
+  EXPECT_THAT(refusal(run, state_of(newer)), HasSubstr("another version"));
   EXPECT_EQ(refusal(run, state), "");
 }
 
 TEST(Resume, changed_settings_act_from_there_on) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
-  FasteningProcessor before = begun(run);
-  for (int step = 0; step < 20; ++step) before.step();
+  FasteningProcessor before = begun(run, 20);
   const std::string state = before.state();
-  const auto goes_on = [&](const Scene& scene, int steps) {
-    auto changed =
-        FasteningProcessor::restore(scene, size_of(scene), run.obstacle, state, Settings::changed);
-    EXPECT_TRUE(changed.has_value());
-    EXPECT_EQ(changed->positions(), before.positions());
-    EXPECT_EQ(changed->time_s(), before.time_s());
-    for (int step = 0; step < steps; ++step) changed->step();
-    return changed->positions();
+  const auto goes_on = [&](const Scene& scene) {
+    auto changed = restored({"", scene, run.obstacle}, state, Settings::changed);
+    EXPECT_EQ(changed.positions(), before.positions());
+    EXPECT_EQ(changed.time_s(), before.time_s());
+    for (int step = 0; step < 20; ++step) changed.step();
+    return changed.positions();
   };
-  const Matrix3Xd as_it_was = goes_on(run.scene, 20);
+  const Matrix3Xd as_it_was = goes_on(run.scene);
   Scene scene = run.scene;
   scene.fastening->speed_m_s *= 3;
-  const Matrix3Xd faster = goes_on(scene, 20);
+  const Matrix3Xd faster = goes_on(scene);
   const auto way_m = [&](const Matrix3Xd& to) { return (to - before.positions()).norm(); };
   EXPECT_GT(way_m(faster), 1.5 * way_m(as_it_was));
   scene = run.scene;
   scene.springs.stretch *= 4;
   scene.ribbon.mass_kg *= 2;
   scene.time.integrator = IntegrationMethod::implicit;
-  EXPECT_NE(goes_on(scene, 20), as_it_was);
+  EXPECT_NE(goes_on(scene), as_it_was);
 }
 
 // Measured anew, but for a ribbon that moves already: it does not seem to gain on the command.
 TEST(Resume, with_changed_settings_progress_counts_from_there) {
   Case run{"loop", scene_of_loop()};
-  FasteningProcessor before = begun(run);
-  for (int step = 0; step < 60; ++step) before.step();
+  FasteningProcessor before = begun(run, 60);
   run.scene.springs.bend *= 1.01;
-  auto changed = FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle,
-                                             before.state(), Settings::changed)
-                     .value();
+  auto changed = restored(run, before.state(), Settings::changed);
   EXPECT_EQ(changed.tightness()->progress, 1) << "nothing was commanded yet";
   for (int step = 0; step < 10; ++step) {
     before.step();
@@ -306,14 +296,10 @@ TEST(Resume, with_changed_settings_progress_counts_from_there) {
 }
 
 TEST(Resume, the_clock_goes_on_with_another_step) {
-  const Case run{"post", scene_of_loop(), post(post_radius_m)};
-  FasteningProcessor before = begun(run);
-  for (int step = 0; step < 20; ++step) before.step();
-  Scene scene = run.scene;
-  scene.time.step_s = 0.004;
-  auto changed = FasteningProcessor::restore(scene, size_of(scene), run.obstacle, before.state(),
-                                             Settings::changed)
-                     .value();
+  Case run{"post", scene_of_loop(), post(post_radius_m)};
+  FasteningProcessor before = begun(run, 20);
+  run.scene.time.step_s = 0.004;
+  auto changed = restored(run, before.state(), Settings::changed);
   EXPECT_DOUBLE_EQ(changed.time_s(), 0.2);
   EXPECT_EQ(changed.steps(), 20);
   EXPECT_EQ(changed.steps_at(0.2), 20);
@@ -321,8 +307,7 @@ TEST(Resume, the_clock_goes_on_with_another_step) {
   EXPECT_EQ(changed.steps_at(0.2201), 26);
   for (int step = 0; step < 5; ++step) changed.step();
   EXPECT_DOUBLE_EQ(changed.time_s(), 0.22);
-  auto again =
-      FasteningProcessor::restore(scene, size_of(scene), run.obstacle, changed.state()).value();
+  auto again = restored(run, changed.state());
   EXPECT_EQ(again.time_s(), changed.time_s());
   again.step();
   changed.step();
@@ -333,7 +318,7 @@ TEST(Resume, springs_too_stiff_for_the_step_are_refused_as_at_the_start) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
   Case stiff = run;
   stiff.scene.springs.stretch = 1e6;
-  EXPECT_NE(refusal(stiff, begun(run).state()).find("parts"), std::string::npos);
+  EXPECT_THAT(refusal(stiff, begun(run).state()), HasSubstr("parts"));
 }
 
 }  // namespace ribbon::resume_test

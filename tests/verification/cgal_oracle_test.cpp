@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "verification/frame_verifier.h"
-#include "verification/intersecting_pairs.h"
 #include "verification/soups.h"
 
 namespace ribbon::cgal_oracle_test {

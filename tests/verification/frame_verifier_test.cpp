@@ -4,19 +4,16 @@
 
 #include <limits>
 
+#include "geometry/flat_ribbon.h"
+
 namespace ribbon::frame_verifier_test {
 
 constexpr RibbonGrid grid{5, 3};
 constexpr double length_m = 4;
 constexpr double width_m = 2;
 
-// Flat at height 0, quads 1 x 1 from x = 0 and z = 0 on.
-Eigen::Matrix3Xf flat_ribbon() {
-  Eigen::Matrix3Xf positions(3, grid.particle_count());
-  for (int p = 0; p < grid.particle_count(); ++p)
-    positions.col(p) << static_cast<float>(grid.row(p)), 0, static_cast<float>(grid.column(p));
-  return positions;
-}
+// Its quads are 1 x 1.
+const Eigen::Matrix3Xf flat = flat_ribbon(grid).cast<float>();
 
 // One triangle in the plane x = 1.7, from `bottom` upwards, and the same once more beside it.
 TriangleMesh two_blades(float bottom) {
@@ -34,7 +31,7 @@ FrameVerdict verdict_on(const Eigen::Matrix3Xf& positions,
 }
 
 TEST(FrameVerifier, a_flat_ribbon_is_in_order) {
-  const FrameVerdict verdict = verdict_on(flat_ribbon());
+  const FrameVerdict verdict = verdict_on(flat);
   EXPECT_TRUE(verdict.finite);
   EXPECT_TRUE(verdict.intersections.pairs.empty());
   EXPECT_NEAR(verdict.gap.certain_m, std::sqrt(0.5), 1e-13);
@@ -42,7 +39,7 @@ TEST(FrameVerifier, a_flat_ribbon_is_in_order) {
 }
 
 TEST(FrameVerifier, a_ribbon_folded_onto_itself_is_found) {
-  Eigen::Matrix3Xf positions = flat_ribbon();
+  Eigen::Matrix3Xf positions = flat;
   for (int j = 0; j < grid.across; ++j) positions(0, grid.particle(4, j)) = 2.5F;
   const FrameVerdict verdict = verdict_on(positions);
   EXPECT_FALSE(verdict.intersections.pairs.empty());
@@ -52,7 +49,7 @@ TEST(FrameVerifier, a_ribbon_folded_onto_itself_is_found) {
 TEST(FrameVerifier, what_an_obstacle_touches_is_named_and_the_obstacle_itself_is_not_judged) {
   // The tip at (1.7, 0, 0.6) is in row 1, column 0 of the quads, an odd one: beyond its diagonal
   // from corner 1 to corner 3.
-  const FrameVerdict verdict = verdict_on(flat_ribbon(), two_blades(0));
+  const FrameVerdict verdict = verdict_on(flat, two_blades(0));
   const int quad = 2;
   const int blade = grid.triangle_count();
   EXPECT_EQ(verdict.intersections.pairs,
@@ -60,7 +57,7 @@ TEST(FrameVerifier, what_an_obstacle_touches_is_named_and_the_obstacle_itself_is
 }
 
 TEST(FrameVerifier, the_gap_to_an_obstacle_counts) {
-  const FrameVerdict verdict = verdict_on(flat_ribbon(), two_blades(0.0625F));
+  const FrameVerdict verdict = verdict_on(flat, two_blades(0.0625F));
   EXPECT_TRUE(verdict.intersections.pairs.empty());
   EXPECT_NEAR(verdict.gap.certain_m, 0.0625, 1e-13);
   EXPECT_EQ(verdict.gap.pair.first, 5);
@@ -70,7 +67,7 @@ TEST(FrameVerifier, coordinates_that_are_no_numbers_never_pass) {
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
         -std::numeric_limits<float>::infinity()}) {
-    Eigen::Matrix3Xf positions = flat_ribbon();
+    Eigen::Matrix3Xf positions = flat;
     positions(1, 7) = bad;
     EXPECT_FALSE(verdict_on(positions).finite);
   }
@@ -79,12 +76,12 @@ TEST(FrameVerifier, coordinates_that_are_no_numbers_never_pass) {
 TEST(FrameVerifier, an_obstacle_without_area_is_tested_exactly) {
   TriangleMesh needle = two_blades(0);
   needle.vertices.row(2).setConstant(0.6F);  // segments from the cloth upwards
-  EXPECT_EQ(verdict_on(flat_ribbon(), needle).intersections.pairs.size(), 2U);
+  EXPECT_EQ(verdict_on(flat, needle).intersections.pairs.size(), 2U);
   needle.vertices.row(1).array() += std::numeric_limits<float>::denorm_min();
-  EXPECT_EQ(verdict_on(flat_ribbon(), needle).intersections.pairs.size(), 0U);
+  EXPECT_EQ(verdict_on(flat, needle).intersections.pairs.size(), 0U);
   needle.triangles.setZero();  // a point, and three times the same corner
   needle.vertices(1, 0) = 0;
-  EXPECT_EQ(verdict_on(flat_ribbon(), needle).intersections.pairs.size(), 2U);
+  EXPECT_EQ(verdict_on(flat, needle).intersections.pairs.size(), 2U);
 }
 
 }  // namespace ribbon::frame_verifier_test

@@ -1,8 +1,6 @@
 // Both oracles on what is really recorded, as it is and bent out of shape.
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "playback/recording_reader.h"
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
@@ -73,12 +71,6 @@ TEST_F(RecordedRun, all_oracles_find_the_same_pairs_when_particles_are_swapped) 
     swapped.col(grid.particle(row, 1)).swap(swapped.col(grid.particle(row + 1, 1)));
     EXPECT_GT(agreed_pairs(swapped), 0U) << "row " << row;
   }
-}
-
-TEST_F(RecordedRun, its_header_names_the_axis_that_it_was_fastened_towards) {
-  ASSERT_TRUE(reader_.header().centre_axis.has_value());
-  EXPECT_EQ(reader_.header().centre_axis->point_m, Eigen::Vector3d::Zero());
-  EXPECT_EQ(reader_.header().centre_axis->direction, Eigen::Vector3d::UnitY());
 }
 
 }  // namespace ribbon::recorded_run_test

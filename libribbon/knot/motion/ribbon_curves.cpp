@@ -1,6 +1,5 @@
 #include "knot/motion/ribbon_curves.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 

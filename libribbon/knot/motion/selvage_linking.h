@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 
-#include "exact/orientation.h"
 #include "knot/motion/ribbon_curves.h"
 
 namespace ribbon {

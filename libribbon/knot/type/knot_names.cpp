@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdlib>
-#include <utility>
 
 #include "knot/type/jones_polynomial.h"
 

@@ -1,7 +1,5 @@
 #include "recording/codec/position_encoder.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "recording/coding/bytes.h"

@@ -1,7 +1,5 @@
 #include "recording/coding/block.h"
 
-#include <array>
-
 #include "recording/coding/compression.h"
 
 namespace ribbon {

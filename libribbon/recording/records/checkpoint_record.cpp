@@ -1,6 +1,5 @@
 #include "recording/records/checkpoint_record.h"
 
-#include <array>
 #include <cstddef>
 
 #include "recording/coding/bytes.h"

@@ -20,6 +20,8 @@ struct IndexLocation {
   std::uint32_t highest_frame = 0;
   std::uint32_t frames = 0;
   std::uint32_t others = 0;
+
+  bool operator==(const IndexLocation&) const = default;
 };
 
 IndexLocation location_of(const Index& index, std::uint64_t offset, std::uint32_t record_bytes);
@@ -28,6 +30,8 @@ struct Directory {
   std::uint32_t frames = 0;  // one more than the highest frame number
   RunEnding ending = RunEnding::unknown;
   std::vector<IndexLocation> indices;
+
+  bool operator==(const Directory&) const = default;
 };
 
 std::string directory_payload(std::uint32_t recording_id, const Directory& directory);

@@ -23,6 +23,8 @@ struct FrameRecord {
   ReferenceList references = {};
   FrameNumbers numbers = {};
   std::string_view geometry = {};  // borrowed
+
+  bool operator==(const FrameRecord&) const = default;
 };
 
 std::string frame_payload(const FrameRecord& record);

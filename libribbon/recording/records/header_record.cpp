@@ -1,10 +1,8 @@
 #include "recording/records/header_record.h"
 
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "recording/codec/frame_loops.h"
 #include "recording/coding/bytes.h"

@@ -32,6 +32,8 @@ struct IndexedFrame {
   std::uint64_t offset = 0;        // of the record in the file
   ReferenceList references;
   FrameNumbers numbers;
+
+  bool operator==(const IndexedFrame&) const = default;
 };
 
 // A checkpoint, a session, or what later versions know.
@@ -40,12 +42,16 @@ struct IndexedOther {
   std::uint32_t frame = 0;  // a session's first frame
   std::uint64_t offset = 0;
   std::uint64_t record_bytes = 0;
+
+  bool operator==(const IndexedOther&) const = default;
 };
 
 struct Index {
   std::uint64_t previous = 0;        // offset of the index record before this one; 0: none
   std::vector<IndexedFrame> frames;  // as they lie in the file
   std::vector<IndexedOther> others;
+
+  bool operator==(const Index&) const = default;
 };
 
 std::string index_payload(std::uint32_t recording_id, const Index& index);

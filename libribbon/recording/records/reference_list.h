@@ -38,6 +38,7 @@ class ReferenceList {
 template <class Numbers, class FrameOf>
 std::vector<const QuantisedFrame*> frames_of(const Numbers& references, const FrameOf& frame_of) {
   std::vector<const QuantisedFrame*> frames;
+  frames.reserve(references.size());
   for (const auto reference : references) frames.push_back(frame_of(reference));
   return frames;
 }

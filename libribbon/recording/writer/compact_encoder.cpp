@@ -1,7 +1,6 @@
 #include "recording/writer/compact_encoder.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace ribbon {
 

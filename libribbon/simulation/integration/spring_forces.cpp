@@ -81,9 +81,7 @@ void SpringForces::forces_on(Index begin, Index end, const MatrixX3d& positions,
 
 double SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
   forces.resize(particle_count_, 3);
-  const auto body = [&](Index begin, Index end) {
-    forces_on(begin, end, positions, forces);
-  };
+  const auto body = [&](Index begin, Index end) { forces_on(begin, end, positions, forces); };
   parallel_ranges(particle_count_, grain_, std::ref(body));
   double energy_j = 0;
   for (const Workspace& workspace : workspaces_) energy_j += workspace.energy_j;

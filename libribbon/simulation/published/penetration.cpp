@@ -1,6 +1,5 @@
 #include "simulation/published/penetration.h"
 
-#include <algorithm>
 #include <set>
 
 #include "geometry/segment_triangle.h"

@@ -1,6 +1,5 @@
 #include "simulation/published/recovery.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "simulation/published/penetration.h"

@@ -1,7 +1,6 @@
 #include "simulation/start/free_start.h"
 
 #include <cassert>
-#include <cmath>
 #include <optional>
 #include <string>
 

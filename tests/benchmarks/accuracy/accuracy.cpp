@@ -2,8 +2,6 @@
 // level of accuracy and single settings around them cost, and how far they are from the converged
 // fastening. Prints the table of docs/accuracy.md. Exit code 1 when a level is beaten in time and
 // in accuracy, 2 when something could not be read or written.
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -19,6 +17,7 @@
 #include "files/files.h"
 #include "parallel/parallel.h"
 #include "soak/jitter.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 namespace {
@@ -98,10 +97,8 @@ Result<AccuracyRuns> runs_by(const AccuracySetting& setting, const Options& opti
   return runs;
 }
 
-std::string with_spread(const char* format, const Measured& measured) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, measured.mean, measured.spread);
-  return text.data();
+std::string with_spread(const Measured& measured, int digits) {
+  return decimals(measured.mean, digits) + " ± " + decimals(measured.spread, digits);
 }
 
 Measured in_percent(const Measured& share) {
@@ -117,10 +114,9 @@ void print_heading() {
 void print(const AccuracyFigures& figures) {
   std::printf("| %s | %.3g | %.2g %% | %s %% | %s | %s | %s | %.1f %% | %.2f |\n",
               figures.name.c_str(), figures.processor_s, 100 * figures.before_contact,
-              with_spread("%.2f ± %.2f", in_percent(figures.after_contact)).c_str(),
-              with_spread("%.2f ± %.2f", figures.tight_s).c_str(),
-              with_spread("%.2f ± %.2f", figures.rope_length).c_str(),
-              with_spread("%.4f ± %.4f", figures.ends_apart_m).c_str(), 100 * figures.worst_strain,
+              with_spread(in_percent(figures.after_contact), 2).c_str(),
+              with_spread(figures.tight_s, 2).c_str(), with_spread(figures.rope_length, 2).c_str(),
+              with_spread(figures.ends_apart_m, 4).c_str(), 100 * figures.worst_strain,
               figures.energy);
   std::fflush(stdout);
 }

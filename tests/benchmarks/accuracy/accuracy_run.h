@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "benchmarks/accuracy/accuracy_settings.h"

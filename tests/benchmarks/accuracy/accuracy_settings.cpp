@@ -1,24 +1,18 @@
 #include "benchmarks/accuracy/accuracy_settings.h"
 
-#include <array>
-#include <cstdio>
 #include <utility>
+
+#include "text/number_text.h"
 
 namespace ribbon {
 
 namespace {
 
-std::string digits(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", number);
-  return text.data();
-}
-
 AccuracySetting stepped(const char* word, IntegrationMethod integrator, double step_s) {
   AccuracyLevel numbers = accuracy_levels[1];
   numbers.integrator = integrator;
   numbers.step_s = step_s;
-  return {std::string(word) + ", " + digits(step_s) + " s", numbers};
+  return {std::string(word) + ", " + short_number(step_s) + " s", numbers};
 }
 
 void add_steps(std::vector<AccuracySetting>& settings) {
@@ -35,12 +29,12 @@ void add_single_numbers(std::vector<AccuracySetting>& settings) {
     AccuracyLevel numbers = balanced;
     numbers.integrator = IntegrationMethod::implicit;
     numbers.tolerance = tolerance;
-    settings.push_back({"implicit, tolerance " + digits(tolerance), numbers});
+    settings.push_back({"implicit, tolerance " + short_number(tolerance), numbers});
   }
   for (const double strain : {0.06, 0.04}) {
     AccuracyLevel numbers = balanced;
     numbers.strain_correction.strain = strain;
-    settings.push_back({"strain " + digits(100 * strain) + " %", numbers});
+    settings.push_back({"strain " + short_number(100 * strain) + " %", numbers});
   }
   for (const auto& [rounds, sweeps] : {std::pair{3, 5}, {10, 5}, {3, 20}, {20, 40}}) {
     AccuracyLevel numbers = balanced;

@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <memory>
-#include <type_traits>
 
 #include "benchmarks/codec/float_group.h"
 #include "benchmarks/codec/peers.h"

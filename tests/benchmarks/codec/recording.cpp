@@ -45,26 +45,10 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::ExistingDirectory);
 }
 
-// A file that is there while it is measured.
-class ScratchFile {
- public:
-  explicit ScratchFile(const std::filesystem::path& folder)
-      : path_(folder / "benchmark_recording.rbn") {}
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 std::vector<FrameSpan> blocks_of(FrameSpan frames, int every) {
   std::vector<FrameSpan> blocks;
-  for (std::size_t at = 0; at < frames.size(); at += every * block_frames)
+  const std::size_t apart = std::size_t{block_frames} * every;
+  for (std::size_t at = 0; at < frames.size(); at += apart)
     blocks.push_back(frames.subspan(at, std::min<std::size_t>(block_frames, frames.size() - at)));
   return blocks;
 }
@@ -134,9 +118,9 @@ bool compare_codecs(const RecordedMotion& motion, const Options& options, Json& 
 
 Result<void> measure_file(const RecordedMotion& motion, double bound, int frames,
                           const Options& options, Json& report) {
-  const ScratchFile file(options.scratch);
-  const auto figures =
-      measure_file(motion, bound * motion.header.ribbon_length_m, frames, file.path());
+  const std::filesystem::path file = options.scratch / "benchmark_recording.rbn";
+  const auto figures = measure_file(motion, bound * motion.header.ribbon_length_m, frames, file);
+  std::filesystem::remove(file);
   if (!figures) return tl::unexpected(figures.error());
   print(*figures, bound);
   report.push_back(json_of(*figures, bound));

@@ -35,13 +35,6 @@ struct Options {
   int most_particles = 64 * 3200;
 };
 
-struct Size {
-  int across;
-  int along;
-};
-constexpr std::array<Size, 8> sizes = {
-    {{4, 300}, {8, 400}, {16, 400}, {16, 800}, {32, 800}, {32, 1600}, {64, 1600}, {64, 3200}}};
-
 // Beyond this, brute force is not run: its tests are known and its time grows with them.
 constexpr int most_particles_by_brute_force = 32 * 1600;
 
@@ -52,7 +45,7 @@ struct Figure {
 
 // What is measured of one ribbon.
 struct Row {
-  Size size{};
+  RibbonSize size{};
   std::size_t listed = 0;  // pairs of features whose boxes meet
   std::size_t close = 0;   // of those, at most the margin apart at an end of the step
   Figure brute_force;
@@ -64,7 +57,7 @@ struct Row {
   Figure patches;
   Figure patches_by_two;  // threads
 
-  [[nodiscard]] double particles() const { return size.across * size.along; }
+  [[nodiscard]] double particles() const { return size.particles(); }
 };
 
 // By kind, then by vertices, independent of the order in which a pair's features and an edge's ends
@@ -100,12 +93,12 @@ Pairs close_pairs(const RibbonMotion& motion, const Pairs& listed) {
 
 Figure measured(Method method, const RibbonMotion& motion, double cell_factor = 1) {
   const auto detector = make_detector(method, motion, cell_factor);
-  return {benchmark::cost_of([&] { (void)detector->detect(); })};
+  return {benchmark::cost_of([&] { (void)detector(); })};
 }
 
 // Sorted.
 Pairs listed_by(Method method, const RibbonMotion& motion, double cell_factor = 1) {
-  Pairs listed = make_detector(method, motion, cell_factor)->detect();
+  Pairs listed = make_detector(method, motion, cell_factor)();
   std::sort(listed.begin(), listed.end(), is_before);
   return listed;
 }
@@ -144,7 +137,8 @@ std::size_t missing(const Pairs& wanted, const Pairs& listed) {
 }
 
 // Nothing when one that tests boxes lists others than the rest, or the gate's misses a close pair.
-std::optional<Row> measure(const Size& size, const RibbonMotion& motion, const Row* previous) {
+std::optional<Row> measure(const RibbonSize& size, const RibbonMotion& motion,
+                           const Row* previous) {
   Row row;
   row.size = size;
   set_thread_limit(1);
@@ -236,7 +230,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--most-particles", options.most_particles, "no larger ribbons");
 }
 
-Result<RibbonMotion> ribbon_in(const std::string& tight, const Size& size) {
+Result<RibbonMotion> ribbon_in(const std::string& tight, const RibbonSize& size) {
   return tight.empty() ? loose_ribbon(RIBBON_SAMPLES "/overhand-hourglass-8x400.toml", size.along,
                                       size.across)
                        : tight_ribbon(tight, size.along, size.across);
@@ -247,8 +241,8 @@ Result<RibbonMotion> ribbon_in(const std::string& tight, const Size& size) {
 Result<bool> measure_state(const std::string& tight, int most_particles, Json& report) {
   print_heading(tight.empty() ? "loose, as generated" : "tight, from " + tight);
   std::vector<Row> rows;
-  for (const Size& size : sizes) {
-    if (size.across * size.along > most_particles) break;
+  for (const RibbonSize& size : ribbon_sizes) {
+    if (size.particles() > most_particles) break;
     const auto motion = ribbon_in(tight, size);
     if (!motion) return tl::unexpected(motion.error());
     const auto row = measure(size, *motion, rows.empty() ? nullptr : &rows.back());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
+#include <functional>
 #include <vector>
 
 #include "geometry/ribbon_grid.h"
@@ -26,18 +26,12 @@ struct RibbonMotion {
   double margin_m = 0;  // pairs that stay farther apart than this do not matter
 };
 
-class Detector {
- public:
-  virtual ~Detector() = default;
-
-  // One detection, from positions to pairs of features; what can be kept between the steps of a run
-  // was made before.
-  virtual std::vector<FeaturePair> detect() = 0;
-};
+// One detection, from positions to pairs of features; what can be kept between the steps of a run
+// was made before.
+using Detector = std::function<std::vector<FeaturePair>()>;
 
 // The motion must outlive the detector. cell_factor: size of a cell of the space enumeration, in
 // mean sizes of the boxes.
-std::unique_ptr<Detector> make_detector(DetectionMethod method, const RibbonMotion& motion,
-                                        double cell_factor);
+Detector make_detector(DetectionMethod method, const RibbonMotion& motion, double cell_factor);
 
 }  // namespace ribbon

@@ -1,11 +1,10 @@
 #include "benchmarks/solver/extreme_scenes.h"
 
-#include <array>
-#include <cstdio>
 #include <functional>
 #include <utility>
 
 #include "simulation/loop_scene.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -14,19 +13,6 @@ namespace {
 using Change = std::function<void(Scene&)>;
 
 constexpr double post_radius_m = 0.45;  // the loop's is 0.5: it soon comes to lie on it
-
-std::string digits(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", number);
-  return text.data();
-}
-
-Scene small_loop() {
-  Scene scene = scene_of_loop();
-  scene.ribbon.along = 80;
-  scene.ribbon.across = 3;
-  return scene;
-}
 
 double particle_mass_kg(const Scene& scene) {
   return scene.ribbon.mass_kg / (scene.ribbon.along * scene.ribbon.across);
@@ -41,7 +27,7 @@ class List {
   explicit List(int most_particles) : most_particles_(most_particles) {}
 
   ExtremeScene& add(std::string extreme, const Change& change) {
-    Scene scene = small_loop();
+    Scene scene = scene_of_small_loop();
     change(scene);
     RibbonMesh mesh = mesh_of_loop(scene);
     return scenes_.emplace_back(
@@ -50,7 +36,7 @@ class List {
 
   void add_springs() {
     for (const double ratio : {0.0, 1.0, 1e2, 1e4, 3e4, 1e6, 1e8, 1e10, 1e12})
-      add("k/m = " + digits(ratio),
+      add("k/m = " + short_number(ratio),
           [=](Scene& scene) { set_all_springs(ratio * particle_mass_kg(scene), scene); });
     add("bending only", [](Scene& scene) { scene.springs = {.bend = 10}; });
     add("stretch only", [](Scene& scene) { scene.springs = {.stretch = 10}; });
@@ -70,25 +56,25 @@ class List {
 
   void add_steps() {
     for (const double step_s : {1e-5, 1e-4, 1e-3, 0.1})
-      add("step " + digits(step_s) + " s", [=](Scene& scene) {
+      add("step " + short_number(step_s) + " s", [=](Scene& scene) {
         scene.time.step_s = step_s;
       }).steps = step_s < 1e-3 ? 1000 : 200;
   }
 
   void add_masses() {
     for (const double mass_kg : {1e-9, 1e9}) {
-      add("mass " + digits(mass_kg) + " kg, k/m as it was", [=](Scene& scene) {
+      add("mass " + short_number(mass_kg) + " kg, k/m as it was", [=](Scene& scene) {
         set_all_springs(10 * mass_kg / scene.ribbon.mass_kg, scene);
         scene.ribbon.mass_kg = mass_kg;
       });
-      add("mass " + digits(mass_kg) + " kg, k as it was",
+      add("mass " + short_number(mass_kg) + " kg, k as it was",
           [=](Scene& scene) { scene.ribbon.mass_kg = mass_kg; });
     }
   }
 
   void add_lengths() {
     for (const double size : {1e-6, 1e6}) {
-      ExtremeScene& scaled = add("lengths times " + digits(size), [=](Scene& scene) {
+      ExtremeScene& scaled = add("lengths times " + short_number(size), [=](Scene& scene) {
         scene.ribbon.width_m *= size;
         scene.fastening->speed_m_s *= size;
       });
@@ -99,7 +85,7 @@ class List {
 
   void add_places() {
     for (const double lengths : {1e2, 1e6}) {
-      ExtremeScene& far = add(digits(lengths) + " lengths from the origin", [](Scene&) {});
+      ExtremeScene& far = add(short_number(lengths) + " lengths from the origin", [](Scene&) {});
       const Eigen::Vector3d place(lengths * far.mesh.length_m, 0, 0);
       far.mesh.positions.colwise() += place;
       far.obstacle->vertices.colwise() += place.cast<float>();
@@ -113,7 +99,7 @@ class List {
       scene.fastening.reset();
     });
     for (const double per_s : {1e-6, 1e3, 1e6, 1e12})
-      add("air resistance " + digits(per_s) + " /s",
+      add("air resistance " + short_number(per_s) + " /s",
           [=](Scene& scene) { scene.air_resistance_per_s = per_s; });
   }
 
@@ -132,17 +118,9 @@ class List {
     }).steps = 50;
   }
 
-  // Two rows are no loop: they stand as a straight band beside the axis.
   void add_four_particles() {
-    ExtremeScene& four = add("2x2 particles", [](Scene& scene) {
-      scene.ribbon.along = 2;
-      scene.ribbon.across = 2;
-    });
-    SpaceCurve straight;
-    straight.points.resize(3, 2);
-    straight.points << 0, 0.1, 0.5, 0.5, 0, 0;
-    straight.length_m = 0.1;
-    four.mesh = generate_ribbon_mesh(straight, four.scene.ribbon, Axis::y);
+    ExtremeScene& four = add("2x2 particles", [](Scene&) {});
+    four.mesh = mesh_of_four_particles(four.scene);
   }
 
   // The particles of one size are as heavy as those of the other.

@@ -15,6 +15,7 @@
 #include "benchmarks/benchmark_main.h"
 #include "benchmarks/outcome.h"
 #include "benchmarks/solver/extreme_scenes.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 namespace {
@@ -62,18 +63,12 @@ class Notes {
   std::vector<std::string> sentences_;
 };
 
-std::string to_text(const char* format, double number) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, number);
-  return text.data();
-}
-
 std::string cell(const Outcome& outcome, Notes& notes) {
   if (!outcome.refusal.empty()) return "refused (" + notes.number_of(outcome.refusal) + ")";
   if (!outcome.is_finite) return "no number at step " + std::to_string(outcome.steps);
-  std::string text = to_text("%.3g", 100 * outcome.worst_strain) + " / " +
-                     to_text("%.3g", 100 * outcome.last_strain) + " %, " +
-                     to_text("%.2g", outcome.energy);
+  std::string text = short_number(100 * outcome.worst_strain, 3) + " / " +
+                     short_number(100 * outcome.last_strain, 3) + " %, " +
+                     short_number(outcome.energy, 2);
   if (outcome.is_explosion) text += ", explosion";
   if (outcome.intersecting_pairs > 0)
     text += ", " + std::to_string(outcome.intersecting_pairs) + " intersecting pairs";

@@ -2,12 +2,10 @@
 // feature of a scene costs, in time per step and memory per particle, on the loose ribbon of a
 // sample. Prints the table of docs/measured.md. Exit code 2 when something could not be read,
 // simulated or written.
-#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "benchmarks/benchmark_main.h"
 #include "benchmarks/sample_ribbon.h"

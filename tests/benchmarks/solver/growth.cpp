@@ -3,12 +3,11 @@
 // particles. RECORDING: its last frame, refined by cubics, is where the tight ribbons begin;
 // without it only loose ones are measured. Prints the table of docs/measured.md. Exit code 2 when
 // something could not be read or written.
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,14 +33,8 @@ struct Options {
   int most_particles = 64 * 3200;
 };
 
-struct Size {
-  int across;
-  int along;
-
-  [[nodiscard]] int particles() const { return across * along; }
-};
-constexpr std::array<Size, 7> sizes = {
-    {{8, 400}, {16, 400}, {16, 800}, {32, 800}, {32, 1600}, {64, 1600}, {64, 3200}}};
+// The smallest is over before it can be measured.
+constexpr auto sizes = std::span(ribbon_sizes).subspan<1>();
 
 const std::map<std::string, IntegrationMethod> integrators = {
     {"rk4", IntegrationMethod::rk4},
@@ -62,7 +55,8 @@ void describe(CLI::App& app, Options& options) {
 }
 
 // The sample's ribbon, loose as drawn, or tight.
-Result<SampleRibbon> ribbon_in(const std::string& tight, const Size& size, const Options& options) {
+Result<SampleRibbon> ribbon_in(const std::string& tight, const RibbonSize& size,
+                               const Options& options) {
   auto ribbon =
       sample_ribbon(RIBBON_SAMPLES "/overhand-hourglass-8x400.toml", size.along, size.across);
   if (!ribbon) return ribbon;
@@ -84,7 +78,7 @@ void print_heading(const std::string& state) {
   std::puts("---|---|---|---|---|");
 }
 
-void print(const Size& size, const StepCost& cost) {
+void print(const RibbonSize& size, const StepCost& cost) {
   const double particles = size.particles();
   std::printf("| %dx%d | %.3g | %.3g |", size.across, size.along, 1e3 * cost.processor_s,
               1e3 * cost.wall_s);
@@ -95,7 +89,7 @@ void print(const Size& size, const StepCost& cost) {
   std::fflush(stdout);
 }
 
-Json json(const Size& size, const StepCost& cost) {
+Json json(const RibbonSize& size, const StepCost& cost) {
   Json json = {{"across", size.across}, {"along", size.along}};
   json.update(json_of(cost, size.particles()));
   return json;
@@ -108,7 +102,7 @@ Result<Json> measure_state(const std::string& tight, const Options& options) {
   std::vector<double> particles;
   std::vector<double> processor_s;
   std::vector<double> wall_s;
-  for (const Size& size : sizes) {
+  for (const RibbonSize& size : sizes) {
     if (size.particles() > options.most_particles) break;
     const auto ribbon = ribbon_in(tight, size, options);
     if (!ribbon) return tl::unexpected(ribbon.error());

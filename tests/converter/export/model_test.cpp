@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "converter/export/posed_model.h"
+#include "result/refusal.h"
 
 namespace ribbon::model_test {
 
@@ -63,10 +64,8 @@ TEST(Model, a_position_that_is_not_a_number_names_its_frame) {
   Model model = posed_model(knot, 0);
   Eigen::Matrix3Xf positions = knot.frames[1].cast<float>();
   positions(1, 17) = std::numeric_limits<float>::quiet_NaN();
-  const auto posed = pose_ribbon(model, positions, 2);
-  ASSERT_FALSE(posed.has_value());
-  EXPECT_EQ(posed.error().place, "frame 2");
-  EXPECT_NE(posed.error().problem.find("17"), std::string::npos);
+  EXPECT_THAT(refusal_of(pose_ribbon(model, positions, 2)),
+              AllOf(StartsWith("frame 2: "), HasSubstr("17")));
   EXPECT_TRUE(model.objects[0].positions.allFinite()) << "the model took the bad frame";
 }
 
@@ -74,9 +73,7 @@ TEST(Model, a_changed_particle_count_names_its_frame) {
   const SampleKnot knot = sample_knot();
   Model model = posed_model(knot, 0);
   const Eigen::Matrix3Xf fewer = knot.frames[1].leftCols(47).cast<float>();
-  const auto posed = pose_ribbon(model, fewer, 7);
-  ASSERT_FALSE(posed.has_value());
-  EXPECT_EQ(posed.error().place, "frame 7");
+  EXPECT_THAT(refusal_of(pose_ribbon(model, fewer, 7)), StartsWith("frame 7: "));
 }
 
 }  // namespace ribbon::model_test

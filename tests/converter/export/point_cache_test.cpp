@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "files/files.h"
+#include "result/refusal.h"
 
 namespace ribbon::point_cache_test {
 
@@ -43,9 +44,8 @@ TEST(PointCache, an_unfinished_cache_leaves_nothing_behind) {
 }
 
 TEST(PointCache, an_unwritable_place_is_named) {
-  const auto cache = PointCacheWriter::create("/dev/null/a.pc2", 2, 2);
-  ASSERT_FALSE(cache.has_value());
-  EXPECT_NE(cache.error().sentence().find("/dev/null"), std::string::npos);
+  EXPECT_THAT(refusal_of(PointCacheWriter::create("/dev/null/a.pc2", 2, 2)),
+              HasSubstr("/dev/null"));
 }
 
 }  // namespace ribbon::point_cache_test

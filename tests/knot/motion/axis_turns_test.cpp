@@ -94,12 +94,12 @@ TEST(AxisTurns, a_curve_that_ends_beside_the_axis_does_not_meet_it) {
 
 // A curve with one turn is pulled sideways until the axis has passed through its side, at height
 // 0 of an object that reaches from low_m to high_m.
-AxisTurns pulled_through(double low_m, double high_m, double step = 0.1) {
+AxisTurns pulled_through(double low_m, double high_m) {
   AxisTurns turns({{{0.5, 0.25, 0.5}, {0, 0, 1}}, {{low_m, high_m}}});
-  for (double way = 0; way <= 1; way += step) {
+  for (int tenth = 0; tenth <= 10; ++tenth) {
     Curve curve = coil(1);
     for (auto point : curve.colwise())
-      if (point.x() < 0.5) point.x() += way * 3;
+      if (point.x() < 0.5) point.x() += 0.3 * tenth;
     turns.follow(curve);
   }
   return turns;

@@ -12,12 +12,12 @@ using Pass = KnotDiagram::Pass;
 const ProjectivePoint from_above = ProjectivePoint::direction({0.01, 0.02, 1});
 
 TEST(KnotDiagram, three_crossings_of_the_drawn_trefoil_alternate) {
-  const auto seen = diagram(long_curve(overhand_knot(60), {-1, 0, 0.01}, {1, 0, 0}), from_above);
-  ASSERT_TRUE(seen);
-  ASSERT_EQ(seen->crossing_count(), 3);
-  EXPECT_EQ(seen->writhe(), 3);
-  for (std::size_t k = 0; k + 1 < seen->passes.size(); ++k)
-    EXPECT_NE(seen->passes[k].over, seen->passes[k + 1].over);
+  const auto seen =
+      diagram(long_curve(overhand_knot(60), {-1, 0, 0.01}, {1, 0, 0}), from_above).value();
+  ASSERT_EQ(seen.crossing_count(), 3);
+  EXPECT_EQ(seen.writhe(), 3);
+  for (std::size_t k = 0; k + 1 < seen.passes.size(); ++k)
+    EXPECT_NE(seen.passes[k].over, seen.passes[k + 1].over);
 }
 
 TEST(KnotDiagram, crossings_come_in_the_order_in_which_the_edge_meets_them) {
@@ -29,10 +29,9 @@ TEST(KnotDiagram, crossings_come_in_the_order_in_which_the_edge_meets_them) {
         Eigen::Vector3d(2, 4, -2)})
     curve.push_back(ProjectivePoint::point(point));
   curve.push_back(ProjectivePoint::direction({0.01, -1, -0.02}));
-  const auto seen = diagram(curve, from_above);
-  ASSERT_TRUE(seen);
-  ASSERT_EQ(seen->crossing_count(), 4);
-  const auto& passes = seen->passes;
+  const auto seen = diagram(curve, from_above).value();
+  ASSERT_EQ(seen.crossing_count(), 4);
+  const auto& passes = seen.passes;
   // After the long edge come the strands at x = 3 and 1, and the last ray at x = 2, which crosses
   // the edge between the two strands as well.
   EXPECT_EQ(passes[2].crossing, passes[3].crossing);

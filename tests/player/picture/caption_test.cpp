@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace ribbon::caption_test {
 
 const Color white(1, 1, 1);

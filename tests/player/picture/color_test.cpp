@@ -7,15 +7,6 @@
 
 namespace ribbon::color_test {
 
-TEST(Color, half_of_the_light_is_188) {
-  EXPECT_EQ(srgb_byte(0.5F), 188);
-}
-
-TEST(Color, ends_of_the_scale) {
-  EXPECT_EQ(srgb_byte(0.0F), 0);
-  EXPECT_EQ(srgb_byte(1.0F), 255);
-}
-
 TEST(Color, what_cannot_be_shown_is_clamped) {
   EXPECT_EQ(srgb_byte(-0.3F), 0);
   EXPECT_EQ(srgb_byte(7.0F), 255);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/solids.h"
 #include "player/quads.h"
 #include "player/render/framing.h"
 
@@ -9,7 +10,7 @@ namespace ribbon::coverage_test {
 
 Surface square(float left, float right, float bottom, float top, float z) {
   return creased_surface(
-      test::quad_mesh({left, bottom, z}, {right, bottom, z}, {right, top, z}, {left, top, z}));
+      quad_mesh({left, bottom, z}, {right, bottom, z}, {right, top, z}, {left, top, z}));
 }
 
 // Sees x, y from -1 to 1 at z = 0, on 64 x 64 pixels: 4 x 4 tiles of 16.

@@ -5,21 +5,19 @@
 
 #include <array>
 
+#include "geometry/solids.h"
 #include "player/quads.h"
 
 namespace ribbon::ray_scene_test {
 
 // The ribbon's quad at z = 0 and a square obstacle of side 2 at z = -1.
 RayScene two_quads(float ribbon_z = 0) {
-  const RecordingHeader header = test::quad_ribbon();
-  Surface ribbon = ribbon_surface(header.grid);
   Eigen::Matrix3Xf positions = test::flat_quad();
   positions.row(2).setConstant(ribbon_z);
-  update_ribbon(header.grid, positions, ribbon);
   RayScene scene;
   scene.set_obstacle(
-      creased_surface(test::quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1})));
-  scene.set_ribbon(ribbon);
+      creased_surface(quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1})));
+  scene.set_ribbon(test::quad_surface(positions));
   return scene;
 }
 
@@ -41,12 +39,9 @@ TEST(RayScene, the_nearest_body_is_hit_whichever_it_is) {
 
 TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
   RayScene scene = two_quads(0);
-  const RecordingHeader header = test::quad_ribbon();
-  Surface ribbon = ribbon_surface(header.grid);
   Eigen::Matrix3Xf moved = test::flat_quad();
   moved.row(1).array() += 10;
-  update_ribbon(header.grid, moved, ribbon);
-  scene.set_ribbon(ribbon);
+  scene.set_ribbon(test::quad_surface(moved));
   const std::array<Ray, 2> rays{down(1.9F, 0), down(1.9F, 10)};
   std::array<Hit, 2> hits;
   scene.first_hits(rays, Coherence::mixed, hits);

@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+#include <optional>
 
-#include "parallel/parallel.h"
+#include "geometry/solids.h"
+#include "parallel/any_threads.h"
 #include "player/quads.h"
 #include "player/render/cloth_pattern.h"
 
@@ -38,10 +39,17 @@ Lighting only_sky(const Color& above, const Color& below) {
   return lighting;
 }
 
-RenderScene flat_scene() {
-  RenderScene scene(test::quad_ribbon());
+RenderScene flat_scene(const std::optional<TriangleMesh>& obstacle = std::nullopt) {
+  RecordingHeader header = test::quad_ribbon();
+  header.obstacle = obstacle;
+  RenderScene scene(header);
   scene.set_ribbon(test::flat_quad());
   return scene;
+}
+
+// Sees from `height` along z what lies about the origin.
+Camera from_above(float height, float half_width, float half_height) {
+  return {.eye = {0, 0, height}, .half_width = half_width, .half_height = half_height};
 }
 
 // What the middle of a 1 x 1 picture shows.
@@ -94,12 +102,9 @@ TEST(Render, the_open_sky_gives_its_mean) {
 }
 
 TEST(Render, a_point_in_shadow_sees_no_sun) {
-  RecordingHeader header = test::quad_ribbon();
   // A plate above the middle, in the way of light that comes at 45 degrees, not of the camera.
-  header.obstacle =
-      test::quad_mesh({-0.2F, 0.8F, -1}, {0.2F, 0.8F, -1}, {0.2F, 1.2F, -1}, {-0.2F, 1.2F, -1});
-  RenderScene scene(header);
-  scene.set_ribbon(test::flat_quad());
+  const RenderScene scene = flat_scene(
+      quad_mesh({-0.2F, 0.8F, -1}, {0.2F, 0.8F, -1}, {0.2F, 1.2F, -1}, {-0.2F, 1.2F, -1}));
   const Lighting lighting = only_sun({0, 1, -1});
   expect_color(radiance(scene, close_up(0, 0, -1), lighting), Color::Zero());
   expect_color(radiance(scene, close_up(0.5F, 0, -1), lighting),
@@ -107,11 +112,8 @@ TEST(Render, a_point_in_shadow_sees_no_sun) {
 }
 
 TEST(Render, a_high_wall_hides_half_of_the_sky) {
-  RecordingHeader header = test::quad_ribbon();
-  header.obstacle =
-      test::quad_mesh({0.02F, -900, 0}, {0.02F, -900, -900}, {0.02F, 900, -900}, {0.02F, 900, 0});
-  RenderScene scene(header);
-  scene.set_ribbon(test::flat_quad());
+  const RenderScene scene = flat_scene(
+      quad_mesh({0.02F, -900, 0}, {0.02F, -900, -900}, {0.02F, 900, -900}, {0.02F, 900, 0}));
   Lighting lighting = only_sky(Color::Ones(), Color::Ones());
   const Camera camera = close_up(-0.05F, 0, -1);
   // From 0.07 m beside an endless wall, all directions beyond the vertical are hidden: one half.
@@ -122,10 +124,7 @@ TEST(Render, a_high_wall_hides_half_of_the_sky) {
 }
 
 TEST(Render, a_soft_sun_has_a_half_shadow_at_the_edge) {
-  RecordingHeader header = test::quad_ribbon();
-  header.obstacle = test::quad_mesh({0, -1, -1}, {0, 1, -1}, {1, 1, -1}, {1, -1, -1});
-  RenderScene scene(header);
-  scene.set_ribbon(test::flat_quad());
+  const RenderScene scene = flat_scene(quad_mesh({0, -1, -1}, {0, 1, -1}, {1, 1, -1}, {1, -1, -1}));
   Lighting lighting = only_sun({1, 0, -1});
   lighting.sun_radius = 0.1F;
   // Seen from x = -1 the plate's edge at (0, -1) cuts the sun's disc in halves.
@@ -143,18 +142,7 @@ TEST(Render, beside_everything_there_is_the_backdrop) {
 
 // A tube of 12 flat sides, its axis along y.
 TriangleMesh coarse_tube() {
-  constexpr int sides = 12;
-  TriangleMesh mesh{"tube", Eigen::Matrix3Xf(3, 2 * sides), Eigen::Matrix3Xi(3, 2 * sides)};
-  for (int i = 0; i < sides; ++i) {
-    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / sides;
-    const int next = (i + 1) % sides;
-    const Eigen::Index low = 2 * Eigen::Index{i};
-    mesh.vertices.col(low) << std::sin(angle), -5, std::cos(angle);
-    mesh.vertices.col(low + 1) << std::sin(angle), 5, std::cos(angle);
-    mesh.triangles.col(low) << 2 * i, 2 * next, 2 * next + 1;
-    mesh.triangles.col(low + 1) << 2 * i, 2 * next + 1, 2 * i + 1;
-  }
-  return mesh;
+  return tube(1, -5, 5, 12);
 }
 
 TEST(Render, grazing_light_is_not_cut_off_by_flat_triangles) {
@@ -162,12 +150,8 @@ TEST(Render, grazing_light_is_not_cut_off_by_flat_triangles) {
   header.obstacle = coarse_tube();
   RenderScene scene(header);
   scene.set_ribbon(test::flat_quad().array() + 100);
-  Camera camera;
-  camera.eye = {0, 0, 10};
-  camera.half_width = 0.1F;
-  camera.half_height = 0.01F;
-  const LightPicture picture =
-      render(scene, camera, {400, 1}, SamplePatterns(16), only_sun({0.951F, 0, -0.309F}));
+  const LightPicture picture = render(scene, from_above(10, 0.1F, 0.01F), {400, 1},
+                                      SamplePatterns(16), only_sun({0.951F, 0, -0.309F}));
   // The sun stands 108 degrees from the front, so the smooth tube is lit from 18 degrees on. The
   // flat side from 0 to 30 degrees, here up to pixel 309, faces away from it as a whole.
   for (int x = 285; x < 370; ++x) {
@@ -199,42 +183,23 @@ RenderScene wavy_scene() {
 
 TEST(Render, pixels_are_the_same_for_any_number_of_threads) {
   const RenderScene scene = wavy_scene();
-  Camera camera;
-  camera.eye = {0, 0, 12};
-  camera.half_width = 0.2F;
-  camera.half_height = 0.1F;
-  const auto pixels = [&](int threads) {
-    set_thread_limit(threads);
+  const Camera camera = from_above(12, 0.2F, 0.1F);
+  same_for_any_threads([&] {
     return encode_srgb(render(scene, camera, {203, 101}, SamplePatterns(5))).rgb;
-  };
-  const auto expected = pixels(1);
-  EXPECT_EQ(pixels(2), expected);
-  EXPECT_EQ(pixels(7), expected);
-  set_thread_limit(0);
+  });
 }
 
 TEST(Render, tiles_left_out_would_have_shown_nothing_else) {
   // A speck behind the eye marks every tile; without it only the touched ones are traced.
-  RecordingHeader header = test::quad_ribbon();
-  header.obstacle = coarse_tube();
-  RenderScene sparse(header);
-  sparse.set_ribbon(test::flat_quad());
-  TriangleMesh with_speck = coarse_tube();
-  with_speck.vertices.conservativeResize(3, 27);
-  with_speck.vertices.rightCols(3) << 0, 0.001F, 0, 0, 0, 0.001F, 13, 13, 13;
-  with_speck.triangles.conservativeResize(3, 25);
-  with_speck.triangles.col(24) << 24, 25, 26;
-  header.obstacle = with_speck;
-  RenderScene full(header);
-  full.set_ribbon(test::flat_quad());
-  Camera camera;
-  camera.eye = {0, 0, 12};
-  camera.half_width = camera.half_height = 0.4F;
+  TriangleMesh speck{"speck", Eigen::Matrix3Xf(3, 3), Eigen::Vector3i(0, 1, 2)};
+  speck.vertices << 0, 0.001F, 0, 0, 0, 0.001F, 13, 13, 13;
+  const Camera camera = from_above(12, 0.4F, 0.4F);
   const Lighting lighting = only_sun({0.3F, 0.2F, -1});
   const auto picture = [&](const RenderScene& shown) {
     return encode_srgb(render(shown, camera, {150, 150}, SamplePatterns(16), lighting)).rgb;
   };
-  EXPECT_EQ(picture(sparse), picture(full));
+  EXPECT_EQ(picture(flat_scene(coarse_tube())),
+            picture(flat_scene(together(coarse_tube(), speck))));
 }
 
 }  // namespace ribbon::render_test

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 
 #include "recording/sample_recording.h"
@@ -10,8 +9,7 @@
 namespace ribbon::sequence_renderer_test {
 
 std::filesystem::path recorded(int frames) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  std::filesystem::path path = temporary_file(std::string(test->name()) + ".rbn");
+  std::filesystem::path path = temporary_file("shown.rbn");
   write_sample_recording(path, frames);
   return path;
 }

@@ -58,18 +58,13 @@ TEST(CreasedSurface, a_triangle_without_area_does_no_harm) {
 }
 
 TEST(RibbonSurface, normals_point_to_the_front) {
-  const RecordingHeader header = test::quad_ribbon();
-  Surface ribbon = ribbon_surface(header.grid);
-  update_ribbon(header.grid, test::flat_quad(), ribbon);
+  const Surface ribbon = test::quad_surface(test::flat_quad());
   for (const auto normal : ribbon.normals.colwise())
     EXPECT_TRUE(normal.isApprox(Eigen::Vector3f::UnitZ(), 1e-6F));
 }
 
 TEST(RibbonSurface, a_ribbon_crumpled_into_a_point_has_no_normals) {
-  const RecordingHeader header = test::quad_ribbon();
-  Surface ribbon = ribbon_surface(header.grid);
-  update_ribbon(header.grid, Eigen::Matrix3Xf::Ones(3, 4), ribbon);
-  EXPECT_TRUE(ribbon.normals.isZero());
+  EXPECT_TRUE(test::quad_surface(Eigen::Matrix3Xf::Ones(3, 4)).normals.isZero());
 }
 
 }  // namespace ribbon::surface_test

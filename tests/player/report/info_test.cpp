@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "result/refusal.h"
+
 namespace ribbon::info_test {
 
 // Three frames recorded, the second lost.
@@ -42,7 +44,7 @@ TEST(RecordingInfo, without_frames_there_is_nothing_to_sum_up) {
   EXPECT_FALSE(info.worst_strain());
   EXPECT_FALSE(info.last_penetrations());
   EXPECT_EQ(info.bytes_per_vertex_and_frame(), 0);
-  EXPECT_NE(info_text(info).find("0 in 0.00 s"), std::string::npos);
+  EXPECT_THAT(info_text(info), HasSubstr("0 in 0.00 s"));
 }
 
 TEST(RecordingInfo, the_text_is_readable) {
@@ -69,9 +71,8 @@ TEST(RecordingInfo, what_the_writer_states_is_told) {
   info.header.stated_gap_m = 0.00025;
   info.header.centre_axis = CentreAxis{{0.5, 0, -1}, {0, 1, 0}};
   const std::string text = info_text(info);
-  EXPECT_NE(text.find("gap             at least 0.25 mm, as stated\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("centre axis     through (0.5, 0, -1) m along (0, 1, 0)\n"),
-            std::string::npos);
+  EXPECT_THAT(text, HasSubstr("gap             at least 0.25 mm, as stated\n"));
+  EXPECT_THAT(text, HasSubstr("centre axis     through (0.5, 0, -1) m along (0, 1, 0)\n"));
 }
 
 TEST(RecordingInfo, tightness_and_ending_are_told) {
@@ -81,20 +82,16 @@ TEST(RecordingInfo, tightness_and_ending_are_told) {
   info.numbers[2]->tightness = TightnessNumbers{-0.0125F, 0.5F, 0.25F, 0.375F, 12.25F};
   EXPECT_EQ(info.last_tightness()->contact, 0.375F);
   const std::string text = info_text(info);
-  EXPECT_NE(text.find("ended           when the ribbon was tight\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("last frame      progress -1.2 %, pull 25.0 %, truncated 50.0 %\n"
-                      "                in contact 37.5 %, rope length 12.2 widths\n"),
-            std::string::npos)
-      << text;
+  EXPECT_THAT(text, HasSubstr("ended           when the ribbon was tight\n"));
+  EXPECT_THAT(text, HasSubstr("last frame      progress -1.2 %, pull 25.0 %, truncated 50.0 %\n"
+                              "                in contact 37.5 %, rope length 12.2 widths\n"));
   info.outcome = {.embraces_object = true, .knot_distance_m = 0.0008};
-  EXPECT_NE(
-      info_text(info).find("tight\noutcome         round the object, the knot 0.8 mm from it\n"),
-      std::string::npos);
+  EXPECT_THAT(info_text(info),
+              HasSubstr("tight\noutcome         round the object, the knot 0.8 mm from it\n"));
   info.ending = RunEnding::stopped;
   // A recording does not tell Ctrl-C from --until and --frames.
-  EXPECT_NE(
-      info_text(info).find("ended           early, as the user asked: stopped, or at a limit\n"),
-      std::string::npos);
+  EXPECT_THAT(info_text(info),
+              HasSubstr("ended           early, as the user asked: stopped, or at a limit\n"));
 }
 
 TEST(RecordingInfo, where_a_run_was_taken_up_again_is_told) {
@@ -105,38 +102,36 @@ TEST(RecordingInfo, where_a_run_was_taken_up_again_is_told) {
                    {2, {SessionReason::extended, "ribbon-record 0.2.0", "time.duration = 9\n"}}};
   info.checkpoints = {1, 2, 3};
   const std::string text = info_text(info);
-  EXPECT_NE(text.find("branch of       mother, from its frame 78, with a = 1 b = 2\n"),
-            std::string::npos)
-      << text;
-  EXPECT_NE(
-      text.find("begun           at frame 1 by ribbon-record 0.1.0, with a = 1\n"
+  EXPECT_THAT(text, HasSubstr("branch of       mother, from its frame 78, with a = 1 b = 2\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("begun           at frame 1 by ribbon-record 0.1.0, with a = 1\n"
                 "resumed         at frame 2 by ribbon-record 0.1.0\n"
-                "extended        at frame 3 by ribbon-record 0.2.0, with time.duration = 9\n"),
-      std::string::npos);
-  EXPECT_NE(text.find("checkpoints     3, at frames 1, 2, 3\n"), std::string::npos);
+                "extended        at frame 3 by ribbon-record 0.2.0, with time.duration = 9\n"));
+  EXPECT_THAT(text, HasSubstr("checkpoints     3, at frames 1, 2, 3\n"));
   info.checkpoints = {1, 20, 30, 40, 50, 60, 70, 80};
-  EXPECT_NE(info_text(info).find("checkpoints     8, at frames 1, 20, 30, ..., 60, 70, 80\n"),
-            std::string::npos);
+  EXPECT_THAT(info_text(info),
+              HasSubstr("checkpoints     8, at frames 1, 20, 30, ..., 60, 70, 80\n"));
 }
 
 TEST(RecordingInfo, exact_positions_are_told) {
   RecordingInfo info = three_frames();
   info.header.max_position_error_m = 0;
-  EXPECT_NE(info_text(info).find("position error  none beyond rounding to single precision\n"),
-            std::string::npos);
+  EXPECT_THAT(info_text(info),
+              HasSubstr("position error  none beyond rounding to single precision\n"));
 }
 
 TEST(RecordingInfo, a_recorder_at_work_is_mentioned) {
   RecordingInfo info = three_frames();
   info.finished = false;
   info.being_written = true;
-  EXPECT_NE(info_text(info).find("25 per second; more are being recorded\n"), std::string::npos);
+  EXPECT_THAT(info_text(info), HasSubstr("25 per second; more are being recorded\n"));
 }
 
 TEST(RecordingInfo, a_stopped_recorder_is_mentioned) {
   RecordingInfo info = three_frames();
   info.finished = false;
-  EXPECT_NE(info_text(info).find("; the recorder was stopped on the way"), std::string::npos);
+  EXPECT_THAT(info_text(info), HasSubstr("; the recorder was stopped on the way"));
 }
 
 }  // namespace ribbon::info_test

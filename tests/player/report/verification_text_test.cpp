@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "player/report/verification_report.h"
+#include "result/refusal.h"
 
 namespace ribbon::verification_text_test {
 
@@ -73,13 +74,12 @@ TEST(VerificationText, slipping_off_is_told_and_is_no_fault) {
   verification.outcome = {.slipped_off = Outcome::Moment{475, 9.5}, .knot_distance_m = 0.0125};
   verification.passages_over_ends = {{470, 9.4, 1, 2}, {475, std::nullopt, 2, 1}};
   const std::string text = verification_text("knot.rbn", verification);
-  EXPECT_NE(
-      text.find("outcome         slipped off the object at 9.50 s, the knot 12.5 mm from it\n"
+  EXPECT_THAT(
+      text,
+      HasSubstr("outcome         slipped off the object at 9.50 s, the knot 12.5 mm from it\n"
                 "                frame 470 (9.40 s): over an end of the object, from 1 turn to 2\n"
                 "                frame 475: over an end of the object, from 2 turns to 1\n"
-                "verdict         nothing is wrong\n"),
-      std::string::npos)
-      << text;
+                "verdict         nothing is wrong\n"));
   const auto json = nlohmann::json::parse(verification_json("knot.rbn", verification));
   EXPECT_EQ(json["passed"], true);
   EXPECT_EQ(json["outcome"]["slipped_off"]["time_s"], 9.5);
@@ -108,8 +108,8 @@ TEST(VerificationText, equal_certificates_that_know_nothing_prove_nothing) {
   verification.certificate = "first end buried";
   verification.uncertain_frames = 3;
   const std::string text = verification_text("knot.rbn", verification);
-  EXPECT_NE(text.find("not known in 3 frames"), std::string::npos) << text;
-  EXPECT_NE(text.find("WRONG: the knot cannot be certified"), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("not known in 3 frames"));
+  EXPECT_THAT(text, HasSubstr("WRONG: the knot cannot be certified"));
 }
 
 TEST(VerificationText, what_is_not_known_is_not_invented) {
@@ -119,18 +119,17 @@ TEST(VerificationText, what_is_not_known_is_not_invented) {
   nothing.certified_frames = 0;
   nothing.damaged = true;
   const std::string text = verification_text("knot.rbn", nothing);
-  EXPECT_NE(text.find("smallest gap    not known\n"), std::string::npos);
-  EXPECT_NE(text.find("largest strain  not known\n"), std::string::npos);
-  EXPECT_NE(text.find("knot            not known\n"), std::string::npos);
-  EXPECT_NE(text.find("verdict         WRONG: the file is damaged\n"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("smallest gap    not known\n"));
+  EXPECT_THAT(text, HasSubstr("largest strain  not known\n"));
+  EXPECT_THAT(text, HasSubstr("knot            not known\n"));
+  EXPECT_THAT(text, HasSubstr("verdict         WRONG: the file is damaged\n"));
 }
 
 TEST(VerificationText, a_recording_that_states_no_gap_keeps_it) {
   Verification verification = all_in_order();
   verification.header.stated_gap_m = 0;
   EXPECT_TRUE(verification.complaints().empty());
-  EXPECT_NE(verification_text("knot.rbn", verification).find("; none is stated\n"),
-            std::string::npos);
+  EXPECT_THAT(verification_text("knot.rbn", verification), HasSubstr("; none is stated\n"));
   EXPECT_TRUE(
       nlohmann::json::parse(verification_json("", verification))["gap"]["stated_m"].is_null());
 }

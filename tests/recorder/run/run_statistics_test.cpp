@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "result/refusal.h"
+
 namespace ribbon::run_statistics_test {
 
 RunStatistics example() {
@@ -101,8 +103,8 @@ TEST(RunStatistics, of_a_run_that_went_on_tell_what_it_did_itself) {
   EXPECT_EQ(json["first_frame"], 1);
   EXPECT_EQ(json["recording_share"], 0.2);
   EXPECT_EQ(json["longest_queue"], 7);
-  EXPECT_EQ(profile_text(statistics).rfind("a step, 100 times:", 0), 0U);
-  EXPECT_NE(profile_text(statistics).find("a frame, 1 times:"), std::string::npos);
+  EXPECT_THAT(profile_text(statistics), StartsWith("a step, 100 times:"));
+  EXPECT_THAT(profile_text(statistics), HasSubstr("a frame, 1 times:"));
 }
 
 RunStatistics tight() {
@@ -119,17 +121,16 @@ RunStatistics tight() {
 
 TEST(RunStatistics, say_why_a_run_ended) {
   RunStatistics statistics = tight();
-  EXPECT_TRUE(
-      summary_line(statistics).ends_with("; ended tight: progress 2.2 %, rope length 12.2 widths"))
-      << summary_line(statistics);
+  EXPECT_THAT(summary_line(statistics),
+              EndsWith("; ended tight: progress 2.2 %, rope length 12.2 widths"));
   statistics.ending = RunEnding::duration;
-  EXPECT_NE(summary_line(statistics).find("; not yet tight: progress 2.2 %"), std::string::npos);
+  EXPECT_THAT(summary_line(statistics), HasSubstr("; not yet tight: progress 2.2 %"));
   statistics.until_tight = false;
-  EXPECT_TRUE(summary_line(statistics).ends_with("per vertex and frame)"));
+  EXPECT_THAT(summary_line(statistics), EndsWith("per vertex and frame)"));
   statistics.ending = RunEnding::stopped;
-  EXPECT_TRUE(summary_line(statistics).ends_with("; ended early by the user"));
+  EXPECT_THAT(summary_line(statistics), EndsWith("; ended early by the user"));
   statistics.limit_reached = true;
-  EXPECT_TRUE(summary_line(statistics).ends_with("; ended at 2.0 s, as asked"));
+  EXPECT_THAT(summary_line(statistics), EndsWith("; ended at 2.0 s, as asked"));
 }
 
 TEST(RunStatistics, tell_programs_how_tight_the_last_frame_is) {

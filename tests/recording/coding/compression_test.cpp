@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <vector>
-
 namespace ribbon::compression_test {
 
 std::string compress_one(std::string_view content) {

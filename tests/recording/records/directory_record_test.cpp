@@ -14,17 +14,7 @@ Directory directory() {
 }
 
 TEST(DirectoryRecord, everything_comes_back) {
-  const auto read = parse_directory_payload(directory_payload(id, directory()), id, here);
-  ASSERT_TRUE(read.has_value());
-  EXPECT_EQ(read->frames, 300U);
-  EXPECT_EQ(read->ending, RunEnding::tight);
-  ASSERT_EQ(read->indices.size(), 2U);
-  EXPECT_EQ(read->indices[1].offset, 4000U);
-  EXPECT_EQ(read->indices[1].record_bytes, 1000U);
-  EXPECT_EQ(read->indices[1].lowest_frame, 254U);
-  EXPECT_EQ(read->indices[1].highest_frame, 299U);
-  EXPECT_EQ(read->indices[1].frames, 45U);
-  EXPECT_EQ(read->indices[0].others, 1U);
+  EXPECT_EQ(parse_directory_payload(directory_payload(id, directory()), id, here), directory());
 }
 
 TEST(DirectoryRecord, an_ending_of_a_later_version_is_none) {

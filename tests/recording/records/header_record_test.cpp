@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 
 #include "recording/coding/bytes.h"
 #include "recording/sample_recording.h"
+#include "result/refusal.h"
 
 namespace ribbon::header_record_test {
 
@@ -32,20 +34,13 @@ TEST(HeaderRecord, everything_comes_back) {
   EXPECT_EQ(read->centre_axis->direction, Eigen::Vector3d(0, 0.6, 0.8));
 }
 
-TEST(HeaderRecord, a_ribbon_needs_no_axis) {
+TEST(HeaderRecord, a_ribbon_needs_no_axis_and_no_obstacle) {
   RecordingHeader header = sample_header();
   header.centre_axis.reset();
-  const auto read = parse_header_payload(header_payload(header));
-  ASSERT_TRUE(read.has_value());
-  EXPECT_FALSE(read->centre_axis.has_value());
-}
-
-TEST(HeaderRecord, a_ribbon_needs_no_obstacle) {
-  RecordingHeader header = sample_header();
   header.obstacle.reset();
-  const auto read = parse_header_payload(header_payload(header));
-  ASSERT_TRUE(read.has_value());
-  EXPECT_FALSE(read->obstacle.has_value());
+  const auto read = parse_header_payload(header_payload(header)).value();
+  EXPECT_FALSE(read.centre_axis.has_value());
+  EXPECT_FALSE(read.obstacle.has_value());
 }
 
 TEST(HeaderRecord, every_prefix_is_refused) {
@@ -60,21 +55,10 @@ TEST(HeaderRecord, what_a_newer_minor_version_appends_is_ignored) {
   EXPECT_TRUE(parse_header_payload(payload).has_value());
 }
 
-TEST(HeaderRecord, a_newer_major_version_is_refused_with_a_sentence) {
-  std::string payload = header_payload(sample_header());
-  payload[0] = 3;
-  const auto read = parse_header_payload(payload);
-  ASSERT_FALSE(read.has_value());
-  EXPECT_EQ(read.error().sentence(),
-            "was written in format version 3, this program reads version 2; use a newer program");
-}
-
 TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
   std::string payload = header_payload(sample_header());
   payload[0] = 1;
-  const auto read = parse_header_payload(payload);
-  ASSERT_FALSE(read.has_value());
-  EXPECT_EQ(read.error().sentence(),
+  EXPECT_EQ(refusal_of(parse_header_payload(payload)),
             "was written in format version 1, this program reads version 2; record it again");
 }
 
@@ -82,10 +66,9 @@ TEST(HeaderRecord, entropy_tables_and_origin_come_back) {
   RecordingHeader header = sample_header();
   header.entropy_tables = {std::string("a\0b", 3), "", std::string(3000, 'x')};
   header.origin = Origin{0xCAFE, "mother", 77, "time.step = 0.01\n"};
-  const auto read = parse_header_payload(header_payload(header));
-  ASSERT_TRUE(read.has_value());
-  EXPECT_EQ(read->entropy_tables, header.entropy_tables);
-  EXPECT_EQ(read->origin, header.origin);
+  const auto read = parse_header_payload(header_payload(header)).value();
+  EXPECT_EQ(read.entropy_tables, header.entropy_tables);
+  EXPECT_EQ(read.origin, header.origin);
 }
 
 TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
@@ -117,37 +100,27 @@ TEST(HeaderRecord, counts_that_lie_are_refused) {
   EXPECT_FALSE(parse_header_payload(with_grid(0x80000000, 2)).has_value());
 }
 
-TEST(HeaderRecord, triangles_of_missing_vertices_are_refused) {
+bool is_taken_with(const std::function<void(RecordingHeader&)>& change) {
   RecordingHeader header = sample_header();
-  header.obstacle->triangles(1, 3) = 6;
-  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+  change(header);
+  return parse_header_payload(header_payload(header)).has_value();
+}
+
+TEST(HeaderRecord, triangles_of_missing_vertices_are_refused) {
+  EXPECT_TRUE(is_taken_with([](auto& header) { header.obstacle->triangles(1, 3) = 5; }));
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.obstacle->triangles(1, 3) = 6; }));
 }
 
 TEST(HeaderRecord, impossible_numbers_are_refused) {
-  RecordingHeader header = sample_header();
-  header.frames_per_second = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
-  header = sample_header();
-  header.max_position_error_m = -1e-5;
-  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
-  header = sample_header();
-  header.obstacle->vertices(0, 0) = std::numeric_limits<float>::infinity();
-  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
-}
-
-TEST(HeaderRecord, an_impossible_gap_or_axis_is_refused) {
-  for (const double gap :
-       {-1e-9, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    RecordingHeader header = sample_header();
-    header.stated_gap_m = gap;
-    EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value()) << gap;
-  }
-  RecordingHeader header = sample_header();
-  header.centre_axis->direction *= 1.01;
-  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
-  header = sample_header();
-  header.centre_axis->point_m[1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(parse_header_payload(header_payload(header)).has_value());
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.frames_per_second = nan; }));
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.max_position_error_m = -1e-5; }));
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.obstacle->vertices(0, 0) = infinity; }));
+  for (const double gap : {-1e-9, nan, infinity})
+    EXPECT_FALSE(is_taken_with([=](auto& header) { header.stated_gap_m = gap; })) << gap;
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.centre_axis->direction *= 1.01; }));
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.centre_axis->point_m[1] = nan; }));
 }
 
 }  // namespace ribbon::header_record_test

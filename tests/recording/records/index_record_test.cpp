@@ -27,24 +27,7 @@ Index index() {
 }
 
 TEST(IndexRecord, everything_comes_back) {
-  const auto read = parse_index_payload(index_payload(id, index()), id, here);
-  ASSERT_TRUE(read.has_value());
-  EXPECT_EQ(read->previous, 40U);
-  ASSERT_EQ(read->frames.size(), 3U);
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(read->frames[i].frame, index().frames[i].frame);
-    EXPECT_EQ(read->frames[i].offset, index().frames[i].offset);
-    EXPECT_EQ(read->frames[i].record_bytes, index().frames[i].record_bytes);
-    EXPECT_EQ(read->frames[i].references, index().frames[i].references);
-    EXPECT_EQ(read->frames[i].numbers, index().frames[i].numbers);
-  }
-  ASSERT_EQ(read->others.size(), 2U);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(read->others[i].type, index().others[i].type);
-    EXPECT_EQ(read->others[i].frame, index().others[i].frame);
-    EXPECT_EQ(read->others[i].offset, index().others[i].offset);
-    EXPECT_EQ(read->others[i].record_bytes, index().others[i].record_bytes);
-  }
+  EXPECT_EQ(parse_index_payload(index_payload(id, index()), id, here), index());
 }
 
 TEST(IndexRecord, one_of_another_recording_is_refused) {

@@ -10,6 +10,7 @@
 #include "playback/recording_reader.h"
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
+#include "result/refusal.h"
 
 namespace ribbon::background_writer_test {
 
@@ -79,9 +80,7 @@ TEST(BackgroundWriter, a_full_disk_is_told_once_and_nothing_is_written_after_it)
   }
   ASSERT_FALSE(writer.problem().has_value());
   writer.append(sample_numbers(2), sample_positions(2));
-  const auto finished = writer.finish(RunEnding::duration);
-  ASSERT_FALSE(finished.has_value());
-  EXPECT_EQ(finished.error().sentence(),
+  EXPECT_EQ(refusal_of(writer.finish(RunEnding::duration)),
             path.string() +
                 ": cannot be written (File too large); frame 1 is safe; free some "
                 "space and resume the run");

@@ -1,18 +1,17 @@
 #include "recording/writer/recording_writer.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <limits>
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
+#include "playback/sample_frame.h"
 #include "recording/codec/position_encoder.h"
 #include "recording/sample_recording.h"
 #include "recording/size_limit.h"
+#include "result/refusal.h"
 
 namespace ribbon::recording_writer_test {
 
@@ -31,9 +30,8 @@ TEST(RecordingWriter, the_header_is_there_at_once) {
 TEST(RecordingWriter, an_older_file_is_replaced_only_where_that_is_wished) {
   const auto path = temporary_file("kept.rbn");
   ASSERT_TRUE(write_file(path, "older").has_value());
-  const auto refused = RecordingWriter::create(path, sample_header(), Overwrite::no);
-  ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().sentence().find("kept.rbn: exists already"), std::string::npos);
+  EXPECT_THAT(refusal_of(RecordingWriter::create(path, sample_header(), Overwrite::no)),
+              HasSubstr("kept.rbn: exists already"));
   EXPECT_EQ(read_file(path).value(), "older");
   EXPECT_TRUE(RecordingWriter::create(path, sample_header(), Overwrite::yes).has_value());
   std::filesystem::remove(path);
@@ -43,122 +41,74 @@ TEST(RecordingWriter, an_older_file_is_replaced_only_where_that_is_wished) {
 
 TEST(RecordingWriter, each_frame_is_in_the_file_when_append_returns) {
   const auto path = temporary_file("each frame.rbn");
-  auto writer = RecordingWriter::create(path, sample_header());
-  ASSERT_TRUE(writer.has_value());
+  auto writer = RecordingWriter::create(path, sample_header()).value();
   for (int frame = 0; frame < 40; ++frame) {
-    ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
-    EXPECT_EQ(writer->frames_written(), static_cast<std::uint32_t>(frame + 1));
-    EXPECT_EQ(std::filesystem::file_size(path), writer->bytes_written());
+    append_sample_frames(writer, frame, frame + 1);
+    EXPECT_EQ(writer.frames_written(), static_cast<std::uint32_t>(frame + 1));
+    EXPECT_EQ(std::filesystem::file_size(path), writer.bytes_written());
     EXPECT_EQ(RecordingReader::open(path)->frame_count(), frame + 1);
   }
-}
-
-TEST(RecordingWriter, equal_recordings_are_equal_files) {
-  write_sample_recording(temporary_file("equal 1.rbn"), 5);
-  write_sample_recording(temporary_file("equal 2.rbn"), 5);
-  EXPECT_TRUE(read_file(temporary_file("equal 1.rbn")).value() ==
-              read_file(temporary_file("equal 2.rbn")).value());
 }
 
 TEST(RecordingWriter, a_grid_that_no_reader_would_take_is_refused) {
   RecordingHeader header = sample_header();
   header.grid = {2, (1 << 20) + 1};
   header.uv = Eigen::Matrix2Xf::Zero(2, header.grid.particle_count());
-  const auto writer = RecordingWriter::create(temporary_file("wide.rbn"), header);
-  ASSERT_FALSE(writer.has_value());
-  EXPECT_NE(writer.error().sentence().find("at most 2^20 columns, not 2 x 1048577"),
-            std::string::npos)
-      << writer.error().sentence();
+  EXPECT_THAT(refusal_of(RecordingWriter::create(temporary_file("wide.rbn"), header)),
+              HasSubstr("at most 2^20 columns, not 2 x 1048577"));
 }
 
 TEST(RecordingWriter, a_target_that_cannot_be_written_is_told_before_the_run) {
-  const auto writer = RecordingWriter::create("/proc/recording.rbn", sample_header());
-  ASSERT_FALSE(writer.has_value());
-  EXPECT_NE(writer.error().sentence().find("/proc/recording.rbn: cannot be written ("),
-            std::string::npos);
+  EXPECT_THAT(refusal_of(RecordingWriter::create("/proc/recording.rbn", sample_header())),
+              HasSubstr("/proc/recording.rbn: cannot be written ("));
 }
 
 TEST(RecordingWriter, a_full_disk_is_told_before_the_run) {
-  const auto writer = RecordingWriter::create("/dev/full", sample_header());
-  ASSERT_FALSE(writer.has_value());
-  EXPECT_EQ(writer.error().sentence(),
+  EXPECT_EQ(refusal_of(RecordingWriter::create("/dev/full", sample_header())),
             "/dev/full: cannot be written (No space left on device); the recording holds no "
             "frame; free some space or choose another place");
 }
 
 TEST(RecordingWriter, when_the_disk_fills_up_everything_before_is_intact) {
   const auto path = temporary_file("full.rbn");
-  auto writer = RecordingWriter::create(path, sample_header());
-  ASSERT_TRUE(writer.has_value());
-  for (int frame = 0; frame < 3; ++frame)
-    ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
+  auto writer = RecordingWriter::create(path, sample_header()).value();
+  append_sample_frames(writer, 0, 3);
   Result<void> fourth;
   {
-    const SizeLimit limit(writer->bytes_written() + 50);
-    fourth = writer->append(sample_numbers(3), sample_positions(3));
+    const SizeLimit limit(writer.bytes_written() + 50);
+    fourth = writer.append(sample_numbers(3), sample_positions(3));
   }
-  ASSERT_FALSE(fourth.has_value());
-  EXPECT_EQ(fourth.error().sentence(),
+  EXPECT_EQ(refusal_of(fourth),
             path.string() +
                 ": cannot be written (File too large); frames 1 to 3 are safe; free some space and "
                 "resume the run");
-  EXPECT_EQ(std::filesystem::file_size(path), writer->bytes_written())
+  EXPECT_EQ(std::filesystem::file_size(path), writer.bytes_written())
       << "half a record must not stay behind";
-  ASSERT_TRUE(writer->append(sample_numbers(3), sample_positions(3)).has_value())
-      << "space was freed";
-  ASSERT_TRUE(writer->finish().has_value());
-  auto reader = RecordingReader::open(path);
-  ASSERT_TRUE(reader.has_value());
-  EXPECT_EQ(reader->frame_count(), 4);
-  Eigen::Matrix3Xf positions;
-  ASSERT_TRUE(reader->read(3, positions).has_value());
-  EXPECT_LE((positions.cast<double>() - sample_positions(3)).cwiseAbs().maxCoeff(), 1e-5);
+  append_sample_frames(writer, 3, 4);  // space was freed
+  ASSERT_TRUE(writer.finish().has_value());
+  auto reader = RecordingReader::open(path).value();
+  EXPECT_EQ(reader.frame_count(), 4);
+  expect_sample_frame(reader, 3);
 }
 
 TEST(RecordingWriter, a_refused_frame_is_named_and_the_recording_goes_on) {
   const auto path = temporary_file("refused.rbn");
-  auto writer = RecordingWriter::create(path, sample_header());
-  ASSERT_TRUE(writer.has_value());
-  ASSERT_TRUE(writer->append(sample_numbers(0), sample_positions(0)).has_value());
+  auto writer = RecordingWriter::create(path, sample_header()).value();
+  append_sample_frames(writer, 0, 1);
   Eigen::Matrix3Xd positions = sample_positions(1);
   positions(0, 0) = std::numeric_limits<double>::quiet_NaN();
-  const auto refused = writer->append(sample_numbers(1), positions);
-  ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().place, path.string() + ": frame 2");
-  ASSERT_TRUE(writer->append(sample_numbers(1), sample_positions(1)).has_value());
-  ASSERT_TRUE(writer->finish().has_value());
+  EXPECT_THAT(refusal_of(writer.append(sample_numbers(1), positions)),
+              StartsWith(path.string() + ": frame 2: "));
+  append_sample_frames(writer, 1, 2);
+  ASSERT_TRUE(writer.finish().has_value());
   EXPECT_EQ(RecordingReader::open(path)->frame_count(), 2);
-}
-
-TEST(RecordingWriter, a_killed_writer_loses_no_appended_frame) {
-  const auto path = temporary_file("killed.rbn");
-  const pid_t child = fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    auto writer = RecordingWriter::create(path, sample_header());
-    for (int frame = 0; frame < 37; ++frame)
-      if (!writer->append(sample_numbers(frame), sample_positions(frame))) _exit(1);
-    std::raise(SIGKILL);
-  }
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  ASSERT_TRUE(WIFSIGNALED(status));
-  auto reader = RecordingReader::open(path);
-  ASSERT_TRUE(reader.has_value()) << reader.error().sentence();
-  EXPECT_EQ(reader->frame_count(), 37);
-  EXPECT_FALSE(reader->finished());
-  EXPECT_TRUE(reader->damage().empty());
-  Eigen::Matrix3Xf positions;
-  EXPECT_TRUE(reader->read(36, positions).has_value());
 }
 
 TEST(RecordingWriter, two_writers_on_one_file_are_refused) {
   const auto path = temporary_file("two writers.rbn");
   auto first = RecordingWriter::create(path, sample_header());
-  ASSERT_TRUE(first->append(sample_numbers(0), sample_positions(0)).has_value());
-  const auto second = RecordingWriter::create(path, sample_header());
-  ASSERT_FALSE(second.has_value());
-  EXPECT_EQ(second.error().sentence(),
+  append_sample_frames(*first, 0, 1);
+  EXPECT_EQ(refusal_of(RecordingWriter::create(path, sample_header())),
             path.string() +
                 ": is being written by another program; wait until that has ended, or "
                 "choose another file");
@@ -167,21 +117,13 @@ TEST(RecordingWriter, two_writers_on_one_file_are_refused) {
   EXPECT_TRUE(RecordingWriter::create(path, sample_header()).has_value());
 }
 
-TEST(RecordingWriter, an_older_file_is_replaced_whole) {
-  const auto path = temporary_file("older.rbn");
-  ASSERT_TRUE(write_file(path, std::string(100'000, 'x')).has_value());
-  write_sample_recording(path, 2);
-  EXPECT_TRUE(RecordingReader::open(path)->finished());
-  EXPECT_LT(std::filesystem::file_size(path), 50'000U);
-}
-
 TEST(RecordingWriter, checkpoints_and_sessions_come_back) {
   const auto path = temporary_file("checkpoints.rbn");
   const SessionNote note{SessionReason::resumed, "tests 2.0", "time.step = 1\n"};
   {
     auto writer = RecordingWriter::create(path, sample_header());
     for (int frame = 0; frame < 600; ++frame) {
-      ASSERT_TRUE(writer->append(sample_numbers(frame), sample_positions(frame)).has_value());
+      append_sample_frames(*writer, frame, frame + 1);
       if (frame % 100 == 50) {
         ASSERT_TRUE(writer->append_checkpoint(10UL * frame, "state " + std::to_string(frame)));
       }
@@ -206,7 +148,7 @@ TEST(RecordingWriter, checkpoints_and_sessions_come_back) {
 TEST(RecordingWriter, a_state_that_no_reader_would_take_is_refused) {
   const auto path = temporary_file("large state.rbn");
   auto writer = RecordingWriter::create(path, sample_header());
-  ASSERT_TRUE(writer->append(sample_numbers(0), sample_positions(0)).has_value());
+  append_sample_frames(*writer, 0, 1);
   EXPECT_FALSE(writer->append_checkpoint(1, std::string(240 * 4096 + (1 << 20) + 1, 'x')));
   EXPECT_TRUE(writer->append_checkpoint(1, std::string(240 * 4096 + (1 << 20), 'x')));
 }
@@ -239,22 +181,8 @@ TEST(RecordingWriter, frames_encoded_by_others_may_come_in_any_order) {
   ASSERT_EQ(reader->frame_count(), 5);
   for (const bool walked : {false, true}) {
     if (walked) reader->check();
-    for (int frame = 0; frame < 5; ++frame) {
-      Eigen::Matrix3Xf positions;
-      ASSERT_TRUE(reader->read(frame, positions).has_value());
-      EXPECT_LE((positions.cast<double>() - sample_positions(frame)).cwiseAbs().maxCoeff(), 1e-5);
-      EXPECT_EQ(reader->numbers(frame), sample_numbers(frame));
-    }
+    for (int frame = 0; frame < 5; ++frame) expect_sample_frame(*reader, frame);
   }
-}
-
-TEST(RecordingWriter, a_recording_without_frames_can_be_finished) {
-  const auto path = temporary_file("no frames.rbn");
-  write_sample_recording(path, 0);
-  const auto reader = RecordingReader::open(path);
-  ASSERT_TRUE(reader.has_value());
-  EXPECT_EQ(reader->frame_count(), 0);
-  EXPECT_TRUE(reader->finished());
 }
 
 }  // namespace ribbon::recording_writer_test

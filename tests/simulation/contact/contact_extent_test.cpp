@@ -13,10 +13,13 @@ constexpr RibbonGrid grid{21, 5};
 constexpr RestSize size{grid, 20, 4};  // edges of 1 m: contact begins at 0.2 m, touch at 0.3 m
 const PairDistances distances(size, contact_lengths(1, 0, 0));
 
-TEST(ContactExtent, of_a_flat_ribbon_is_nothing) {
-  const Matrix3Xd positions = flat_ribbon(grid);
+ContactExtent extent_alone(const Matrix3Xd& positions) {
   Bodies bodies = ribbon_alone(grid);
-  const ContactExtent extent = contact_extent(bodies, size, distances, positions);
+  return contact_extent(bodies, size, distances, positions);
+}
+
+TEST(ContactExtent, of_a_flat_ribbon_is_nothing) {
+  const ContactExtent extent = extent_alone(flat_ribbon(grid));
   EXPECT_EQ(extent.share, 0);
   EXPECT_EQ(extent.knotted_m, 0);
 }
@@ -32,9 +35,7 @@ TEST(ContactExtent, on_the_obstacle_is_contact_but_no_knot) {
 
 // By hand: rows 10 to 20 return over rows 9.5 to -0.5, so that all but the fold lies double.
 TEST(ContactExtent, of_a_fold_reaches_from_its_first_to_its_last_row) {
-  const Matrix3Xd positions = folded_ribbon(grid, 0.25);
-  Bodies bodies = ribbon_alone(grid);
-  const ContactExtent extent = contact_extent(bodies, size, distances, positions);
+  const ContactExtent extent = extent_alone(folded_ribbon(grid, 0.25));
   EXPECT_EQ(extent.share, 1);
   EXPECT_DOUBLE_EQ(extent.knotted_m, 20);
 }
@@ -46,8 +47,7 @@ TEST(ContactExtent, counts_the_rows_in_between_as_knotted_but_not_as_touching) {
   for (int p = 0; p < grid.particle_count(); ++p)
     if (grid.row(p) > 5) positions(1, p) = 20;
   for (int j = 0; j < grid.across; ++j) positions.col(grid.particle(20, j)) << 5, 0.25, j + 0.5;
-  Bodies bodies = ribbon_alone(grid);
-  const ContactExtent extent = contact_extent(bodies, size, distances, positions);
+  const ContactExtent extent = extent_alone(positions);
   EXPECT_NEAR(extent.share, 5.0 / 21, 1e-12);
   EXPECT_DOUBLE_EQ(extent.knotted_m, 16);
 }

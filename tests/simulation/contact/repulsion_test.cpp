@@ -40,86 +40,77 @@ struct Fall {
 // they part with 2 e: -1 + e and -1 - e.
 TEST(Repulsion, of_two_equal_masses_is_the_textbook_collision) {
   Fall fall(4);
-  Cloth& cloth = fall.cloth;
   fall.repel(on_corner, 0, {.restitution = 0.1});
-  EXPECT_NEAR(cloth.velocities(1, 0), -0.9, 1e-12);
-  EXPECT_NEAR(cloth.velocities(1, 1), -1.1, 1e-12);
+  EXPECT_NEAR(fall.cloth.velocities(1, 0), -0.9, 1e-12);
+  EXPECT_NEAR(fall.cloth.velocities(1, 1), -1.1, 1e-12);
 }
 
 TEST(Repulsion, conserves_momentum_and_centre_of_mass) {
   Fall fall(4);
-  Cloth& cloth = fall.cloth;
-  const Vector3d momentum = cloth.velocities.rowwise().sum();
-  const Vector3d centre = cloth.positions.rowwise().mean();
+  const Vector3d momentum = fall.cloth.velocities.rowwise().sum();
+  const Vector3d centre = fall.cloth.positions.rowwise().mean();
   fall.repel(inside, 0.3, {.restitution = 0.1});
-  EXPECT_TRUE(cloth.velocities.rowwise().sum().isApprox(momentum, 1e-12));
-  EXPECT_TRUE(cloth.positions.rowwise().mean().isApprox(centre, 1e-12));
+  EXPECT_TRUE(fall.cloth.velocities.rowwise().sum().isApprox(momentum, 1e-12));
+  EXPECT_TRUE(fall.cloth.positions.rowwise().mean().isApprox(centre, 1e-12));
 }
 
 TEST(Repulsion, opens_the_gap_and_reverses_the_approach) {
   Fall fall(4);
-  Cloth& cloth = fall.cloth;
   fall.repel(inside, 0.3, {.restitution = 0.1});
-  EXPECT_NEAR((cloth.positions * inside.weights)[1], 0.3, 1e-12);
-  EXPECT_NEAR((cloth.velocities * inside.weights)[1], 0.2, 1e-12);
+  EXPECT_NEAR((fall.cloth.positions * inside.weights)[1], 0.3, 1e-12);
+  EXPECT_NEAR((fall.cloth.velocities * inside.weights)[1], 0.2, 1e-12);
 }
 
 TEST(Repulsion, leaves_parting_features_their_velocity) {
   Fall fall(4);
-  Cloth& cloth = fall.cloth;
-  cloth.velocities(1, 0) = 3;
+  fall.cloth.velocities(1, 0) = 3;
   fall.repel(inside, 0, {.restitution = 0.1});
-  EXPECT_EQ(cloth.velocities(1, 0), 3);
+  EXPECT_EQ(fall.cloth.velocities(1, 0), 3);
 }
 
 TEST(Repulsion, an_obstacle_of_boundless_mass_stays) {
   Fall fall(1);
-  Cloth& cloth = fall.cloth;
   fall.repel(inside, 0.3, {.restitution = 0.1});
-  EXPECT_EQ(cloth.positions.cols(), 1);
-  EXPECT_NEAR(cloth.positions(1, 0), 0.3, 1e-12);
-  EXPECT_NEAR(cloth.velocities(1, 0), 0.2, 1e-12);
+  EXPECT_EQ(fall.cloth.positions.cols(), 1);
+  EXPECT_NEAR(fall.cloth.positions(1, 0), 0.3, 1e-12);
+  EXPECT_NEAR(fall.cloth.velocities(1, 0), 0.2, 1e-12);
 }
 
 // By hand: 2 m/s of approach become 2.2 m/s of change along the normal; a coefficient of 0.5 takes
 // at most 1.1 m/s off the sliding. Between two equal masses each gets half of it.
 TEST(Repulsion, friction_slows_sliding_in_proportion_to_the_normal_change) {
   Fall fall(4);
-  Cloth& cloth = fall.cloth;
-  cloth.velocities(0, 0) = 3;
+  fall.cloth.velocities(0, 0) = 3;
   fall.repel(on_corner, 0, {.restitution = 0.1, .friction = 0.5});
-  EXPECT_NEAR(cloth.velocities(0, 0), 3 - 0.55, 1e-12);
-  EXPECT_NEAR(cloth.velocities(0, 1), 0.55, 1e-12);
-  EXPECT_NEAR(cloth.velocities(1, 0), -0.9, 1e-12);
+  EXPECT_NEAR(fall.cloth.velocities(0, 0), 3 - 0.55, 1e-12);
+  EXPECT_NEAR(fall.cloth.velocities(0, 1), 0.55, 1e-12);
+  EXPECT_NEAR(fall.cloth.velocities(1, 0), -0.9, 1e-12);
 }
 
 TEST(Repulsion, friction_stops_but_never_reverses_sliding) {
   Fall fall(1);
-  Cloth& cloth = fall.cloth;
-  cloth.velocities(2, 0) = -0.3;
+  fall.cloth.velocities(2, 0) = -0.3;
   fall.repel(on_corner, 0, {.restitution = 0.1, .friction = 0.5});
-  EXPECT_NEAR(cloth.velocities(2, 0), 0, 1e-12);
+  EXPECT_NEAR(fall.cloth.velocities(2, 0), 0, 1e-12);
 }
 
 // By hand: the gap opens by 0.2 m, so friction 0.5 takes back 0.1 m of the 0.4 m that were slid.
 TEST(Repulsion, friction_takes_back_what_was_slid_under_pressure) {
   Fall fall(1);
-  Cloth& cloth = fall.cloth;
-  cloth.velocities.setZero();
-  const Matrix3Xd before = cloth.positions;
-  cloth.positions(0, 0) += 0.4;
+  fall.cloth.velocities.setZero();
+  const Matrix3Xd before = fall.cloth.positions;
+  fall.cloth.positions(0, 0) += 0.4;
   fall.repel(on_corner, 0.2, {.friction = 0.5}, before);
-  EXPECT_NEAR(cloth.positions(0, 0), 0.3, 1e-12);
-  EXPECT_NEAR(cloth.positions(1, 0), 0.2, 1e-12);
+  EXPECT_NEAR(fall.cloth.positions(0, 0), 0.3, 1e-12);
+  EXPECT_NEAR(fall.cloth.positions(1, 0), 0.2, 1e-12);
 }
 
 TEST(Repulsion, friction_conserves_momentum) {
   Fall fall(4);
-  Cloth& cloth = fall.cloth;
-  cloth.velocities(0, 0) = 3;
-  const Vector3d momentum = cloth.velocities.rowwise().sum();
+  fall.cloth.velocities(0, 0) = 3;
+  const Vector3d momentum = fall.cloth.velocities.rowwise().sum();
   fall.repel(inside, 0.3, {.friction = 0.7});
-  EXPECT_TRUE(cloth.velocities.rowwise().sum().isApprox(momentum, 1e-12));
+  EXPECT_TRUE(fall.cloth.velocities.rowwise().sum().isApprox(momentum, 1e-12));
 }
 
 }  // namespace ribbon::repulsion_test

@@ -4,11 +4,11 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <set>
 
+#include "geometry/flat_ribbon.h"
 #include "geometry/ribbon_grid.h"
-#include "parallel/parallel.h"
+#include "parallel/any_threads.h"
 #include "simulation/detection/feature_pairs.h"
 #include "simulation/detection/vertex_ranges.h"
 
@@ -70,9 +70,7 @@ TEST(TriangleBvh, every_rank_groups_about_three_regions) {
 
 TEST(TriangleBvh, a_flat_ribbon_has_no_pairs_to_test) {
   const RibbonGrid grid{60, 5};
-  Matrix3Xd flat(3, grid.particle_count());
-  for (int p = 0; p < grid.particle_count(); ++p)
-    flat.col(p) << 0.1 * grid.row(p), 0.1 * grid.column(p), 0;
+  const Matrix3Xd flat = 0.1 * flat_ribbon(grid);
   const CollisionSurface surface = collision_surface(grid.triangles());
   TriangleBvh bvh(surface, flat);
   refit(bvh, flat, flat, 0.05);
@@ -174,39 +172,15 @@ TEST(TriangleBvh, lists_the_same_pairs_in_the_same_order_for_any_number_of_threa
   const RibbonGrid grid{300, 6};
   const CollisionSurface surface = collision_surface(grid.triangles());
   const Matrix3Xd x = spiral(grid, 6, 0.02);
-  std::vector<std::vector<int>> answers;
-  for (const int threads : {1, 2, 5}) {
-    set_thread_limit(threads);
+  const auto listed = same_for_any_threads([&] {
     TriangleBvh bvh(surface, x);
     refit(bvh, x, x, 0.01);
     std::vector<int> flat;
     for (const CandidatePair& pair : bvh.pairs_within(both))
       flat.insert(flat.end(), {pair.a, pair.b});
-    answers.push_back(flat);
-  }
-  set_thread_limit(0);
-  EXPECT_FALSE(answers[0].empty());
-  EXPECT_EQ(answers[0], answers[1]);
-  EXPECT_EQ(answers[0], answers[2]);
-}
-
-TEST(CollisionSurface, each_vertex_and_edge_has_one_triangle_that_answers_for_it) {
-  const RibbonGrid grid{7, 4};
-  const CollisionSurface surface = collision_surface(grid.triangles());
-  std::multiset<int> vertices;
-  std::multiset<int> edges;
-  for (int t = 0; t < grid.triangle_count(); ++t)
-    for (int corner = 0; corner < 3; ++corner) {
-      if (surface.answers_for_vertex(t, corner)) vertices.insert(surface.triangles(corner, t));
-      if (surface.answers_for_edge(t, corner))
-        edges.insert(
-            surface.triangle_edges[static_cast<std::size_t>(t)][static_cast<std::size_t>(corner)]);
-    }
-  EXPECT_EQ(vertices.size(), 28U);
-  EXPECT_EQ(std::set<int>(vertices.begin(), vertices.end()).size(), 28U);
-  // By hand: 6*4 along, 7*3 across, 6*3 diagonals.
-  EXPECT_EQ(surface.edges.size(), 63U);
-  EXPECT_EQ(edges.size(), 63U);
+    return flat;
+  });
+  EXPECT_FALSE(listed.empty());
 }
 
 std::vector<FeaturePair> pairs_of(const CollisionSurface& surface,

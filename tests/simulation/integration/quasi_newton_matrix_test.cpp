@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "parallel/parallel.h"
+#include "parallel/any_threads.h"
 #include "simulation/integration/spring_networks.h"
 
 namespace ribbon::quasi_newton_matrix_test {
@@ -96,10 +96,7 @@ TEST(QuasiNewtonMatrix, of_inertia_that_rounding_would_lose_still_solves) {
 
 TEST(QuasiNewtonMatrix, gives_the_same_bits_for_any_number_of_threads) {
   const SpringNetwork network = network_of({80, 16});
-  set_thread_limit(1);
-  const MatrixX3d alone = solved(network, 0.25);
-  set_thread_limit(0);
-  EXPECT_EQ(solved(network, 0.25), alone);
+  same_for_any_threads([&] { return solved(network, 0.25); });
 }
 
 }  // namespace ribbon::quasi_newton_matrix_test

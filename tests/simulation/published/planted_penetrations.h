@@ -3,19 +3,12 @@
 
 #include <Eigen/Core>
 
+#include "geometry/flat_ribbon.h"
 #include "geometry/ribbon_grid.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/published/penetration.h"
 
 namespace ribbon {
-
-// A flat ribbon in the plane y = 0, rows 1 m apart along x, columns 1 m apart along z.
-inline Eigen::Matrix3Xd flat_ribbon(const RibbonGrid& grid) {
-  Eigen::Matrix3Xd positions(3, grid.particle_count());
-  for (int p = 0; p < grid.particle_count(); ++p)
-    positions.col(p) << grid.row(p), 0, grid.column(p);
-  return positions;
-}
 
 // A ribbon folded like a U lying on its side: the second half returns at height `distance` over the
 // first.
@@ -26,6 +19,17 @@ inline Eigen::Matrix3Xd folded_ribbon(const RibbonGrid& grid, double distance) {
     if (grid.row(p) >= middle)
       positions.col(p) << 2 * middle - grid.row(p) - 0.5, distance, grid.column(p) + 0.3;
   return positions;
+}
+
+// The folded ribbon with nothing else about.
+struct Folded {
+  RibbonGrid grid;
+  Eigen::Matrix3Xd positions;
+  Bodies bodies;
+};
+
+inline Folded folded(double distance, const RibbonGrid& grid = {21, 5}) {
+  return {grid, folded_ribbon(grid, distance), {grid, std::nullopt}};
 }
 
 inline Bodies ribbon_alone(const RibbonGrid& grid) {

@@ -11,9 +11,7 @@ using Eigen::Matrix3Xd;
 constexpr RecoverySettings settings{.gap_m = 0.01, .step_m = 0.5};
 
 TEST(Penetration, is_counted_once_per_edge) {
-  const RibbonGrid grid{21, 5};
-  Matrix3Xd positions = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, positions, bodies] = folded(0.5);
   EXPECT_EQ(count_penetrating_edges(bodies, positions), 0);
   // One inner particle goes through: its six or eight edges (diagonals included) pierce, and none
   // other does, whatever number of triangles each pierces.
@@ -33,9 +31,7 @@ TEST(Penetration, of_an_obstacle_corner_into_the_ribbon_counts_too) {
 }
 
 TEST(Recovery, without_errors_moves_nothing) {
-  const RibbonGrid grid{21, 5};
-  Matrix3Xd positions = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, positions, bodies] = folded(0.5);
   const RecoveryReport report = recover(bodies, settings, positions);
   EXPECT_EQ(report.iterations, 0);
   EXPECT_EQ(report.penetrating_edges, 0);
@@ -43,10 +39,8 @@ TEST(Recovery, without_errors_moves_nothing) {
 }
 
 TEST(Recovery, removes_what_the_schemes_can_remove_and_says_how_often_they_ran) {
-  const RibbonGrid grid{21, 5};
-  Matrix3Xd positions = folded_ribbon(grid, 0.5);
+  auto [grid, positions, bodies] = folded(0.5);
   positions(1, grid.particle(15, 2)) = -0.02;
-  Bodies bodies = ribbon_alone(grid);
   const RecoveryReport report = recover(bodies, settings, positions);
   EXPECT_EQ(report.penetrating_edges, 0);
   EXPECT_GE(report.iterations, 1);
@@ -83,12 +77,10 @@ TEST(Recovery, with_patience_leads_out_of_an_obstacle_layer_by_layer) {
 
 TEST(Recovery, never_leaves_more_errors_than_it_found) {
   // Two halves pushed deeply through each other along their whole length: beyond the schemes.
-  const RibbonGrid grid{21, 5};
-  Matrix3Xd positions = folded_ribbon(grid, 0.3);
+  auto [grid, positions, bodies] = folded(0.3);
   for (int row = 11; row < 21; ++row)
     for (int column = 0; column < 5; ++column)
       positions(1, grid.particle(row, column)) = row % 2 == 0 ? 0.3 : -0.3;
-  Bodies bodies = ribbon_alone(grid);
   const int before = count_penetrating_edges(bodies, positions);
   ASSERT_GT(before, 0);
   EXPECT_LE(recover(bodies, settings, positions).penetrating_edges, before);

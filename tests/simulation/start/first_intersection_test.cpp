@@ -9,33 +9,27 @@ namespace ribbon::first_intersection_test {
 using Eigen::Matrix3Xd;
 
 TEST(FirstIntersection, a_free_ribbon_has_none) {
-  const RibbonGrid grid{21, 5};
-  const Matrix3Xd positions = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, positions, bodies] = folded(0.5);
   EXPECT_FALSE(first_intersection(bodies, positions).has_value());
   EXPECT_FALSE(first_closer_than(0.2, bodies, positions).has_value());
 }
 
 TEST(FirstIntersection, of_two_layers_names_a_particle_of_each) {
-  const RibbonGrid grid{21, 5};
-  Matrix3Xd positions = folded_ribbon(grid, 0.5);
+  auto [grid, positions, bodies] = folded(0.5);
   positions(1, grid.particle(15, 2)) = -0.2;
-  Bodies bodies = ribbon_alone(grid);
-  const auto at = first_intersection(bodies, positions);
-  ASSERT_TRUE(at.has_value());
+  const auto at = first_intersection(bodies, positions).value();
   // Row 15 lies over x = 20 - 15 - 0.5 = 4.5, between rows 4 and 5.
-  EXPECT_NEAR(grid.row(at->particle), 4.5, 1.6);
-  EXPECT_NEAR(grid.row(at->other), 15, 1.1);
+  EXPECT_NEAR(grid.row(at.particle), 4.5, 1.6);
+  EXPECT_NEAR(grid.row(at.other), 15, 1.1);
 }
 
 TEST(FirstIntersection, closer_than_the_gap_is_found_and_at_the_gap_is_not) {
   const RibbonGrid grid{7, 5};
   OverFloor planted = ribbon_over_floor(grid, -0.25);
   EXPECT_FALSE(first_closer_than(0.25, planted.bodies, planted.positions).has_value());
-  const auto at = first_closer_than(0.2501, planted.bodies, planted.positions);
-  ASSERT_TRUE(at.has_value());
-  EXPECT_LT(at->particle, grid.particle_count());
-  EXPECT_GE(at->other, grid.particle_count());
+  const auto at = first_closer_than(0.2501, planted.bodies, planted.positions).value();
+  EXPECT_LT(at.particle, grid.particle_count());
+  EXPECT_GE(at.other, grid.particle_count());
 }
 
 TEST(FirstIntersection, of_the_obstacle_s_edge_with_the_ribbon_s_inside_is_found) {
@@ -45,10 +39,9 @@ TEST(FirstIntersection, of_the_obstacle_s_edge_with_the_ribbon_s_inside_is_found
   Matrix3Xd on_end(3, 4);
   on_end << 2.6, 2.6, 2.6, 2.65, -1, 1, 1, -1, 1.3, 1.3, 1.31, 1.31;
   Bodies bodies{grid, ObstacleBody(planted.bodies.obstacle->surface.triangles, on_end)};
-  const auto at = first_intersection(bodies, planted.positions);
-  ASSERT_TRUE(at.has_value());
-  EXPECT_GE(at->other, grid.particle_count());
-  EXPECT_NEAR(grid.row(at->particle), 2.6, 1);
+  const auto at = first_intersection(bodies, planted.positions).value();
+  EXPECT_GE(at.other, grid.particle_count());
+  EXPECT_NEAR(grid.row(at.particle), 2.6, 1);
 }
 
 }  // namespace ribbon::first_intersection_test

@@ -32,11 +32,7 @@ TEST(WidthGrowth, an_edge_of_a_narrower_band_is_shorter_across_only) {
 TEST(WidthGrowth, with_room_the_band_gets_its_whole_width_and_stays_flat) {
   Scene scene = scene_of_loop();
   scene.ribbon = {.width_m = 0.3, .along = 20, .across = 4, .mass_kg = 1};
-  SpaceCurve straight;
-  straight.points = Matrix3Xd::Zero(3, 20);
-  straight.points.row(0).setLinSpaced(20, 0, 1.9);
-  straight.length_m = 1.9;
-  const RibbonMesh ribbon = generate_ribbon_mesh(straight, scene.ribbon, Axis::y);
+  const RibbonMesh ribbon = generate_ribbon_mesh(straight_curve(20, 1.9), scene.ribbon, Axis::y);
   Bodies bodies{ribbon.grid, std::nullopt};
   Cloth cloth{rows_scaled(ribbon.grid, 0.25, ribbon.positions), Matrix3Xd::Zero(3, 80), 0.01};
   std::vector<std::string> told;

@@ -63,9 +63,7 @@ void expect_all_within_reach_are_listed(const ContactCandidates& candidates, Bod
 }
 
 TEST(ContactCandidates, list_every_pair_that_comes_within_reach_inside_the_bounds) {
-  const RibbonGrid grid{21, 5};
-  const Matrix3Xd from = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, from, bodies] = folded(0.5);
   std::mt19937 random(8);
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_displacement_m = 1};
   const ContactCandidates candidates =
@@ -74,9 +72,7 @@ TEST(ContactCandidates, list_every_pair_that_comes_within_reach_inside_the_bound
 }
 
 TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once) {
-  const RibbonGrid grid{21, 5};
-  const Matrix3Xd from = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, from, bodies] = folded(0.5);
   std::mt19937 random(8);
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_displacement_m = 1};
   ContactCandidates candidates =
@@ -98,9 +94,7 @@ TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once
 }
 
 TEST(ContactCandidates, know_the_distances_and_leave_far_pairs_out) {
-  const RibbonGrid grid{21, 5};
-  const Matrix3Xd from = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, from, bodies] = folded(0.5);
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0, .longest_displacement_m = 1};
   const ContactCandidates still = find_contact_candidates(bodies, lengths, from, from);
   ASSERT_EQ(still.pairs.size(), still.distances_m.size());
@@ -125,9 +119,7 @@ TEST(ContactCandidates, a_target_on_the_moon_does_not_list_the_whole_ribbon) {
 }
 
 TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
-  const RibbonGrid grid{21, 5};
-  const Matrix3Xd from = folded_ribbon(grid, 0.3);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, from, bodies] = folded(0.3);
   Matrix3Xd displacement = Matrix3Xd::Zero(3, grid.particle_count());
   displacement.row(1).setConstant(3);
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_displacement_m = 10};

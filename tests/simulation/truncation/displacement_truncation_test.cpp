@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "parallel/parallel.h"
+#include "parallel/any_threads.h"
 #include "simulation/detection/closest_weights.h"
 #include "simulation/detection/swept_pairs.h"
 #include "simulation/detection/vertex_ranges.h"
@@ -56,9 +56,7 @@ Matrix3Xd thrown(const RibbonGrid& grid, const Matrix3Xd& x, std::mt19937& rando
 }
 
 TEST(DisplacementTruncation, a_ribbon_thrown_at_itself_never_comes_closer_than_the_gap) {
-  const RibbonGrid grid{21, 5};
-  Matrix3Xd x = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, x, bodies] = folded(0.5);
   std::mt19937 random(5);
   int truncated = 0;
   for (int throw_number = 0; throw_number < 60; ++throw_number) {
@@ -70,9 +68,7 @@ TEST(DisplacementTruncation, a_ribbon_thrown_at_itself_never_comes_closer_than_t
 }
 
 TEST(DisplacementTruncation, without_it_the_first_throw_intersects) {
-  const RibbonGrid grid{21, 5};
-  const Matrix3Xd x = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, x, bodies] = folded(0.5);
   std::mt19937 random(5);
   EXPECT_GT(count_penetrating_edges(bodies, thrown(grid, x, random)), 0);
 }
@@ -102,9 +98,7 @@ TEST(DisplacementTruncation, one_jammed_pair_does_not_stop_the_rest) {
 // One detection serves many truncations, whatever the targets: what would leave its bound is
 // truncated.
 TEST(DisplacementTruncation, keeps_the_gap_many_times_within_one_detection) {
-  const RibbonGrid grid{21, 5};
-  Matrix3Xd x = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, x, bodies] = folded(0.5);
   const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.3, .longest_displacement_m = 100};
   const ContactCandidates candidates = find_contact_candidates(bodies, lengths, x, x);
   std::mt19937 random(6);
@@ -119,9 +113,7 @@ TEST(DisplacementTruncation, keeps_the_gap_many_times_within_one_detection) {
 // Two close layers fly off together, further than the gap between them: nothing is in the way of
 // either, but when the front one is stopped the other must stop, too.
 TEST(DisplacementTruncation, layers_that_fly_together_are_free_until_one_is_stopped) {
-  const RibbonGrid grid{21, 5};
-  const Matrix3Xd start = folded_ribbon(grid, 0.5);
-  Bodies bodies = ribbon_alone(grid);
+  auto [grid, start, bodies] = folded(0.5);
   Matrix3Xd target = start;
   target.row(1).array() += 3;
   Matrix3Xd x = start;
@@ -163,20 +155,15 @@ TEST(DisplacementTruncation,
 
 TEST(DisplacementTruncation, gives_the_same_bits_for_any_number_of_threads) {
   const RibbonGrid grid{121, 9};
-  std::vector<Matrix3Xd> answers;
-  for (const int threads : {1, 2, 5}) {
-    set_thread_limit(threads);
+  same_for_any_threads([&] {
     Matrix3Xd x = folded_ribbon(grid, 0.5);
     Bodies bodies = ribbon_alone(grid);
     Matrix3Xd target = x;
     for (int p = 0; p < grid.particle_count(); ++p)
       target.col(p) += 0.4 * Vector3d(std::sin(p), std::cos(3 * p), std::sin(7 * p));
     truncate(bodies, 0.02, target, x);
-    answers.push_back(x);
-  }
-  set_thread_limit(0);
-  EXPECT_EQ(answers[0], answers[1]);
-  EXPECT_EQ(answers[0], answers[2]);
+    return x;
+  });
 }
 
 }  // namespace ribbon::displacement_truncation_test

@@ -8,12 +8,11 @@ A table takes the place of what stands in the document between the lines "<!-- t
 """
 
 import json
-import math
-import re
 import sys
 from pathlib import Path
 from statistics import harmonic_mean, mean
-from xml.sax.saxutils import escape
+
+from plot import WIDTH, Panel, colour_of, dot, picture, polyline, text, with_table
 
 DEFAULT_BOUND = 1e-5
 COLOURS = {
@@ -24,7 +23,6 @@ COLOURS = {
     "integers": "#1f5fa8",
 }
 OTHER = "#888888"
-WIDTH, HEIGHT, MARGIN = 460, 400, 60
 
 
 def bound_text(bound):
@@ -144,65 +142,12 @@ TABLES = {"own": own_tables, "files": file_table, "peers": peer_table}
 
 def with_tables(document, figures):
     for name, make in TABLES.items():
-        begin, end = f"<!-- table {name} -->\n", "<!-- end of table -->\n"
-        if document.count(begin) != 1:
-            sys.exit(f"the document has no place for the table '{name}'; write {begin.strip()}")
-        pattern = re.escape(begin) + ".*?" + re.escape(end)
-        document = re.sub(pattern, lambda _, n=make: begin + n(figures) + end, document, flags=re.S)
+        document = with_table(document, f"<!-- table {name} -->", make(figures))
     return document
 
 
 def colour(codec):
-    return next((COLOURS[word] for word in COLOURS if codec.startswith(word)), OTHER)
-
-
-def line(x1, y1, x2, y2, stroke):
-    return f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{stroke}"/>'
-
-
-def text(x, y, words, anchor="middle", fill="black", weight="normal"):
-    return (
-        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{fill}" font-weight="{weight}">'
-        f"{escape(words)}</text>"
-    )
-
-
-def dot(x, y, fill, words):
-    return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{fill}"><title>{escape(words)}</title></circle>'
-
-
-class Panel:
-    """A diagram with logarithmic axes; x and y ranges are what the first and last tick say."""
-
-    def __init__(self, left, title, x_name, y_name, x_ticks, y_ticks):
-        self.left, self.title, self.x_name, self.y_name = left, title, x_name, y_name
-        self.x_ticks, self.y_ticks = x_ticks, y_ticks
-
-    def at(self, x, y):
-        def share(value, ticks):
-            low, high = math.log(ticks[0][0]), math.log(ticks[-1][0])
-            return (math.log(value) - low) / (high - low)
-
-        return (
-            self.left + MARGIN + share(x, self.x_ticks) * (WIDTH - MARGIN - 30),
-            HEIGHT - MARGIN - share(y, self.y_ticks) * (HEIGHT - MARGIN - 40),
-        )
-
-    def grid(self):
-        low_x, high_x = self.x_ticks[0][0], self.x_ticks[-1][0]
-        low_y, high_y = self.y_ticks[0][0], self.y_ticks[-1][0]
-        for x, words in self.x_ticks:
-            yield line(*self.at(x, low_y), *self.at(x, high_y), "#dddddd")
-            place, bottom = self.at(x, low_y)
-            yield text(place, bottom + 18, words)
-        for y, words in self.y_ticks:
-            yield line(*self.at(low_x, y), *self.at(high_x, y), "#dddddd")
-            left, place = self.at(low_x, y)
-            yield text(left - 6, place + 4, words, "end")
-        middle = self.left + (WIDTH + MARGIN - 30) / 2
-        yield text(middle, 24, self.title, weight="bold")
-        yield text(middle, HEIGHT - 18, self.x_name)
-        yield text(self.left + MARGIN, 36, self.y_name, "start")
+    return colour_of(codec, COLOURS, OTHER)
 
 
 def ticks(values):
@@ -217,8 +162,7 @@ def size_panel(figures):
     for codec in figures.codecs:
         points = [(b, figures.bits(codec, b)) for b in bounds if figures.bits(codec, b)]
         if len(points) > 1:
-            corners = " ".join("{:.1f},{:.1f}".format(*panel.at(b, max(1, y))) for b, y in points)
-            yield f'<polyline points="{corners}" fill="none" stroke="{colour(codec)}" stroke-width="1.5"/>'
+            yield polyline([panel.at(b, max(1, y)) for b, y in points], colour(codec))
         for bound, bits in points:
             yield dot(*panel.at(bound, max(1, bits)), colour(codec), f"{codec}: {bits:.2f}")
 
@@ -238,26 +182,14 @@ def speed_panel(figures):
         yield text(place[0] + 7, place[1] + 4, codec.split(",")[0], "start", fill)
 
 
-def picture(figures):
-    lines = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {2 * WIDTH + 60} {HEIGHT + 30}"'
-        ' font-family="sans-serif" font-size="12">',
-        '<rect width="100%" height="100%" fill="white"/>',
-        *size_panel(figures),
-        *speed_panel(figures),
-    ]
-    for i, (name, fill) in enumerate(COLOURS.items()):
-        lines += [dot(80 + 150 * i, HEIGHT + 12, fill, name), text(90 + 150 * i, HEIGHT + 16, name, "start")]
-    return "\n".join([*lines, "</svg>", ""])
-
-
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
     report, document, plot = map(Path, sys.argv[1:])
     figures = Figures(json.loads(report.read_text()))
     document.write_text(with_tables(document.read_text(), figures))
-    plot.write_text(picture(figures))
+    panels = [*size_panel(figures), *speed_panel(figures)]
+    plot.write_text(picture(panels, COLOURS.items()))
 
 
 if __name__ == "__main__":

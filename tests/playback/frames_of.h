@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "playback/recording_reader.h"
