@@ -17,7 +17,8 @@ SpringNetwork spring_network(const RestSize& size, const SpringScene& stiffness)
   return {.grid = size.grid,
           .stretch = {stiffness.stretch, stretch_families(size)},
           .shear = {stiffness.shear, shear_families(size)},
-          .bend = {stiffness.bend, {{{2, 0, 2 * size.along_m()}, {0, 2, 2 * size.across_m()}}}}};
+          .bend = {stiffness.bend, {{{2, 0, 2 * size.along_m()}, {0, 2, 2 * size.across_m()}}}},
+          .damping = stiffness.damping};
 }
 
 }  // namespace ribbon

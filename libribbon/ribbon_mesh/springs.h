@@ -30,6 +30,7 @@ struct SpringNetwork {
   SpringKind stretch = {};  // between neighbours, along and across
   SpringKind shear = {};    // along both diagonals of each quad
   SpringKind bend = {};     // between particles of distance two, along and across
+  double damping = 0;       // SpringScene::damping
 
   [[nodiscard]] std::array<const SpringKind*, 3> kinds() const { return {&stretch, &shear, &bend}; }
 };

@@ -274,6 +274,8 @@ std::vector<Key> spring_keys() {
       {"shear", optional, "500",
        set(in(&Scene::springs, &SpringScene::shear), number(not_negative))},
       {"bend", optional, "10", set(in(&Scene::springs, &SpringScene::bend), number(not_negative))},
+      {"damping", optional, "0.5",
+       set(in(&Scene::springs, &SpringScene::damping), number(not_negative))},
   };
 }
 

@@ -56,6 +56,9 @@ struct SpringScene {
   double stretch = 0;  // k1
   double shear = 0;    // k2
   double bend = 0;     // k3
+  // Internal, of each spring: a fraction of what would just keep two particles on it from swinging.
+  // The paper has none.
+  double damping = 0.5;
 
   bool operator==(const SpringScene&) const = default;
 };

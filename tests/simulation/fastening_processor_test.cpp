@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "parallel/any_threads.h"
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
+#include "simulation/state/edge_strain.h"
 
 namespace ribbon::fastening_processor_test {
 
@@ -90,6 +94,51 @@ TEST(FasteningProcessor, drawn_tight_round_a_post_it_knows_that_it_is) {
     EXPECT_GT(tightness.contact_share, loose + 0.2);
     EXPECT_GT(tightness.contact_share, 0.3) << "it lies round the post";
   }
+}
+
+// Hands that do not yield, as far as the cloth can bear.
+TEST(FasteningProcessor, strains_no_edge_beyond_the_limit_whatever_the_force) {
+  for (const double speed_m_s : {4.0, 400.0}) {
+    Scene scene = scene_of_loop();
+    scene.fastening->speed_m_s = speed_m_s;
+    FasteningProcessor fastening = processor(scene, post(0.3));
+    const Matrix3Xd start = fastening.positions();
+    double least_pull = 1;
+    for (int i = 0; i < 200; ++i) {
+      const StepReport report = fastening.step();
+      least_pull = std::min(least_pull, report.pull);
+      ASSERT_LE(fastening.strain(), paper_strain_limit) << i;
+    }
+    EXPECT_LT(least_pull, 0.6);
+    EXPECT_GT((fastening.positions() - start).colwise().norm().maxCoeff(), 0.2);
+  }
+}
+
+// The second difference of the positions, frame by frame at 50 a second: what is seen as shivering.
+TEST(FasteningProcessor, what_is_tight_comes_to_rest) {
+  Scene scene = scene_of_loop();
+  scene.fastening->yield_strain = 0.05;
+  FasteningProcessor fastening = processor(scene, post(0.3));
+  for (int step = 0; step < 2000 && !fastening.is_tight(); ++step) fastening.step();
+  ASSERT_TRUE(fastening.is_tight());
+  const auto next_frame = [&] {
+    fastening.step();
+    fastening.step();
+    return fastening.positions();
+  };
+  for (int frame = 0; frame < 100; ++frame) next_frame();
+  Matrix3Xd before = next_frame();
+  Matrix3Xd now = next_frame();
+  std::vector<double> shivers_m;
+  for (int frame = 0; frame < 20; ++frame) {
+    const Matrix3Xd after = next_frame();
+    for (const double shiver_m : (after - 2 * now + before).colwise().norm())
+      shivers_m.push_back(shiver_m);
+    before = std::exchange(now, after);
+  }
+  std::sort(shivers_m.begin(), shivers_m.end());
+  EXPECT_LT(shivers_m[shivers_m.size() * 99 / 100], 2.5e-4);
+  EXPECT_LT(shivers_m.back(), 1e-3);
 }
 
 TEST(FasteningProcessor, is_drawn_no_faster_than_the_speed_limit) {

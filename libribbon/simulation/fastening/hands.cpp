@@ -1,5 +1,6 @@
 #include "simulation/fastening/hands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,6 +11,8 @@ using Eigen::Matrix3Xd;
 namespace {
 
 constexpr double standstill = 0.03;
+constexpr double least_pull = 1e-9;  // of the force
+constexpr double more_pull = 1.05;   // in each step, up to all of it
 
 // Which forces reach against the air, but no more than highest_m_s.
 Matrix3Xd terminal_velocities(const Matrix3Xd& forces, double newton_per_m_s, double highest_m_s) {
@@ -37,21 +40,32 @@ Hands::Hands(const Scene& scene, const RestSize& size, const Cloth& cloth)
 Matrix3Xd Hands::pull(const Cloth& cloth) {
   before_ = cloth.positions;
   Matrix3Xd force = force_.at(cloth.positions);
+  force *= bearable_;
   command_ = terminal_velocities(force, force_.newton_per_m_s(), highest_m_s_);
-  if (yielding_) force_fraction_ = yielding_->force_fraction(cloth.positions);
-  force *= force_fraction_;
+  force_fraction_ = bearable_;
+  if (yielding_) {
+    const double fraction = yielding_->force_fraction(cloth.positions);
+    force *= fraction;
+    force_fraction_ *= fraction;
+  }
   if (speed_limit_) speed_limit_->apply(cloth.velocities, force);
   return force;
 }
 
+void Hands::ease() {
+  bearable_ = std::max(least_pull, bearable_ / 2);
+}
+
 void Hands::follow(const Cloth& cloth) {
   progress_.add(command_, before_, cloth.positions);
+  bearable_ = std::min(1.0, more_pull * bearable_);
 }
 
 void Hands::visit_state(StateArchive& archive) {
-  auto& [force, yielding, speed_limit, progress, highest, force_fraction, command_of_step,
+  auto& [force, yielding, speed_limit, progress, highest, bearable, force_fraction, command_of_step,
          before_step] = *this;
   force.visit_state(archive);
+  archive.visit(bearable);
   archive.visit(force_fraction);
   progress.visit_state(archive);
 }

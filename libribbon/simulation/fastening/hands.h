@@ -26,10 +26,14 @@ class Hands {
   // The force for the next step, 3 x particles, N.
   Eigen::Matrix3Xd pull(const Cloth& cloth);
 
+  // The cloth cannot bear what they pulled: they halve it. From then on they pull a little more in
+  // every step.
+  void ease();
+
   // After the step: how far did the ribbon follow?
   void follow(const Cloth& cloth);
 
-  // The fraction of the fastening force that they applied last; 1 where they do not yield.
+  // The fraction of the fastening force that they applied last.
   [[nodiscard]] double force_fraction() const { return force_fraction_; }
 
   // FasteningProgress::recent().
@@ -50,8 +54,9 @@ class Hands {
   std::optional<SpeedLimit> speed_limit_;
   FasteningProgress progress_;
   double highest_m_s_;
+  double bearable_ = 1;  // the fraction of the force that the cloth can bear, as far as is known
   double force_fraction_ = 1;
-  Eigen::Matrix3Xd command_;  // m/s, of the present step
+  Eigen::Matrix3Xd command_;  // m/s, of the present step, by what the cloth can bear
   Eigen::Matrix3Xd before_;   // positions, of the present step
 };
 

@@ -1,7 +1,6 @@
 #include "simulation/fastening/yielding.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ribbon {
 
@@ -9,13 +8,17 @@ Yielding::Yielding(const RestSize& size, double strain)
     : grid_(size.grid), along_(stretch_families(size)[0]), strain_(strain) {}
 
 double Yielding::force_fraction(const Eigen::Matrix3Xd& positions) {
-  squared_lengths_.clear();
-  for_each_spring(grid_, along_, [&](int a, int b) {
-    squared_lengths_.push_back((positions.col(b) - positions.col(a)).squaredNorm());
-  });
-  const auto felt = squared_lengths_.end() - 1 - std::ssize(squared_lengths_) / 100;
-  std::nth_element(squared_lengths_.begin(), felt, squared_lengths_.end());
-  const double strain = std::sqrt(*felt) / along_.rest_length_m - 1;
+  lengths_.clear();
+  for (int row = 0; row + along_.rows < grid_.along; ++row) {
+    double sum_m = 0;
+    for_each_spring_of_row(grid_, along_, row, [&](int a, int b) {
+      sum_m += (positions.col(b) - positions.col(a)).norm();
+    });
+    lengths_.push_back(sum_m / grid_.across);
+  }
+  const auto felt = lengths_.end() - 1 - std::ssize(lengths_) / 100;
+  std::nth_element(lengths_.begin(), felt, lengths_.end());
+  const double strain = *felt / along_.rest_length_m - 1;
   return std::clamp(1.5 - strain / strain_, 0.0, 1.0);
 }
 

@@ -13,7 +13,8 @@ namespace ribbon {
 // that a ribbon that is locked comes to rest where force and resistance agree.
 class Yielding {
  public:
-  // What is felt is the strain that one in a hundred of the edges along the ribbon exceeds. Up to
+  // What is felt is tension: the mean strain of the edges from one row to the next, as one in a
+  // hundred of the rows exceeds it, in which what is only bent to the side does not count. Up to
   // half of `strain` (> 0) it is met with all of the force, at one and a half of it with none.
   Yielding(const RestSize& size, double strain);
 
@@ -24,7 +25,7 @@ class Yielding {
   RibbonGrid grid_;
   SpringFamily along_;
   double strain_;
-  std::vector<double> squared_lengths_;  // m2, of the edges along
+  std::vector<double> lengths_;  // m, mean of the edges along from each row
 };
 
 }  // namespace ribbon

@@ -5,13 +5,25 @@
 
 namespace ribbon {
 
+Integrator::Integrator(const SpringNetwork& springs, const MotionProperties& properties,
+                       int substeps)
+    : springs_(springs), properties_(properties), substeps_(substeps) {
+  if (springs.damping > 0) damping_.emplace(springs, properties.particle_mass_kg);
+}
+
 void Integrator::displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) {
+  for (int substep = 0; substep < substeps_; ++substep) displace_in_substep(fastening_force, cloth);
+}
+
+void Integrator::displace_in_substep(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) {
   state_.positions = cloth.positions.transpose();
   state_.velocities = cloth.velocities.transpose();
   state_.fastening = fastening_force.transpose() / cloth.particle_mass_kg;
-  for (int substep = 0; substep < substeps_; ++substep) advance(properties_.step_s / substeps_);
+  const double h = properties_.step_s / substeps_;
+  advance(h);
   cloth.positions = state_.positions.transpose();
   cloth.velocities = state_.velocities.transpose();
+  if (damping_) damping_->apply(h, cloth);
 }
 
 int stable_substeps(double step_s, double fastest_rad_s, double stability_limit) {

@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "ribbon_mesh/springs.h"
 #include "scene/scene.h"
+#include "simulation/integration/spring_damping.h"
 #include "simulation/integration/spring_forces.h"
 #include "simulation/state/cloth.h"
 
@@ -30,7 +32,7 @@ struct MotionState {
   Eigen::MatrixX3d fastening;   // particles x 3, N/kg, or no rows without a fastening force
 };
 
-// Moves a ribbon by its springs, the air and the fastening force, one step at a time.
+// Moves a ribbon by its springs, the air and the fastening force.
 class Integrator {
  public:
   virtual ~Integrator() = default;
@@ -38,14 +40,15 @@ class Integrator {
   // Moves the particles of the cloth by one step. The fastening force (3 x particles, N, or no
   // columns for none) is held over the step.
   void displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
+  // Likewise by one of its substeps() parts.
+  void displace_in_substep(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
 
   // Into how many parts it divides a step to stay stable on its springs and in its air, however the
   // ribbon lies.
   [[nodiscard]] int substeps() const { return substeps_; }
 
  protected:
-  Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps)
-      : springs_(springs), properties_(properties), substeps_(substeps) {}
+  Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps);
 
   // Moves state_ by one substep, of h seconds.
   virtual void advance(double h) = 0;
@@ -56,6 +59,7 @@ class Integrator {
 
  private:
   int substeps_;
+  std::optional<SpringDamping> damping_;
 };
 
 // The least number of substeps with which an explicit scheme is stable. fastest_rad_s: what may

@@ -7,6 +7,7 @@
 #include "simulation/published/recovery.h"
 #include "simulation/start/first_intersection.h"
 #include "simulation/start/width_growth.h"
+#include "simulation/state/edge_strain.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -39,7 +40,7 @@ class StartSearch {
     if (!take_thin_band() && !take_recovered_band()) return pierced();
     const GrowthReport growth = grow_width(scene_, ribbon_, fraction_, observer_, bodies_, cloth_);
     if (!growth.complete) return no_room(growth);
-    if (!settles()) return too_close();
+    if (!settles()) return is_too_close() ? too_close() : strained();
     return report_;
   }
 
@@ -65,21 +66,23 @@ class StartSearch {
 
   bool is_free() { return cloth_.positions.allFinite() && !meeting_place(); }
 
-  // Settles the band at its whole width; is its minimum separation kept then?
+  // Settles the band at its whole width; are its minimum separation and its strain kept then?
   bool settles() {
     tell("the ribbon settles at its whole width");
     fraction_ = 1;
     time_step_.settle(settling_rounds, bodies_, cloth_);
-    for (int step = 0; step < parting_steps && is_too_close(); ++step) {
-      time_step_.take(nullptr, bodies_, cloth_);
+    for (int step = 0; step < parting_steps && (is_too_close() || is_strained()); ++step) {
+      time_step_.advance(Matrix3Xd(3, 0), bodies_, cloth_);
       cloth_.velocities.setZero();
     }
-    return !is_too_close() && is_free();
+    return !is_too_close() && !is_strained() && is_free();
   }
 
   bool is_too_close() {
     return first_closer_than(too_close_m_, bodies_, cloth_.positions).has_value();
   }
+
+  bool is_strained() { return !time_step_.is_within_limit(cloth_); }
 
   bool take_thin_band() {
     report_.kind = StartKind::grown;
@@ -153,6 +156,14 @@ class StartSearch {
                        (at ? " at " + place_of(at->particle) : "") +
                        (from_obstacle ? "" : tight_passage()),
                    remedy(from_obstacle));
+  }
+
+  tl::unexpected<Error> strained() {
+    return failure(scene_.name,
+                   "the ribbon does not settle to within " +
+                       short_number(100 * paper_strain_limit, 3) + " % of its rest lengths" +
+                       tight_passage(),
+                   "set a smaller ribbon.width, or leave more room between the strands");
   }
 
   tl::unexpected<Error> no_room(const GrowthReport& growth) {

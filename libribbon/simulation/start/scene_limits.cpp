@@ -4,6 +4,8 @@
 #include <limits>
 #include <string>
 
+#include "simulation/state/edge_strain.h"
+#include "simulation/truncation/strain_constraints.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -46,22 +48,28 @@ Result<void> recording_tells_positions(const Scene& scene, double rounding_m, do
           " or more");
 }
 
-Result<void> recording_keeps_the_gap(const Scene& scene, const RestSize& size,
-                                     const ContactLengths& lengths) {
+Result<void> single_precision_keeps_the_gap(const Scene& scene, const ContactLengths& lengths) {
   if (recorded_gap_m(lengths) > 0) return {};
-  if (is_lossless(scene))
-    return failure(scene.name,
-                   "recording in single precision may move coordinates by " +
-                       metres(lengths.rounding_m) + ", so that surfaces kept " +
-                       metres(lengths.min_separation_m) + " apart could meet",
-                   "move the ribbon to the origin with curve.origin, or set fewer particles");
-  const double most_m = lengths.min_separation_m / lost_to_rounding_m(1);
-  return failure(
-      scene.name,
-      "recording may move coordinates by " + metres(lengths.rounding_m) +
-          ", so that surfaces kept " + metres(lengths.min_separation_m) + " apart could meet",
-      "set recording.max_position_error to " + short_number(0.99 * most_m / size.length_m, 3) +
-          " or less, or fewer particles");
+  return failure(scene.name,
+                 "recording in single precision may move coordinates by " +
+                     metres(lengths.rounding_m) + ", so that surfaces kept " +
+                     metres(lengths.min_separation_m) + " apart could meet",
+                 "move the ribbon to the origin with curve.origin, or set fewer particles");
+}
+
+// Which is more than what the gap asks for.
+Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size,
+                                        const ContactLengths& lengths) {
+  const double edge_m = size.shortest_edge_m();
+  const double most_m = coarsest_rounding_m(edge_m);
+  if (lengths.rounding_m <= most_m) return {};
+  return failure(scene.name,
+                 "recording may move coordinates by " + metres(lengths.rounding_m) +
+                     ", too much to keep edges of " + metres(edge_m) + " within " +
+                     short_number(100 * paper_strain_limit, 3) + " % of their rest length",
+                 "set recording.max_position_error to " +
+                     short_number(0.99 * most_m / size.length_m, 3) +
+                     " or less, or fewer particles");
 }
 
 }  // namespace
@@ -90,7 +98,8 @@ Result<void> check_precision(const Scene& as_read, const RestSize& size,
   if (kept && !is_lossless(as_read))
     kept = recording_tells_positions(as_read, lengths.rounding_m, ribbon_m);
   if (kept && as_read.contact == ContactMethod::gate)
-    kept = recording_keeps_the_gap(as_read, size, lengths);
+    kept = is_lossless(as_read) ? single_precision_keeps_the_gap(as_read, lengths)
+                                : recording_keeps_the_strain(as_read, size, lengths);
   return kept;
 }
 

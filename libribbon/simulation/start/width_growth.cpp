@@ -14,7 +14,6 @@ namespace {
 using Eigen::Matrix3Xd;
 
 constexpr double growth = 1.05;            // of the width, from one stage to the next
-constexpr double strained = 0.15;          // of an edge's rest length
 constexpr int strained_edges_percent = 1;  // that a settled band may have
 constexpr int steps_per_stage = 60;        // at most, to settle
 constexpr int rounds_a_width = 2;          // after each of them
@@ -30,7 +29,7 @@ StrainedEdges strained_edges(const RestSize& size, const Matrix3Xd& positions) {
   for (const SpringFamily& family : stretch_families(size))
     for_each_spring(size.grid, family, [&](int a, int b) {
       const double strain = std::abs(edge_strain(family, a, b, positions));
-      if (strain > strained) ++found.count;
+      if (strain > paper_strain_limit) ++found.count;
       if (strain > found.worst) {
         found.worst = strain;
         found.particle = a;
@@ -74,7 +73,7 @@ GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fra
     time_step.move(rows_scaled(size.grid, scale, cloth.positions), bodies, cloth);
     StrainedEdges edges;
     for (int step = 0; step < steps_per_stage; ++step) {
-      time_step.take(nullptr, bodies, cloth);
+      time_step.advance(Matrix3Xd(3, 0), bodies, cloth);
       time_step.settle(rounds_a_width, bodies, cloth);
       edges = strained_edges(size, cloth.positions);
       if (edges.count == 0 || (fraction < 1 && are_few(edges, size.grid))) break;

@@ -43,14 +43,6 @@ void GatedMotion::detect_if_outgrown_by_more_than(int particles, const Matrix3Xd
     detect_around(outside, Widening::onward, target);
 }
 
-std::vector<FeaturePair> GatedMotion::approaching(const Matrix3Xd& target) const {
-  std::vector<FeaturePair> pairs;
-  for (const std::size_t i :
-       approaching_pairs(candidates_, free_positions_, target - free_positions_, reach_m()))
-    pairs.push_back(candidates_.pairs[i]);
-  return pairs;
-}
-
 int GatedMotion::truncate(const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::truncation);
   const auto advance = [&] {

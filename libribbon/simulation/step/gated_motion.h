@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "ribbon_mesh/rest_size.h"
@@ -25,9 +26,9 @@ struct GateSettings {
 // toward the targets that integration and corrections set. What it refers to must outlive it.
 class GatedMotion {
  public:
-  GatedMotion(const GateSettings& settings, const Eigen::Matrix3Xd& start, Bodies& bodies,
+  GatedMotion(const GateSettings& settings, Eigen::Matrix3Xd start, Bodies& bodies,
               StageClock& clock)
-      : settings_(settings), bodies_(bodies), clock_(clock), free_positions_(start) {}
+      : settings_(settings), bodies_(bodies), clock_(clock), free_positions_(std::move(start)) {}
 
   // The broad phase, around the displacements from the free positions to the targets.
   void detect(const Eigen::Matrix3Xd& target);
@@ -35,9 +36,6 @@ class GatedMotion {
   // Detects again around the particles whose targets lie outside their bounds, if they are more
   // than so many.
   void detect_if_outgrown_by_more_than(int particles, const Eigen::Matrix3Xd& target);
-
-  // The pairs that the displacements to the targets could bring into contact.
-  [[nodiscard]] std::vector<FeaturePair> approaching(const Eigen::Matrix3Xd& target) const;
 
   // Moves the free positions toward the targets as far as displacement truncation lets. Returns how
   // many particles do not reach them.

@@ -15,35 +15,57 @@ using Eigen::Vector3d;
 
 // ---- Figure 5, from top to bottom
 
+namespace {
+
+constexpr int most_eased_attempts = 10;  // of one step: the last with a thousandth of the force
+
+}  // namespace
+
 StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
-  const Matrix3Xd force = fastening_force(hands, cloth);  // section 5.2
-  StepReport report = advance(force, bodies, cloth);
+  StepReport report = contact_ == ContactMethod::paper
+                          ? advance(fastening_force(hands, cloth), bodies, cloth)
+                          : advance_within_limit(hands, bodies, cloth);
   if (hands == nullptr) return report;
   follow_with(*hands, cloth);
   report.pull = hands->force_fraction();
   return report;
 }
 
-StepReport TimeStep::advance(const Matrix3Xd& force, Bodies& bodies, Cloth& cloth) {
-  const Matrix3Xd before = cloth.positions;
-  integrate(force, cloth);  // section 5.3
-  return correct(before, bodies, cloth);
+// What the cloth cannot bear, hands do not get: a step that would leave an edge beyond the limit of
+// strain is taken again, with half of their force and from half of the velocities, at last from
+// rest. If even that does not help, the ribbon stays where it is.
+StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
+  Cloth before = cloth;
+  for (int attempt = 0;; ++attempt) {
+    const StepReport report = advance(fastening_force(hands, cloth), bodies, cloth);  // section 5.2
+    if (is_within_limit(cloth)) return report;
+    before.velocities *= attempt + 1 < most_eased_attempts ? 0.5 : 0;
+    cloth = before;
+    if (attempt == most_eased_attempts) return report;
+    if (hands != nullptr) hands->ease();
+  }
 }
 
-StepReport TimeStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
-  return contact_ == ContactMethod::paper ? correct_as_published(before, bodies, cloth)
-                                          : correct_with_gate(before, bodies, cloth);
+StepReport TimeStep::advance(const Matrix3Xd& force, Bodies& bodies, Cloth& cloth) {
+  return contact_ == ContactMethod::paper ? advance_as_published(force, bodies, cloth)
+                                          : advance_with_gate(force, bodies, cloth);
 }
 
 namespace {
 
 constexpr int most_detections = 10;   // as published, of detection and repulsion in one step
 constexpr int most_corrections = 10;  // as published, of strain in one step (section 5.5)
-constexpr int repulsion_rounds = 3;   // with the gate
+constexpr int sweeps_in_substep = 3;  // with the gate
 
 }  // namespace
 
 // contact = "paper".
+StepReport TimeStep::advance_as_published(const Matrix3Xd& force, Bodies& bodies, Cloth& cloth) {
+  const Matrix3Xd before = cloth.positions;
+  integrate(force, cloth);  // section 5.3
+  return correct_as_published(before, bodies, cloth);
+}
+
 StepReport TimeStep::correct_as_published(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
   bool any_collision = true;
   for (int round = 0; round < most_detections && any_collision; ++round)
@@ -53,19 +75,31 @@ StepReport TimeStep::correct_as_published(const Matrix3Xd& before, Bodies& bodie
 }
 
 // contact = "gate": one detection serves all of the step, and there is nothing to recover from.
-StepReport TimeStep::correct_with_gate(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
-  GatedMotion motion(gate_, before, bodies, clock_);
-  motion.detect(cloth.positions);            // section 5.4
-  repel_a_few_times(motion, bodies, cloth);  // section 5.4.2
-  StepReport report{.is_over_limit = true};
+// Springs press what lies on each other together, all the more the longer they are left alone; so
+// contact and strain answer to each substep, and what rests hardly moves.
+StepReport TimeStep::advance_with_gate(const Matrix3Xd& force, Bodies& bodies, Cloth& cloth) {
+  GatedMotion motion(gate_, cloth.positions, bodies, clock_);
+  const Matrix3Xd expected = cloth.positions + step_s_ * cloth.velocities;
+  motion.detect(expected);  // section 5.4
+  const auto contacts = contact_constraints(motion, expected, bodies);
+  for (int substep = 0; substep < substeps(); ++substep) {
+    const Matrix3Xd before = cloth.positions;
+    integrate_substep(force, cloth);  // section 5.3
+    correct_strain_and_contact(contacts, sweeps_in_substep, before, bodies,
+                               cloth);  // cf. sections 5.4.2 and 5.5
+  }
+  return correct_with_gate(motion, bodies, cloth);
+}
+
+StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth) {
+  StepReport report = pass_gate(motion, cloth);
   for (int round = 0; round < strain_correction_.most_rounds && report.is_over_limit; ++round) {
-    correct_strain_and_contact(motion, bodies, cloth);  // cf. section 5.5
-    // A few particles outside their bounds are truncated, which may strain their edges; many are
-    // worth another look, and any when edges are strained.
-    const auto few = static_cast<int>(round > 0 ? 0 : cloth.particle_count() / 100);
-    motion.detect_if_outgrown_by_more_than(few, cloth.positions);
-    report.truncated = std::max(report.truncated, truncate(motion, cloth));  // for section 5.6
-    report.is_over_limit = is_over_limit(cloth);
+    const auto contacts = contact_constraints(motion, cloth.positions, bodies);
+    correct_strain_and_contact(contacts, strain_correction_.most_sweeps, motion.free_positions(),
+                               bodies, cloth);  // cf. section 5.5
+    const int truncated = report.truncated;
+    report = pass_gate(motion, cloth);
+    report.truncated = std::max(report.truncated, truncated);  // for section 5.6
   }
   return report;
 }
@@ -88,6 +122,11 @@ void TimeStep::integrate(const Matrix3Xd& force, Cloth& cloth) {
   integrator_->displace(force, cloth);
 }
 
+void TimeStep::integrate_substep(const Matrix3Xd& force, Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::integration);
+  integrator_->displace_in_substep(force, cloth);
+}
+
 std::vector<FeaturePair> TimeStep::detect(const Matrix3Xd& before, Bodies& bodies,
                                           const Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::detection);
@@ -104,14 +143,6 @@ bool TimeStep::repel(const std::vector<FeaturePair>& pairs, const Matrix3Xd& bef
   return repel_once(pairs, distances_, repulsion_, bodies, before, cloth);
 }
 
-void TimeStep::repel_a_few_times(const GatedMotion& motion, const Bodies& bodies, Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::repulsion);
-  const std::vector<FeaturePair> pairs = motion.approaching(cloth.positions);
-  bool any_collision = true;
-  for (int round = 0; round < repulsion_rounds && any_collision; ++round)
-    any_collision = repel(pairs, motion.free_positions(), bodies, cloth);
-}
-
 // while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes
 // their velocities, so that the springs are not stretched again in the next step.
 void TimeStep::correct_strain(Cloth& cloth) {
@@ -126,23 +157,38 @@ void TimeStep::correct_strain(Cloth& cloth) {
   if (rounds > 0) cloth.velocities += (cloth.positions - before) / step_s_;
 }
 
+std::vector<ContactConstraint> TimeStep::contact_constraints(const GatedMotion& motion,
+                                                             const Matrix3Xd& target,
+                                                             const Bodies& bodies) {
+  const StageTimer timer(clock_, StepStage::repulsion);
+  return ribbon::contact_constraints(motion.candidates(), bodies, distances_, motion.reach_m(),
+                                     motion.free_positions(), target);
+}
+
 // Corrected alone, edges would be pressed into contact, and stretched again by it; so both are
 // satisfied in turn.
-void TimeStep::correct_strain_and_contact(const GatedMotion& motion, const Bodies& bodies,
-                                          Cloth& cloth) {
+void TimeStep::correct_strain_and_contact(std::span<const ContactConstraint> contacts,
+                                          int most_sweeps, const Matrix3Xd& before,
+                                          const Bodies& bodies, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
-  const Matrix3Xd before = cloth.positions;
-  const auto contacts = contact_constraints(motion.candidates(), bodies, distances_,
-                                            motion.reach_m(), motion.free_positions(), cloth);
   RowActivity activity = strain_constraints_.activity();
   bool any = true;
   int sweeps = 0;
-  for (; sweeps < strain_correction_.most_sweeps && any; ++sweeps) {
-    any = keep_apart(contacts, bodies, activity, cloth.positions);
-    any = strain_constraints_.tighten(activity, cloth.positions) || any;
+  for (; sweeps < most_sweeps && any; ++sweeps) {
+    any = keep_apart(contacts, repulsion_.friction, before, bodies, activity, cloth);
+    any = strain_constraints_.tighten(activity, cloth) || any;
   }
   clock_.count_sweeps(sweeps);
-  cloth.velocities += (cloth.positions - before) / step_s_;
+}
+
+// A few particles outside their bounds are truncated, which may strain their edges; many are worth
+// another look, and any when edges are strained.
+StepReport TimeStep::pass_gate(GatedMotion& motion, Cloth& cloth) {
+  const bool is_strained = is_over_limit(cloth);
+  const auto few = static_cast<int>(is_strained ? 0 : cloth.particle_count() / 100);
+  motion.detect_if_outgrown_by_more_than(few, cloth.positions);
+  const int truncated = truncate(motion, cloth);
+  return {.truncated = truncated, .is_over_limit = is_over_limit(cloth)};
 }
 
 // What was truncated is taken from the velocity, as far as there is any in that direction: a
@@ -175,7 +221,21 @@ bool TimeStep::is_over_limit(const Cloth& cloth) {
   return strain_constraints_.worst_excess(cloth.positions) > strain_left_over;
 }
 
+bool TimeStep::is_within_limit(const Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::strain_correction);
+  return strain_constraints_.hold(cloth.positions);
+}
+
 // ---- Before the first step
+
+StepReport TimeStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
+  if (contact_ == ContactMethod::paper) return correct_as_published(before, bodies, cloth);
+  GatedMotion motion(gate_, before, bodies, clock_);
+  motion.detect(cloth.positions);
+  correct_strain_and_contact(contact_constraints(motion, cloth.positions, bodies),
+                             strain_correction_.most_sweeps, before, bodies, cloth);
+  return correct_with_gate(motion, bodies, cloth);
+}
 
 void TimeStep::move(const Matrix3Xd& target, Bodies& bodies, Cloth& cloth) {
   const Matrix3Xd before = cloth.positions;
@@ -204,7 +264,8 @@ StrainConstraints strain_constraints(const Scene& scene, const RestSize& size, d
   std::vector<LimitedFamily> limited;
   const auto limit = [&](const SpringFamily& family) {
     limited.push_back(
-        {family, aimed_strain(scene.strain_correction.strain, family.rest_length_m, rounding_m)});
+        {family, aimed_strain(scene.strain_correction.strain, family.rest_length_m, rounding_m),
+         most_strain(family.rest_length_m, rounding_m)});
   };
   for (const SpringFamily& family : stretch_families(size)) limit(family);
   if (scene.springs.shear > 0)

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "ribbon_mesh/rest_size.h"
@@ -19,6 +20,7 @@
 #include "simulation/step/gated_motion.h"
 #include "simulation/step/stage_clock.h"
 #include "simulation/step/step_report.h"
+#include "simulation/truncation/contact_constraints.h"
 #include "simulation/truncation/strain_constraints.h"
 
 namespace ribbon {
@@ -37,7 +39,8 @@ class TimeStep {
   TimeStep(const Scene& scene, const RestSize& size, const ContactLengths& lengths,
            double particle_mass_kg);
 
-  // One time step. hands: null where nothing fastens the ribbon.
+  // One time step. hands: null where nothing fastens the ribbon. With the gate it leaves every edge
+  // within the limit of strain, if it was so before.
   StepReport take(Hands* hands, Bodies& bodies, Cloth& cloth);
 
   // Likewise, under a force that is given (3 x particles, N, or no columns for none).
@@ -55,6 +58,9 @@ class TimeStep {
   // rest. The report's recovery iterations are those of all rounds.
   StepReport settle(int rounds, Bodies& bodies, Cloth& cloth);
 
+  // Is every edge within the paper's limit of strain, with what recording may add?
+  [[nodiscard]] bool is_within_limit(const Cloth& cloth);
+
   // Into how many parts the springs divide a step.
   [[nodiscard]] int substeps() const { return integrator_->substeps(); }
   // Charged with the stages of all steps.
@@ -62,19 +68,28 @@ class TimeStep {
   [[nodiscard]] const StageClock& clock() const { return clock_; }
 
  private:
-  StepReport correct_with_gate(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth);
+  StepReport advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth);
+  StepReport advance_as_published(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
+  StepReport advance_with_gate(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
+  StepReport correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
   StepReport correct_as_published(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth);
 
   Eigen::Matrix3Xd fastening_force(Hands* hands, const Cloth& cloth);
   void follow_with(Hands& hands, const Cloth& cloth);
   void integrate(const Eigen::Matrix3Xd& force, Cloth& cloth);
+  void integrate_substep(const Eigen::Matrix3Xd& force, Cloth& cloth);
   std::vector<FeaturePair> detect(const Eigen::Matrix3Xd& before, Bodies& bodies,
                                   const Cloth& cloth);
   bool repel(const std::vector<FeaturePair>& pairs, const Eigen::Matrix3Xd& before,
              const Bodies& bodies, Cloth& cloth);
-  void repel_a_few_times(const GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
   void correct_strain(Cloth& cloth);
-  void correct_strain_and_contact(const GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
+  std::vector<ContactConstraint> contact_constraints(const GatedMotion& motion,
+                                                     const Eigen::Matrix3Xd& target,
+                                                     const Bodies& bodies);
+  void correct_strain_and_contact(std::span<const ContactConstraint> contacts, int most_sweeps,
+                                  const Eigen::Matrix3Xd& before, const Bodies& bodies,
+                                  Cloth& cloth);
+  StepReport pass_gate(GatedMotion& motion, Cloth& cloth);
   int truncate(GatedMotion& motion, Cloth& cloth);
   StepReport recover(Bodies& bodies, Cloth& cloth);
   [[nodiscard]] bool is_over_limit(const Cloth& cloth);

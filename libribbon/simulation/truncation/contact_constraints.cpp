@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "simulation/contact/friction.h"
 #include "simulation/detection/closest_weights.h"
 
 namespace ribbon {
@@ -13,6 +14,8 @@ namespace {
 
 // Beyond the minimum separation, so that nothing has to be truncated.
 constexpr double clear_of_truncation = 1.2;
+// Of what lacks to the activation distance: layers that were pressed together move apart gently.
+constexpr double opening = 0.2;
 constexpr double negligible_violation = 1e-3;  // of a distance
 
 }  // namespace
@@ -21,11 +24,11 @@ std::vector<ContactConstraint> contact_constraints(const ContactCandidates& cand
                                                    const Bodies& bodies,
                                                    const PairDistances& distances, double reach_m,
                                                    const Matrix3Xd& free_positions,
-                                                   const Cloth& cloth) {
+                                                   const Matrix3Xd& target) {
   std::vector<ContactConstraint> constraints;
   const VertexPositions vertices = bodies.vertices(free_positions);
   for (const std::size_t i :
-       approaching_pairs(candidates, free_positions, cloth.positions - free_positions, reach_m)) {
+       approaching_pairs(candidates, free_positions, target - free_positions, reach_m)) {
     const FeaturePair& pair = candidates.pairs[i];
     const auto x = corners(pair, vertices);
     ContactConstraint constraint;
@@ -40,17 +43,57 @@ std::vector<ContactConstraint> contact_constraints(const ContactCandidates& cand
     if (distance_m == 0 || effective_inverse_mass == 0) continue;
     constraint.corrections /= effective_inverse_mass;
     constraint.normal = apart / distance_m;
-    constraint.distance_m =
-        std::min(distances.activation_m(pair),
-                 std::max(distance_m, clear_of_truncation * distances.min_separation_m(pair)));
+    const double activation_m = distances.activation_m(pair);
+    const double opened_m = distance_m + opening * std::max(0.0, activation_m - distance_m);
+    constraint.distance_m = std::min(
+        activation_m, std::max(opened_m, clear_of_truncation * distances.min_separation_m(pair)));
     constraints.push_back(constraint);
   }
   return constraints;
 }
 
-bool keep_apart(std::span<const ContactConstraint> constraints, const Bodies& bodies,
-                RowActivity& activity, Matrix3Xd& positions) {
-  const VertexPositions vertices = bodies.vertices(positions);
+namespace {
+
+// The contact point of the first feature as seen from that of the second; the obstacle's vertices
+// do not move.
+template <class Of>
+Vector3d between(const ContactConstraint& constraint, const Bodies& bodies, const Of& of) {
+  Vector3d sum = Vector3d::Zero();
+  for (int k = 0; k < 4; ++k)
+    if (bodies.is_particle(constraint.vertices[k]))
+      sum += constraint.weights[k] * of(constraint.vertices[k]);
+  return sum;
+}
+
+// How far a pair is to move apart, and what its velocity is to change by.
+struct Response {
+  Vector3d moved;
+  Vector3d accelerated;
+};
+
+Response response(const ContactConstraint& constraint, double violation_m, double friction,
+                  const Matrix3Xd& before, const Bodies& bodies, const Cloth& cloth) {
+  const Vector3d& normal = constraint.normal;
+  const Vector3d velocity = between(
+      constraint, bodies, [&](int particle) -> Vector3d { return cloth.velocities.col(particle); });
+  const double stopped_m_s = std::max(0.0, -normal.dot(velocity));
+  Response result{violation_m * normal, stopped_m_s * normal};
+  if (friction > 0) {
+    const Vector3d slid = between(constraint, bodies, [&](int particle) -> Vector3d {
+      return cloth.positions.col(particle) - before.col(particle);
+    });
+    result.moved += friction_impulse(slid, normal, friction, violation_m);
+    result.accelerated += friction_impulse(velocity, normal, friction, stopped_m_s);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool keep_apart(std::span<const ContactConstraint> constraints, double friction,
+                const Matrix3Xd& before, const Bodies& bodies, RowActivity& activity,
+                Cloth& cloth) {
+  const VertexPositions vertices = bodies.vertices(cloth.positions);
   bool any = false;
   for (const ContactConstraint& constraint : constraints) {
     double distance_m = 0;
@@ -59,10 +102,13 @@ bool keep_apart(std::span<const ContactConstraint> constraints, const Bodies& bo
     const double violation_m = constraint.distance_m - distance_m;
     if (violation_m <= 0) continue;
     any = any || violation_m > negligible_violation * constraint.distance_m;
+    const auto [moved, accelerated] =
+        response(constraint, violation_m, friction, before, bodies, cloth);
     for (int k = 0; k < 4; ++k) {
       if (constraint.corrections[k] == 0) continue;
       const int particle = constraint.vertices[k];
-      positions.col(particle) += constraint.corrections[k] * violation_m * constraint.normal;
+      cloth.positions.col(particle) += constraint.corrections[k] * moved;
+      cloth.velocities.col(particle) += constraint.corrections[k] * accelerated;
       activity.move(bodies.grid.row(particle));
     }
   }

@@ -24,17 +24,21 @@ struct ContactConstraint {
 };
 
 // One for each listed pair that could come into contact between `free_positions`, in which nothing
-// intersects, and the cloth's present positions: along the line between its closest points in the
-// free ones, contact shall not begin, or, where it has begun, not become any closer.
+// intersects, and `target` (3 x particles each): along the line between its closest points in the
+// free ones, contact shall not begin, or, where it has begun, open by a fifth of what lacks.
 std::vector<ContactConstraint> contact_constraints(const ContactCandidates& candidates,
                                                    const Bodies& bodies,
                                                    const PairDistances& distances, double reach_m,
                                                    const Eigen::Matrix3Xd& free_positions,
-                                                   const Cloth& cloth);
+                                                   const Eigen::Matrix3Xd& target);
 
 // One sweep: moves apart, in order and by momentum conservation, the pairs that do not keep their
-// distance, whose rows become active. Was any violated by more than a thousandth of it?
-bool keep_apart(std::span<const ContactConstraint> constraints, const Bodies& bodies,
-                RowActivity& activity, Eigen::Matrix3Xd& positions);
+// distance, and takes from them the speed at which they approach, so that kinetic energy never
+// grows; their rows become active. With `friction` (Coulomb's coefficient, >= 0; friction.h) what
+// the contact points have slid over each other since `before` (3 x particles) and the speed at
+// which they slide are reduced likewise. Was any distance violated by more than a thousandth of it?
+bool keep_apart(std::span<const ContactConstraint> constraints, double friction,
+                const Eigen::Matrix3Xd& before, const Bodies& bodies, RowActivity& activity,
+                Cloth& cloth);
 
 }  // namespace ribbon

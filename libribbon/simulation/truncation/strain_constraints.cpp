@@ -14,24 +14,30 @@ namespace {
 
 constexpr double negligible_excess = 0.002;  // of an edge's rest length
 constexpr double least_aim = 0.02;
+constexpr double recordable_strain = 0.99 * paper_strain_limit;
 
-// Moves the two ends of an edge that is too long or too short. By how much of its rest length was
-// it so?
-double tighten_edge(const LimitedFamily& limited, Eigen::Ref<Eigen::Vector3d> a,
-                    Eigen::Ref<Eigen::Vector3d> b) {
-  const Eigen::Vector3d apart = b - a;
+// Moves the two ends of an edge that is too long or too short, and takes from them the speed at
+// which it becomes more so. By how much of its rest length was it?
+double tighten_edge(const LimitedFamily& limited, int a, int b, Cloth& cloth) {
+  const Eigen::Vector3d apart = cloth.positions.col(b) - cloth.positions.col(a);
   const double length_m = apart.norm();
   const double excess_m =
       length_m - std::clamp(length_m, limited.shortest_m(), limited.longest_m());
   const Eigen::Vector3d correction = 0.5 * excess_m / length_m * apart;
-  a += correction;
-  b -= correction;
+  cloth.positions.col(a) += correction;
+  cloth.positions.col(b) -= correction;
+  const double worsening =
+      correction.dot(cloth.velocities.col(b) - cloth.velocities.col(a)) / correction.squaredNorm();
+  if (worsening > 0) {
+    cloth.velocities.col(a) += 0.5 * worsening * correction;
+    cloth.velocities.col(b) -= 0.5 * worsening * correction;
+  }
   return std::abs(excess_m) / limited.family.rest_length_m;
 }
 
 // Was any of them beyond its limit by more than is negligible?
 bool tighten_all(const LimitedFamily& limited, const RibbonGrid& grid, RowActivity& activity,
-                 Eigen::Matrix3Xd& positions) {
+                 Cloth& cloth) {
   const double shortest_m = limited.shortest_m();
   const double longest_m = limited.longest_m();
   double worst = 0;
@@ -39,11 +45,11 @@ bool tighten_all(const LimitedFamily& limited, const RibbonGrid& grid, RowActivi
     const int other_row = row + limited.family.rows;
     if (activity.is_resting(row) && activity.is_resting(other_row)) continue;
     for_each_spring_of_row(grid, limited.family, row, [&](int a, int b) {
-      const double squared = (positions.col(b) - positions.col(a)).squaredNorm();
+      const double squared = (cloth.positions.col(b) - cloth.positions.col(a)).squaredNorm();
       // A collapsed edge has no direction to grow in; its neighbours give it one.
       if ((squared >= shortest_m * shortest_m && squared <= longest_m * longest_m) || squared == 0)
         return;
-      worst = std::max(worst, tighten_edge(limited, positions.col(a), positions.col(b)));
+      worst = std::max(worst, tighten_edge(limited, a, b, cloth));
       activity.move(row);
       activity.move(other_row);
     });
@@ -56,26 +62,39 @@ bool tighten_all(const LimitedFamily& limited, const RibbonGrid& grid, RowActivi
 StrainConstraints::StrainConstraints(const RibbonGrid& grid, std::vector<LimitedFamily> families)
     : grid_(grid), families_(std::move(families)) {}
 
-bool StrainConstraints::tighten(RowActivity& activity, Eigen::Matrix3Xd& positions) const {
+bool StrainConstraints::tighten(RowActivity& activity, Cloth& cloth) const {
   bool any = false;
   for (std::size_t i = 0; i < families_.size(); ++i) {
     activity.begin(i);
-    any = tighten_all(families_[i], grid_, activity, positions) || any;
+    any = tighten_all(families_[i], grid_, activity, cloth) || any;
   }
   return any;
 }
 
 double StrainConstraints::worst_excess(const Eigen::Matrix3Xd& positions) const {
   double worst = -std::numeric_limits<double>::infinity();
-  for (const auto& [family, limit] : families_)
-    worst = std::max(worst, worst_strain(grid_, family, positions) - limit);
+  for (const LimitedFamily& limited : families_)
+    worst = std::max(worst, worst_strain(grid_, limited.family, positions) - limited.limit);
   return worst;
 }
 
+bool StrainConstraints::hold(const Eigen::Matrix3Xd& positions) const {
+  return std::all_of(families_.begin(), families_.end(), [&](const LimitedFamily& limited) {
+    return worst_strain(grid_, limited.family, positions) <= limited.most;
+  });
+}
+
+double most_strain(double rest_m, double rounding_m) {
+  return std::max(least_aim + strain_left_over,
+                  recordable_strain - lost_to_rounding_m(rounding_m) / rest_m);
+}
+
+double coarsest_rounding_m(double rest_m) {
+  return (recordable_strain - least_aim - strain_left_over) * rest_m / lost_to_rounding_m(1);
+}
+
 double aimed_strain(double strain, double rest_m, double rounding_m) {
-  const double recorded = lost_to_rounding_m(rounding_m) / rest_m;
-  return std::max(least_aim,
-                  std::min(strain, 0.99 * paper_strain_limit - recorded - strain_left_over));
+  return std::min(strain, most_strain(rest_m, rounding_m) - strain_left_over);
 }
 
 }  // namespace ribbon

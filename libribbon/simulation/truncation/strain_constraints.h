@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "ribbon_mesh/springs.h"
+#include "simulation/state/cloth.h"
 #include "simulation/truncation/row_activity.h"
 
 namespace ribbon {
 
 struct LimitedFamily {
   SpringFamily family;
-  double limit = 0;  // of the rest length, in both directions
+  double limit = 0;  // of the rest length, in both directions: what is aimed at
+  double most = 0;   // what no step may leave
 
   [[nodiscard]] double shortest_m() const { return (1 - limit) * family.rest_length_m; }
   [[nodiscard]] double longest_m() const { return (1 + limit) * family.rest_length_m; }
@@ -25,9 +27,10 @@ class StrainConstraints {
   StrainConstraints(const RibbonGrid& grid, std::vector<LimitedFamily> families);
 
   // One sweep: both particles of each edge beyond the limit move toward or away from each other by
-  // equal parts, one family after the other; rows that rest are passed over. Was any beyond it by
-  // more than a five-hundredth of its length?
-  bool tighten(RowActivity& activity, Eigen::Matrix3Xd& positions) const;
+  // equal parts, and lose the speed at which it gets further beyond, so that kinetic energy never
+  // grows; one family after the other; rows that rest are passed over. Was any beyond it by more
+  // than a five-hundredth of its length?
+  bool tighten(RowActivity& activity, Cloth& cloth) const;
 
   // Of the rows at the beginning of some sweeps.
   [[nodiscard]] RowActivity activity() const { return {grid_.along, families_.size()}; }
@@ -35,15 +38,23 @@ class StrainConstraints {
   // The most by which the |strain| of an edge is beyond its limit; below 0 where none is.
   [[nodiscard]] double worst_excess(const Eigen::Matrix3Xd& positions) const;
 
+  // Is every edge within what no step may leave?
+  [[nodiscard]] bool hold(const Eigen::Matrix3Xd& positions) const;
+
  private:
   RibbonGrid grid_;
   std::vector<LimitedFamily> families_;
 };
 
+// The most strain of an edge of rest length rest_m that stays within the paper's limit of 10 % when
+// it is recorded with rounding_m (>= 0) a coordinate; at least what the correction leaves.
+double most_strain(double rest_m, double rounding_m);
+
+// With up to which rounding edges of rest_m can be kept within the paper's limit.
+double coarsest_rounding_m(double rest_m);
+
 // What the strain correction aims at for an edge of rest length rest_m, so that it is still within
-// the paper's limit of 10 % when it is left a little over and then recorded with rounding_m (>= 0)
-// a coordinate: `strain`, or what rounding leaves, but not less than 2 %. Such short edges may be
-// recorded beyond the limit.
+// most_strain() when it is left a little over: `strain`, or less where rounding asks for it.
 double aimed_strain(double strain, double rest_m, double rounding_m);
 
 // By how much more than what was aimed at the strain correction is content with.

@@ -40,6 +40,22 @@ TEST(Hands, pull_with_all_of_the_force_whatever_the_stretch_unless_they_yield) {
   EXPECT_NEAR(yielding.force_fraction(), 0.5, 1e-9);
 }
 
+TEST(Hands, ease_by_half_and_then_pull_a_little_more_in_every_step) {
+  const Cloth cloth = cloth_at_rest();
+  Hands hands = hands_of(scene_of_hands());
+  const Matrix3Xd all = hands.pull(cloth);
+  hands.ease();
+  EXPECT_TRUE(hands.pull(cloth).isApprox(0.5 * all));
+  EXPECT_EQ(hands.force_fraction(), 0.5);
+  int steps = 0;
+  for (; hands.force_fraction() < 1 && steps < 100; ++steps) {
+    hands.follow(cloth);
+    hands.pull(cloth);
+  }
+  EXPECT_GT(steps, 10);
+  EXPECT_LT(steps, 20);
+}
+
 TEST(Hands, with_a_speed_limit_do_not_pull_what_is_too_fast) {
   Scene scene = scene_of_hands();
   scene.fastening->max_speed_m_s = 1;

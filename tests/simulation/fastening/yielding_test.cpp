@@ -29,14 +29,23 @@ TEST(Yielding, gives_way_altogether_at_one_and_a_half_of_its_strain) {
   for (const double stretch : {0.0751, 3.0}) EXPECT_EQ(fraction_at(stretch), 0) << stretch;
 }
 
-TEST(Yielding, does_not_mind_one_edge_in_a_hundred) {
-  // By hand: 200 edges along, so two may be stretched.
+TEST(Yielding, does_not_mind_one_row_in_a_hundred) {
+  // By hand: edges lead from 100 rows, so those of one may be stretched.
   Yielding yielding(size, 0.05);
   Eigen::Matrix3Xd two_stretched = flat_ribbon(size.grid);
   two_stretched.row(0).tail(2).array() += 0.5;
   EXPECT_EQ(yielding.force_fraction(two_stretched), 1);
   two_stretched(0, 0) -= 0.5;
   EXPECT_EQ(yielding.force_fraction(two_stretched), 0);
+}
+
+// Bent in its plane, a ribbon is stretched along one selvage and shrunk along the other.
+TEST(Yielding, does_not_mind_what_is_bent_to_the_side) {
+  Yielding yielding(size, 0.05);
+  Eigen::Matrix3Xd bent = flat_ribbon(size.grid);
+  for (int p = 0; p < size.grid.particle_count(); ++p)
+    bent(0, p) *= size.grid.column(p) == 0 ? 1.2 : 0.8;
+  EXPECT_EQ(yielding.force_fraction(bent), 1);
 }
 
 }  // namespace ribbon::yielding_test

@@ -41,7 +41,7 @@ struct Band {
 
   explicit Band(double stretch = 20, double mass_kg = 0.02, RibbonGrid particles = {10, 5})
       : grid(particles),
-        stiffness{.stretch = stretch, .shear = 0.7 * stretch, .bend = 0.3 * stretch} {
+        stiffness{.stretch = stretch, .shear = 0.7 * stretch, .bend = 0.3 * stretch, .damping = 0} {
     cloth.particle_mass_kg = mass_kg;
     cloth.positions.resize(3, grid.particle_count());
     cloth.velocities = Matrix3Xd::Zero(3, grid.particle_count());

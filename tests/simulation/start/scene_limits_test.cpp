@@ -50,7 +50,7 @@ TEST(SceneLimits, a_ribbon_too_wide_for_the_modes_of_the_implicit_scheme_is_refu
                 "\"implicit\" takes; set a smaller ribbon.across"));
 }
 
-TEST(SceneLimits, a_recording_too_coarse_for_the_gap_is_refused_with_an_error_that_serves) {
+TEST(SceneLimits, a_recording_too_coarse_for_edges_and_gap_is_refused_with_an_error_that_serves) {
   Scene scene = scene_of_loop();
   const RibbonMesh mesh = mesh_of_loop(scene);
   scene.recording.max_position_error = 0.01;
