@@ -21,9 +21,9 @@ void Integrator::displace_in_substep(const Eigen::Matrix3Xd& fastening_force, Cl
   state_.fastening = fastening_force.transpose() / cloth.particle_mass_kg;
   const double h = properties_.step_s / substeps_;
   advance(h);
+  if (damping_) damping_->apply(h, state_.positions, state_.velocities);
   cloth.positions = state_.positions.transpose();
   cloth.velocities = state_.velocities.transpose();
-  if (damping_) damping_->apply(h, cloth);
 }
 
 int stable_substeps(double step_s, double fastest_rad_s, double stability_limit) {

@@ -1,8 +1,9 @@
 // The internal friction of the springs, by which a ribbon comes to rest. The paper has none.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "ribbon_mesh/springs.h"
-#include "simulation/state/cloth.h"
 
 namespace ribbon {
 
@@ -18,8 +19,8 @@ class SpringDamping {
   SpringDamping(const SpringNetwork& network, double particle_mass_kg)
       : network_(network), particle_mass_kg_(particle_mass_kg) {}
 
-  // What it does in h seconds.
-  void apply(double h, Cloth& cloth) const;
+  // What it does to the velocities in h seconds. particles x 3 each, m and m/s.
+  void apply(double h, const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& velocities) const;
 
  private:
   SpringNetwork network_;

@@ -1,7 +1,9 @@
 #include "simulation/truncation/contact_constraints.h"
 
 #include <algorithm>
+#include <cstddef>
 
+#include "parallel/parallel.h"
 #include "simulation/contact/friction.h"
 #include "simulation/detection/closest_weights.h"
 
@@ -18,6 +20,30 @@ constexpr double clear_of_truncation = 1.2;
 constexpr double opening = 0.2;
 constexpr double negligible_violation = 1e-3;  // of a distance
 
+// Where the closest points leave no direction, or nothing could move, one of distance 0, which is
+// always kept.
+ContactConstraint constraint_of(const FeaturePair& pair, const Bodies& bodies,
+                                const VertexPositions& vertices, const PairDistances& distances) {
+  const auto x = corners(pair, vertices);
+  ContactConstraint constraint;
+  constraint.vertices = pair.vertices;
+  constraint.weights = closest_weights(pair.kind, x);
+  const Vector3d apart = x * constraint.weights;
+  const double distance_m = apart.norm();
+  for (int k = 0; k < 4; ++k)
+    constraint.corrections[k] = bodies.is_particle(pair.vertices[k]) ? constraint.weights[k] : 0;
+  // Of particles of mass 1.
+  const double effective_inverse_mass = constraint.corrections.dot(constraint.weights);
+  if (distance_m == 0 || effective_inverse_mass == 0) return constraint;
+  constraint.corrections /= effective_inverse_mass;
+  constraint.normal = apart / distance_m;
+  const double activation_m = distances.activation_m(pair);
+  const double opened_m = distance_m + opening * std::max(0.0, activation_m - distance_m);
+  constraint.distance_m = std::min(
+      activation_m, std::max(opened_m, clear_of_truncation * distances.min_separation_m(pair)));
+  return constraint;
+}
+
 }  // namespace
 
 std::vector<ContactConstraint> contact_constraints(const ContactCandidates& candidates,
@@ -25,30 +51,14 @@ std::vector<ContactConstraint> contact_constraints(const ContactCandidates& cand
                                                    const PairDistances& distances, double reach_m,
                                                    const Matrix3Xd& free_positions,
                                                    const Matrix3Xd& target) {
-  std::vector<ContactConstraint> constraints;
   const VertexPositions vertices = bodies.vertices(free_positions);
-  for (const std::size_t i :
-       approaching_pairs(candidates, free_positions, target - free_positions, reach_m)) {
-    const FeaturePair& pair = candidates.pairs[i];
-    const auto x = corners(pair, vertices);
-    ContactConstraint constraint;
-    constraint.vertices = pair.vertices;
-    constraint.weights = closest_weights(pair.kind, x);
-    const Vector3d apart = x * constraint.weights;
-    const double distance_m = apart.norm();
-    for (int k = 0; k < 4; ++k)
-      constraint.corrections[k] = bodies.is_particle(pair.vertices[k]) ? constraint.weights[k] : 0;
-    // Of particles of mass 1.
-    const double effective_inverse_mass = constraint.corrections.dot(constraint.weights);
-    if (distance_m == 0 || effective_inverse_mass == 0) continue;
-    constraint.corrections /= effective_inverse_mass;
-    constraint.normal = apart / distance_m;
-    const double activation_m = distances.activation_m(pair);
-    const double opened_m = distance_m + opening * std::max(0.0, activation_m - distance_m);
-    constraint.distance_m = std::min(
-        activation_m, std::max(opened_m, clear_of_truncation * distances.min_separation_m(pair)));
-    constraints.push_back(constraint);
-  }
+  const std::vector<std::size_t> near =
+      approaching_pairs(candidates, free_positions, target - free_positions, reach_m);
+  std::vector<ContactConstraint> constraints(near.size());
+  parallel_ranges(near.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      constraints[i] = constraint_of(candidates.pairs[near[i]], bodies, vertices, distances);
+  });
   return constraints;
 }
 
@@ -63,6 +73,13 @@ Vector3d between(const ContactConstraint& constraint, const Bodies& bodies, cons
     if (bodies.is_particle(constraint.vertices[k]))
       sum += constraint.weights[k] * of(constraint.vertices[k]);
   return sum;
+}
+
+bool is_resting(const ContactConstraint& constraint, const Bodies& bodies,
+                const RowActivity& activity) {
+  return std::all_of(constraint.vertices.begin(), constraint.vertices.end(), [&](int vertex) {
+    return !bodies.is_particle(vertex) || activity.is_resting(bodies.grid.row(vertex));
+  });
 }
 
 // How far a pair is to move apart, and what its velocity is to change by.
@@ -95,7 +112,9 @@ bool keep_apart(std::span<const ContactConstraint> constraints, double friction,
                 Cloth& cloth) {
   const VertexPositions vertices = bodies.vertices(cloth.positions);
   bool any = false;
+  activity.begin(contact_task);
   for (const ContactConstraint& constraint : constraints) {
+    if (is_resting(constraint, bodies, activity)) continue;
     double distance_m = 0;
     for (int k = 0; k < 4; ++k)
       distance_m += constraint.weights[k] * constraint.normal.dot(vertices[constraint.vertices[k]]);

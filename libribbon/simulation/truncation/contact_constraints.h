@@ -34,9 +34,10 @@ std::vector<ContactConstraint> contact_constraints(const ContactCandidates& cand
 
 // One sweep: moves apart, in order and by momentum conservation, the pairs that do not keep their
 // distance, and takes from them the speed at which they approach, so that kinetic energy never
-// grows; their rows become active. With `friction` (Coulomb's coefficient, >= 0; friction.h) what
-// the contact points have slid over each other since `before` (3 x particles) and the speed at
-// which they slide are reduced likewise. Was any distance violated by more than a thousandth of it?
+// grows; their rows become active, and those whose rows all rest are passed over. With `friction`
+// (Coulomb's coefficient, >= 0; friction.h) what the contact points have slid over each other since
+// `before` (3 x particles) and the speed at which they slide are reduced likewise. Was any distance
+// violated by more than a thousandth of it?
 bool keep_apart(std::span<const ContactConstraint> constraints, double friction,
                 const Eigen::Matrix3Xd& before, const Bodies& bodies, RowActivity& activity,
                 Cloth& cloth);

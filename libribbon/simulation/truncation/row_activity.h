@@ -8,6 +8,10 @@
 
 namespace ribbon {
 
+// What looks at the rows in each sweep: contact, and then the families of edges.
+inline constexpr std::size_t contact_task = 0;
+inline constexpr std::size_t first_family_task = 1;
+
 class RowActivity {
  public:
   // So many rows, none of which any of so many tasks has looked at.

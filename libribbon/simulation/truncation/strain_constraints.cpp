@@ -65,7 +65,7 @@ StrainConstraints::StrainConstraints(const RibbonGrid& grid, std::vector<Limited
 bool StrainConstraints::tighten(RowActivity& activity, Cloth& cloth) const {
   bool any = false;
   for (std::size_t i = 0; i < families_.size(); ++i) {
-    activity.begin(i);
+    activity.begin(first_family_task + i);
     any = tighten_all(families_[i], grid_, activity, cloth) || any;
   }
   return any;

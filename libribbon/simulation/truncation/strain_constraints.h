@@ -33,7 +33,9 @@ class StrainConstraints {
   bool tighten(RowActivity& activity, Cloth& cloth) const;
 
   // Of the rows at the beginning of some sweeps.
-  [[nodiscard]] RowActivity activity() const { return {grid_.along, families_.size()}; }
+  [[nodiscard]] RowActivity activity() const {
+    return {grid_.along, first_family_task + families_.size()};
+  }
 
   // The most by which the |strain| of an edge is beyond its limit; below 0 where none is.
   [[nodiscard]] double worst_excess(const Eigen::Matrix3Xd& positions) const;

@@ -96,10 +96,8 @@ TEST(ContactConstraints, part_by_momentum_conservation) {
   const Matrix3Xd before = x;
   const Bodies four{{2, 2}, std::nullopt};
   RowActivity activity(2, 1);
-  activity.begin(0);
-  activity.begin(0);
   EXPECT_TRUE(keep_apart(std::span(&constraint, 1), 0, before, four, activity, cloth));
-  activity.begin(0);
+  activity.begin(contact_task);
   EXPECT_FALSE(activity.is_resting(0));
   EXPECT_NEAR(x(1, 0) - before(1, 0), 0.1 * 3 / 4, 1e-15);
   EXPECT_NEAR(x(1, 1) - before(1, 1), -0.1 / 4, 1e-15);
