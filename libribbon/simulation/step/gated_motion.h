@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "ribbon_mesh/rest_size.h"
@@ -25,9 +26,9 @@ struct GateSettings {
 // toward the targets that integration and corrections set. What it refers to must outlive it.
 class GatedMotion {
  public:
-  GatedMotion(const GateSettings& settings, const Eigen::Matrix3Xd& start, Bodies& bodies,
+  GatedMotion(const GateSettings& settings, Eigen::Matrix3Xd start, Bodies& bodies,
               StageClock& clock)
-      : settings_(settings), bodies_(bodies), clock_(clock), free_positions_(start) {}
+      : settings_(settings), bodies_(bodies), clock_(clock), free_positions_(std::move(start)) {}
 
   // The broad phase, around the displacements from the free positions to the targets.
   void detect(const Eigen::Matrix3Xd& target);
