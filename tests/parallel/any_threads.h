@@ -11,7 +11,7 @@ namespace ribbon {
 template <class Compute>
 auto same_for_any_threads(const Compute& compute) {
   set_thread_limit(1);
-  const auto alone = compute();
+  auto alone = compute();
   for (const int threads : {2, 5}) {
     set_thread_limit(threads);
     EXPECT_EQ(compute(), alone) << threads << " threads";
