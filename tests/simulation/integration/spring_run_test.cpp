@@ -9,7 +9,7 @@
 
 namespace ribbon::spring_run_test {
 
-constexpr int count = 37;  // no whole number of registers
+constexpr long count = 37;  // no whole number of registers
 
 // What springs of many lengths, one of them 0, pull with: x, y and z, then twice the energy.
 std::vector<double> tension_by(InstructionSet set) {

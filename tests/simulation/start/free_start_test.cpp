@@ -78,7 +78,7 @@ TEST(FreeStart, a_grown_ribbon_has_its_rest_size) {
   const RibbonMesh mesh = mesh_of(scene);
   const auto fastening = FasteningProcessor::create(scene, mesh, std::nullopt).value();
   ASSERT_EQ(fastening.start().kind, StartKind::grown);
-  const Matrix3Xd positions = fastening.positions();
+  const Matrix3Xd& positions = fastening.positions();
   const double across_m = 0.45 / 4;
   int short_edges = 0;
   for (int i = 0; i < 60; ++i)
