@@ -125,7 +125,7 @@ class Flattener {
     const Eigen::Rotation2Dd rotated(rotation);
     const Vector2d u = root_from_path_.linear() * (rotated * Vector2d(rx, 0));
     const Vector2d v = root_from_path_.linear() * (rotated * Vector2d(0, ry));
-    const double radius = std::hypot(u.norm(), v.norm());
+    const double radius = std::sqrt(u.squaredNorm() + v.squaredNorm());
     add_chords(std::abs(turn) * std::sqrt(radius / (8 * tolerance_)), [&](double t) -> Vector2d {
       const double angle = begin_angle + t * turn;
       return centre + std::cos(angle) * u + std::sin(angle) * v;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/fastening/decay.h"
+
 namespace ribbon {
 
 using Eigen::Matrix3Xd;
@@ -50,7 +52,7 @@ FasteningProgress::Slot& FasteningProgress::slot_of_this_step() {
 // For how long a free particle that started at rest would have to move at the commanded velocity to
 // get as far as it does in this step: v' = air (command - v).
 double FasteningProgress::free_travel_s() {
-  const double lost = -std::expm1(-air_resistance_per_s_ * step_s_);
+  const double lost = decayed(air_resistance_per_s_ * step_s_);
   const double travel_s = step_s_ - lag_ * lost / air_resistance_per_s_;
   lag_ *= 1 - lost;
   return travel_s;

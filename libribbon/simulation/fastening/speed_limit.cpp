@@ -1,7 +1,8 @@
 #include "simulation/fastening/speed_limit.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "simulation/fastening/decay.h"
 
 namespace ribbon {
 
@@ -9,9 +10,9 @@ namespace ribbon {
 SpeedLimit::SpeedLimit(double highest_m_s, double particle_mass_kg, double air_resistance_per_s,
                        double step_s)
     : highest_m_s_(highest_m_s),
-      kept_(std::exp(-air_resistance_per_s * step_s)),
+      kept_(1 - decayed(air_resistance_per_s * step_s)),
       newton_per_gained_(particle_mass_kg * air_resistance_per_s /
-                         -std::expm1(-air_resistance_per_s * step_s)) {}
+                         decayed(air_resistance_per_s * step_s)) {}
 
 void SpeedLimit::apply(const Eigen::Matrix3Xd& velocities, Eigen::Matrix3Xd& forces) const {
   for (Eigen::Index particle = 0; particle < forces.cols(); ++particle) {
