@@ -188,7 +188,9 @@ StepReport TimeStep::pass_gate(GatedMotion& motion, Cloth& cloth) {
   const auto few = static_cast<int>(is_strained ? 0 : cloth.particle_count() / 100);
   motion.detect_if_outgrown_by_more_than(few, cloth.positions);
   const int truncated = truncate(motion, cloth);
-  return {.truncated = truncated, .is_over_limit = is_over_limit(cloth)};
+  // Where nothing was truncated, the edges are as they were.
+  return {.truncated = truncated,
+          .is_over_limit = truncated == 0 ? is_strained : is_over_limit(cloth)};
 }
 
 // What was truncated is taken from the velocity, as far as there is any in that direction: a
