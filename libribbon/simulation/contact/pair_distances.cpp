@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "geometry/diagonal.h"
+#include "geometry/diagonal_length.h"
 
 namespace ribbon {
 
@@ -39,11 +39,11 @@ double PairDistances::rest_distance_m(const FeaturePair& pair) const {
   const auto row = [this](int vertex) { return size_.grid.row(vertex); };
   const auto column = [this](int vertex) { return size_.grid.column(vertex); };
   const double distance_m =
-      diagonal(apart(interval(first, row), interval(second, row)) * size_.along_m(),
-               apart(interval(first, column), interval(second, column)) * size_.across_m());
+      diagonal_length(apart(interval(first, row), interval(second, row)) * size_.along_m(),
+                      apart(interval(first, column), interval(second, column)) * size_.across_m());
   // No two features that share no vertex are closer than a corner of a quad and its diagonal.
   const double corner_to_diagonal_m =
-      size_.along_m() * size_.across_m() / diagonal(size_.along_m(), size_.across_m());
+      size_.along_m() * size_.across_m() / diagonal_length(size_.along_m(), size_.across_m());
   return std::max(distance_m, corner_to_diagonal_m);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/diagonal.h"
+#include "geometry/diagonal_length.h"
 #include "parallel/parallel.h"
 #include "simulation/detection/bvh_walk.h"
 
@@ -271,7 +271,7 @@ bool RibbonBvh::is_flat(const Tangents& tangents) const {
       least_stretch(tangents.along.end, along_m_, tangents.across.end, across_m_, u, v));
   // In the band, features that share no vertex lie at least a corner's height over its quad's
   // diagonal apart. No number compares as less than the reach: what has no frame is not flat.
-  const double apart_m = along_m_ * across_m_ / diagonal(along_m_, across_m_);
+  const double apart_m = along_m_ * across_m_ / diagonal_length(along_m_, across_m_);
   return flatness * apart_m > reach_m_ + 2 * tangents.freedom_m;
 }
 
