@@ -22,13 +22,18 @@ struct GateSettings {
   double negligible_m;  // displacements that are not worth another truncation
 };
 
-// Within one step: from the positions at its start, in which nothing intersects, stage by stage
-// toward the targets that integration and corrections set. What it refers to must outlive it.
+// Within one step, or some of its substeps: from the positions at its start, in which nothing
+// intersects, stage by stage toward the targets that integration and corrections set. What it
+// refers to must outlive it.
 class GatedMotion {
  public:
-  GatedMotion(const GateSettings& settings, Eigen::Matrix3Xd start, Bodies& bodies,
-              StageClock& clock)
-      : settings_(settings), bodies_(bodies), clock_(clock), free_positions_(std::move(start)) {}
+  GatedMotion(const GateSettings& settings, Eigen::Matrix3Xd start, double duration_s,
+              Bodies& bodies, StageClock& clock)
+      : settings_(settings),
+        bodies_(bodies),
+        clock_(clock),
+        free_positions_(std::move(start)),
+        duration_s_(duration_s) {}
 
   // The broad phase, around the displacements from the free positions to the targets.
   void detect(const Eigen::Matrix3Xd& target);
@@ -44,6 +49,7 @@ class GatedMotion {
   // In which nothing intersects: as far as the gate has let the ribbon pass.
   [[nodiscard]] const Eigen::Matrix3Xd& free_positions() const { return free_positions_; }
   [[nodiscard]] const ContactCandidates& candidates() const { return candidates_; }
+  [[nodiscard]] double duration_s() const { return duration_s_; }
   // Pairs this close may come into contact by what still moves them.
   [[nodiscard]] double reach_m() const {
     return settings_.broad_phase.reach_m + settings_.broad_phase.slack_m;
@@ -57,6 +63,7 @@ class GatedMotion {
   Bodies& bodies_;
   StageClock& clock_;
   Eigen::Matrix3Xd free_positions_;
+  double duration_s_;
   ContactCandidates candidates_;
 };
 

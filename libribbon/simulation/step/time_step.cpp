@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int most_eased_attempts = 10;  // of one step: the last with a thousandth of the force
+constexpr int most_eased_attempts = 10;  // of one step: with a thousandth of the force at last
 
 }  // namespace
 
@@ -31,24 +31,31 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
   return report;
 }
 
-// What the cloth cannot bear, hands do not get: a step that would leave an edge beyond the limit of
-// strain is taken again, with half of their force and from half of the velocities, at last from
-// rest. If even that does not help, the ribbon stays where it is.
+// A step that would leave an edge beyond the limit of strain is taken again, through the gate twice
+// as often, at last after each substep: most often a few particles were caught between layers, and
+// have time to find out. What the cloth cannot bear even then, hands do not get: the step is taken
+// with half of their force and from half of the velocities, at last from rest. If nothing helps,
+// the ribbon stays where it is.
 StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
   Cloth before = cloth;
-  for (int attempt = 0;; ++attempt) {
-    const StepReport report = advance(fastening_force(hands, cloth), bodies, cloth);  // section 5.2
+  int gates = 1;
+  for (int eased_attempts = 0;;) {
+    const StepReport report =
+        advance_with_gates(gates, fastening_force(hands, cloth), bodies, cloth);  // section 5.2
     if (is_within_limit(cloth)) return report;
-    before.velocities *= attempt + 1 < most_eased_attempts ? 0.5 : 0;
+    if (gates == substeps()) {
+      before.velocities *= ++eased_attempts < most_eased_attempts ? 0.5 : 0;
+      if (hands != nullptr) hands->ease();
+    }
     cloth = before;
-    if (attempt == most_eased_attempts) return report;
-    if (hands != nullptr) hands->ease();
+    if (eased_attempts > most_eased_attempts) return report;
+    gates = std::min(2 * gates, substeps());
   }
 }
 
 StepReport TimeStep::advance(const Matrix3Xd& force, Bodies& bodies, Cloth& cloth) {
   return contact_ == ContactMethod::paper ? advance_as_published(force, bodies, cloth)
-                                          : advance_with_gate(force, bodies, cloth);
+                                          : advance_with_gate(substeps(), force, bodies, cloth);
 }
 
 namespace {
@@ -74,15 +81,31 @@ StepReport TimeStep::correct_as_published(const Matrix3Xd& before, Bodies& bodie
   return recover(bodies, cloth);                                                  // section 5.6
 }
 
-// contact = "gate": one detection serves all of the step, and there is nothing to recover from.
-// Springs press what lies on each other together, all the more the longer they are left alone; so
-// contact and strain answer to each substep, and what rests hardly moves.
-StepReport TimeStep::advance_with_gate(const Matrix3Xd& force, Bodies& bodies, Cloth& cloth) {
-  GatedMotion motion(gate_, cloth.positions, bodies, clock_);
-  const Matrix3Xd expected = cloth.positions + step_s_ * cloth.velocities;
+// contact = "gate", so many times, after equal numbers of substeps.
+StepReport TimeStep::advance_with_gates(int gates, const Matrix3Xd& force, Bodies& bodies,
+                                        Cloth& cloth) {
+  StepReport report;
+  for (int gate = 0, gone = 0; gate < gates; ++gate) {
+    const int end = substeps() * (gate + 1) / gates;
+    const int truncated = report.truncated;
+    report = advance_with_gate(end - gone, force, bodies, cloth);
+    report.truncated = std::max(report.truncated, truncated);  // for section 5.6
+    gone = end;
+  }
+  return report;
+}
+
+// One detection serves all of these substeps, and there is nothing to recover from. Springs press
+// what lies on each other together, all the more the longer they are left alone; so contact and
+// strain answer to each substep, and what rests hardly moves.
+StepReport TimeStep::advance_with_gate(int substeps, const Matrix3Xd& force, Bodies& bodies,
+                                       Cloth& cloth) {
+  const double duration_s = step_s_ * substeps / this->substeps();
+  GatedMotion motion(gate_, cloth.positions, duration_s, bodies, clock_);
+  const Matrix3Xd expected = cloth.positions + duration_s * cloth.velocities;
   motion.detect(expected);  // section 5.4
   const auto contacts = contact_constraints(motion, expected, bodies);
-  for (int substep = 0; substep < substeps(); ++substep) {
+  for (int substep = 0; substep < substeps; ++substep) {
     const Matrix3Xd before = cloth.positions;
     integrate_substep(force, cloth);  // section 5.3
     correct_strain_and_contact(contacts, sweeps_in_substep, before, bodies,
@@ -203,7 +226,7 @@ int TimeStep::truncate(GatedMotion& motion, Cloth& cloth) {
     const double lost_m = lost.norm();
     const double speed_m_s = lost_m > 0 ? lost.dot(cloth.velocities.col(particle)) / lost_m : 0;
     if (speed_m_s > 0)
-      cloth.velocities.col(particle) -= std::min(speed_m_s, lost_m / step_s_) * lost / lost_m;
+      cloth.velocities.col(particle) -= std::min(speed_m_s, lost_m / motion.duration_s()) * lost / lost_m;
   }
   cloth.positions = motion.free_positions();
   return truncated;
@@ -232,7 +255,7 @@ bool TimeStep::is_within_limit(const Cloth& cloth) {
 
 StepReport TimeStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
   if (contact_ == ContactMethod::paper) return correct_as_published(before, bodies, cloth);
-  GatedMotion motion(gate_, before, bodies, clock_);
+  GatedMotion motion(gate_, before, step_s_, bodies, clock_);
   motion.detect(cloth.positions);
   correct_strain_and_contact(contact_constraints(motion, cloth.positions, bodies),
                              strain_correction_.most_sweeps, before, bodies, cloth);

@@ -70,7 +70,10 @@ class TimeStep {
  private:
   StepReport advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth);
   StepReport advance_as_published(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
-  StepReport advance_with_gate(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
+  StepReport advance_with_gates(int gates, const Eigen::Matrix3Xd& force, Bodies& bodies,
+                                Cloth& cloth);
+  StepReport advance_with_gate(int substeps, const Eigen::Matrix3Xd& force, Bodies& bodies,
+                               Cloth& cloth);
   StepReport correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
   StepReport correct_as_published(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth);
 
