@@ -12,7 +12,7 @@ namespace ribbon {
 
 namespace {
 
-constexpr double negligible_excess = 0.002;  // of an edge's rest length
+constexpr double negligible_excess = 0.004;  // of an edge's rest length
 // Of the excess, but never beyond the rest length: half as many sweeps are needed as with 1.
 constexpr double over_relaxation = 1.5;
 constexpr double least_aim = 0.02;
