@@ -114,7 +114,7 @@ struct TimeScene {
 // How edges are kept near their rest length where contact is in the way.
 struct StrainCorrectionScene {
   double strain = 0.08;  // that is aimed at, of the rest length
-  int most_rounds = 5;  // of sweeps, each followed by the gate
+  int most_rounds = 20;  // of sweeps, each followed by the gate
   int most_sweeps = 60;  // over all contacts and edges, in each of them
 
   bool operator==(const StrainCorrectionScene&) const = default;

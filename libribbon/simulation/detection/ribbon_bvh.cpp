@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "geometry/diagonal_length.h"
 #include "parallel/parallel.h"
@@ -47,6 +49,21 @@ double least_stretch(const Box& along, double along_m, const Box& across, double
   const double q =
       (std::abs(a.dot(v) + c.dot(u)) + a_spread.dot(v.cwiseAbs()) + c_spread.dot(u.cwiseAbs())) / 2;
   return (p + s) / 2 - std::sqrt((p - s) * (p - s) / 4 + q * q);
+}
+
+// Which of the flags are set.
+std::vector<int> numbers_of(const std::vector<char>& flags) {
+  std::vector<int> numbers;
+  for (int number = 0; number < std::ssize(flags); ++number)
+    if (flags[number] != 0) numbers.push_back(number);
+  return numbers;
+}
+
+template <class Body>
+void for_each_parallel(std::span<const int> rows, const Body& body) {
+  parallel_ranges(rows.size(), 32, [&](std::size_t begin, std::size_t end) {
+    for (const int row : rows.subspan(begin, end - begin)) body(row);
+  });
 }
 
 }  // namespace
@@ -149,35 +166,30 @@ RibbonBvh::Tangents RibbonBvh::tangents_of_block(std::span<const MovingBox> rang
   return tangents;
 }
 
-// Of every block with its margin: first beside it in its row, then over the rows.
-void RibbonBvh::refit_blocks(std::span<const MovingBox> ranges) {
-  const auto at_block = [this](std::vector<Tangents>& of, int row, int column) -> Tangents& {
-    const int block_number = row * block_columns_ + column;
-    return of[block_number];
-  };
-  const auto for_rows = [this](const auto& body) {
-    parallel_ranges(block_rows_, 32, [&](std::size_t begin, std::size_t end) {
-      for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row) body(row);
-    });
-  };
-  for_rows([&](int row) {
+// Of the blocks of these rows with what lies beside them in their row.
+void RibbonBvh::widen_blocks(std::span<const MovingBox> ranges, std::span<const int> rows) {
+  for_each_parallel(rows, [&](int row) {
     for (int column = 0; column < block_columns_; ++column)
-      at_block(blocks_, row, column) = tangents_of_block(ranges, row, column);
+      blocks_[block_number(row, column)] = tangents_of_block(ranges, row, column);
     for (int column = 0; column < block_columns_; ++column) {
-      Tangents& wide = at_block(widened_, row, column);
-      wide = at_block(blocks_, row, column);
+      Tangents& wide = widened_[block_number(row, column)];
+      wide = blocks_[block_number(row, column)];
       const int last = std::min(block_columns_ - 1, column + margin);
       for (int other = std::max(0, column - margin); other <= last; ++other)
-        wide.include(at_block(blocks_, row, other));
+        wide.include(blocks_[block_number(row, other)]);
     }
   });
-  for_rows([&](int row) {
+}
+
+// Of the blocks of these rows with all of their margin, from what widen_blocks() left.
+void RibbonBvh::join_blocks(std::span<const int> rows) {
+  for_each_parallel(rows, [&](int row) {
     const int last = std::min(block_rows_ - 1, row + margin);
     for (int column = 0; column < block_columns_; ++column) {
-      Tangents& all = at_block(blocks_, row, column);
-      all = at_block(widened_, row, column);
+      Tangents& all = blocks_[block_number(row, column)];
+      all = widened_[block_number(row, column)];
       for (int other = std::max(0, row - margin); other <= last; ++other)
-        all.include(at_block(widened_, other, column));
+        all.include(widened_[block_number(other, column)]);
     }
   });
 }
@@ -224,22 +236,54 @@ void RibbonBvh::refit_patch(int patch) {
     boxes_[index].include(boxes_[second]);
   }
   flat_[index] = is_flat(tangents_[index]) ? 1 : 0;
-  looked_at_[index] = 1;
+}
+
+// Those for which the rows of blocks between are stale: children come before their parents.
+void RibbonBvh::refit_patches(const std::vector<char>& is_stale_row) {
+  std::vector<int> stale_before(is_stale_row.size() + 1, 0);
+  std::inclusive_scan(is_stale_row.begin(), is_stale_row.end(), stale_before.begin() + 1,
+                      std::plus<>(), 0);
+  const auto refit_if_stale = [&](int patch) {
+    if (stale_before[at(patch).first_row] < stale_before[at(patch).end_row]) refit_patch(patch);
+  };
+  parallel_ranges(branches_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t branch = begin; branch < end; ++branch) {
+      int patch = branches_[branch];
+      while (!at(patch).is_leaf()) patch = at(patch).first_child;
+      for (; patch <= branches_[branch]; ++patch) refit_if_stale(patch);
+    }
+  });
+  for (const int patch : trunk_) refit_if_stale(patch);
 }
 
 void RibbonBvh::refit(std::span<const MovingBox> ranges, double reach_m) {
   reach_m_ = reach_m;
   pack(ranges);
   measure_edges(ranges);
-  refit_blocks(ranges);
-  parallel_ranges(branches_.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t branch = begin; branch < end; ++branch) {
-      int patch = branches_[branch];
-      while (!at(patch).is_leaf()) patch = at(patch).first_child;
-      for (; patch <= branches_[branch]; ++patch) refit_patch(patch);
-    }
-  });
-  for (const int patch : trunk_) refit_patch(patch);
+  std::vector<int> rows(block_rows_);
+  std::iota(rows.begin(), rows.end(), 0);
+  widen_blocks(ranges, rows);
+  join_blocks(rows);
+  refit_patches(std::vector<char>(rows.size(), 1));
+  std::fill(looked_at_.begin(), looked_at_.end(), 1);
+}
+
+void RibbonBvh::refit_around(std::span<const int> particles, std::span<const MovingBox> ranges) {
+  std::vector<char> has_particle(block_rows_, 0);
+  for (const int particle : particles) {
+    vertices_[particle] = packed(ranges[particle]);
+    for (const int quad_row : {grid_.row(particle) - 1, grid_.row(particle)})
+      if (quad_row >= 0 && quad_row < grid_.along - 1) has_particle[quad_row / block_side] = 1;
+  }
+  std::vector<char> is_stale(block_rows_, 0);  // by their margins
+  for (int row = 0; row < block_rows_; ++row)
+    for (int other = std::max(0, row - margin); other <= std::min(block_rows_ - 1, row + margin);
+         ++other)
+      if (has_particle[other] != 0) is_stale[row] = 1;
+  widen_blocks(ranges, numbers_of(has_particle));
+  join_blocks(numbers_of(is_stale));
+  refit_patches(is_stale);
+  look_only_at(particles);
 }
 
 // A particle on the border of a block belongs to its neighbours as well.

@@ -31,6 +31,10 @@ class RibbonBvh {
   // Over the ranges of the particles. reach_m: pairs that cannot come this close are spared.
   void refit(std::span<const MovingBox> ranges, double reach_m);
 
+  // Likewise, where the ranges are those of the last refit but for these particles. Until the next
+  // refit, pairs of blocks neither of which has one of them are left out.
+  void refit_around(std::span<const int> particles, std::span<const MovingBox> ranges);
+
   // Pairs of features of the ribbon that share no vertex and may come within the reach of each
   // other, each once, in an order that depends on nothing but the ranges.
   [[nodiscard]] std::vector<FeaturePair> pairs_within() const;
@@ -39,10 +43,6 @@ class RibbonBvh {
   [[nodiscard]] std::vector<FeaturePair> pairs_with(const CollisionSurface& obstacle,
                                                     const TriangleBvh& bvh,
                                                     const Eigen::Matrix3Xd& vertices) const;
-
-  // Until the next refit the two above leave out pairs of blocks neither of which has one of these
-  // particles.
-  void look_only_at(std::span<const int> particles);
 
  private:
   // Blocks [first_row, end_row) x [first_column, end_column).
@@ -76,12 +76,15 @@ class RibbonBvh {
   void share_out();
   [[nodiscard]] int root() const { return static_cast<int>(patches_.size()) - 1; }
   [[nodiscard]] const Patch& at(int patch) const { return patches_[patch]; }
+  [[nodiscard]] int block_number(int row, int column) const {
+    return row * block_columns_ + column;
+  }
   [[nodiscard]] int block_of(int leaf) const {
-    return at(leaf).first_row * block_columns_ + at(leaf).first_column;
+    return block_number(at(leaf).first_row, at(leaf).first_column);
   }
   // Of the block that has this quad.
   [[nodiscard]] int block_at(int quad_row, int quad_column) const {
-    return quad_row / block_side * block_columns_ + quad_column / block_side;
+    return block_number(quad_row / block_side, quad_column / block_side);
   }
   [[nodiscard]] BlockFeatures features_of(int leaf) const;
 
@@ -90,9 +93,12 @@ class RibbonBvh {
   void measure_edges(std::span<const MovingBox> ranges);
   [[nodiscard]] Tangents tangents_of_block(std::span<const MovingBox> ranges, int block_row,
                                            int block_column) const;
-  void refit_blocks(std::span<const MovingBox> ranges);
+  void widen_blocks(std::span<const MovingBox> ranges, std::span<const int> rows);
+  void join_blocks(std::span<const int> rows);
   [[nodiscard]] PackedBox box_of_leaf(int leaf) const;
   void refit_patch(int patch);
+  void refit_patches(const std::vector<char>& is_stale_row);
+  void look_only_at(std::span<const int> particles);
   [[nodiscard]] bool is_flat(const Tangents& tangents) const;
   [[nodiscard]] bool lie_flat(const PatchPair& pair) const;
   [[nodiscard]] bool is_looked_at(int patch) const { return looked_at_[patch] != 0; }

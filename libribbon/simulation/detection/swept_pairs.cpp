@@ -41,11 +41,9 @@ std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const Mov
   return listed_by(bodies.ribbon_bvh, bodies.obstacle);
 }
 
-std::vector<FeaturePair> pairs_within_ranges_of(std::span<const int> particles, Bodies& bodies,
-                                                std::span<const MovingBox> ranges,
-                                                double margin_m) {
-  bodies.ribbon_bvh.refit(ranges, margin_m);
-  bodies.ribbon_bvh.look_only_at(particles);
+std::vector<FeaturePair> pairs_of_changed_ranges(std::span<const int> particles, Bodies& bodies,
+                                                 std::span<const MovingBox> ranges) {
+  bodies.ribbon_bvh.refit_around(particles, ranges);
   std::vector<FeaturePair> pairs = listed_by(bodies.ribbon_bvh, bodies.obstacle);
   const std::vector<char> is_named = flags_of(particles, bodies.grid.particle_count());
   std::erase_if(pairs, [&](const FeaturePair& pair) { return !has_any(pair, is_named); });

@@ -16,9 +16,10 @@ namespace ribbon {
 std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
                                              double margin_m);
 
-// Those of them that have one of these particles.
-std::vector<FeaturePair> pairs_within_ranges_of(std::span<const int> particles, Bodies& bodies,
-                                                std::span<const MovingBox> ranges, double margin_m);
+// Those of them that have one of these particles, whose ranges alone differ from when
+// pairs_within_ranges() was last asked.
+std::vector<FeaturePair> pairs_of_changed_ranges(std::span<const int> particles, Bodies& bodies,
+                                                 std::span<const MovingBox> ranges);
 
 // As published: the pairs whose boxes over the straight way from t0 to t1 come within margin_m of
 // each other, but for regions that curvature spares (TriangleBvh::Spare).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ribbon {
 
@@ -9,11 +10,17 @@ using Eigen::Matrix3Xd;
 
 double worst_strain(const RibbonGrid& grid, const SpringFamily& family,
                     const Matrix3Xd& positions) {
-  double worst = 0;
+  double shortest = std::numeric_limits<double>::infinity();  // squared
+  double longest = 0;
   for_each_spring(grid, family, [&](int a, int b) {
-    worst = std::max(worst, std::abs(edge_strain(family, a, b, positions)));
+    const double squared = (positions.col(b) - positions.col(a)).squaredNorm();
+    shortest = std::min(shortest, squared);
+    longest = std::max(longest, squared);
   });
-  return worst;
+  if (shortest > longest) return 0;  // no such spring
+  const double rest_m = family.rest_length_m;
+  return std::max(std::abs(std::sqrt(shortest) / rest_m - 1),
+                  std::abs(std::sqrt(longest) / rest_m - 1));
 }
 
 double worst_strain(const SpringNetwork& springs, const Matrix3Xd& positions) {

@@ -36,11 +36,10 @@ void GatedMotion::detect_around(const std::vector<int>& particles, Widening wide
   clock_.count_detection(candidates_.pairs.size());
 }
 
-void GatedMotion::detect_if_outgrown_by_more_than(int particles, const Matrix3Xd& target) {
+void GatedMotion::detect_if_outgrown(const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::detection);
   const std::vector<int> outside = particles_outside(candidates_, target);
-  if (static_cast<int>(outside.size()) > particles)
-    detect_around(outside, Widening::onward, target);
+  if (!outside.empty()) detect_around(outside, Widening::onward, target);
 }
 
 int GatedMotion::truncate(const Matrix3Xd& target) {

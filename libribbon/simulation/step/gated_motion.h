@@ -38,9 +38,9 @@ class GatedMotion {
   // The broad phase, around the displacements from the free positions to the targets.
   void detect(const Eigen::Matrix3Xd& target);
 
-  // Detects again around the particles whose targets lie outside their bounds, if they are more
-  // than so many.
-  void detect_if_outgrown_by_more_than(int particles, const Eigen::Matrix3Xd& target);
+  // Detects again around the particles whose targets lie outside their bounds, which would
+  // truncate them.
+  void detect_if_outgrown(const Eigen::Matrix3Xd& target);
 
   // Moves the free positions toward the targets as far as displacement truncation lets. Returns how
   // many particles do not reach them.

@@ -32,10 +32,9 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
 }
 
 // A step that would leave an edge beyond the limit of strain is taken again, through the gate twice
-// as often, at last after each substep: most often a few particles were caught between layers, and
-// have time to find out. What the cloth cannot bear even then, hands do not get: the step is taken
-// with half of their force and from half of the velocities, at last from rest. If nothing helps,
-// the ribbon stays where it is.
+// as often, at last after each substep. What the cloth cannot bear even then, hands do not get: the
+// step is taken with half of their force and from half of the velocities, at last from rest. If
+// nothing helps, the ribbon stays where it is.
 StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
   Cloth before = cloth;
   int gates = 1;
@@ -204,16 +203,10 @@ void TimeStep::correct_strain_and_contact(std::span<const ContactConstraint> con
   clock_.count_sweeps(sweeps);
 }
 
-// A few particles outside their bounds are truncated, which may strain their edges; many are worth
-// another look, and any when edges are strained.
 StepReport TimeStep::pass_gate(GatedMotion& motion, Cloth& cloth) {
-  const bool is_strained = is_over_limit(cloth);
-  const auto few = static_cast<int>(is_strained ? 0 : cloth.particle_count() / 100);
-  motion.detect_if_outgrown_by_more_than(few, cloth.positions);
+  motion.detect_if_outgrown(cloth.positions);
   const int truncated = truncate(motion, cloth);
-  // Where nothing was truncated, the edges are as they were.
-  return {.truncated = truncated,
-          .is_over_limit = truncated == 0 ? is_strained : is_over_limit(cloth)};
+  return {.truncated = truncated, .is_over_limit = is_over_limit(cloth)};
 }
 
 // What was truncated is taken from the velocity, as far as there is any in that direction: a

@@ -137,8 +137,8 @@ void widen(std::span<const int> particles, Widening widening, Bodies& bodies,
     if (widening == Widening::onward_and_back) bound.end.include(bound.start);
   }
   drop_pairs_of(particles, candidates);
-  add_near_pairs(pairs_within_ranges_of(particles, bodies, candidates.bounds, lengths.reach_m),
-                 bodies, lengths.reach_m, candidates);
+  add_near_pairs(pairs_of_changed_ranges(particles, bodies, candidates.bounds), bodies,
+                 lengths.reach_m, candidates);
 }
 
 std::vector<std::size_t> approaching_pairs(const ContactCandidates& candidates,

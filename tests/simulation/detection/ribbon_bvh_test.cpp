@@ -179,6 +179,47 @@ TEST(RibbonBvh, lists_what_of_an_obstacle_comes_close) {
   }
 }
 
+// Crumpled by so much, a different way for each seed.
+Matrix3Xd crumpled(const Matrix3Xd& x, double size_m, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift_m(-size_m, size_m);
+  return x + Matrix3Xd::NullaryExpr(3, x.cols(), [&] { return shift_m(random); });
+}
+
+// Few particles that move elsewhere, and all of more rows than a byte can count.
+TEST(RibbonBvh, refitted_around_particles_lists_their_pairs_as_if_refitted_as_a_whole) {
+  const RibbonGrid grid{700, 4};
+  const Matrix3Xd x = crumpled(rolled(grid, 40), 0.3, 1);
+  const Matrix3Xd y = crumpled(rolled(grid, 40), 0.3, 2);
+  for (const int every : {1, 301}) {
+    Matrix3Xd end = x;
+    std::vector<int> changed;
+    for (int p = 0; p < grid.particle_count(); p += every) {
+      changed.push_back(p);
+      end.col(p) = y.col(p);
+    }
+    RibbonBvh around(grid);
+    around.refit(vertex_ranges(x, x), reach_m);
+    around.refit_around(changed, vertex_ranges(x, end));
+    const std::vector<char> is_changed = flags_of(changed, grid.particle_count());
+    const auto of_changed = [&](const RibbonBvh& tree) {
+      std::vector<FeaturePair> found = tree.pairs_within();
+      std::erase_if(found, [&](const FeaturePair& pair) { return !has_any(pair, is_changed); });
+      return found;
+    };
+    RibbonBvh whole(grid);
+    whole.refit(vertex_ranges(x, end), reach_m);
+    const auto vertices_of = [](const std::vector<FeaturePair>& found) {
+      std::set<std::array<int, 4>> all;
+      for (const FeaturePair& pair : found) all.insert(pair.vertices);
+      return all;
+    };
+    const auto expected = vertices_of(of_changed(whole));
+    EXPECT_GT(expected.size(), changed.size());
+    EXPECT_EQ(vertices_of(of_changed(around)), expected);
+  }
+}
+
 TEST(RibbonBvh, gives_the_same_pairs_in_the_same_order_for_any_number_of_threads) {
   const RibbonGrid grid{200, 9};
   const Matrix3Xd x = rolled(grid, 9);

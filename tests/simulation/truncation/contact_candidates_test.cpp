@@ -37,7 +37,7 @@ std::set<Key> listed_in(const ContactCandidates& candidates) {
 
 // Wherever its vertices are inside their bounds, on the way or at its end, a pair within reach is
 // on the list.
-void expect_all_within_reach_are_listed(const ContactCandidates& candidates, Bodies& bodies,
+void expect_all_within_reach_are_listed(const ContactCandidates& candidates, Bodies bodies,
                                         std::mt19937& random) {
   const auto listed = listed_in(candidates);
   int within_reach = 0;
