@@ -19,7 +19,7 @@ constexpr int detections_of_stragglers = 3;  // before all particles count as su
 GateSettings::GateSettings(const RestSize& size, const PairDistances& pair_distances)
     : distances(pair_distances),
       broad_phase{.reach_m = distances.largest_activation_m(),
-                  .slack_m = 0.1 * size.shortest_edge_m(),
+                  .slack_m = 0.05 * size.shortest_edge_m(),
                   .longest_displacement_m = 4 * size.shortest_edge_m()},
       negligible_m(0.01 * size.shortest_edge_m()) {}
 
