@@ -226,6 +226,10 @@ double FasteningProcessor::guaranteed_gap_m() const {
   return parts_->guaranteed_gap_m;
 }
 
+double FasteningProcessor::guaranteed_strain() const {
+  return parts_->time_step.guaranteed_strain();
+}
+
 // ---- The state
 
 std::string FasteningProcessor::state() {

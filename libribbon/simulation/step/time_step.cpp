@@ -218,6 +218,10 @@ StepReport TimeStep::recover(Bodies& bodies, Cloth& cloth) {
           .is_over_limit = published_correction_.any_over_limit(cloth.positions)};
 }
 
+double TimeStep::guaranteed_strain() const {
+  return contact_ == ContactMethod::gate ? paper_strain_limit : 0;
+}
+
 bool TimeStep::is_over_limit(const Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
   return strain_constraints_.worst_excess(cloth.positions) > strain_left_over;
@@ -264,14 +268,10 @@ namespace {
 
 StrainConstraints strain_constraints(const Scene& scene, const RestSize& size, double rounding_m) {
   std::vector<LimitedFamily> limited;
-  const auto limit = [&](const SpringFamily& family) {
+  for (const SpringFamily& family : limited_families(limited_edges(scene), size))
     limited.push_back(
         {family, aimed_strain(scene.strain_correction.strain, family.rest_length_m, rounding_m),
          most_strain(family.rest_length_m, rounding_m)});
-  };
-  for (const SpringFamily& family : stretch_families(size)) limit(family);
-  if (scene.springs.shear > 0)
-    for (const SpringFamily& family : shear_families(size)) limit(family);
   return {size.grid, std::move(limited)};
 }
 
