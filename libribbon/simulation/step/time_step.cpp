@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/vectors.h"
 #include "ribbon_mesh/springs.h"
 #include "simulation/detection/swept_pairs.h"
 #include "simulation/state/edge_strain.h"
@@ -200,8 +201,8 @@ int TimeStep::truncate(GatedMotion& motion, Cloth& cloth) {
   const int truncated = motion.truncate(cloth.positions);
   for (Eigen::Index particle = 0; particle < cloth.particle_count(); ++particle) {
     const Vector3d lost = cloth.positions.col(particle) - motion.free_positions().col(particle);
-    const double lost_m = lost.norm();
-    const double speed_m_s = lost_m > 0 ? lost.dot(cloth.velocities.col(particle)) / lost_m : 0;
+    const double lost_m = length_of(lost);
+    const double speed_m_s = lost_m > 0 ? dot(lost, cloth.velocities.col(particle)) / lost_m : 0;
     if (speed_m_s > 0)
       cloth.velocities.col(particle) -= std::min(speed_m_s, lost_m / step_s_) * lost / lost_m;
   }

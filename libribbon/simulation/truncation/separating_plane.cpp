@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/vectors.h"
 #include "simulation/detection/closest_weights.h"
 
 namespace ribbon {
@@ -21,7 +22,7 @@ Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
                                 const Corners& displacement, double min_separation_m) {
   const int first_count = kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
   const Vector3d apart = start * closest_weights(kind, start);
-  const double distance_m = apart.norm();
+  const double distance_m = length_of(apart);
   if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches
   const Vector3d normal = apart / distance_m;
 
