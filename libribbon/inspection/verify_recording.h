@@ -1,5 +1,6 @@
 // Verifies a recording frame by frame: that nothing intersects, that the stated gap and the limit
-// of strain are kept, that the knot stays the knot. docs/verification.md says what is proved and how.
+// of strain are kept, that the knot stays the knot. docs/verification.md says what is proved and
+// how.
 #pragma once
 
 #include <cstddef>
