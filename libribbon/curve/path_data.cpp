@@ -69,10 +69,10 @@ class Flattener {
   void path_cubic_bezier_to(double x1, double y1, double x2, double y2, double x, double y,
                             Absolute /*tag*/) {
     begin_segment();
-    const Vector2d p0 = root_from_path_ * current_;
-    const Vector2d p1 = root_from_path_ * Vector2d(x1, y1);
-    const Vector2d p2 = root_from_path_ * Vector2d(x2, y2);
-    const Vector2d p3 = root_from_path_ * Vector2d(x, y);
+    const Vector2d p0 = in_root(current_);
+    const Vector2d p1 = in_root(Vector2d(x1, y1));
+    const Vector2d p2 = in_root(Vector2d(x2, y2));
+    const Vector2d p3 = in_root(Vector2d(x, y));
     const double bend = std::max(length_of(p0 - 2 * p1 + p2), length_of(p1 - 2 * p2 + p3));
     add_chords(std::sqrt(0.75 * bend / tolerance_), [&](double t) -> Vector2d {
       const double u = 1 - t;
@@ -100,12 +100,22 @@ class Flattener {
     if (!subpath_is_empty_) return;
     subpath_is_empty_ = false;
     ++path_.subpaths;
-    add(root_from_path_ * current_);
+    add(in_root(current_));
   }
 
   void end_segment(const Vector2d& end) {
     current_ = end;
-    add(root_from_path_ * end);
+    add(in_root(end));
+  }
+
+  // Written out: Eigen's order depends on vector instructions.
+  [[nodiscard]] Vector2d turned(const Vector2d& direction) const {
+    const auto& m = root_from_path_.linear();
+    return {m(0, 0) * direction.x() + m(0, 1) * direction.y(),
+            m(1, 0) * direction.x() + m(1, 1) * direction.y()};
+  }
+  [[nodiscard]] Vector2d in_root(const Vector2d& point) const {
+    return turned(point) + root_from_path_.translation();
   }
 
   void add(const Vector2d& point) {
@@ -140,12 +150,12 @@ class Flattener {
     if (!sweep && turn > 0) turn -= 2 * std::numbers::pi;
     const Vector2d middle =
         (current_ + end) / 2 + centre.x() * first_axis + centre.y() * second_axis;
-    const Vector2d u = root_from_path_.linear() * (radii.x() * first_axis);
-    const Vector2d v = root_from_path_.linear() * (radii.y() * second_axis);
+    const Vector2d u = turned(radii.x() * first_axis);
+    const Vector2d v = turned(radii.y() * second_axis);
     const double radius = std::sqrt(squared_length_of(u) + squared_length_of(v));
     add_chords(std::abs(turn) * std::sqrt(radius / (8 * tolerance_)), [&](double t) -> Vector2d {
       const double angle = begin_angle + t * turn;
-      return root_from_path_ * middle + cosine(angle) * u + sine(angle) * v;
+      return in_root(middle) + cosine(angle) * u + sine(angle) * v;
     });
   }
 

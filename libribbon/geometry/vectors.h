@@ -49,6 +49,21 @@ typename A::PlainObject safely_normalised(const Eigen::MatrixBase<A>& vector) {
   return v / (std::sqrt(squared) * largest);
 }
 
+// Of four columns, each times its weight, added from the first to the last.
+inline Eigen::Vector3d weighted_sum(const Eigen::Matrix<double, 3, 4>& columns,
+                                    const Eigen::Vector4d& weights) {
+  Eigen::Vector3d sum = weights[0] * columns.col(0);
+  for (int k = 1; k < 4; ++k) sum += weights[k] * columns.col(k);
+  return sum;
+}
+
+// Along a direction, of each of four columns.
+inline Eigen::Vector4d heights(const Eigen::Matrix<double, 3, 4>& columns,
+                               const Eigen::Vector3d& direction) {
+  return {dot(columns.col(0), direction), dot(columns.col(1), direction),
+          dot(columns.col(2), direction), dot(columns.col(3), direction)};
+}
+
 // Of 3 x any columns, at least one, added from the first to the last.
 template <class A>
 Eigen::Vector3d mean_of_columns(const Eigen::MatrixBase<A>& columns) {

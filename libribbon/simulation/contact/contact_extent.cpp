@@ -21,7 +21,7 @@ enum class Touches : char { nothing, obstacle, ribbon };
 bool touch(const FeaturePair& pair, const PairDistances& distances,
            const VertexPositions& positions) {
   const auto x = corners(pair, positions);
-  return length_of(Eigen::Vector3d(x * closest_weights(pair.kind, x))) <=
+  return length_of(weighted_sum(x, closest_weights(pair.kind, x))) <=
          touching * distances.activation_m(pair);
 }
 

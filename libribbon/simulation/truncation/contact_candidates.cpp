@@ -83,7 +83,7 @@ void add_near_pairs(const std::vector<FeaturePair>& pairs, const Bodies& bodies,
         return bodies.is_particle(vertex) ? motion.freedoms[vertex] : 0;
       };
       const auto x = corners(pairs[i], from);
-      distances[i] = length_of(Eigen::Vector3d(x * closest_weights(pairs[i].kind, x)));
+      distances[i] = length_of(weighted_sum(x, closest_weights(pairs[i].kind, x)));
       const bool edges = pairs[i].kind == FeaturePair::Kind::edge_edge;
       const double middle_m = freedom_m(1);
       const double last_m = std::max(freedom_m(2), freedom_m(3));

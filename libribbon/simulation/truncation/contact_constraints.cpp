@@ -29,7 +29,7 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Bodies& bodies,
   ContactConstraint constraint;
   constraint.vertices = pair.vertices;
   constraint.weights = closest_weights(pair.kind, x);
-  const Vector3d apart = x * constraint.weights;
+  const Vector3d apart = weighted_sum(x, constraint.weights);
   const double distance_m = length_of(apart);
   for (int k = 0; k < 4; ++k)
     constraint.corrections[k] = bodies.is_particle(pair.vertices[k]) ? constraint.weights[k] : 0;
