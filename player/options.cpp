@@ -24,7 +24,8 @@ constexpr const char* examples = R"(Examples:
   ribbon-play knot.rbn --follow
       tells of each frame of a recording that is being written, until it ends
   ribbon-play knot.rbn --verify
-      proves of every frame that nothing intersects, measures gaps and strain, certifies the knot
+      proves of every frame that nothing intersects and that gaps and strain are as stated,
+      certifies the knot
 
 Exit codes: 0 done, 1 the recording is damaged (what is readable has been rendered, lost frames are
 listed) or --verify found something wrong, 2 could not.)";
@@ -61,12 +62,14 @@ void add_options(Arguments& arguments, Options& options, std::string& size) {
   const auto sheet = arguments.add("--sheet", options.sheet, "FILE",
                                    "contact sheet to write: several frames, two cameras, captions");
   const auto info = arguments.flag("--info", options.info, "tell what the recording holds");
-  const auto verify = arguments
-                          .flag("--verify", options.verify,
-                                "prove that nothing intersects and that the knot stays the knot")
-                          .excludes(pictures)
-                          .excludes(sheet)
-                          .excludes(info);
+  const auto verify =
+      arguments
+          .flag("--verify", options.verify,
+                "prove that nothing intersects, that edges keep their limit of strain and "
+                "that the knot stays the knot")
+          .excludes(pictures)
+          .excludes(sheet)
+          .excludes(info);
   const auto follow = arguments
                           .flag("--follow", options.follow,
                                 "go on with what is recorded meanwhile, until the recorder ends")

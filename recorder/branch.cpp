@@ -6,6 +6,7 @@
 #include "recorder/copied_frames.h"
 #include "recorder/run/recorded_run.h"
 #include "recorder/run/start.h"
+#include "ribbon_mesh/springs.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -105,6 +106,8 @@ RecordingHeader header_of_take(const RecordingReader& source, int frame, const N
   header.scene_name = scene.name;
   header.scene_text = scene.text;
   header.writer = take.program;
+  // Of the frames that are copied and of those that follow.
+  header.limited_edges = common(header.limited_edges, limited_edges(scene));
   return header;
 }
 

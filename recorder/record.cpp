@@ -6,6 +6,7 @@
 #include "recorder/run/start.h"
 #include "recorder/run/stopwatch.h"
 #include "recording/codec/entropy_tables.h"
+#include "ribbon_mesh/springs.h"
 
 namespace ribbon {
 
@@ -31,6 +32,8 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
   header.obstacle = obstacle;
   header.stated_gap_m = start.fastening.guaranteed_gap_m();
   header.centre_axis = centre_axis(scene);
+  header.limited_edges = limited_edges(scene);
+  header.strain_limit = start.fastening.guaranteed_strain();
   return header;
 }
 

@@ -17,6 +17,7 @@
 
 #include "curve/place.h"
 #include "curve/turns.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 
@@ -37,11 +38,11 @@ class Walk {
   explicit Walk(const Drawing& drawing) : points_(drawing), length_at_(drawing.size(), 0) {
     Eigen::AlignedBox2d box(drawing.front());
     for (std::size_t i = 1; i < drawing.size(); ++i) {
-      length_at_[i] = length_at_[i - 1] + (drawing[i] - drawing[i - 1]).norm();
+      length_at_[i] = length_at_[i - 1] + length_of(drawing[i] - drawing[i - 1]);
       box.extend(drawing[i]);
     }
     extent_ = box.diagonal();
-    tolerance_ = tolerance_per_extent * extent_.norm();
+    tolerance_ = tolerance_per_extent * length_of(extent_);
   }
 
   [[nodiscard]] double tolerance() const { return tolerance_; }
@@ -51,7 +52,8 @@ class Walk {
   [[nodiscard]] int longer_coordinate() const { return extent_.x() >= extent_.y() ? 0 : 1; }
 
   [[nodiscard]] double length_at(std::size_t segment, double fraction) const {
-    return std::lerp(length_at_[segment], length_at_[segment + 1], fraction);
+    const double from_start = fraction * (length_at_[segment + 1] - length_at_[segment]);
+    return length_at_[segment] + from_start;
   }
   [[nodiscard]] std::size_t segment_at(double length) const {
     const auto after = std::upper_bound(length_at_.begin(), length_at_.end(), length);
@@ -84,9 +86,9 @@ Vector2d on_circle(const Vector2d& inside, const Vector2d& outside, const Vector
                    double radius) {
   const Vector2d way = outside - inside;
   const Vector2d from_centre = inside - centre;
-  const double a = way.squaredNorm();
-  const double b = from_centre.dot(way);
-  const double c = from_centre.squaredNorm() - radius * radius;
+  const double a = squared_length_of(way);
+  const double b = dot(from_centre, way);
+  const double c = squared_length_of(from_centre) - radius * radius;
   return inside + (std::sqrt(std::max(b * b - a * c, 0.0)) - b) / a * way;
 }
 
@@ -99,12 +101,12 @@ std::optional<Vector2d> Walk::exit(double begin, double end, const Vector2d& cen
   Vector2d inside = point_at(begin);
   std::size_t i = segment_at(begin) + (forward ? 1 : 0);
   for (; is_before_end(i); forward ? ++i : --i) {
-    if ((points_[i] - centre).norm() >= radius)
+    if (length_of(points_[i] - centre) >= radius)
       return on_circle(inside, points_[i], centre, radius);
     inside = points_[i];
   }
   const Vector2d last = point_at(end);
-  if ((last - centre).norm() < radius) return std::nullopt;
+  if (length_of(last - centre) < radius) return std::nullopt;
   return on_circle(inside, last, centre, radius);
 }
 
@@ -165,7 +167,7 @@ void for_near_segments(const Walk& walk,
 }
 
 double nearest_fraction(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
-  return std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return std::clamp(dot(point - a, b - a) / squared_length_of(b - a), 0.0, 1.0);
 }
 
 // What segments i < j have to do with each other; nothing but a corner between neighbours.
@@ -178,7 +180,7 @@ std::optional<Contact> contact_of(const Walk& walk, std::size_t i, std::size_t j
   const auto consider = [&](double on_first, double on_second) {
     const double s = walk.length_at(i, on_first);
     const double t = walk.length_at(j, on_second);
-    const double distance = (a + on_first * (b - a) - c - on_second * (d - c)).norm();
+    const double distance = length_of(a + on_first * (b - a) - c - on_second * (d - c));
     if (distance <= walk.tolerance() && t - s > smallest_loop * walk.tolerance())
       contact.extend({{s, s}, {t, t}, distance, s, t});
   };
@@ -260,11 +262,11 @@ double flattest_angle(const Exits& exits) {
 
 // Whether `direction` is met when the circle is walked counter-clockwise from a to b.
 bool is_in_arc(const Vector2d& direction, const Vector2d& a, const Vector2d& b) {
-  const auto turn_from_a = [&](const Vector2d& to) {
-    const double turn = std::atan2(cross(a, to), a.dot(to));
+  const auto counter_clockwise = [&](const Vector2d& to) {
+    const double turn = turn_from(a, to);
     return turn < 0 ? turn + 2 * std::numbers::pi : turn;
   };
-  return turn_from_a(direction) < turn_from_a(b);
+  return counter_clockwise(direction) < counter_clockwise(b);
 }
 
 bool strands_cross(const Exits& exits) {

@@ -7,6 +7,7 @@
 
 #include "curve/path_data.h"
 #include "files/files.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 
@@ -216,7 +217,7 @@ Result<Drawing> flattened(const SvgPath& path, double tolerance) {
 double extent_of(const Drawing& drawing) {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& point : drawing) box.extend(point);
-  return box.diagonal().norm();
+  return length_of(box.diagonal());
 }
 
 }  // namespace ribbon

@@ -8,6 +8,9 @@
 #include <svgpp/parser/transform_list.hpp>
 #include <utility>
 
+#include "geometry/angles.h"
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 namespace {
@@ -27,6 +30,11 @@ struct AnswerFalse {
 // it starts, collapses to a point.
 int chord_count(double wanted) {
   return static_cast<int>(std::ceil(std::clamp(wanted, 4.0, 1e4)));
+}
+
+// Of any number of turns.
+double radians(double degrees) {
+  return std::fmod(degrees, 360) * std::numbers::pi / 180;
 }
 
 // Receives the path's events, all absolute and without shorthands, and collects chords.
@@ -61,11 +69,11 @@ class Flattener {
   void path_cubic_bezier_to(double x1, double y1, double x2, double y2, double x, double y,
                             Absolute /*tag*/) {
     begin_segment();
-    const Vector2d p0 = root_from_path_ * current_;
-    const Vector2d p1 = root_from_path_ * Vector2d(x1, y1);
-    const Vector2d p2 = root_from_path_ * Vector2d(x2, y2);
-    const Vector2d p3 = root_from_path_ * Vector2d(x, y);
-    const double bend = std::max((p0 - 2 * p1 + p2).norm(), (p1 - 2 * p2 + p3).norm());
+    const Vector2d p0 = in_root(current_);
+    const Vector2d p1 = in_root(Vector2d(x1, y1));
+    const Vector2d p2 = in_root(Vector2d(x2, y2));
+    const Vector2d p3 = in_root(Vector2d(x, y));
+    const double bend = std::max(length_of(p0 - 2 * p1 + p2), length_of(p1 - 2 * p2 + p3));
     add_chords(std::sqrt(0.75 * bend / tolerance_), [&](double t) -> Vector2d {
       const double u = 1 - t;
       return u * u * u * p0 + 3 * u * u * t * p1 + 3 * u * t * t * p2 + t * t * t * p3;
@@ -78,7 +86,7 @@ class Flattener {
                               double x, double y, Absolute /*tag*/) {
     begin_segment();
     if (rx > 0 && ry > 0 && current_ != Vector2d(x, y))
-      add_arc(rx, ry, rotation_deg * std::numbers::pi / 180, large, sweep, {x, y});
+      add_arc({rx, ry}, radians(rotation_deg), large, sweep, {x, y});
     end_segment({x, y});
   }
 
@@ -92,12 +100,22 @@ class Flattener {
     if (!subpath_is_empty_) return;
     subpath_is_empty_ = false;
     ++path_.subpaths;
-    add(root_from_path_ * current_);
+    add(in_root(current_));
   }
 
   void end_segment(const Vector2d& end) {
     current_ = end;
-    add(root_from_path_ * end);
+    add(in_root(end));
+  }
+
+  // Written out: Eigen's order depends on vector instructions.
+  [[nodiscard]] Vector2d turned(const Vector2d& direction) const {
+    const auto& m = root_from_path_.linear();
+    return {m(0, 0) * direction.x() + m(0, 1) * direction.y(),
+            m(1, 0) * direction.x() + m(1, 1) * direction.y()};
+  }
+  [[nodiscard]] Vector2d in_root(const Vector2d& point) const {
+    return turned(point) + root_from_path_.translation();
   }
 
   void add(const Vector2d& point) {
@@ -111,24 +129,33 @@ class Flattener {
     for (int i = 1; i < n; ++i) add(point(static_cast<double>(i) / n));
   }
 
-  void add_arc(double rx, double ry, double rotation, bool large, bool sweep, const Vector2d& end) {
-    double cx = 0;
-    double cy = 0;
-    double begin_angle = 0;
-    double end_angle = 0;
-    svgpp::arc_endpoint_to_center(current_.x(), current_.y(), end.x(), end.y(), rx, ry, rotation,
-                                  large, sweep, cx, cy, begin_angle, end_angle);
-    double turn = end_angle - begin_angle;
+  // From the ends of an arc to its centre: "Elliptical arc implementation notes" of SVG 1.1, F.6.5.
+  // In the frame of the ellipse, from the middle of the chord, the arc begins at `begin`.
+  void add_arc(Vector2d radii, double rotation, bool large, bool sweep, const Vector2d& end) {
+    const Vector2d first_axis(cosine(rotation), sine(rotation));
+    const Vector2d second_axis(-first_axis.y(), first_axis.x());
+    const Vector2d half_chord = (current_ - end) / 2;
+    const Vector2d begin(dot(first_axis, half_chord), dot(second_axis, half_chord));
+    const double reach = squared_length_of(begin.cwiseQuotient(radii));
+    if (reach > 1) radii *= std::sqrt(reach);  // too small to span the chord
+    const double away = std::sqrt(std::max(0.0, 1 / reach - 1)) * (large == sweep ? -1 : 1);
+    const Vector2d centre(away * radii.x() / radii.y() * begin.y(),
+                          -away * radii.y() / radii.x() * begin.x());
+
+    const Vector2d from = (begin - centre).cwiseQuotient(radii);
+    const Vector2d to = (-begin - centre).cwiseQuotient(radii);
+    const double begin_angle = polar_angle(from.x(), from.y());
+    double turn = polar_angle(to.x(), to.y()) - begin_angle;
     if (sweep && turn < 0) turn += 2 * std::numbers::pi;
     if (!sweep && turn > 0) turn -= 2 * std::numbers::pi;
-    const Vector2d centre = root_from_path_ * Vector2d(cx, cy);
-    const Eigen::Rotation2Dd rotated(rotation);
-    const Vector2d u = root_from_path_.linear() * (rotated * Vector2d(rx, 0));
-    const Vector2d v = root_from_path_.linear() * (rotated * Vector2d(0, ry));
-    const double radius = std::sqrt(u.squaredNorm() + v.squaredNorm());
+    const Vector2d middle =
+        (current_ + end) / 2 + centre.x() * first_axis + centre.y() * second_axis;
+    const Vector2d u = turned(radii.x() * first_axis);
+    const Vector2d v = turned(radii.y() * second_axis);
+    const double radius = std::sqrt(squared_length_of(u) + squared_length_of(v));
     add_chords(std::abs(turn) * std::sqrt(radius / (8 * tolerance_)), [&](double t) -> Vector2d {
       const double angle = begin_angle + t * turn;
-      return centre + std::cos(angle) * u + std::sin(angle) * v;
+      return in_root(middle) + cosine(angle) * u + sine(angle) * v;
     });
   }
 
@@ -139,11 +166,28 @@ class Flattener {
   FlatPath path_;
 };
 
+// Receives the transforms one by one, as they stand in the list.
 struct TransformList {
   Eigen::Affine2d product = Eigen::Affine2d::Identity();
 
   void transform_matrix(const boost::array<double, 6>& m) {
-    product.matrix() << m[0], m[2], m[4], m[1], m[3], m[5], 0, 0, 1;
+    Eigen::Affine2d next;
+    next.matrix() << m[0], m[2], m[4], m[1], m[3], m[5], 0, 0, 1;
+    product = product * next;
+  }
+  void transform_translate(double x, double y) { transform_matrix({1, 0, 0, 1, x, y}); }
+  void transform_scale(double x, double y) { transform_matrix({x, 0, 0, y, 0, 0}); }
+  void transform_rotate(double degrees) {
+    const double cos = cosine(radians(degrees));
+    const double sin = sine(radians(degrees));
+    transform_matrix({cos, sin, -sin, cos, 0, 0});
+  }
+  void transform_skew_x(double degrees) { transform_matrix({1, 0, tangent(degrees), 1, 0, 0}); }
+  void transform_skew_y(double degrees) { transform_matrix({1, tangent(degrees), 0, 1, 0, 0}); }
+
+ private:
+  static double tangent(double degrees) {
+    return sine(radians(degrees)) / cosine(radians(degrees));
   }
 };
 
@@ -160,7 +204,8 @@ std::optional<FlatPath> flatten_path_data(const std::string& data,
 
 std::optional<Eigen::Affine2d> read_transform(const std::string& text) {
   using Parser =
-      svgpp::value_parser<svgpp::tag::type::transform_list, svgpp::error_policy<AnswerFalse>>;
+      svgpp::value_parser<svgpp::tag::type::transform_list, svgpp::error_policy<AnswerFalse>,
+                          svgpp::transform_policy<svgpp::policy::transform::minimal>>;
   TransformList list;
   if (!Parser::parse(svgpp::tag::attribute::transform(), list, text,
                      svgpp::tag::source::attribute()))

@@ -14,6 +14,7 @@
 
 #include "curve/place.h"
 #include "curve/turns.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 
@@ -81,7 +82,7 @@ Controls controls_of(const Drawing& drawing, const std::vector<Passage>& passage
   const double near = 1e-6 * extent_of(drawing);
   Controls controls;
   const auto is_new = [&](const Vector2d& point) {
-    return controls.points.empty() || (point - controls.points.back()).norm() > near;
+    return controls.points.empty() || length_of(point - controls.points.back()) > near;
   };
   auto passage = passages.begin();
   for (std::size_t i = 0; i < drawing.size(); ++i) {
@@ -110,8 +111,8 @@ struct Cubic {
 // The derivative at p1 by the knots of p0, p1, p2, for a parameter that grows by 1 over `scale`.
 template <class Vector>
 Vector catmull_rom_derivative(const Vector& p0, const Vector& p1, const Vector& p2, double scale) {
-  const double before = std::sqrt((p1 - p0).norm());
-  const double after = std::sqrt((p2 - p1).norm());
+  const double before = std::sqrt(length_of(p1 - p0));
+  const double after = std::sqrt(length_of(p2 - p1));
   assert(before > 0 && after > 0);
   return scale * ((p1 - p0) / before - (p2 - p0) / (before + after) + (p2 - p1) / after);
 }
@@ -119,7 +120,7 @@ Vector catmull_rom_derivative(const Vector& p0, const Vector& p1, const Vector& 
 template <class Vector>
 Cubic<Vector> catmull_rom_cubic(const Vector& p0, const Vector& p1, const Vector& p2,
                                 const Vector& p3) {
-  const double knots = std::sqrt((p2 - p1).norm());
+  const double knots = std::sqrt(length_of(p2 - p1));
   return {p1, catmull_rom_derivative(p0, p1, p2, knots), p2,
           catmull_rom_derivative(p1, p2, p3, knots)};
 }
@@ -152,7 +153,7 @@ template <class Points>
 std::vector<double> lengths_along(const Points& points) {
   std::vector<double> lengths{0};
   for (std::size_t i = 1; i < points.size(); ++i)
-    lengths.push_back(lengths.back() + (points[i] - points[i - 1]).norm());
+    lengths.push_back(lengths.back() + length_of(points[i] - points[i - 1]));
   return lengths;
 }
 
@@ -165,7 +166,7 @@ Plan smooth_plan(const Controls& controls, double chord_turn, double chord_lengt
     if (i + 1 == controls.points.size()) break;
     const auto cubic = cubic_between(controls.points, i);
     const double wanted =
-        std::max(turn_of(cubic) / chord_turn, (cubic.end - cubic.begin).norm() / chord_length);
+        std::max(turn_of(cubic) / chord_turn, length_of(cubic.end - cubic.begin) / chord_length);
     const auto chords = static_cast<std::size_t>(std::ceil(std::max(wanted, 1.0)));
     for (std::size_t k = 1; k <= chords; ++k)
       plan.points.push_back(cubic.at(static_cast<double>(k) / static_cast<double>(chords)));
@@ -179,7 +180,7 @@ Plan fine_plan(const Controls& controls, double rise) {
   double length = 0;
   for (std::size_t i = 0; i + 1 < controls.points.size(); ++i) {
     turn += turn_of(cubic_between(controls.points, i));
-    length += (controls.points[i + 1] - controls.points[i]).norm();
+    length += length_of(controls.points[i + 1] - controls.points[i]);
   }
   // A blend at the steepest slope turns by at most 8 / 3 radians over a length of its rise.
   const double chord_length = rise * finest_turn * 3 / 8;
@@ -198,7 +199,7 @@ Result<void> same_crossings(const std::vector<Crossing>& drawn, const Controls& 
   const double near = 1e-3 * extent_of(plan.points);
   for (std::size_t i = 0; i < std::max(drawn.size(), smooth->size()); ++i) {
     if (i < drawn.size() && i < smooth->size() &&
-        (drawn[i].point - (*smooth)[i].point).norm() < near)
+        length_of(drawn[i].point - (*smooth)[i].point) < near)
       continue;
     return failure(drawing_place(i < smooth->size() ? (*smooth)[i].point : drawn[i].point),
                    "the smoothed curve crosses itself otherwise than the drawing", remedy);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 namespace {
@@ -12,8 +14,8 @@ using Eigen::Vector3d;
 // Parameter in [0, 1] of the point of segment ab that is closest to p.
 double closest_on_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d ab = b - a;
-  const double squared_length = ab.squaredNorm();
-  return squared_length > 0 ? std::clamp(ab.dot(p - a) / squared_length, 0.0, 1.0) : 0.0;
+  const double squared_length = squared_length_of(ab);
+  return squared_length > 0 ? std::clamp(dot(ab, p - a) / squared_length, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace
@@ -24,11 +26,11 @@ Vector3d closest_on_triangle(const Vector3d& p, const Vector3d& a, const Vector3
   const Vector3d ab = b - a;
   const Vector3d ac = c - a;
   const Vector3d ap = p - a;
-  const double bb = ab.squaredNorm();
-  const double bc = ab.dot(ac);
-  const double cc = ac.squaredNorm();
-  const double pb = ab.dot(ap);
-  const double pc = ac.dot(ap);
+  const double bb = squared_length_of(ab);
+  const double bc = dot(ab, ac);
+  const double cc = squared_length_of(ac);
+  const double pb = dot(ab, ap);
+  const double pc = dot(ac, ap);
   const double determinant = bb * cc - bc * bc;
   // Where the corner at a is sharper than 1e-6 rounding decides about the foot: the border serves.
   if (determinant > 1e-12 * bb * cc) {
@@ -40,9 +42,9 @@ Vector3d closest_on_triangle(const Vector3d& p, const Vector3d& a, const Vector3
   const double on_ab = closest_on_segment(p, a, b);
   const double on_bc = closest_on_segment(p, b, c);
   const double on_ca = closest_on_segment(p, c, a);
-  const double to_ab = (a + on_ab * ab - p).squaredNorm();
-  const double to_bc = (b + on_bc * (c - b) - p).squaredNorm();
-  const double to_ca = (c + on_ca * (a - c) - p).squaredNorm();
+  const double to_ab = squared_length_of(a + on_ab * ab - p);
+  const double to_bc = squared_length_of(b + on_bc * (c - b) - p);
+  const double to_ca = squared_length_of(c + on_ca * (a - c) - p);
   if (to_ab <= to_bc && to_ab <= to_ca) return {1 - on_ab, on_ab, 0};
   if (to_bc <= to_ca) return {0, 1 - on_bc, on_bc};
   return {on_ca, 0, 1 - on_ca};
@@ -53,11 +55,11 @@ Vector2d closest_on_segments(const Vector3d& a, const Vector3d& b, const Vector3
   const Vector3d u = b - a;
   const Vector3d v = d - c;
   const Vector3d r = a - c;
-  const double uu = u.squaredNorm();
-  const double uv = u.dot(v);
-  const double vv = v.squaredNorm();
-  const double ur = u.dot(r);
-  const double vr = v.dot(r);
+  const double uu = squared_length_of(u);
+  const double uv = dot(u, v);
+  const double vv = squared_length_of(v);
+  const double ur = dot(u, r);
+  const double vr = dot(v, r);
   const double determinant = uu * vv - uv * uv;
   // Nearly parallel lines have no unique closest pair: any s serves, the clamps below do the rest.
   double s =

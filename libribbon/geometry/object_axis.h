@@ -6,6 +6,7 @@
 
 #include "geometry/centre_axis.h"
 #include "geometry/triangle_mesh.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 
@@ -20,7 +21,7 @@ struct ObjectAxis {
   std::vector<Stretch> inside;  // the object, ascending; at least one
 
   [[nodiscard]] double height_m(const Eigen::Vector3d& point) const {
-    return line.direction.dot(point - line.point_m);
+    return dot(line.direction, point - line.point_m);
   }
   [[nodiscard]] bool is_inside(double height_m) const;
   // From the object's first to its last stretch, with what lies between.

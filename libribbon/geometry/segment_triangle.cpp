@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 namespace {
@@ -14,14 +16,15 @@ using Eigen::Vector3d;
 // Six times the signed volume of tetrahedron abcd: positive when d lies on the side of triangle abc
 // from which it is seen counter-clockwise.
 double volume(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
-  return (b - a).cross(c - a).dot(d - a);
+  return dot((b - a).cross(c - a), d - a);
 }
 
 // The volumes over triangle abc that the rounding of coordinates alone can bring about.
 double rounding(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const double largest =
       std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
-  return 32 * std::numeric_limits<double>::epsilon() * largest * (b - a).norm() * (c - a).norm();
+  return 32 * std::numeric_limits<double>::epsilon() * largest * length_of(b - a) *
+         length_of(c - a);
 }
 
 }  // namespace
@@ -35,7 +38,7 @@ std::optional<Piercing> pierce(const Vector3d& p, const Vector3d& q, const Vecto
   // The line pq passes the triangle's three edges on the same side exactly when it goes through.
   Vector3d weights(volume(p, q, b, c), volume(p, q, c, a), volume(p, q, a, b));
   if ((weights.array() < 0).any() && (weights.array() > 0).any()) return std::nullopt;
-  const double sum = weights.sum();
+  const double sum = weights[0] + weights[1] + weights[2];
   if (sum == 0) return std::nullopt;
   return Piercing{p_side / (p_side - q_side), weights / sum};
 }

@@ -1,8 +1,10 @@
 #include "geometry/winding_number.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <numbers>
+
+#include "geometry/angles.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 
@@ -12,11 +14,11 @@ namespace {
 // "The solid angle of a plane triangle", 1983).
 double half_solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                         const Eigen::Vector3d& c) {
-  const double a_m = a.norm();
-  const double b_m = b.norm();
-  const double c_m = c.norm();
-  return std::atan2(a.dot(b.cross(c)),
-                    a_m * b_m * c_m + a.dot(b) * c_m + b.dot(c) * a_m + c.dot(a) * b_m);
+  const double a_m = length_of(a);
+  const double b_m = length_of(b);
+  const double c_m = length_of(c);
+  return polar_angle(a_m * b_m * c_m + dot(a, b) * c_m + dot(b, c) * a_m + dot(c, a) * b_m,
+                     dot(a, b.cross(c)));
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ class RecordingVerifier {
         asked_(asked),
         certify_every_(certify_every),
         verifier_(reader.header().grid, reader.header().ribbon_length_m,
-                  reader.header().ribbon_width_m, reader.header().obstacle),
+                  reader.header().ribbon_width_m, reader.header().obstacle,
+                  reader.header().limited_edges),
         witness_(reader.header().grid,
                  object_axis(reader.header().centre_axis, reader.header().obstacle)) {
     reader_.check();
@@ -102,6 +103,7 @@ class RecordingVerifier {
     add_intersections(index, verdict.intersections);
     if (!result_.smallest_gap || verdict.gap.certain_m < result_.smallest_gap->gap.certain_m)
       result_.smallest_gap = {verdict.gap, frame};
+    if (!result_.header.limited_edges.any()) return;
     if (!result_.largest_strain || verdict.strain.strain > result_.largest_strain->strain.strain)
       result_.largest_strain = {verdict.strain, frame};
   }
@@ -140,6 +142,11 @@ bool Verification::keeps_stated_gap() const {
   return !smallest_gap || smallest_gap->gap.certain_m >= header.stated_gap_m;
 }
 
+bool Verification::keeps_strain_limit() const {
+  return header.strain_limit == 0 || !largest_strain ||
+         largest_strain->strain.strain <= header.strain_limit;
+}
+
 std::vector<std::string> Verification::complaints() const {
   std::vector<std::string> list;
   const auto complain = [&](bool wrong, const char* what) {
@@ -147,6 +154,7 @@ std::vector<std::string> Verification::complaints() const {
   };
   complain(intersecting_pairs > 0, "triangles intersect");
   complain(!keeps_stated_gap(), "the stated gap is not kept");
+  complain(!keeps_strain_limit(), "edges are strained beyond the limit");
   complain(!certificate_changes.empty(), "the knot has changed");
   complain(uncertain_frames > 0, "the knot cannot be certified");
   complain(!not_finite.empty(), "coordinates are no numbers");

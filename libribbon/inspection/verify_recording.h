@@ -1,5 +1,6 @@
-// Verifies a recording frame by frame: that nothing intersects, that the stated gap is kept, that
-// the knot stays the knot. docs/verification.md says what is proved and how.
+// Verifies a recording frame by frame: that nothing intersects, that the stated gap and the limit
+// of strain are kept, that the knot stays the knot. docs/verification.md says what is proved and
+// how.
 #pragma once
 
 #include <cstddef>
@@ -71,7 +72,7 @@ struct Verification {
   std::vector<Intersection> first_intersections;  // one of each of the first frames that have any
 
   std::optional<SmallestGapFrame> smallest_gap;
-  std::optional<LargestStrainFrame> largest_strain;
+  std::optional<LargestStrainFrame> largest_strain;  // of the limited edges, if any is
 
   std::string certificate;  // of the first frame that could be read; empty: none could
   int certified_frames = 0;
@@ -83,6 +84,8 @@ struct Verification {
 
   // Is no gap smaller than the stated one? True where none is stated.
   [[nodiscard]] bool keeps_stated_gap() const;
+  // Is no limited edge strained further than the recording states? True where it states no limit.
+  [[nodiscard]] bool keeps_strain_limit() const;
   // What is wrong, as parts of a sentence; empty: nothing.
   [[nodiscard]] std::vector<std::string> complaints() const;
 };

@@ -21,4 +21,21 @@ SpringNetwork spring_network(const RestSize& size, const SpringScene& stiffness)
           .damping = stiffness.damping};
 }
 
+LimitedEdges limited_edges(const Scene& scene) {
+  const bool has_shear_springs = scene.springs.shear > 0;
+  return {.along = true,
+          .across = true,
+          .diagonals = scene.contact == ContactMethod::gate && has_shear_springs};
+}
+
+std::vector<SpringFamily> limited_families(const LimitedEdges& edges, const RestSize& size) {
+  const auto [along, across] = stretch_families(size);
+  const auto diagonals = shear_families(size);
+  std::vector<SpringFamily> families;
+  if (edges.along) families.push_back(along);
+  if (edges.across) families.push_back(across);
+  if (edges.diagonals) families.insert(families.end(), diagonals.begin(), diagonals.end());
+  return families;
+}
+
 }  // namespace ribbon

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
+#include "geometry/limited_edges.h"
 #include "geometry/ribbon_grid.h"
 #include "ribbon_mesh/rest_size.h"
 #include "scene/scene.h"
@@ -40,6 +42,14 @@ std::array<SpringFamily, 2> stretch_families(const RestSize& size);
 std::array<SpringFamily, 2> shear_families(const RestSize& size);
 
 SpringNetwork spring_network(const RestSize& size, const SpringScene& stiffness);
+
+// The edges whose strain is corrected in a scene, whether springs resist or not: along, across, and
+// with the gate the diagonals, but these only where there are shear springs. A cloth without them
+// may shear as it likes.
+LimitedEdges limited_edges(const Scene& scene);
+
+// Their families.
+std::vector<SpringFamily> limited_families(const LimitedEdges& edges, const RestSize& size);
 
 // Calls visit(a, b) with the two particles of each spring that leads from a row, by column.
 template <class Visit>

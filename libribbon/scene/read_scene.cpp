@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "files/files.h"
+#include "geometry/vectors.h"
 #include "scene/accuracy.h"
 #include "scene/document.h"
 #include "scene/nearest_word.h"
@@ -149,10 +150,10 @@ Result<Coordinates<size>> coordinates(const Value& value) {
 
 Result<Coordinates<3>> direction(const Value& value) {
   auto vector = coordinates<3>(value);
-  if (vector && vector->squaredNorm() == 0)
+  if (vector && squared_length_of(*vector) == 0)
     return wrong(value, value.toml, "a direction that is not all zeros");
   return vector.map([](const Coordinates<3>& direction) -> Coordinates<3> {
-    return direction.stableNormalized();
+    return safely_normalised(direction);
   });
 }
 

@@ -29,7 +29,7 @@ using Eigen::Matrix3Xd;
 
 // Of STATE.md. Raised whenever the layout changes, and whenever equal states no longer go on to
 // equal bits.
-constexpr std::int64_t state_version = 2;
+constexpr std::int64_t state_version = 3;
 constexpr std::int64_t most_steps = 4'000'000'000;
 
 std::optional<ObstacleBody> obstacle_body(const std::optional<TriangleMesh>& obstacle) {
@@ -224,6 +224,10 @@ double FasteningProcessor::reach_m() const {
 
 double FasteningProcessor::guaranteed_gap_m() const {
   return parts_->guaranteed_gap_m;
+}
+
+double FasteningProcessor::guaranteed_strain() const {
+  return parts_->time_step.guaranteed_strain();
 }
 
 // ---- The state

@@ -84,6 +84,10 @@ class FasteningProcessor {
   // nothing.
   [[nodiscard]] double guaranteed_gap_m() const;
 
+  // No limited edge (limited_edges()) is further from its rest length than this fraction of it,
+  // with the same allowance. 0 with contact = "paper", which guarantees nothing.
+  [[nodiscard]] double guaranteed_strain() const;
+
   // Where the time of all steps went.
   [[nodiscard]] const StageSums& stage_sums() const;
 

@@ -26,10 +26,12 @@ TriangleSoup joined(const RibbonGrid& grid, const std::optional<TriangleMesh>& o
 }  // namespace
 
 FrameVerifier::FrameVerifier(const RibbonGrid& grid, double length_m, double width_m,
-                             const std::optional<TriangleMesh>& obstacle)
+                             const std::optional<TriangleMesh>& obstacle,
+                             const LimitedEdges& limited)
     : grid_(grid),
       length_m_(length_m),
       width_m_(width_m),
+      limited_(limited),
       soup_(joined(grid, obstacle)),
       owners_(soup_.triangles),
       obstacle_(soup_, soup_.judged, static_cast<int>(soup_.triangles.cols())) {}
@@ -47,7 +49,7 @@ FrameVerdict FrameVerifier::verify(const Eigen::Matrix3Xf& positions) const {
   if (!verdict.finite) return verdict;
   const TriangleSoup frame = soup(positions);
   const BoxTree ribbon(frame, 0, frame.judged);
-  verdict.strain = largest_strain(grid_, length_m_, width_m_, positions);
+  verdict.strain = largest_strain(grid_, length_m_, width_m_, limited_, positions);
   verdict.intersections = intersecting_pairs(frame, ribbon, obstacle_, most_pairs);
   const auto& pairs = verdict.intersections.pairs;
   if (!pairs.empty())

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "geometry/limited_edges.h"
 #include "geometry/ribbon_grid.h"
 #include "geometry/triangle_mesh.h"
 #include "verification/box_tree.h"
@@ -21,16 +22,16 @@ struct FrameVerdict {
   // Triangle t is the ribbon's t-th where t < grid.triangle_count(), otherwise it is the obstacle's
   // (t - grid.triangle_count())-th.
   IntersectingPairs intersections;
-  SmallestGap gap;  // 0 where triangles intersect
-  LargestStrain strain;
+  SmallestGap gap;       // 0 where triangles intersect
+  LargestStrain strain;  // of the limited edges
 };
 
 class FrameVerifier {
  public:
-  // A grid of at least 2 x 2 particles, the ribbon's size at rest, and an obstacle whose positions
-  // are finite and whose triangles may be as bad as they like.
+  // A grid of at least 2 x 2 particles, the ribbon's size at rest, an obstacle whose positions are
+  // finite and whose triangles may be as bad as they like, and the edges whose strain is measured.
   FrameVerifier(const RibbonGrid& grid, double length_m, double width_m,
-                const std::optional<TriangleMesh>& obstacle);
+                const std::optional<TriangleMesh>& obstacle, const LimitedEdges& limited = {});
 
   // At most so many intersecting pairs are listed per frame.
   static constexpr std::size_t most_pairs = 100'000;
@@ -45,6 +46,7 @@ class FrameVerifier {
   RibbonGrid grid_;
   double length_m_;
   double width_m_;
+  LimitedEdges limited_;
   TriangleSoup soup_;  // the ribbon's points are still to be filled in
   FeatureOwners owners_;
   BoxTree obstacle_;

@@ -5,7 +5,7 @@
 namespace ribbon {
 
 LargestStrain largest_strain(const RibbonGrid& grid, double length_m, double width_m,
-                             const Eigen::Matrix3Xf& positions) {
+                             const LimitedEdges& limited, const Eigen::Matrix3Xf& positions) {
   const double along_m = length_m / (grid.along - 1);
   const double across_m = width_m / (grid.across - 1);
   const double diagonal_m = std::hypot(along_m, across_m);
@@ -18,12 +18,18 @@ LargestStrain largest_strain(const RibbonGrid& grid, double length_m, double wid
   };
   for (int q = 0; q < grid.quad_count(); ++q) {
     const auto [a, b, c, d] = grid.quad(q);
-    look_at(a, b, along_m);
-    look_at(d, c, along_m);
-    look_at(a, d, across_m);
-    look_at(b, c, across_m);
-    look_at(a, c, diagonal_m);
-    look_at(b, d, diagonal_m);
+    if (limited.along) {
+      look_at(a, b, along_m);
+      look_at(d, c, along_m);
+    }
+    if (limited.across) {
+      look_at(a, d, across_m);
+      look_at(b, c, across_m);
+    }
+    if (limited.diagonals) {
+      look_at(a, c, diagonal_m);
+      look_at(b, d, diagonal_m);
+    }
   }
   return largest;
 }

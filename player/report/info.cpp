@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "player/report/limited_edges_text.h"
 #include "player/report/report_line.h"
 #include "text/number_text.h"
 
@@ -91,6 +92,13 @@ std::string obstacle_text(const RecordingInfo& info) {
 std::string gap_text(const RecordingHeader& header) {
   if (header.stated_gap_m == 0) return "none stated";
   return filled_in("at least {:.6g} mm, as stated", 1000 * header.stated_gap_m);
+}
+
+std::string strain_limit_text(const RecordingHeader& header) {
+  const std::string edges = "for " + limited_edges_text(header.limited_edges);
+  if (header.strain_limit == 0)
+    return "none stated" + (header.limited_edges.any() ? " " + edges : "");
+  return filled_in("{:.6g} %, as stated {}", 100 * header.strain_limit, edges);
 }
 
 std::string vector_text(const Eigen::Vector3d& vector) {
@@ -218,7 +226,9 @@ std::string info_text(const RecordingInfo& info) {
                                          header.ribbon_width_m, header.ribbon_length_m)) +
          report_line("obstacle", obstacle_text(info)) +
          report_line("centre axis", axis_text(header.centre_axis)) +
-         report_line("gap", gap_text(header)) + numbers_text(info) + tightness_text(info) +
+         report_line("gap", gap_text(header)) +
+         report_line("strain limit", strain_limit_text(header)) + numbers_text(info) +
+         tightness_text(info) +
          report_line("position error", error_text(header.max_position_error_m)) +
          report_line("size", filled_in("{} bytes, {:.2f} per vertex and frame", info.file_bytes,
                                        info.bytes_per_vertex_and_frame())) +

@@ -1,5 +1,6 @@
 #include "inspection/figures_json.h"
 #include "player/report/info.h"
+#include "player/report/limited_edges_text.h"
 #include "text/json.h"
 
 namespace ribbon {
@@ -101,6 +102,8 @@ std::string info_json(const RecordingInfo& info) {
                   {"obstacle", obstacle_json(header.obstacle)},
                   {"centre_axis", axis_json(header.centre_axis)},
                   {"stated_gap_m", header.stated_gap_m > 0 ? Json(header.stated_gap_m) : Json()},
+                  {"limited_edges", words_for(header.limited_edges)},
+                  {"strain_limit", header.strain_limit > 0 ? Json(header.strain_limit) : Json()},
                   {"frame_count", info.frame_count()},
                   {"frames_per_second", header.frames_per_second},
                   {"duration_s", info.duration_s()},

@@ -1,4 +1,5 @@
 #include "inspection/figures_json.h"
+#include "player/report/limited_edges_text.h"
 #include "player/report/verification_report.h"
 #include "text/json.h"
 
@@ -49,13 +50,17 @@ Json gap_json(const Verification& verification) {
 }
 
 Json strain_json(const Verification& verification) {
-  if (!verification.largest_strain) return nullptr;
+  const RecordingHeader& header = verification.header;
+  Json json{{"edges", words_for(header.limited_edges)},
+            {"limit", header.strain_limit > 0 ? Json(header.strain_limit) : Json()},
+            {"kept", verification.keeps_strain_limit()}};
+  if (!verification.largest_strain) return json;
   const auto& [strain, frame] = *verification.largest_strain;
-  const RibbonGrid& grid = verification.header.grid;
-  return {{"largest", strain.strain},
-          {"frame", frame},
-          {"between",
-           Json::list({particle_json(grid, strain.first), particle_json(grid, strain.second)})}};
+  json.set("largest", strain.strain);
+  json.set("frame", frame);
+  json.set("between", Json::list({particle_json(header.grid, strain.first),
+                                  particle_json(header.grid, strain.second)}));
+  return json;
 }
 
 Json passages_json(const std::vector<PassageOverEnd>& passages) {

@@ -93,6 +93,8 @@ RecordingHeader rich_header() {
       TriangleMesh{"stone", Eigen::Matrix3Xf::Identity(3, 3), Eigen::Matrix3Xi{{0}, {1}, {2}}};
   header.stated_gap_m = 1e-3;
   header.centre_axis = CentreAxis{{0, 0, 0}, {0, 0, 1}};
+  header.limited_edges = {.along = true, .across = true, .diagonals = true};
+  header.strain_limit = 0.1;
   header.origin = Origin{1, "before", 2, "step = 0.01"};
   return header;
 }

@@ -13,7 +13,7 @@
 
 namespace ribbon {
 
-inline constexpr double width_m = 0.02;
+inline constexpr double loop_width_m = 0.02;
 inline const CentreAxis upright{{0, 0, 0}, {0, 1, 0}};
 inline const TriangleMesh object = closed(tube(0.05, -0.3, 0.3));
 
@@ -48,7 +48,7 @@ inline RecordingHeader header_with_post() {
   header.grid = {200, 2};
   header.uv.setZero(2, header.grid.particle_count());
   header.ribbon_length_m = 1.4;
-  header.ribbon_width_m = width_m;
+  header.ribbon_width_m = loop_width_m;
   header.stated_gap_m = 0;
   header.centre_axis = upright;
   header.obstacle = object;
@@ -65,7 +65,7 @@ inline Eigen::Matrix3Xd looped_ribbon(const RecordingHeader& header, const Pose&
     const Eigen::Vector3d ahead = line.col(next) - line.col(next - 1);
     const Eigen::Vector3d out = ahead.cross(Eigen::Vector3d::UnitY()).normalized();
     for (int j = 0; j < grid.across; ++j)
-      positions.col(grid.particle(i, j)) = line.col(i) + (j - 0.5) * width_m * out;
+      positions.col(grid.particle(i, j)) = line.col(i) + (j - 0.5) * loop_width_m * out;
   }
   return positions;
 }

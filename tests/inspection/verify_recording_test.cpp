@@ -97,9 +97,42 @@ TEST(Verify, the_largest_strain_is_found_where_it_is) {
   std::vector<Eigen::Matrix3Xd> frames(4, sample_positions(0));
   frames[2](0, 239) += 1.0 / 39;  // a corner is pulled along by a row
   const Verification verification = verify_frames(sample_header(), frames);
+  EXPECT_EQ(verification.complaints(), Complaints{"edges are strained beyond the limit"});
   EXPECT_EQ(verification.largest_strain->frame, 3);
   EXPECT_EQ(verification.largest_strain->strain.second, 239);
   EXPECT_NEAR(verification.largest_strain->strain.strain, 1, 1e-2);
+}
+
+// Only the diagonals of a ribbon that is sheared have other lengths.
+TEST(Verify, strain_is_judged_on_the_limited_edges_alone) {
+  RecordingHeader header = sample_header();
+  std::vector<Eigen::Matrix3Xd> frames(3, sample_positions(0));
+  for (int p = 0; p < header.grid.particle_count(); ++p)
+    frames[1](0, p) += 0.1 * frames[1](2, p);  // one of the diagonals becomes longer by 4.95 %
+  const auto largest = [&](const LimitedEdges& edges, double limit) {
+    header.limited_edges = edges;
+    header.strain_limit = limit;
+    const Verification verification = verify_frames(header, frames);
+    EXPECT_EQ(verification.keeps_strain_limit(), verification.complaints().empty());
+    EXPECT_EQ(verification.complaints().empty(),
+              limit == 0 || verification.largest_strain->strain.strain <= limit);
+    return verification.largest_strain->strain.strain;
+  };
+  const LimitedEdges all{.along = true, .across = true, .diagonals = true};
+  for (const double limit : {0.0, 0.045, 0.055}) {
+    EXPECT_NEAR(largest(all, limit), 0.0495, 1e-3) << limit;
+    EXPECT_NEAR(largest({.along = true}, limit), 0, 1e-3) << limit;
+  }
+}
+
+TEST(Verify, a_recording_that_names_no_limited_edges_is_not_blamed_for_its_strain) {
+  RecordingHeader header = sample_header();
+  header.limited_edges = {};
+  std::vector<Eigen::Matrix3Xd> frames(2, sample_positions(0));
+  frames[1](0, 239) += 1.0 / 39;
+  const Verification verification = verify_frames(header, frames);
+  EXPECT_EQ(verification.complaints(), Complaints{});
+  EXPECT_FALSE(verification.largest_strain.has_value());
 }
 
 // Neither frame intersects: only the knot tells.
@@ -109,6 +142,7 @@ TEST(Verify, a_strand_that_passed_through_another_between_two_frames_is_found) {
   header.uv.setZero(2, header.grid.particle_count());
   header.obstacle.reset();
   header.ribbon_length_m = 40;
+  header.strain_limit = 0;
   const Verification verification = verify_frames(
       header, {open_trefoil(header.grid, 1, 0.1), open_trefoil(header.grid, 0.5, 0.1),
                open_trefoil(header.grid, -0.5, 0.1), open_trefoil(header.grid, -1, 0.1)});

@@ -163,6 +163,26 @@ TEST_F(RibbonPlay, what_is_wrong_is_answered_with_1) {
   EXPECT_THAT(outcome.output, HasSubstr("WRONG: triangles intersect"));
 }
 
+TEST_F(RibbonPlay, a_recording_made_to_break_its_limit_of_strain_is_answered_with_1_and_its_place) {
+  std::vector<Eigen::Matrix3Xd> frames(5, sample_positions(0));
+  // Particle 6 of row 20 goes across, away from its neighbour, by a third of what is between them.
+  frames[3](2, 125) += 0.02 / 3;
+  RecordingHeader header = sample_header();
+  header.strain_limit = 0.1;
+  write_recording(recording_, header, frames);
+  const ToolRun outcome = run("knot.rbn --verify");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.output,
+              HasSubstr(" % of edges along and across, in frame 4, from row 20 column 4 to row 20 "
+                        "column 5; BEYOND the stated 10 %\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("WRONG: edges are strained beyond the limit\n"));
+
+  header.strain_limit = 0;
+  fs::remove(recording_);
+  write_recording(recording_, header, frames);
+  EXPECT_THAT(output_of(run("knot.rbn --verify")), HasSubstr("; no limit is stated\n"));
+}
+
 TEST_F(RibbonPlay, lost_frames_are_not_verified_and_that_is_wrong) {
   damage();
   const ToolRun outcome = run("knot.rbn --verify --json");

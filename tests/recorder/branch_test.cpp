@@ -137,6 +137,18 @@ TEST_F(Branch, what_all_frames_have_in_common_cannot_change) {
   }
 }
 
+TEST_F(Branch, its_header_names_the_edges_that_are_limited_in_all_of_its_frames) {
+  const LimitedEdges without_diagonals{.along = true, .across = true};
+  const auto header = [](const fs::path& file) { return RecordingReader::open(file)->header(); };
+  ASSERT_TRUE(header(source()).limited_edges.diagonals);
+  ASSERT_EQ(refusal(20, {"springs.shear=0"}), "");
+  EXPECT_EQ(header(target()).limited_edges, without_diagonals);
+  EXPECT_EQ(header(target()).strain_limit, 0.1);
+  const fs::path third = folder_ / "third.rbn";
+  ASSERT_TRUE(branch(target(), 40, {third, "test", {"springs.shear=10"}}, goes_on).has_value());
+  EXPECT_EQ(header(third).limited_edges, without_diagonals) << "not in the frames before";
+}
+
 TEST_F(Branch, an_older_recording_is_replaced_only_by_a_take_that_begins) {
   ASSERT_TRUE(write_file(target(), "older"));
   EXPECT_THAT(refusal(20, {"springs.stretch=-1"}), HasSubstr("'stretch' must be"));

@@ -74,13 +74,28 @@ TEST_F(Record, a_fine_ribbon_is_recorded_within_the_strain_limit) {
   double worst = 0;
   for (int frame = 0; frame < reader.frame_count(); ++frame) {
     ASSERT_TRUE(reader.read(frame, positions).has_value());
-    const double strain =
-        largest_strain(header.grid, header.ribbon_length_m, header.ribbon_width_m, positions)
-            .strain;
+    const double strain = largest_strain(header.grid, header.ribbon_length_m, header.ribbon_width_m,
+                                         header.limited_edges, positions)
+                              .strain;
     EXPECT_LE(strain, 0.1) << frame;
     worst = std::max(worst, strain);
   }
   EXPECT_GT(worst, 0.06);  // or it would have stayed within it anyway
+}
+
+TEST_F(Record, the_header_names_the_edges_that_are_limited) {
+  const auto header_with = [&](ContactMethod contact, double shear) {
+    scene_.contact = contact;
+    scene_.springs.shear = shear;
+    (void)record_all(folder_ / "knot.rbn");
+    return recorded().header();
+  };
+  EXPECT_EQ(header_with(ContactMethod::gate, 10).limited_edges, (LimitedEdges{true, true, true}));
+  EXPECT_EQ(recorded().header().strain_limit, 0.1);
+  EXPECT_EQ(header_with(ContactMethod::gate, 0).limited_edges, (LimitedEdges{true, true, false}));
+  EXPECT_EQ(recorded().header().strain_limit, 0.1);
+  EXPECT_EQ(header_with(ContactMethod::paper, 10).limited_edges, (LimitedEdges{true, true, false}));
+  EXPECT_EQ(recorded().header().strain_limit, 0);
 }
 
 TEST_F(Record, ends_early_when_asked_and_says_so) {

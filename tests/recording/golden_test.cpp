@@ -20,7 +20,7 @@ std::filesystem::path golden(const std::string& version) {
   return std::filesystem::path(RIBBON_GOLDEN_RECORDINGS) / ("v" + version + ".rbn");
 }
 
-const std::string this_version = "2.0";
+const std::string this_version = "2.1";
 constexpr int frames = 40;
 constexpr RibbonGrid golden_grid{48, 6};
 
@@ -81,6 +81,8 @@ RecordingHeader golden_header() {
   header.obstacle = tetrahedron;
   header.stated_gap_m = 0x1p-12;
   header.centre_axis = CentreAxis{{0.5, -0.25, 2}, {0, 0, -1}};
+  header.limited_edges = {.along = true, .across = true, .diagonals = true};
+  header.strain_limit = 0x1p-3;
   header.origin = Origin{0x12345678, "golden mother", 17, "time.step = 0.5\n"};
   return header;
 }
@@ -140,6 +142,9 @@ TEST_P(GoldenVersions, it_is_read_as_it_was_written) {
   EXPECT_EQ(reader->header().stated_gap_m, 0x1p-12);
   EXPECT_EQ(reader->header().centre_axis->point_m, Eigen::Vector3d(0.5, -0.25, 2));
   EXPECT_EQ(reader->header().origin, golden_header().origin);
+  const bool tells_limit = GetParam() != "2.0";
+  EXPECT_EQ(reader->header().limited_edges.any(), tells_limit);
+  EXPECT_EQ(reader->header().strain_limit, tells_limit ? 0x1p-3 : 0);
   EXPECT_EQ(reader->checkpoints(), std::vector<std::uint32_t>{25});
   EXPECT_EQ(reader->read_checkpoint(25).value(), golden_checkpoint);
   EXPECT_EQ(reader->sessions(), std::vector<Session>{golden_session});
@@ -167,7 +172,7 @@ TEST_P(GoldenVersions, every_bit_of_its_positions_is_known) {
   EXPECT_EQ(checksum(bytes), 0xEEB48FBBU);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("2.0"),
+INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("2.0", "2.1"),
                          [](const auto& version) { return "v2_" + version.param.substr(2); });
 
 }  // namespace ribbon::golden_test

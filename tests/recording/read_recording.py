@@ -21,6 +21,7 @@ SIGNATURE = b"\x89RBN\r\n\x1a\n"
 MAGIC = b"\xb1REC"
 HEADER, FRAME, INDEX, FOOTER, CHECKPOINT, SESSION, DIRECTORY = range(1, 8)
 RECORD_HEAD_BYTES = 24
+EDGES = ("along", "across", "diagonals")  # bits from the lowest on
 
 
 class Fields(Content):
@@ -88,6 +89,8 @@ class Header:
         self.centre_axis = fields.take("6d") if fields.take("B") == 1 else None
         self.entropy_tables = [fields.string() for _ in range(fields.take("I"))]
         self.origin = self.take_origin(fields) if fields.take("B") == 1 else None
+        edges, self.strain_limit = fields.take("Bd") if self.minor >= 1 else (0, 0.0)
+        self.limited_edges = {name for bit, name in enumerate(EDGES) if edges >> bit & 1}
 
     @property
     def particles(self):
@@ -109,6 +112,27 @@ class Header:
             "frame": fields.take("I"),
             "changed settings": fields.text(),
         }
+
+
+    def edge_strain(self, positions):
+        """abs(length / length at rest - 1) by kind of edge; positions 3 x particles."""
+        grid = positions.astype("f8").reshape(3, self.along, self.across)
+        along_m, across_m = self.length_m / (self.along - 1), self.width_m / (self.across - 1)
+        diagonals = (grid[:, 1:, 1:] - grid[:, :-1, :-1], grid[:, 1:, :-1] - grid[:, :-1, 1:])
+        edges = {
+            "along": (grid[:, 1:] - grid[:, :-1], along_m),
+            "across": (grid[:, :, 1:] - grid[:, :, :-1], across_m),
+            "diagonals": (np.stack(diagonals, axis=1), np.hypot(along_m, across_m)),
+        }
+        return {
+            kind: np.abs(np.linalg.norm(edge, axis=0) / rest_m - 1)
+            for kind, (edge, rest_m) in edges.items()
+        }
+
+    def largest_strain(self, positions):
+        """Of the limited edges; 0 where none is."""
+        strain = self.edge_strain(positions)
+        return max((float(strain[kind].max()) for kind in self.limited_edges), default=0.0)
 
 
 class Frame:
@@ -289,10 +313,15 @@ def main():
     recording.check_indices()
     header = recording.header
     print(f"{header.scene_name}, {header.across}x{header.along}, {len(recording.frames)} frames")
+    print(f"limited edges: {sorted(header.limited_edges)}, to {100 * header.strain_limit:g} %")
     for number in sorted(recording.frames):
         frame = recording.frames[number]
-        centre = recording.positions(number).mean(axis=1)
-        print(f"frame {number}: {frame.time_s:g} s, from {frame.references}, centre {centre}")
+        positions = recording.positions(number)
+        strain = f"{100 * header.largest_strain(positions):.4g} %"
+        print(
+            f"frame {number}: {frame.time_s:g} s, from {frame.references}, "
+            f"centre {positions.mean(axis=1)}, strain {strain}"
+        )
 
 
 if __name__ == "__main__":

@@ -7,13 +7,14 @@ Runs the program, which writes recordings of all kinds into the folder and what 
 them; the RECORDINGs are read besides. Fails when anything differs.
 """
 
+import struct
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 
-from read_recording import Recording
+from read_recording import EDGES, Recording
 
 
 def differences(recording_file, frames_file):
@@ -24,7 +25,10 @@ def differences(recording_file, frames_file):
         recording.check_indices()
         if recording.directory:
             recording.check_directory(data)
-    ours = our_frames(frames_file, recording.header.particles)
+    header = recording.header
+    if limits(header) != our_limits(frames_file.with_suffix(".limits")):
+        yield "the limit of strain differs"
+    ours = our_frames(frames_file, header.particles)
     for number in sorted(ours.keys() | recording.frames.keys()):
         if recording.readable(number) != (number in ours):
             yield f"frame {number} is readable to one of the readers"
@@ -33,6 +37,16 @@ def differences(recording_file, frames_file):
             count = np.count_nonzero(ours[number] != theirs)
             if count > 0:
                 yield f"frame {number} differs in {count} coordinates"
+
+
+def limits(header):
+    """Which kinds of edges are limited, and to what."""
+    return tuple(kind in header.limited_edges for kind in EDGES), header.strain_limit
+
+
+def our_limits(limits_file):
+    *limited, limit = struct.unpack("<3Bd", limits_file.read_bytes())
+    return tuple(map(bool, limited)), limit
 
 
 def our_frames(frames_file, particles):

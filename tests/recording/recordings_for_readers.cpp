@@ -1,7 +1,8 @@
 // recordings_for_readers FOLDER: writes small recordings of all kinds into the folder, and beside
 // each NAME.rbn the frames that our own reader decodes from it: NAME.frames, of each frame that is
-// readable its number, u32, and f32 x, y, z of each particle. recordings_for_readers FOLDER
-// RECORDING...: does so for these.
+// readable its number, u32, and f32 x, y, z of each particle; and what strain is limited to:
+// NAME.limits, of each kind of edge a u8, then f64. recordings_for_readers FOLDER RECORDING...:
+// does so for these.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -68,6 +69,8 @@ RecordingHeader header_of(const Kind& kind) {
       TriangleMesh{"stone", Eigen::Matrix3Xf::Identity(3, 3), Eigen::Matrix3Xi{{0}, {1}, {2}}};
   header.stated_gap_m = 1e-3;
   header.centre_axis = CentreAxis{{1, 2, 3}, {0, 0.6, 0.8}};
+  header.limited_edges = {.along = true, .diagonals = true};
+  header.strain_limit = 0.125;
   header.origin = Origin{77, "before", 2, "step = 0.01"};
   return header;
 }
@@ -135,6 +138,16 @@ void write_frames(const std::filesystem::path& recording, const std::filesystem:
   demanded(write_file(frames, bytes));
 }
 
+void write_limits(const std::filesystem::path& recording, const std::filesystem::path& limits) {
+  const RecordingHeader header = demanded(RecordingReader::open(recording)).header();
+  std::string bytes;
+  const LimitedEdges& edges = header.limited_edges;
+  for (const bool limited : {edges.along, edges.across, edges.diagonals})
+    put<std::uint8_t>(bytes, limited ? 1 : 0);
+  put<double>(bytes, header.strain_limit);
+  demanded(write_file(limits, bytes));
+}
+
 void write_for_readers(const std::filesystem::path& folder,
                        std::vector<std::filesystem::path> recordings) {
   std::filesystem::create_directories(folder);
@@ -143,8 +156,10 @@ void write_for_readers(const std::filesystem::path& folder,
       recordings.push_back(folder / (kind.name + ".rbn"));
       write_recording(recordings.back(), kind);
     }
-  for (const std::filesystem::path& recording : recordings)
+  for (const std::filesystem::path& recording : recordings) {
     write_frames(recording, folder / (recording.stem().string() + ".frames"));
+    write_limits(recording, folder / (recording.stem().string() + ".limits"));
+  }
 }
 
 }  // namespace

@@ -40,6 +40,8 @@ RecordingHeader sample_header() {
   header.obstacle = octahedron();
   header.stated_gap_m = 1e-4;
   header.centre_axis = CentreAxis{{0, 0.5, 0}, {0, 0.6, 0.8}};
+  header.limited_edges = {.along = true, .across = true};
+  header.strain_limit = 0.25;
   return header;
 }
 

@@ -35,6 +35,27 @@ TEST(Springs, of_distance_two_are_missing_in_a_ribbon_that_is_too_small_for_them
     EXPECT_TRUE(springs_of({2, 2}, family).empty());
 }
 
+TEST(LimitedEdges, are_those_along_and_across_and_with_the_gate_diagonals_where_shear_resists) {
+  Scene scene;
+  EXPECT_EQ(limited_edges(scene), (LimitedEdges{true, true, false})) << "without any spring";
+  scene.springs.shear = 1;
+  EXPECT_EQ(limited_edges(scene), (LimitedEdges{true, true, true}));
+  scene.contact = ContactMethod::paper;
+  EXPECT_EQ(limited_edges(scene), (LimitedEdges{true, true, false}));
+}
+
+TEST(LimitedEdges, are_families_of_springs) {
+  const RestSize size{{3, 3}, 0.6, 0.8};
+  EXPECT_TRUE(limited_families({}, size).empty());
+  ASSERT_EQ(limited_families({.across = true}, size).size(), 1U);
+  EXPECT_DOUBLE_EQ(limited_families({.across = true}, size)[0].rest_length_m, 0.4);
+  const auto all = limited_families({true, true, true}, size);
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_DOUBLE_EQ(all[0].rest_length_m, 0.3);
+  EXPECT_EQ(all[2].columns, 1);
+  EXPECT_EQ(all[3].columns, -1);
+}
+
 TEST(Springs, have_the_stiffness_of_the_scene) {
   const SpringNetwork network =
       spring_network({{4, 3}, 1, 1}, {.stretch = 1, .shear = 2, .bend = 3});

@@ -251,7 +251,7 @@ TEST(Resume, a_state_of_another_scene_is_refused_and_told_why) {
   expect_refused([](Scene& scene) { scene.fastening.reset(); }, "its ribbon is fastened");
   expect_refused([](Scene& scene) { scene.time.step_s = 0.005; }, "time.step");
   std::vector<std::int64_t> newer = numbers_of(state);
-  newer[0] = 3;
+  ++newer[0];
   EXPECT_THAT(refusal(run, state_of(newer)), HasSubstr("another version"));
   EXPECT_EQ(refusal(run, state), "");
 }

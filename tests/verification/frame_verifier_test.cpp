@@ -35,7 +35,20 @@ TEST(FrameVerifier, a_flat_ribbon_is_in_order) {
   EXPECT_TRUE(verdict.finite);
   EXPECT_TRUE(verdict.intersections.pairs.empty());
   EXPECT_NEAR(verdict.gap.certain_m, std::sqrt(0.5), 1e-13);
-  EXPECT_NEAR(verdict.strain.strain, 0, 1e-15);
+}
+
+TEST(FrameVerifier, measures_the_strain_of_the_edges_that_are_named) {
+  Eigen::Matrix3Xf sheared = flat;
+  sheared.row(0) += 0.5F * flat.row(2);
+  const auto strain_of = [&](const LimitedEdges& limited) {
+    return FrameVerifier(grid, length_m, width_m, std::nullopt, limited)
+        .verify(sheared)
+        .strain.strain;
+  };
+  EXPECT_EQ(strain_of({}), 0);
+  EXPECT_NEAR(strain_of({.along = true}), 0, 1e-15);
+  EXPECT_NEAR(strain_of({.along = true, .across = true}), std::sqrt(1.25) - 1, 1e-15);
+  EXPECT_NEAR(strain_of({.diagonals = true}), std::sqrt(3.25 / 2) - 1, 1e-15);
 }
 
 TEST(FrameVerifier, a_ribbon_folded_onto_itself_is_found) {

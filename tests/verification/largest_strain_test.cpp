@@ -16,7 +16,7 @@ Eigen::Matrix3Xf flat(float along, float across) {
 }
 
 LargestStrain strain_of(const Eigen::Matrix3Xf& positions) {
-  return largest_strain(grid, 6, 8, positions);
+  return largest_strain(grid, 6, 8, {.along = true, .across = true, .diagonals = true}, positions);
 }
 
 TEST(LargestStrain, cloth_at_rest_has_none) {
@@ -41,6 +41,15 @@ TEST(LargestStrain, shear_counts_on_both_diagonals) {
   for (int p = 0; p < grid.particle_count(); ++p)
     positions(0, p) -= 0.75F * static_cast<float>(grid.column(p));
   EXPECT_DOUBLE_EQ(strain_of(positions).strain, std::max(long_diagonal, short_diagonal));
+}
+
+TEST(LargestStrain, only_limited_edges_count) {
+  const Eigen::Matrix3Xf stretched = flat(4.5F, 5);
+  EXPECT_DOUBLE_EQ(largest_strain(grid, 6, 8, {.along = true}, stretched).strain, 0.5);
+  EXPECT_DOUBLE_EQ(largest_strain(grid, 6, 8, {.across = true}, stretched).strain, 0.25);
+  EXPECT_DOUBLE_EQ(largest_strain(grid, 6, 8, {.diagonals = true}, stretched).strain,
+                   std::hypot(4.5, 5) / 5 - 1);
+  EXPECT_EQ(largest_strain(grid, 6, 8, {}, stretched).strain, 0);
 }
 
 TEST(LargestStrain, names_the_particles) {

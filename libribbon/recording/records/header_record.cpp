@@ -13,7 +13,8 @@ namespace ribbon {
 namespace {
 
 constexpr std::uint16_t major_version = 2;
-constexpr std::uint16_t minor_version = 0;
+constexpr std::uint16_t minor_version = 1;
+constexpr std::uint16_t first_minor_with_limits = 1;
 constexpr std::uint32_t position_codec = 2;
 constexpr std::uint32_t most_entropy_tables = 64;
 constexpr std::int64_t most_particles = std::int64_t{1} << 24;
@@ -128,6 +129,22 @@ bool take_origin(ByteTaker& taker, std::optional<Origin>& origin) {
   return taker.complete();
 }
 
+constexpr std::uint8_t along_bit = 1;
+constexpr std::uint8_t across_bit = 2;
+constexpr std::uint8_t diagonals_bit = 4;
+
+void put_limited_edges(std::string& bytes, const LimitedEdges& edges) {
+  put<std::uint8_t>(bytes, (edges.along ? along_bit : 0) | (edges.across ? across_bit : 0) |
+                               (edges.diagonals ? diagonals_bit : 0));
+}
+
+LimitedEdges take_limited_edges(ByteTaker& taker) {
+  const auto bits = taker.take<std::uint8_t>();
+  return {.along = (bits & along_bit) != 0,
+          .across = (bits & across_bit) != 0,
+          .diagonals = (bits & diagonals_bit) != 0};
+}
+
 tl::unexpected<Error> damaged() {
   return failure("", "the header is not valid", "use a copy of the recording that is not damaged");
 }
@@ -185,13 +202,15 @@ std::string header_payload(const RecordingHeader& header) {
   put_axis(bytes, header.centre_axis);
   put_tables(bytes, header.entropy_tables);
   put_origin(bytes, header.origin);
+  put_limited_edges(bytes, header.limited_edges);
+  put<double>(bytes, header.strain_limit);
   return bytes;
 }
 
 Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   ByteTaker taker(payload);
   const auto major = taker.take<std::uint16_t>();
-  taker.take<std::uint16_t>();  // a newer minor version only appends
+  const auto minor = taker.take<std::uint16_t>();  // a newer one only appends
   if (taker.complete() && major != major_version)
     return failure("",
                    "was written in format version " + std::to_string(major) +
@@ -216,12 +235,17 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (!take_axis(taker, header.centre_axis) || !take_tables(taker, header.entropy_tables) ||
       !take_origin(taker, header.origin))
     return damaged();
+  if (minor >= first_minor_with_limits) {
+    header.limited_edges = take_limited_edges(taker);
+    header.strain_limit = taker.take<double>();
+  }
   const bool valid = taker.complete() && !header.scene_name.empty() &&
                      is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&
                      is_positive(header.frames_per_second) &&
                      is_positive_or_zero(header.max_position_error_m) &&
                      is_quantisation_step(header.quantisation_step_m) &&
-                     is_positive_or_zero(header.stated_gap_m) && header.uv.allFinite();
+                     is_positive_or_zero(header.stated_gap_m) &&
+                     is_positive_or_zero(header.strain_limit) && header.uv.allFinite();
   if (!valid) return damaged();
   return header;
 }

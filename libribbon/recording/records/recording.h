@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/centre_axis.h"
+#include "geometry/limited_edges.h"
 #include "geometry/ribbon_grid.h"
 #include "geometry/triangle_mesh.h"
 #include "recording/codec/codec_parameters.h"
@@ -47,6 +48,10 @@ struct RecordingHeader {
   double stated_gap_m = 0;
   std::optional<CentreAxis> centre_axis;  // what the ribbon was fastened towards
   std::optional<Origin> origin;           // of a branch
+  LimitedEdges limited_edges;             // whose strain is corrected
+  // The writer guarantees that |length / rest length - 1| of none of them is larger, in frames as
+  // they are decoded. 0: nothing is stated.
+  double strain_limit = 0;
 };
 
 inline CodecParameters codec_parameters(const RecordingHeader& header) {

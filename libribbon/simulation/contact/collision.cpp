@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/vectors.h"
 #include "simulation/detection/closest_weights.h"
 
 namespace ribbon {
@@ -35,24 +36,24 @@ std::optional<Collision> find_collision(const FeaturePair& pair, const VertexPos
   const Corners x1 = corners(pair, t1);
   const Vector3d direction0 = separating_direction(pair.kind, x0);
   Vector3d direction1 = separating_direction(pair.kind, x1);
-  const double side0 = direction0.dot(between(pair.kind, x0));
-  const double side1 = direction1.dot(between(pair.kind, x1));
+  const double side0 = dot(direction0, between(pair.kind, x0));
+  const double side1 = dot(direction1, between(pair.kind, x1));
 
   if ((side0 > 0 && side1 < 0) || (side0 < 0 && side1 > 0)) {
     const double t = side0 / (side0 - side1);
     const Corners x = (1 - t) * x0 + t * x1;
     const Vector4d weights = closest_weights(pair.kind, x);
     // Coplanar at this instant, they either meet or lie beside each other.
-    if ((x * weights).norm() <= activation_m) {
+    if (length_of(weighted_sum(x, weights)) <= activation_m) {
       direction1 *= side0 > 0 ? 1 : -1;
-      const Vector3d normal = direction1.normalized();
-      return Collision{weights, normal, normal.dot(x1 * weights)};
+      const Vector3d normal = normalised(direction1);
+      return Collision{weights, normal, dot(normal, weighted_sum(x1, weights))};
     }
   }
 
   const Vector4d weights = closest_weights(pair.kind, x1);
-  const Vector3d apart = x1 * weights;
-  const double distance_m = apart.norm();
+  const Vector3d apart = weighted_sum(x1, weights);
+  const double distance_m = length_of(apart);
   if (distance_m >= activation_m || distance_m == 0) return std::nullopt;
   return Collision{weights, apart / distance_m, distance_m};
 }

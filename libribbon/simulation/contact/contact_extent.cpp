@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "geometry/vectors.h"
 #include "simulation/detection/closest_weights.h"
 #include "simulation/detection/swept_pairs.h"
 #include "simulation/detection/vertex_ranges.h"
@@ -20,7 +21,8 @@ enum class Touches : char { nothing, obstacle, ribbon };
 bool touch(const FeaturePair& pair, const PairDistances& distances,
            const VertexPositions& positions) {
   const auto x = corners(pair, positions);
-  return (x * closest_weights(pair.kind, x)).norm() <= touching * distances.activation_m(pair);
+  return length_of(weighted_sum(x, closest_weights(pair.kind, x))) <=
+         touching * distances.activation_m(pair);
 }
 
 std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& distances,

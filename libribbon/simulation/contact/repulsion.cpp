@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/vectors.h"
 #include "simulation/contact/friction.h"
 
 namespace ribbon {
@@ -49,8 +50,8 @@ void repel(const FeaturePair& pair, const Collision& collision, double activatio
   const Vector3d& normal = collision.normal;
   const Vector3d apart = between_contact_points(pair, collision, now);
   const Vector3d velocity = relative_velocity(pair, collision, cloth);
-  const double distance_m = normal.dot(apart);
-  const double speed_m_s = normal.dot(velocity);  // positive: parting
+  const double distance_m = dot(normal, apart);
+  const double speed_m_s = dot(normal, velocity);  // positive: parting
   const double opened_m = std::max(0.0, activation_m - distance_m);
   const double gained_m_s = speed_m_s < 0 ? -(1 + settings.restitution) * speed_m_s : 0;
   Vector3d moved = opened_m * normal;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "geometry/diagonal_length.h"
+#include "geometry/vectors.h"
 #include "parallel/parallel.h"
 #include "simulation/detection/bvh_walk.h"
 
@@ -33,7 +34,7 @@ MovingBox edge(const MovingBox& from, const MovingBox& to) {
 
 // How far a particle may be beside its straight way.
 double freedom_m(const MovingBox& range) {
-  return half(range.end).norm();
+  return length_of(half(range.end));
 }
 
 // In the frame u, v: a lower bound of the smallest eigenvalue of the symmetric part of a matrix
@@ -44,10 +45,11 @@ double least_stretch(const Box& along, double along_m, const Box& across, double
   const Vector3d c = middle(across) / across_m;
   const Vector3d a_spread = half(along) / along_m;
   const Vector3d c_spread = half(across) / across_m;
-  const double p = a.dot(u) - a_spread.dot(u.cwiseAbs());
-  const double s = c.dot(v) - c_spread.dot(v.cwiseAbs());
-  const double q =
-      (std::abs(a.dot(v) + c.dot(u)) + a_spread.dot(v.cwiseAbs()) + c_spread.dot(u.cwiseAbs())) / 2;
+  const double p = dot(a, u) - dot(a_spread, u.cwiseAbs());
+  const double s = dot(c, v) - dot(c_spread, v.cwiseAbs());
+  const double q = (std::abs(dot(a, v) + dot(c, u)) + dot(a_spread, v.cwiseAbs()) +
+                    dot(c_spread, u.cwiseAbs())) /
+                   2;
   return (p + s) / 2 - std::sqrt((p - s) * (p - s) / 4 + q * q);
 }
 
@@ -127,7 +129,7 @@ void RibbonBvh::share_out() {
 // The yardstick of flatness: any would do, this one lets most patches pass.
 void RibbonBvh::measure_edges(std::span<const MovingBox> ranges) {
   const auto length_m = [&](int a, int b) {
-    return (ranges[b].start.low - ranges[a].start.low).norm();
+    return length_of(ranges[b].start.low - ranges[a].start.low);
   };
   double along_m = 0;
   double across_m = 0;
@@ -308,8 +310,8 @@ void RibbonBvh::look_only_at(std::span<const int> particles) {
 bool RibbonBvh::is_flat(const Tangents& tangents) const {
   const Vector3d along = middle(tangents.along.start) + middle(tangents.along.end);
   const Vector3d across = middle(tangents.across.start) + middle(tangents.across.end);
-  const Vector3d u = along.normalized();
-  const Vector3d v = (across - across.dot(u) * u).normalized();
+  const Vector3d u = normalised(along);
+  const Vector3d v = normalised(across - dot(across, u) * u);
   const double flatness = std::min(
       least_stretch(tangents.along.start, along_m_, tangents.across.start, across_m_, u, v),
       least_stretch(tangents.along.end, along_m_, tangents.across.end, across_m_, u, v));
@@ -389,8 +391,8 @@ std::vector<FeaturePair> RibbonBvh::pairs_with(const CollisionSurface& obstacle,
     int node = 0;
   };
   const auto size = [](const PackedBox& box) {
-    return (box.start_high - box.start_low).square().sum() +
-           (box.end_high - box.end_low).square().sum();
+    return squared_length_of((box.start_high - box.start_low).matrix()) +
+           squared_length_of((box.end_high - box.end_low).matrix());
   };
   const auto box_of_corner = [&](int triangle, int corner) {
     const Box at = Box::around(vertices.col(obstacle.triangles(corner, triangle)));

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/vectors.h"
 #include "simulation/detection/bvh_walk.h"
 #include "simulation/detection/vertex_ranges.h"
 
@@ -103,7 +104,7 @@ Level triangle_level(const CollisionSurface& surface, const Matrix3Xd& positions
   std::vector<SharedPiece> pieces;
   for (std::size_t e = 0; e < surface.edges.size(); ++e) {
     const auto [a, b] = surface.edges[e];
-    const double length_m = (positions.col(b) - positions.col(a)).norm();
+    const double length_m = length_of(positions.col(b) - positions.col(a));
     for (const int t : triangles.at(e)) {
       level.contours_m[t] += length_m;
       for (const int other : triangles.at(e))
@@ -376,7 +377,7 @@ void TriangleBvh::descend(const TriangleBvh& first, const TriangleBvh& second, c
                           std::vector<NodePair>& next) {
   const auto size = [](const TriangleBvh& tree, int node) {
     const MovingBox& box = tree.boxes_[node];
-    return (box.start.high - box.start.low + box.end.high - box.end.low).squaredNorm();
+    return squared_length_of(box.start.high - box.start.low + box.end.high - box.end.low);
   };
   const bool split_first = second.is_leaf(pair.b) ||
                            (!first.is_leaf(pair.a) && size(first, pair.a) >= size(second, pair.b));

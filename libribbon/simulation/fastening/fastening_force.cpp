@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/vectors.h"
 #include "simulation/state/smoothed_tangents.h"
 
 namespace ribbon {
@@ -28,7 +29,7 @@ void FasteningForce::visit_state(StateArchive& archive) {
 
 double FasteningForce::distance_from_axis_m(const Vector3d& position) const {
   const Vector3d from_point = position - scene_.axis_point_m;
-  return (from_point - from_point.dot(scene_.axis_direction) * scene_.axis_direction).norm();
+  return length_of(from_point - dot(from_point, scene_.axis_direction) * scene_.axis_direction);
 }
 
 double FasteningForce::strength_n(int particle, const Vector3d& position) const {

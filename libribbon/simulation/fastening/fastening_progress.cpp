@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/vectors.h"
 #include "simulation/fastening/decay.h"
 
 namespace ribbon {
@@ -63,11 +64,11 @@ void FasteningProgress::add(const Matrix3Xd& command, const Matrix3Xd& before,
   Slot& slot = slot_of_this_step();
   const double travel_s = free_travel_s();
   for (int particle = 0; particle < grid_.particle_count(); ++particle) {
-    const double speed_m_s = command.col(particle).norm();
+    const double speed_m_s = length_of(command.col(particle));
     if (speed_m_s == 0) continue;
     const int half = 2 * grid_.row(particle) < grid_.along ? 0 : 1;
     slot.moved_m[half] +=
-        command.col(particle).dot(after.col(particle) - before.col(particle)) / speed_m_s;
+        dot(command.col(particle), after.col(particle) - before.col(particle)) / speed_m_s;
     slot.commanded_m[half] += speed_m_s * travel_s;
   }
 }

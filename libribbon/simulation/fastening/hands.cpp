@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 using Eigen::Matrix3Xd;
@@ -18,7 +20,7 @@ constexpr double more_pull = 1.05;   // in each step, up to all of it
 Matrix3Xd terminal_velocities(const Matrix3Xd& forces, double newton_per_m_s, double highest_m_s) {
   Matrix3Xd velocities = forces / newton_per_m_s;
   for (auto velocity : velocities.colwise()) {
-    const double speed_m_s = velocity.norm();
+    const double speed_m_s = length_of(velocity);
     if (speed_m_s > highest_m_s) velocity *= highest_m_s / speed_m_s;
   }
   return velocities;

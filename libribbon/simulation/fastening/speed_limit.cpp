@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/vectors.h"
 #include "simulation/fastening/decay.h"
 
 namespace ribbon {
@@ -16,9 +17,9 @@ SpeedLimit::SpeedLimit(double highest_m_s, double particle_mass_kg, double air_r
 
 void SpeedLimit::apply(const Eigen::Matrix3Xd& velocities, Eigen::Matrix3Xd& forces) const {
   for (Eigen::Index particle = 0; particle < forces.cols(); ++particle) {
-    const double force_n = forces.col(particle).norm();
+    const double force_n = length_of(forces.col(particle));
     if (force_n == 0) continue;
-    const double speed_m_s = forces.col(particle).dot(velocities.col(particle)) / force_n;
+    const double speed_m_s = dot(forces.col(particle), velocities.col(particle)) / force_n;
     const double most_n = newton_per_gained_ * std::max(0.0, highest_m_s_ - kept_ * speed_m_s);
     if (force_n > most_n) forces.col(particle) *= most_n / force_n;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 Yielding::Yielding(const RestSize& size, double strain)
@@ -12,7 +14,7 @@ double Yielding::force_fraction(const Eigen::Matrix3Xd& positions) {
   for (int row = 0; row + along_.rows < grid_.along; ++row) {
     double sum_m = 0;
     for_each_spring_of_row(grid_, along_, row, [&](int a, int b) {
-      sum_m += (positions.col(b) - positions.col(a)).norm();
+      sum_m += length_of(positions.col(b) - positions.col(a));
     });
     lengths_.push_back(sum_m / grid_.across);
   }

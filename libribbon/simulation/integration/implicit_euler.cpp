@@ -9,6 +9,7 @@
 
 #include "simulation/integration/integrator.h"
 #include "simulation/integration/lbfgs_history.h"
+#include "simulation/integration/ordered_sums.h"
 #include "simulation/integration/quasi_newton_matrix.h"
 
 namespace ribbon {
@@ -26,7 +27,7 @@ constexpr double least_curvature = 1e-8;      // of the inertia's
 constexpr double energy_rounding = 1e-13;     // of the energy: what its sum may be wrong by
 
 void set_mean(const RowVector3d& mean, MatrixX3d& rows) {
-  const RowVector3d shift = mean - rows.colwise().mean();
+  const RowVector3d shift = mean - mean_of_rows(rows);
   rows.rowwise() += shift;
 }
 
@@ -70,7 +71,7 @@ class ImplicitEuler final : public Integrator {
     moved_ = state_.positions + iterate.displacement;
     iterate.elastic_j = springs_.forces(moved_, forces_);
     iterate.gradient = iterate.displacement - inertial_;
-    iterate.objective_j = iterate.elastic_j + inertia_ / 2 * iterate.gradient.squaredNorm();
+    iterate.objective_j = iterate.elastic_j + inertia_ / 2 * sum_of_squares(iterate.gradient);
     iterate.gradient = inertia_ * iterate.gradient - forces_;
   }
 
@@ -90,7 +91,7 @@ class ImplicitEuler final : public Integrator {
 
   // Begins where the last velocities lead, or without deformation where that is lower.
   void start() {
-    const RowVector3d mean = inertial_.colwise().mean();
+    const RowVector3d mean = mean_of_rows(inertial_);
     current_.displacement = mean.replicate(inertial_.rows(), 1);
     evaluate(current_);
     undeformed_j_ = current_.elastic_j;
@@ -106,7 +107,7 @@ class ImplicitEuler final : public Integrator {
     difference_ = -current_.gradient;
     history_.toward_minimum(*matrix_, difference_, direction_);
     set_mean(RowVector3d::Zero(), direction_);
-    return dot(current_.gradient, direction_);
+    return sum_of_products(current_.gradient, direction_);
   }
 
   // What is worth another iteration, per squared change: measured against the motion itself, forces
@@ -119,7 +120,7 @@ class ImplicitEuler final : public Integrator {
   double squared_change() {
     difference_ = current_.displacement - properties_.step_s * state_.velocities;
     set_mean(RowVector3d::Zero(), difference_);
-    return difference_.squaredNorm();
+    return sum_of_squares(difference_);
   }
 
   // Backtracks along the direction to an iterate that is lower. Stays where it finds none.
@@ -153,15 +154,15 @@ class ImplicitEuler final : public Integrator {
   // is left.
   void keep_energy() {
     const double m = properties_.particle_mass_kg;
-    const RowVector3d mean = state_.velocities.colwise().mean();
+    const RowVector3d mean = mean_of_rows(state_.velocities);
     set_mean(RowVector3d::Zero(), before_);
     set_mean(RowVector3d::Zero(), state_.velocities);
-    double energy_j = undeformed_j_ + m / 2 * before_.squaredNorm();
+    double energy_j = undeformed_j_ + m / 2 * sum_of_squares(before_);
     energy_j += energy_rounding * energy_j;
     if (state_.fastening.rows() > 0)
-      energy_j += m * properties_.step_s * dot(state_.fastening, state_.velocities);
+      energy_j += m * properties_.step_s * sum_of_products(state_.fastening, state_.velocities);
     const double left_j = std::max(0.0, energy_j - current_.elastic_j);
-    const double kinetic_j = m / 2 * state_.velocities.squaredNorm();
+    const double kinetic_j = m / 2 * sum_of_squares(state_.velocities);
     if (kinetic_j > left_j) state_.velocities *= std::sqrt(left_j / kinetic_j);
     state_.velocities.rowwise() += mean;
   }

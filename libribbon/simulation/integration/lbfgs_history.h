@@ -8,11 +8,6 @@
 
 namespace ribbon {
 
-// Of all entries.
-inline double dot(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b) {
-  return a.cwiseProduct(b).sum();
-}
-
 // The last few displacements, and the changes of the gradient that they brought.
 class LbfgsHistory {
  public:

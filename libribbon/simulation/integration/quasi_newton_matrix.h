@@ -31,7 +31,8 @@ class QuasiNewtonMatrix {
   void solve_along(Eigen::MatrixXd& amplitudes) const;
 
   RibbonGrid grid_;
-  Eigen::MatrixXd modes_;  // one in each row, orthonormal
+  Eigen::MatrixXd modes_;    // one in each row, orthonormal
+  Eigen::MatrixXd columns_;  // one mode in each: its transpose and inverse
   // One column for each row of the ribbon, one row for each mode: A = L D L^T, what of L lies one
   // and two rows before the diagonal, and the inverse of D.
   Eigen::ArrayXXd one_before_;

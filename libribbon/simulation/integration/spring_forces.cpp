@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "parallel/parallel.h"
+#include "simulation/integration/ordered_sums.h"
 #include "simulation/integration/spring_run.h"
 
 namespace ribbon {
@@ -75,7 +76,7 @@ void SpringForces::forces_on(Index begin, Index end, const MatrixX3d& positions,
     compute_tension(run);
     forces.middleRows(begin, end - begin) +=
         tension.bottomRows(end - begin) - tension.topRows(end - begin);
-    workspace.energy_j += twice_energy_j.tail(end - begin).sum() / 2;
+    workspace.energy_j += sum_of(twice_energy_j.tail(end - begin).data(), end - begin) / 2;
   }
 }
 

@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 namespace {
@@ -20,7 +22,7 @@ class Moves {
  public:
   void ask(int particle, const Vector3d& displacement) {
     Vector3d& largest = moves_.try_emplace(particle, Vector3d::Zero()).first->second;
-    if (displacement.squaredNorm() > largest.squaredNorm()) largest = displacement;
+    if (squared_length_of(displacement) > squared_length_of(largest)) largest = displacement;
   }
   void apply(Matrix3Xd& positions) const {
     for (const auto& [particle, displacement] : moves_) positions.col(particle) += displacement;
@@ -33,7 +35,7 @@ class Moves {
 Vector3d unit_normal(const CollisionSurface& surface, int triangle, const Matrix3Xd& positions) {
   const Eigen::Vector3i corners = surface.triangles.col(triangle);
   const Vector3d a = positions.col(corners[0]);
-  return (positions.col(corners[1]) - a).cross(positions.col(corners[2]) - a).normalized();
+  return normalised((positions.col(corners[1]) - a).cross(positions.col(corners[2]) - a));
 }
 
 // Calls visit(particle) for every particle up to `reach` rows and columns away.
@@ -78,7 +80,7 @@ void apply_scheme_a(const RibbonGrid& grid, const CollisionSurface& ribbon,
     return unit_normal(obstacle.surface, penetration.triangle, obstacle.vertices);
   };
   const auto height_m = [&](const Penetration& penetration, int particle) {
-    return outward(penetration).dot(positions.col(particle) - penetration.point);
+    return dot(outward(penetration), positions.col(particle) - penetration.point);
   };
   // An edge may pierce several triangles: a thin part of the obstacle's front and back.
   std::map<int, std::vector<Penetration>> of_edge;
@@ -137,8 +139,8 @@ Vector3d curling_direction(const std::vector<int>& line, const Matrix3Xd& positi
   };
   const Vector3d first = edge(0);
   Vector3d sum = first;
-  for (std::size_t k = 1; k + 1 < line.size() && first.dot(edge(k)) >= 0; ++k) sum += edge(k);
-  return sum.normalized();
+  for (std::size_t k = 1; k + 1 < line.size() && dot(first, edge(k)) >= 0; ++k) sum += edge(k);
+  return normalised(sum);
 }
 
 }  // namespace
@@ -185,7 +187,7 @@ void apply_scheme_c(const RibbonGrid& grid, const CollisionSurface& ribbon,
     const auto& edge = ribbon.edges[penetration.edge];
     Vector3d normal = unit_normal(ribbon, penetration.triangle, positions);
     const auto height_m = [&](int particle) {
-      return normal.dot(positions.col(particle) - penetration.point);
+      return dot(normal, positions.col(particle) - penetration.point);
     };
     int majority = 0;
     for (const int end : edge)

@@ -1,5 +1,6 @@
 #include "simulation/published/strain_correction.h"
 
+#include "geometry/vectors.h"
 #include "simulation/state/smoothed_tangents.h"
 
 namespace ribbon {
@@ -25,8 +26,8 @@ bool PublishedStrainCorrection::any_over_limit(const Matrix3Xd& positions) const
   bool any = false;
   for (const SpringFamily& family : {along_, across_})
     for_each_spring(grid_, family, [&](int a, int b) {
-      any =
-          any || excess_m((positions.col(b) - positions.col(a)).norm(), family.rest_length_m) != 0;
+      any = any ||
+            excess_m(length_of(positions.col(b) - positions.col(a)), family.rest_length_m) != 0;
     });
   return any;
 }
@@ -34,12 +35,12 @@ bool PublishedStrainCorrection::any_over_limit(const Matrix3Xd& positions) const
 void PublishedStrainCorrection::correct_edge(int a, int b, double rest_length_m,
                                              const Vector3d& smoothed, Matrix3Xd& positions) const {
   const Vector3d edge = positions.col(b) - positions.col(a);
-  const double excess = excess_m(edge.norm(), rest_length_m);
+  const double excess = excess_m(length_of(edge), rest_length_m);
   if (excess == 0) return;
   // Where the surface is crumpled the smoothed direction says little; then the edge itself serves.
-  const bool says_little = smoothed.dot(edge) <= 0.5 * smoothed.norm() * edge.norm();
+  const bool says_little = dot(smoothed, edge) <= 0.5 * length_of(smoothed) * length_of(edge);
   const Vector3d direction =
-      says_little && edge.norm() > 0 ? edge.normalized() : smoothed.normalized();
+      says_little && length_of(edge) > 0 ? normalised(edge) : normalised(smoothed);
   positions.col(a) += 0.5 * excess * direction;
   positions.col(b) -= 0.5 * excess * direction;
 }

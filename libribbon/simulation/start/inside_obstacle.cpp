@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/vectors.h"
 #include "geometry/winding_number.h"
 
 namespace ribbon {
@@ -46,7 +47,7 @@ Result<void> check_outside(const Scene& scene, const RibbonMesh& ribbon,
   const RibbonGrid& grid = ribbon.grid;
   const auto is_inside = [&](int row) {
     const Eigen::Vector3d middle =
-        ribbon.positions.middleCols(grid.particle(row, 0), grid.across).rowwise().mean();
+        mean_of_columns(ribbon.positions.middleCols(grid.particle(row, 0), grid.across));
     return std::abs(winding_number(obstacle, middle)) > 0.5;
   };
   if (!is_closed(obstacle)) return {};

@@ -23,6 +23,13 @@ double farthest_m(const Matrix3Xd& positions) {
   return positions.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
+// The smallest that is no smaller than a number above 0.
+double next_power_of_two(double number) {
+  int exponent = 0;
+  const double fraction = std::frexp(number, &exponent);  // from 1/2 on, below 1
+  return std::isfinite(number) ? std::ldexp(1, fraction == 0.5 ? exponent - 1 : exponent) : number;
+}
+
 Result<void> arithmetic_keeps_the_gap(const Scene& scene, double gap_m, double farthest_m) {
   // Heights over a plane take some ten roundings.
   const double most_m = 1e-3 * gap_m / (16 * std::numeric_limits<double>::epsilon());
@@ -77,7 +84,7 @@ Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size
 double recorded_reach_m(const Scene& scene, const RestSize& size, const Matrix3Xd& positions) {
   if (!is_lossless(scene)) return std::numeric_limits<double>::max();
   const double far_m = farthest_m(positions) + size.length_m;
-  return std::exp2(std::ceil(std::log2(2 * far_m)));
+  return next_power_of_two(2 * far_m);
 }
 
 Scene with_single_rounding(Scene scene, const RestSize& size, double reach_m) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/vectors.h"
 #include "simulation/state/edge_strain.h"
 
 namespace ribbon {
@@ -53,7 +54,7 @@ Matrix3Xd rows_scaled(const RibbonGrid& grid, double scale, const Matrix3Xd& pos
   Matrix3Xd result = positions;
   for (int i = 0; i < grid.along; ++i) {
     auto row = result.middleCols(grid.particle(i, 0), grid.across);
-    const Eigen::Vector3d centre = row.rowwise().mean();
+    const Eigen::Vector3d centre = mean_of_columns(row);
     row = (scale * (row.colwise() - centre)).colwise() + centre;
   }
   return result;

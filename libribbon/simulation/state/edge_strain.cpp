@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 using Eigen::Matrix3Xd;
@@ -13,7 +15,7 @@ double worst_strain(const RibbonGrid& grid, const SpringFamily& family,
   double shortest = std::numeric_limits<double>::infinity();  // squared
   double longest = 0;
   for_each_spring(grid, family, [&](int a, int b) {
-    const double squared = (positions.col(b) - positions.col(a)).squaredNorm();
+    const double squared = squared_length_of(positions.col(b) - positions.col(a));
     shortest = std::min(shortest, squared);
     longest = std::max(longest, squared);
   });

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 using Eigen::Matrix3Xd;
@@ -16,7 +18,7 @@ Matrix3Xd smoothed_tangents(const RibbonGrid& grid, const Matrix3Xd& positions) 
     for (int j = 0; j < grid.across; ++j)
       length_up_to(j, i) =
           length_up_to(j, i - 1) +
-          (positions.col(grid.particle(i, j)) - positions.col(grid.particle(i - 1, j))).norm();
+          length_of(positions.col(grid.particle(i, j)) - positions.col(grid.particle(i - 1, j)));
 
   Matrix3Xd directions(3, grid.particle_count());
   for (int i = 0; i < grid.along; ++i) {

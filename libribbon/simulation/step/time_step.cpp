@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/vectors.h"
 #include "ribbon_mesh/springs.h"
 #include "simulation/detection/swept_pairs.h"
 #include "simulation/state/edge_strain.h"
@@ -216,8 +217,8 @@ int TimeStep::truncate(GatedMotion& motion, Cloth& cloth) {
   const int truncated = motion.truncate(cloth.positions);
   for (Eigen::Index particle = 0; particle < cloth.particle_count(); ++particle) {
     const Vector3d lost = cloth.positions.col(particle) - motion.free_positions().col(particle);
-    const double lost_m = lost.norm();
-    const double speed_m_s = lost_m > 0 ? lost.dot(cloth.velocities.col(particle)) / lost_m : 0;
+    const double lost_m = length_of(lost);
+    const double speed_m_s = lost_m > 0 ? dot(lost, cloth.velocities.col(particle)) / lost_m : 0;
     if (speed_m_s > 0)
       cloth.velocities.col(particle) -= std::min(speed_m_s, lost_m / motion.duration_s()) * lost / lost_m;
   }
@@ -232,6 +233,10 @@ StepReport TimeStep::recover(Bodies& bodies, Cloth& cloth) {
   return {.recovery_iterations = report.iterations,
           .penetrating_edges = report.penetrating_edges,
           .is_over_limit = published_correction_.any_over_limit(cloth.positions)};
+}
+
+double TimeStep::guaranteed_strain() const {
+  return contact_ == ContactMethod::gate ? paper_strain_limit : 0;
 }
 
 bool TimeStep::is_over_limit(const Cloth& cloth) {
@@ -280,14 +285,10 @@ namespace {
 
 StrainConstraints strain_constraints(const Scene& scene, const RestSize& size, double rounding_m) {
   std::vector<LimitedFamily> limited;
-  const auto limit = [&](const SpringFamily& family) {
+  for (const SpringFamily& family : limited_families(limited_edges(scene), size))
     limited.push_back(
         {family, aimed_strain(scene.strain_correction.strain, family.rest_length_m, rounding_m),
          most_strain(family.rest_length_m, rounding_m)});
-  };
-  for (const SpringFamily& family : stretch_families(size)) limit(family);
-  if (scene.springs.shear > 0)
-    for (const SpringFamily& family : shear_families(size)) limit(family);
   return {size.grid, std::move(limited)};
 }
 

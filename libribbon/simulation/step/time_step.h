@@ -61,6 +61,11 @@ class TimeStep {
   // Is every edge within the paper's limit of strain, with what recording may add?
   [[nodiscard]] bool is_within_limit(const Cloth& cloth);
 
+  // No limited edge (limited_edges()) that was within it before a step is further from its rest
+  // length afterwards, with what recording may add, as a fraction of it. 0 with contact = "paper",
+  // which guarantees nothing.
+  [[nodiscard]] double guaranteed_strain() const;
+
   // Into how many parts the springs divide a step.
   [[nodiscard]] int substeps() const { return integrator_->substeps(); }
   // Charged with the stages of all steps.

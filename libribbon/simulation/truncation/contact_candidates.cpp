@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/vectors.h"
 #include "parallel/parallel.h"
 #include "simulation/detection/closest_weights.h"
 #include "simulation/detection/swept_pairs.h"
@@ -20,8 +21,8 @@ Vector3d within_longest_displacement(const BroadPhaseLengths& lengths, const Vec
                                      const Vector3d& target) {
   const Vector3d displacement = target - from;
   const double longest_m = lengths.longest_displacement_m;
-  const bool is_long = displacement.squaredNorm() > longest_m * longest_m;
-  return from + (is_long ? longest_m * displacement.stableNormalized() : displacement);
+  const bool is_long = squared_length_of(displacement) > longest_m * longest_m;
+  return from + (is_long ? longest_m * safely_normalised(displacement) : displacement);
 }
 
 std::vector<MovingBox> motion_bounds(const BroadPhaseLengths& lengths, const Matrix3Xd& from,
@@ -48,7 +49,7 @@ Motion motion_within(const std::vector<MovingBox>& bounds, const Matrix3Xd& from
     const Box& end = bounds[particle].end;
     const Vector3d middle = (end.low + end.high) / 2;
     motion.displacements.col(particle) = middle - from.col(particle);
-    motion.freedoms[particle] = (end.high - middle).norm();
+    motion.freedoms[particle] = length_of(end.high - middle);
   }
   return motion;
 }
@@ -58,12 +59,12 @@ Motion motion_within(const std::vector<MovingBox>& bounds, const Matrix3Xd& from
 double largest_difference_m(const FeaturePair& pair, const Matrix3Xd& of_particles) {
   const Eigen::Matrix<double, 3, 4> d = displacements(pair, of_particles);
   double squared =
-      std::max((d.col(0) - d.col(2)).squaredNorm(), (d.col(0) - d.col(3)).squaredNorm());
+      std::max(squared_length_of(d.col(0) - d.col(2)), squared_length_of(d.col(0) - d.col(3)));
   if (pair.kind == FeaturePair::Kind::edge_edge)
     squared = std::max(
-        {squared, (d.col(1) - d.col(2)).squaredNorm(), (d.col(1) - d.col(3)).squaredNorm()});
+        {squared, squared_length_of(d.col(1) - d.col(2)), squared_length_of(d.col(1) - d.col(3))});
   else
-    squared = std::max(squared, (d.col(0) - d.col(1)).squaredNorm());
+    squared = std::max(squared, squared_length_of(d.col(0) - d.col(1)));
   return std::sqrt(squared);
 }
 
@@ -82,7 +83,7 @@ void add_near_pairs(const std::vector<FeaturePair>& pairs, const Bodies& bodies,
         return bodies.is_particle(vertex) ? motion.freedoms[vertex] : 0;
       };
       const auto x = corners(pairs[i], from);
-      distances[i] = (x * closest_weights(pairs[i].kind, x)).norm();
+      distances[i] = length_of(weighted_sum(x, closest_weights(pairs[i].kind, x)));
       const bool edges = pairs[i].kind == FeaturePair::Kind::edge_edge;
       const double middle_m = freedom_m(1);
       const double last_m = std::max(freedom_m(2), freedom_m(3));
@@ -146,8 +147,9 @@ std::vector<std::size_t> approaching_pairs(const ContactCandidates& candidates,
                                            const Matrix3Xd& displacement, double distance_m) {
   constexpr std::size_t grain = 1024;
   const Matrix3Xd gone = positions - candidates.from;
-  const Eigen::VectorXd moved_m =
-      (gone.colwise().norm() + displacement.colwise().norm()).transpose();
+  Eigen::VectorXd moved_m(gone.cols());
+  for (Eigen::Index vertex = 0; vertex < gone.cols(); ++vertex)
+    moved_m[vertex] = length_of(gone.col(vertex)) + length_of(displacement.col(vertex));
   const auto reach_m = [&](int vertex) { return vertex < moved_m.size() ? moved_m[vertex] : 0; };
   const std::vector<FeaturePair>& pairs = candidates.pairs;
   std::vector<std::vector<std::size_t>> parts((pairs.size() + grain - 1) / grain);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "geometry/vectors.h"
 #include "parallel/parallel.h"
 #include "simulation/contact/friction.h"
 #include "simulation/detection/closest_weights.h"
@@ -28,12 +29,12 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Bodies& bodies,
   ContactConstraint constraint;
   constraint.vertices = pair.vertices;
   constraint.weights = closest_weights(pair.kind, x);
-  const Vector3d apart = x * constraint.weights;
-  const double distance_m = apart.norm();
+  const Vector3d apart = weighted_sum(x, constraint.weights);
+  const double distance_m = length_of(apart);
   for (int k = 0; k < 4; ++k)
     constraint.corrections[k] = bodies.is_particle(pair.vertices[k]) ? constraint.weights[k] : 0;
   // Of particles of mass 1.
-  const double effective_inverse_mass = constraint.corrections.dot(constraint.weights);
+  const double effective_inverse_mass = dot(constraint.corrections, constraint.weights);
   if (distance_m == 0 || effective_inverse_mass == 0) return constraint;
   constraint.corrections /= effective_inverse_mass;
   constraint.normal = apart / distance_m;
@@ -93,7 +94,7 @@ Response response(const ContactConstraint& constraint, double violation_m, doubl
   const Vector3d& normal = constraint.normal;
   const Vector3d velocity = between(
       constraint, bodies, [&](int particle) -> Vector3d { return cloth.velocities.col(particle); });
-  const double stopped_m_s = std::max(0.0, -normal.dot(velocity));
+  const double stopped_m_s = std::max(0.0, -dot(normal, velocity));
   Response result{violation_m * normal, stopped_m_s * normal};
   if (friction > 0) {
     const Vector3d slid = between(constraint, bodies, [&](int particle) -> Vector3d {
@@ -117,7 +118,8 @@ bool keep_apart(std::span<const ContactConstraint> constraints, double friction,
     if (is_resting(constraint, bodies, activity)) continue;
     double distance_m = 0;
     for (int k = 0; k < 4; ++k)
-      distance_m += constraint.weights[k] * constraint.normal.dot(vertices[constraint.vertices[k]]);
+      distance_m +=
+          constraint.weights[k] * dot(constraint.normal, vertices[constraint.vertices[k]]);
     const double violation_m = constraint.distance_m - distance_m;
     if (violation_m <= 0) continue;
     any = any || violation_m > negligible_violation * constraint.distance_m;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "geometry/vectors.h"
 #include "parallel/parallel.h"
 #include "simulation/truncation/separating_plane.h"
 
@@ -135,7 +136,7 @@ TruncationReport truncate_displacements(const ContactCandidates& candidates, con
       reached.col(p) = positions.col(p) + fraction[p] * displacement.col(p);
       if (!candidates.bounds[p].end.contains(reached.col(p))) report.stragglers.push_back(p);
     }
-    report.farthest_m = std::max(report.farthest_m, fraction[p] * displacement.col(p).norm());
+    report.farthest_m = std::max(report.farthest_m, fraction[p] * length_of(displacement.col(p)));
     if (reached.col(p) != target.col(p)) ++report.truncated;
   }
   if (report.stragglers.empty()) positions.swap(reached);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/vectors.h"
 #include "simulation/detection/closest_weights.h"
 
 namespace ribbon {
@@ -20,14 +21,14 @@ constexpr double usable = 0.9;
 Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
                                 const Corners& displacement, double min_separation_m) {
   const int first_count = kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
-  const Vector3d apart = start * closest_weights(kind, start);
-  const double distance_m = apart.norm();
+  const Vector3d apart = weighted_sum(start, closest_weights(kind, start));
+  const double distance_m = length_of(apart);
   if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches
   const Vector3d normal = apart / distance_m;
 
   // Heights over the plane's direction: the first feature lies above the second.
-  const Vector4d height = start.transpose() * normal;
-  const Vector4d rise = displacement.transpose() * normal;
+  const Vector4d height = heights(start, normal);
+  const Vector4d rise = heights(displacement, normal);
   const double lowest_first = height.head(first_count).minCoeff();
   const double highest_second = height.tail(4 - first_count).maxCoeff();
   // Almost touching features lie aslant to the rounded direction: it does not separate them.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/vectors.h"
 #include "simulation/contact/contact_lengths.h"
 #include "simulation/state/edge_strain.h"
 
@@ -22,7 +23,7 @@ constexpr double recordable_strain = 0.99 * paper_strain_limit;
 // which it becomes more so. By how much of its rest length was it?
 double tighten_edge(const LimitedFamily& limited, int a, int b, Cloth& cloth) {
   const Eigen::Vector3d apart = cloth.positions.col(b) - cloth.positions.col(a);
-  const double length_m = apart.norm();
+  const double length_m = length_of(apart);
   const double excess_m =
       length_m - std::clamp(length_m, limited.shortest_m(), limited.longest_m());
   const double from_rest_m = length_m - limited.family.rest_length_m;
@@ -31,8 +32,8 @@ double tighten_edge(const LimitedFamily& limited, int a, int b, Cloth& cloth) {
   const Eigen::Vector3d correction = 0.5 * corrected_m / length_m * apart;
   cloth.positions.col(a) += correction;
   cloth.positions.col(b) -= correction;
-  const double worsening =
-      correction.dot(cloth.velocities.col(b) - cloth.velocities.col(a)) / correction.squaredNorm();
+  const double worsening = dot(correction, cloth.velocities.col(b) - cloth.velocities.col(a)) /
+                           squared_length_of(correction);
   if (worsening > 0) {
     cloth.velocities.col(a) += 0.5 * worsening * correction;
     cloth.velocities.col(b) -= 0.5 * worsening * correction;
@@ -50,7 +51,7 @@ bool tighten_all(const LimitedFamily& limited, const RibbonGrid& grid, RowActivi
     const int other_row = row + limited.family.rows;
     if (activity.is_resting(row) && activity.is_resting(other_row)) continue;
     for_each_spring_of_row(grid, limited.family, row, [&](int a, int b) {
-      const double squared = (cloth.positions.col(b) - cloth.positions.col(a)).squaredNorm();
+      const double squared = squared_length_of(cloth.positions.col(b) - cloth.positions.col(a));
       // A collapsed edge has no direction to grow in; its neighbours give it one.
       if ((squared >= shortest_m * shortest_m && squared <= longest_m * longest_m) || squared == 0)
         return;

@@ -41,6 +41,8 @@ TEST(InfoJson, what_is_not_known_is_null) {
   EXPECT_TRUE(json["obstacle"].is_null());
   EXPECT_TRUE(json["centre_axis"].is_null());
   EXPECT_TRUE(json["stated_gap_m"].is_null());
+  EXPECT_TRUE(json["strain_limit"].is_null());
+  EXPECT_TRUE(json["limited_edges"].empty());
   EXPECT_TRUE(json["worst_strain"].is_null());
   EXPECT_TRUE(json["penetrating_edges"]["last"].is_null());
 }
@@ -48,9 +50,13 @@ TEST(InfoJson, what_is_not_known_is_null) {
 TEST(InfoJson, what_the_writer_states_is_told) {
   RecordingInfo info = two_frames();
   info.header.stated_gap_m = 0.25;
+  info.header.limited_edges.diagonals = true;
+  info.header.strain_limit = 0.125;
   info.header.centre_axis = CentreAxis{{0.5, 0, -1}, {0, 1, 0}};
   const auto json = nlohmann::json::parse(info_json(info));
   EXPECT_EQ(json["stated_gap_m"], 0.25);
+  EXPECT_EQ(json["strain_limit"], 0.125);
+  EXPECT_EQ(json["limited_edges"], nlohmann::json::array({"diagonal"}));
   EXPECT_EQ(json["centre_axis"]["point_m"], nlohmann::json::array({0.5, 0.0, -1.0}));
   EXPECT_EQ(json["centre_axis"]["direction"], nlohmann::json::array({0.0, 1.0, 0.0}));
 }

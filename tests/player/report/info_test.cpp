@@ -58,6 +58,7 @@ TEST(RecordingInfo, the_text_is_readable) {
             "obstacle        none\n"
             "centre axis     none\n"
             "gap             none stated\n"
+            "strain limit    none stated\n"
             "worst strain    4.2 % in frame 3\n"
             "penetrations    at most 7, in frame 1; in the last frame 2\n"
             "position error  at most 0.02 mm\n"
@@ -69,10 +70,15 @@ TEST(RecordingInfo, the_text_is_readable) {
 TEST(RecordingInfo, what_the_writer_states_is_told) {
   RecordingInfo info = three_frames();
   info.header.stated_gap_m = 0.00025;
+  info.header.limited_edges = {.along = true, .across = true};
   info.header.centre_axis = CentreAxis{{0.5, 0, -1}, {0, 1, 0}};
   const std::string text = info_text(info);
   EXPECT_THAT(text, HasSubstr("gap             at least 0.25 mm, as stated\n"));
   EXPECT_THAT(text, HasSubstr("centre axis     through (0.5, 0, -1) m along (0, 1, 0)\n"));
+  EXPECT_THAT(text, HasSubstr("strain limit    none stated for edges along and across\n"));
+  info.header.strain_limit = 0.1;
+  EXPECT_THAT(info_text(info),
+              HasSubstr("strain limit    10 %, as stated for edges along and across\n"));
 }
 
 TEST(RecordingInfo, tightness_and_ending_are_told) {

@@ -12,6 +12,8 @@ Verification all_in_order() {
   Verification verification;
   verification.header.grid = {3, 3};
   verification.header.stated_gap_m = 0.25;
+  verification.header.limited_edges = {.along = true, .across = true, .diagonals = true};
+  verification.header.strain_limit = 0.1;
   verification.frames_asked = 12;
   verification.frames_checked = 12;
   verification.smallest_gap = {{0.5, {7, 10}}, 4};
@@ -33,21 +35,24 @@ Verification all_wrong() {
   verification.most_intersections = {6, 8};
   verification.first_intersections = {{8, 0.125, {0, 6}}, {9, std::nullopt, {0, 9}}};
   verification.smallest_gap = {{0, {0, 6}}, 8};
+  verification.largest_strain = {{0.65, 4, 8}, 9};
   verification.certificate_changes = {{1, 10, "trefoil", "unknot"}};
   return verification;
 }
 
 TEST(VerificationText, what_is_in_order_reads_so) {
-  EXPECT_EQ(verification_text("knot.rbn", all_in_order()),
-            "recording       knot.rbn\n"
-            "frames          12 of 12 checked\n"
-            "intersections   none\n"
-            "smallest gap    0.5 m in frame 4, ribbon row 1 column 1 and obstacle triangle 2; at "
-            "least the stated 0.25 m\n"
-            "largest strain  6.2 % in frame 9, from row 1 column 1 to row 2 column 1\n"
-            "knot            trefoil\n"
-            "                the same in all of 3 frames certified\n"
-            "verdict         nothing is wrong\n");
+  EXPECT_EQ(
+      verification_text("knot.rbn", all_in_order()),
+      "recording       knot.rbn\n"
+      "frames          12 of 12 checked\n"
+      "intersections   none\n"
+      "smallest gap    0.5 m in frame 4, ribbon row 1 column 1 and obstacle triangle 2; at "
+      "least the stated 0.25 m\n"
+      "largest strain  6.25 % of edges along, across and diagonal, in frame 9, from row 1 column "
+      "1 to row 2 column 1; within the stated 10 %\n"
+      "knot            trefoil\n"
+      "                the same in all of 3 frames certified\n"
+      "verdict         nothing is wrong\n");
 }
 
 TEST(VerificationText, what_is_wrong_is_said_with_its_place) {
@@ -60,13 +65,15 @@ TEST(VerificationText, what_is_wrong_is_said_with_its_place) {
       "                frame 9: ribbon row 0 column 0 and obstacle triangle 1\n"
       "smallest gap    0 m in frame 8, ribbon row 0 column 0 and ribbon row 1 column 1; LESS than "
       "the stated 0.25 m\n"
-      "largest strain  6.2 % in frame 9, from row 1 column 1 to row 2 column 1\n"
+      "largest strain  65 % of edges along, across and diagonal, in frame 9, from row 1 column 1 "
+      "to "
+      "row 2 column 2; BEYOND the stated 10 %\n"
       "knot            trefoil\n"
       "                CHANGED 1 time; 3 frames certified\n"
       "                frame 1: trefoil\n"
       "                frame 10: unknot\n"
-      "verdict         WRONG: triangles intersect, the stated gap is not kept, the knot has "
-      "changed, coordinates are no numbers, frames are lost\n");
+      "verdict         WRONG: triangles intersect, the stated gap is not kept, edges are strained "
+      "beyond the limit, the knot has changed, coordinates are no numbers, frames are lost\n");
 }
 
 TEST(VerificationText, slipping_off_is_told_and_is_no_fault) {
@@ -86,21 +93,41 @@ TEST(VerificationText, slipping_off_is_told_and_is_no_fault) {
   EXPECT_EQ(json["knot"]["passages_over_ends"][0]["turns_after"], 2);
 }
 
-TEST(VerificationText, strain_beyond_the_limit_is_no_fault_and_is_not_passed_over) {
+TEST(VerificationText, strain_beyond_the_limit_is_wrong_and_strain_at_the_limit_is_not) {
   Verification verification = all_in_order();
-  verification.largest_strain = {{0.099, 4, 8}, 9};
-  EXPECT_NE(verification_text("", verification).find("column 2\n"), std::string::npos);
-  EXPECT_TRUE(verification_text("", verification).ends_with("nothing is wrong\n"));
-  verification.largest_strain = {{0.65, 4, 8}, 9};
-  EXPECT_TRUE(verification.complaints().empty());
-  const std::string text = verification_text("", verification);
-  EXPECT_NE(text.find("65.0 % in frame 9, from row 1 column 1 to row 2 column 2, a diagonal, which "
-                      "only shear springs limit\n"),
-            std::string::npos)
-      << text;
-  EXPECT_TRUE(text.ends_with("nothing is wrong; strain beyond 10 % is not judged\n")) << text;
+  verification.largest_strain = {{0.1, 4, 8}, 9};
+  EXPECT_THAT(verification_text("", verification), EndsWith("nothing is wrong\n"));
+  verification.largest_strain = {{0.1001, 4, 8}, 9};
+  EXPECT_THAT(verification_text("", verification),
+              AllOf(HasSubstr("10.01 % of"), HasSubstr("; BEYOND the stated 10 %\n"),
+                    EndsWith("WRONG: edges are strained beyond the limit\n")));
+  EXPECT_EQ(nlohmann::json::parse(verification_json("", verification))["strain"]["kept"], false);
+}
+
+// As contact = "paper" records it.
+TEST(VerificationText, strain_without_a_stated_limit_is_told_and_is_no_fault) {
+  Verification verification = all_in_order();
+  verification.header.limited_edges.diagonals = false;
+  verification.header.strain_limit = 0;
   verification.largest_strain = {{0.65, 4, 7}, 9};
-  EXPECT_NE(verification_text("", verification).find("row 2 column 1\n"), std::string::npos);
+  EXPECT_THAT(verification_text("", verification),
+              AllOf(HasSubstr("65 % of edges along and across, in frame 9, from row 1 column 1 to "
+                              "row 2 column 1; no limit is stated\n"),
+                    EndsWith("nothing is wrong\n")));
+  const auto strain = nlohmann::json::parse(verification_json("", verification))["strain"];
+  EXPECT_EQ(strain["edges"], nlohmann::json::array({"along", "across"}));
+  EXPECT_TRUE(strain["limit"].is_null());
+  EXPECT_EQ(strain["largest"], 0.65);
+}
+
+TEST(VerificationText, of_edges_that_are_not_named_nothing_is_said) {
+  Verification verification = all_in_order();
+  verification.header.limited_edges = {};
+  verification.largest_strain.reset();
+  EXPECT_THAT(
+      verification_text("", verification),
+      HasSubstr("largest strain  not known: the recording names no edges that are limited\n"));
+  EXPECT_TRUE(verification.complaints().empty());
 }
 
 TEST(VerificationText, equal_certificates_that_know_nothing_prove_nothing) {
@@ -137,7 +164,7 @@ TEST(VerificationText, a_recording_that_states_no_gap_keeps_it) {
 TEST(VerificationJson, programs_read_what_people_read) {
   const auto json = nlohmann::json::parse(verification_json("knot.rbn", all_wrong()));
   EXPECT_EQ(json["passed"], false);
-  EXPECT_EQ(json["wrong"].size(), 5U);
+  EXPECT_EQ(json["wrong"].size(), 6U);
   EXPECT_EQ(json["frames"]["lost"], nlohmann::json::array({3, 4, 5}));
   EXPECT_EQ(json["frames"]["not_finite"], nlohmann::json::array({7}));
   EXPECT_EQ(json["intersections"]["pairs"], 6);
@@ -150,6 +177,10 @@ TEST(VerificationJson, programs_read_what_people_read) {
   EXPECT_EQ(json["gap"]["stated_m"], 0.25);
   EXPECT_EQ(json["gap"]["smallest_m"], 0);
   EXPECT_EQ(json["strain"]["between"][1]["row"], 2);
+  EXPECT_EQ(json["strain"]["frame"], 9);
+  EXPECT_EQ(json["strain"]["limit"], 0.1);
+  EXPECT_EQ(json["strain"]["kept"], false);
+  EXPECT_EQ(json["strain"]["edges"], nlohmann::json::array({"along", "across", "diagonal"}));
   EXPECT_EQ(json["knot"]["changes"][0]["after"], "unknot");
   EXPECT_EQ(nlohmann::json::parse(verification_json("", all_in_order()))["passed"], true);
 }

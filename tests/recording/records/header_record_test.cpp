@@ -29,6 +29,8 @@ TEST(HeaderRecord, everything_comes_back) {
   EXPECT_EQ(read->obstacle->vertices, written.obstacle->vertices);
   EXPECT_EQ(read->obstacle->triangles, written.obstacle->triangles);
   EXPECT_EQ(read->stated_gap_m, 1e-4);
+  EXPECT_EQ(read->limited_edges, written.limited_edges);
+  EXPECT_EQ(read->strain_limit, 0.25);
   ASSERT_TRUE(read->centre_axis.has_value());
   EXPECT_EQ(read->centre_axis->point_m, Eigen::Vector3d(0, 0.5, 0));
   EXPECT_EQ(read->centre_axis->direction, Eigen::Vector3d(0, 0.6, 0.8));
@@ -55,6 +57,35 @@ TEST(HeaderRecord, what_a_newer_minor_version_appends_is_ignored) {
   EXPECT_TRUE(parse_header_payload(payload).has_value());
 }
 
+TEST(HeaderRecord, limited_edges_come_back_one_by_one) {
+  for (const LimitedEdges edges : {LimitedEdges{}, LimitedEdges{.along = true},
+                                   LimitedEdges{.across = true}, LimitedEdges{.diagonals = true}}) {
+    RecordingHeader header = sample_header();
+    header.limited_edges = edges;
+    EXPECT_EQ(parse_header_payload(header_payload(header))->limited_edges, edges);
+  }
+}
+
+// A byte and a number in double precision stand at the end.
+constexpr std::size_t limit_bytes = 9;
+
+TEST(HeaderRecord, bits_of_edges_that_later_versions_limit_are_ignored) {
+  std::string payload = header_payload(sample_header());
+  payload[payload.size() - limit_bytes] = '\xFB';
+  EXPECT_EQ(parse_header_payload(payload)->limited_edges, sample_header().limited_edges);
+}
+
+TEST(HeaderRecord, minor_version_0_names_no_limited_edges) {
+  std::string payload = header_payload(sample_header());
+  payload.resize(payload.size() - limit_bytes);
+  EXPECT_FALSE(parse_header_payload(payload).has_value());
+  payload[2] = 0;
+  const auto read = parse_header_payload(payload);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(read->limited_edges, LimitedEdges{});
+  EXPECT_EQ(read->strain_limit, 0);
+}
+
 TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
   std::string payload = header_payload(sample_header());
   payload[0] = 1;
@@ -76,8 +107,8 @@ TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
   header.entropy_tables.resize(64);
   std::string payload = header_payload(header);
   EXPECT_TRUE(parse_header_payload(payload).has_value());
-  // 64 empty tables and no origin stand behind the count.
-  const std::size_t count_at = payload.size() - std::size_t{64} * 4 - 1 - 4;
+  // 64 empty tables, no origin and the limit of strain stand behind the count.
+  const std::size_t count_at = payload.size() - limit_bytes - 1 - std::size_t{64} * 4 - 4;
   ASSERT_EQ(payload[count_at], 64);
   payload[count_at] = 65;
   EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
@@ -119,6 +150,8 @@ TEST(HeaderRecord, impossible_numbers_are_refused) {
   EXPECT_FALSE(is_taken_with([](auto& header) { header.obstacle->vertices(0, 0) = infinity; }));
   for (const double gap : {-1e-9, nan, infinity})
     EXPECT_FALSE(is_taken_with([=](auto& header) { header.stated_gap_m = gap; })) << gap;
+  for (const double limit : {-1e-9, nan, infinity})
+    EXPECT_FALSE(is_taken_with([=](auto& header) { header.strain_limit = limit; })) << limit;
   EXPECT_FALSE(is_taken_with([](auto& header) { header.centre_axis->direction *= 1.01; }));
   EXPECT_FALSE(is_taken_with([](auto& header) { header.centre_axis->point_m[1] = nan; }));
 }
