@@ -53,7 +53,7 @@ scenes=$results/scenes
 prepare() {
   install_missing "${build_packages[@]}" "${test_packages[@]}"
   if [[ -z $tools ]]; then
-    build release -DRIBBON_BUILD_TESTS=ON -- ribbon-record ribbon-play record_without_gate \
+    build release -DRIBBON_BUILD_TESTS=ON -- ribbon-record ribbon-play record_without_contact \
       jittered_scene count_strained_springs verify_with_cgal kill_recorder
     tools=$root/build/release
   fi
@@ -167,10 +167,10 @@ cost() {
   for sample in "$root"/samples/*-8x400.toml; do
     name=$(name_of "$sample")-cost
     scene "$name-gate" "$sample" "$equally_long"
-    scene "$name-open" "$sample" "$equally_long"
+    scene "$name-no-contact" "$sample" "$equally_long"
     scene "$name-paper" "$sample" "$equally_long;/^name/a contact = \"paper\""
     one cost "$name-gate"
-    one cost "$name-open" "$tools/tests/soak/record_without_gate"
+    one cost "$name-no-contact" "$tools/tests/soak/record_without_contact"
     one cost "$name-paper"
   done
 }

@@ -15,7 +15,7 @@ from pathlib import Path
 HEADINGS = ("scene", "start", "frames", "pairs", "CGAL", "gap / stated mm", "knot", "> 10 %", "worst",
             "steps/s")
 PARTS = ("samples", "jitter", "force", "cost")
-UNGUARDED = ("-cost-open", "-cost-paper")
+UNGUARDED = ("-cost-no-contact", "-cost-paper")
 
 CGAL = re.compile(r"(\d+) frames, (\d+) lost, (\d+) intersecting pairs in \d+ frames, (\d+) disagreem")
 

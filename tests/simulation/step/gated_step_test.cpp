@@ -157,7 +157,7 @@ TEST(GatedStep, thick_layers_part_to_their_thickness_and_are_not_pressed_under_h
   double closest = 1;
   for (int step = 0; step < 20; ++step) {
     for (int p = 0; p < grid.particle_count(); ++p)
-      cloth.velocities(1, p) += grid.row(p) < 10 ? 12 : -12;
+      cloth.velocities(1, p) += grid.row(p) < 10 ? 3 : -3;
     drift(time_step, bodies, cloth);
     closest = std::min(closest, gap_between_layers(bodies, cloth.positions));
   }

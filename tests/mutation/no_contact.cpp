@@ -1,0 +1,33 @@
+// A step that knows of no contact: nothing is kept apart, and the gate lets everything pass. Linked
+// into a program this takes the place of the product's sources of the same names
+// (libribbon/simulation/truncation), which a static library only provides where nothing else does.
+#include "simulation/truncation/contact_constraints.h"
+#include "simulation/truncation/displacement_truncation.h"
+
+namespace ribbon {
+
+std::vector<ContactConstraint> contact_constraints(const ContactCandidates& /*candidates*/,
+                                                   const Bodies& /*bodies*/,
+                                                   const PairDistances& /*distances*/,
+                                                   double /*reach_m*/,
+                                                   const Eigen::Matrix3Xd& /*free_positions*/,
+                                                   const Eigen::Matrix3Xd& /*target*/) {
+  return {};
+}
+
+bool keep_apart(std::span<const ContactConstraint> /*constraints*/, double /*friction*/,
+                const Eigen::Matrix3Xd& /*before*/, const Bodies& /*bodies*/,
+                RowActivity& /*activity*/, Cloth& /*cloth*/) {
+  return false;
+}
+
+TruncationReport truncate_displacements(const ContactCandidates& /*candidates*/,
+                                        const Bodies& /*bodies*/,
+                                        const PairDistances& /*distances*/,
+                                        const Eigen::Matrix3Xd& target,
+                                        Eigen::Matrix3Xd& positions) {
+  positions = target;
+  return {};
+}
+
+}  // namespace ribbon
