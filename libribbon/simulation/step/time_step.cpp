@@ -17,7 +17,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int most_eased_attempts = 10;  // of one step: the last with a thousandth of the force
+constexpr int most_eased_attempts = 10;    // of one step: the last with a thousandth of the force
+constexpr int most_local_attempts = 4;     // of those, with gravity, that only slow down
+constexpr int first_rows_slowed_down = 8;  // to each side, twice as many in each attempt
+constexpr double eased_weight = 0.25;      // of it, in each attempt after these
 
 }  // namespace
 
@@ -33,16 +36,41 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
 
 // What the cloth cannot bear, hands do not get: a step that would leave an edge beyond the limit of
 // strain is taken again, with half of their force and from half of the velocities, at last from
-// rest. If even that does not help, the ribbon stays where it is.
+// rest. If even that does not help, the ribbon stays where it is. What the hands did not cause they
+// shall not feel: with gravity, at first only what is strained is slowed down. Then weight is eased
+// as well, so that cloth that cannot bear its own sinks slowly and does not stay for ever.
 StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
   Cloth before = cloth;
+  double weight = 1;  // the part of it that counts
   for (int attempt = 0;; ++attempt) {
     const StepReport report = advance(fastening_force(hands, cloth), bodies, cloth);  // section 5.2
-    if (is_within_limit(cloth)) return report;
-    before.velocities *= attempt + 1 < most_eased_attempts ? 0.5 : 0;
+    const bool is_borne = is_within_limit(cloth);
+    if (is_borne || attempt == most_eased_attempts) {
+      if (!is_borne) cloth = before;
+      integrator_->ease_gravity(1);
+      return report;
+    }
+    if (has_gravity_ && attempt < most_local_attempts) {
+      slow_down_around(strain_constraints_.overstrained_rows(cloth.positions),
+                       first_rows_slowed_down << attempt, before);
+    } else {
+      before.velocities *= attempt + 1 < most_eased_attempts ? 0.5 : 0;
+      integrator_->ease_gravity(weight *= eased_weight);
+      if (hands != nullptr) hands->ease();
+    }
     cloth = before;
-    if (attempt == most_eased_attempts) return report;
-    if (hands != nullptr) hands->ease();
+  }
+}
+
+// Halves the velocities up to so many rows from those that are marked.
+void TimeStep::slow_down_around(const std::vector<bool>& marked, int rows, Cloth& cloth) {
+  const Eigen::Index across = cloth.particle_count() / std::ssize(marked);
+  int until = 0;  // the first row that no marked one has reached yet
+  for (int row = 0; row < std::ssize(marked); ++row) {
+    if (!marked[row]) continue;
+    const int begin = std::max(until, row - rows);
+    until = std::min(static_cast<int>(std::ssize(marked)), row + rows + 1);
+    if (begin < until) cloth.velocities.middleCols(begin * across, (until - begin) * across) *= 0.5;
   }
 }
 
@@ -288,9 +316,11 @@ TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLength
                    double particle_mass_kg)
     : contact_(scene.contact),
       step_s_(scene.time.step_s),
-      integrator_(create_integrator(
-          scene.time.integrator, spring_network(size, scene.springs),
-          {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s, scene.time.tolerance})),
+      has_gravity_(scene.gravity_m_s2.has_value()),
+      integrator_(
+          create_integrator(scene.time.integrator, spring_network(size, scene.springs),
+                            {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s,
+                             scene.gravity_m_s2, scene.time.tolerance})),
       distances_(pair_distances(scene, size, lengths)),
       repulsion_{.friction = scene.friction},
       strain_correction_(scene.strain_correction),

@@ -69,6 +69,7 @@ class TimeStep {
 
  private:
   StepReport advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth);
+  static void slow_down_around(const std::vector<bool>& marked, int rows, Cloth& cloth);
   StepReport advance_as_published(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
   StepReport advance_with_gate(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
   StepReport correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
@@ -96,6 +97,7 @@ class TimeStep {
 
   ContactMethod contact_;
   double step_s_;
+  bool has_gravity_;
   std::unique_ptr<Integrator> integrator_;
   PairDistances distances_;
   RepulsionSettings repulsion_;

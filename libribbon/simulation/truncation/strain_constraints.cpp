@@ -89,6 +89,17 @@ bool StrainConstraints::hold(const Eigen::Matrix3Xd& positions) const {
   });
 }
 
+std::vector<bool> StrainConstraints::overstrained_rows(const Eigen::Matrix3Xd& positions) const {
+  std::vector<bool> rows(grid_.along, false);
+  for (const LimitedFamily& limited : families_)
+    for_each_spring(grid_, limited.family, [&](int a, int b) {
+      if (std::abs(edge_strain(limited.family, a, b, positions)) <= limited.most) return;
+      rows[grid_.row(a)] = true;
+      rows[grid_.row(b)] = true;
+    });
+  return rows;
+}
+
 double most_strain(double rest_m, double rounding_m) {
   return std::max(least_aim + strain_left_over,
                   recordable_strain - lost_to_rounding_m(rounding_m) / rest_m);

@@ -43,6 +43,9 @@ class StrainConstraints {
   // Is every edge within what no step may leave?
   [[nodiscard]] bool hold(const Eigen::Matrix3Xd& positions) const;
 
+  // One for each row: does one of its edges go beyond that? Edges between two rows belong to both.
+  [[nodiscard]] std::vector<bool> overstrained_rows(const Eigen::Matrix3Xd& positions) const;
+
  private:
   RibbonGrid grid_;
   std::vector<LimitedFamily> families_;

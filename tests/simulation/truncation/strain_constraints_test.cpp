@@ -77,6 +77,15 @@ TEST(StrainConstraints, hold_up_to_what_a_step_may_leave) {
   for (const double length_m : {0.909, 1.091}) EXPECT_FALSE(hold(length_m)) << length_m;
 }
 
+// Edges of 1 m between the rows, of which one is too long and one is too short.
+TEST(StrainConstraints, tells_which_rows_are_strained_beyond_that) {
+  const StrainConstraints constraints({6, 1}, {{{1, 0, 1}, 0.05, 0.09}});
+  Matrix3Xd x = Matrix3Xd::Zero(3, 6);
+  x.row(0) << 0, 1, 2.08, 3.18, 4.18, 5.07;
+  EXPECT_EQ(constraints.overstrained_rows(x),
+            (std::vector<bool>{false, false, true, true, true, true}));
+}
+
 TEST(StrainConstraints, repeated_sweeps_share_one_long_edge_among_its_neighbours) {
   const StrainConstraints constraints({10, 1}, {{{1, 0, 1}, 0.1}});
   RowActivity activity = constraints.activity();
