@@ -157,6 +157,22 @@ Result<Coordinates<3>> direction(const Value& value) {
   });
 }
 
+// As a vector, or as a number down, along -y. Nothing where it is zero.
+Result<std::optional<Eigen::Vector3d>> gravity(const Value& value) {
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+  if (value.toml.as<TomlArray>() != nullptr) {
+    const auto vector = coordinates<3>(value);
+    if (!vector) return tl::unexpected(vector.error());
+    acceleration = *vector;
+  } else if (const auto down = number_within(not_negative, value.toml)) {
+    acceleration.y() = -*down;
+  } else {
+    return wrong(value, value.toml,
+                 "a number " + std::string(not_negative.words) + ", down along -y, or 3 numbers");
+  }
+  return acceleration.isZero(0) ? std::nullopt : std::optional(acceleration);
+}
+
 Result<std::vector<Eigen::Vector2d>> points(const Value& value) {
   const auto* array = value.toml.as<TomlArray>();
   if (array == nullptr || array->size() < 2)
@@ -350,6 +366,9 @@ const std::vector<Table>& tables() {
       {"air",
        optional,
        {{"resistance", optional, "10", set(&Scene::air_resistance_per_s, number(not_negative))}}},
+      {"gravity",
+       optional,
+       {{"acceleration", required, "[0, -9.81, 0]", set(&Scene::gravity_m_s2, gravity)}}},
       {"friction",
        optional,
        {{"coefficient", required, "0.3", set(&Scene::friction, number(not_negative))}}},

@@ -141,7 +141,9 @@ struct Scene {
   RibbonScene ribbon;
   SpringScene springs;
   double air_resistance_per_s = 0;  // deceleration per speed
-  double friction = 0;              // Coulomb's coefficient, of ribbon on ribbon and on obstacle
+  // Not zero: a scene without gravity has none.
+  std::optional<Eigen::Vector3d> gravity_m_s2 = std::nullopt;
+  double friction = 0;  // Coulomb's coefficient, of ribbon on ribbon and on obstacle
   ContactMethod contact = ContactMethod::gate;
   std::optional<ObstacleScene> obstacle;
   std::optional<FasteningScene> fastening;

@@ -57,9 +57,9 @@ TEST_F(Branch, without_a_change_it_is_the_same_take) {
 }
 
 TEST_F(Branch, a_changed_setting_acts_from_its_frame_on) {
-  for (const std::string setting :
-       {"fastening.speed=1", "springs.stretch=40", "air.resistance=20", "ribbon.mass=0.5",
-        "time.integrator=implicit", "accuracy=fine", "time.step=0.005"}) {
+  for (const std::string setting : {"fastening.speed=1", "springs.stretch=40", "air.resistance=20",
+                                    "ribbon.mass=0.5", "time.integrator=implicit", "accuracy=fine",
+                                    "time.step=0.005", "gravity.acceleration=[0, -9.81, 0]"}) {
     ASSERT_EQ(refusal(20, {setting}), "");
     EXPECT_EQ(common_frames(), 21) << setting;
     const auto reader = RecordingReader::open(target()).value();

@@ -26,6 +26,7 @@ TEST(ReadScene, what_a_scene_does_not_name_costs_nothing) {
   EXPECT_EQ(scene.springs.shear, 0);
   EXPECT_EQ(scene.springs.bend, 0);
   EXPECT_EQ(scene.air_resistance_per_s, 0);
+  EXPECT_FALSE(scene.gravity_m_s2.has_value());
   EXPECT_EQ(scene.friction, 0);
   EXPECT_EQ(scene.ribbon.thickness_m, 0);
 }
@@ -56,6 +57,7 @@ TEST(ReadScene, every_key_reaches_its_place) {
       "[ribbon]\nwidth = 6\nalong = 7\nacross = 8\nmass = 9\nthickness = 0.125\n"
       "[springs]\nstretch = 10\nshear = 11\nbend = 12\n"
       "[air]\nresistance = 13\n"
+      "[gravity]\nacceleration = [1, 2, 3.5]\n"
       "[friction]\ncoefficient = 0.375\n"
       "[obstacle]\nmesh = '/meshes/b.obj'\nscale = 14\nposition = [15, 16, 17]\n"
       "[fastening]\nspeed = 18\npull = 'ends'\nmax_speed = 18.5\nyield = 0.25\naxis_point = [19, "
@@ -78,6 +80,7 @@ TEST(ReadScene, every_key_reaches_its_place) {
   EXPECT_EQ(scene.ribbon.across, 8);
   EXPECT_EQ(scene.ribbon.mass_kg, 9);
   EXPECT_EQ(scene.ribbon.thickness_m, 0.125);
+  EXPECT_EQ(scene.gravity_m_s2, Eigen::Vector3d(1, 2, 3.5));
   EXPECT_EQ(scene.friction, 0.375);
   EXPECT_EQ(scene.springs.stretch, 10);
   EXPECT_EQ(scene.springs.shear, 11);
@@ -99,6 +102,19 @@ TEST(ReadScene, every_key_reaches_its_place) {
   EXPECT_EQ(scene.recording.frames_per_second, 0.25);
   EXPECT_EQ(scene.recording.max_position_error, 1e-4);
   EXPECT_EQ(scene.recording.checkpoint_every_s, 0.5);
+}
+
+TEST(ReadScene, a_number_for_gravity_points_down) {
+  const Scene scene = read_text(with("[gravity]\nacceleration = 9.81\n")).value();
+  EXPECT_EQ(scene.gravity_m_s2, Eigen::Vector3d(0, -9.81, 0));
+}
+
+TEST(ReadScene, gravity_of_zero_is_none) {
+  for (const char* zero : {"0", "0.0", "[0, 0, -0.0]"})
+    EXPECT_FALSE(read_text(with("[gravity]\nacceleration = " + std::string(zero) + "\n"))
+                     .value()
+                     .gravity_m_s2.has_value())
+        << zero;
 }
 
 TEST(ReadScene, points_are_read_in_order) {
@@ -249,6 +265,15 @@ INSTANTIATE_TEST_SUITE_P(
         Impossible{"text_among_coordinates", with_in("[curve]", "origin = [0, 'a']"),
                    "2:14: 'origin' must be 2 numbers from -1e12 to 1e12 in brackets, "
                    "not the text 'a'; write for example 'origin = [0, 0]'"},
+        Impossible{"gravity_that_may_be_meant_upwards", with("[gravity]\nacceleration = -9.81\n"),
+                   "11:16: 'acceleration' must be a number from 0 to 1e12, down along -y, or 3 "
+                   "numbers, not -9.81; write for example 'acceleration = [0, -9.81, 0]'"},
+        Impossible{"gravity_of_two_coordinates", with("[gravity]\nacceleration = [0, -9.81]\n"),
+                   "11:16: 'acceleration' must be 3 numbers from -1e12 to 1e12 in brackets, not "
+                   "an array of 2; write for example 'acceleration = [0, -9.81, 0]'"},
+        Impossible{"gravity_of_nothing", with("[gravity]\n"),
+                   "10:1: 'acceleration' is missing in [gravity]; add for example "
+                   "'acceleration = [0, -9.81, 0]'"},
         Impossible{"infinite_point", ribbon_line("[100, 50]", "[100, inf]"),
                    "2:25: 'points' must be 2 numbers from -1e12 to 1e12 in brackets, not inf; "
                    "write for example 'points = [[0, 0], [100, 50]]'"},

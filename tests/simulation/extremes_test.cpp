@@ -157,6 +157,15 @@ TEST(Extremes, air_from_next_to_none_to_more_than_a_step_can_hold) {
   }
 }
 
+TEST(Extremes, gravity_of_the_earth_and_a_hundred_times_that) {
+  Scene scene = scene_of_small_loop();
+  for (const double times : {1.0, 100.0}) {
+    SCOPED_TRACE(times);
+    scene.gravity_m_s2 = times * Eigen::Vector3d(0, 0, -9.81);
+    expect_bounded_by_any_integrator(scene);
+  }
+}
+
 TEST(Extremes, nothing_at_all_stays_where_it_is) {
   Scene scene = scene_of_small_loop();
   scene.springs = {};
@@ -192,6 +201,7 @@ TEST(Extremes, any_number_that_a_scene_may_hold_ends_in_numbers_or_a_refusal) {
     try_scene([&](Scene& scene) { scene.fastening->speed_m_s = number; });
     try_scene([&](Scene& scene) { scene.time.step_s = number; });
     try_scene([&](Scene& scene) { scene.ribbon.width_m = number; });
+    try_scene([&](Scene& scene) { scene.gravity_m_s2 = {0, 0, -number}; });
   }
 }
 

@@ -26,6 +26,12 @@ Matrix3Xd terminal_velocities(const Matrix3Xd& forces, double newton_per_m_s, do
   return velocities;
 }
 
+std::optional<HangingWeight> hanging_weight(const Scene& scene, const RestSize& size,
+                                            const Cloth& cloth) {
+  if (!scene.gravity_m_s2) return std::nullopt;
+  return HangingWeight(size, scene.springs, cloth.particle_mass_kg, *scene.gravity_m_s2);
+}
+
 }  // namespace
 
 Hands::Hands(const Scene& scene, const RestSize& size, const Cloth& cloth)
@@ -33,7 +39,8 @@ Hands::Hands(const Scene& scene, const RestSize& size, const Cloth& cloth)
              cloth.particle_mass_kg),
       progress_(size.grid, scene.time.step_s, scene.air_resistance_per_s),
       highest_m_s_(scene.fastening->max_speed_m_s.value_or(std::numeric_limits<double>::max())) {
-  if (scene.fastening->yield_strain) yielding_.emplace(size, *scene.fastening->yield_strain);
+  if (scene.fastening->yield_strain)
+    yielding_.emplace(size, *scene.fastening->yield_strain, hanging_weight(scene, size, cloth));
   if (scene.fastening->max_speed_m_s)
     speed_limit_.emplace(*scene.fastening->max_speed_m_s, cloth.particle_mass_kg,
                          scene.air_resistance_per_s, scene.time.step_s);

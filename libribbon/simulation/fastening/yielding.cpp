@@ -1,13 +1,18 @@
 #include "simulation/fastening/yielding.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 #include "geometry/vectors.h"
 
 namespace ribbon {
 
-Yielding::Yielding(const RestSize& size, double strain)
-    : grid_(size.grid), along_(stretch_families(size)[0]), strain_(strain) {}
+Yielding::Yielding(const RestSize& size, double strain, std::optional<HangingWeight> hanging)
+    : grid_(size.grid),
+      along_(stretch_families(size)[0]),
+      strain_(strain),
+      hanging_(std::move(hanging)) {}
 
 double Yielding::force_fraction(const Eigen::Matrix3Xd& positions) {
   lengths_.clear();
@@ -17,6 +22,11 @@ double Yielding::force_fraction(const Eigen::Matrix3Xd& positions) {
       sum_m += length_of(positions.col(b) - positions.col(a));
     });
     lengths_.push_back(sum_m / grid_.across);
+  }
+  if (hanging_) {
+    const std::vector<double> strains = hanging_->strains(positions);
+    for (std::size_t row = 0; row < strains.size(); ++row)
+      lengths_[row] -= strains[row] * along_.rest_length_m;
   }
   const auto felt = lengths_.end() - 1 - std::ssize(lengths_) / 100;
   std::nth_element(lengths_.begin(), felt, lengths_.end());

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "ribbon_mesh/springs.h"
+#include "simulation/fastening/hanging_weight.h"
 
 namespace ribbon {
 
@@ -16,7 +18,10 @@ class Yielding {
   // What is felt is tension: the mean strain of the edges from one row to the next, as one in a
   // hundred of the rows exceeds it, in which what is only bent to the side does not count. Up to
   // half of `strain` (> 0) it is met with all of the force, at one and a half of it with none.
-  Yielding(const RestSize& size, double strain);
+  // `hanging`: of what gravity pulls; hands do not feel the part of a row's strain that is due to
+  // what hangs from it.
+  Yielding(const RestSize& size, double strain,
+           std::optional<HangingWeight> hanging = std::nullopt);
 
   // The fraction of the force to be applied, 0 to 1. positions: 3 x particles.
   double force_fraction(const Eigen::Matrix3Xd& positions);
@@ -25,6 +30,7 @@ class Yielding {
   RibbonGrid grid_;
   SpringFamily along_;
   double strain_;
+  std::optional<HangingWeight> hanging_;
   std::vector<double> lengths_;  // m, mean of the edges along from each row
 };
 

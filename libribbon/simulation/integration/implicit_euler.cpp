@@ -53,7 +53,7 @@ class ImplicitEuler final : public Integrator {
   // objective is least. The centre of mass moves as without springs, which is known beforehand.
   void advance(double h) override {
     inertial_ = h * state_.velocities;
-    if (state_.fastening.rows() > 0) inertial_ += h * h * state_.fastening;
+    if (state_.accelerations.rows() > 0) inertial_ += h * h * state_.accelerations;
     inertial_ *= slowed_;
     if (matrix_) {
       minimise();
@@ -150,8 +150,8 @@ class ImplicitEuler final : public Integrator {
 
   // Where a spring resists bending aside less and less, the step may reach an iterate of more
   // energy at the full speed. The motion about the centre of mass is slowed down to what the energy
-  // before, and the work of the fastening force, leave. The line search sees to it that something
-  // is left.
+  // before, and the work of the fastening force, leave; gravity does none about that centre. The
+  // line search sees to it that something is left.
   void keep_energy() {
     const double m = properties_.particle_mass_kg;
     const RowVector3d mean = mean_of_rows(state_.velocities);
@@ -159,8 +159,8 @@ class ImplicitEuler final : public Integrator {
     set_mean(RowVector3d::Zero(), state_.velocities);
     double energy_j = undeformed_j_ + m / 2 * sum_of_squares(before_);
     energy_j += energy_rounding * energy_j;
-    if (state_.fastening.rows() > 0)
-      energy_j += m * properties_.step_s * sum_of_products(state_.fastening, state_.velocities);
+    if (state_.accelerations.rows() > 0)
+      energy_j += m * properties_.step_s * sum_of_products(state_.accelerations, state_.velocities);
     const double left_j = std::max(0.0, energy_j - current_.elastic_j);
     const double kinetic_j = m / 2 * sum_of_squares(state_.velocities);
     if (kinetic_j > left_j) state_.velocities *= std::sqrt(left_j / kinetic_j);
@@ -174,7 +174,7 @@ class ImplicitEuler final : public Integrator {
   Iterate current_;
   Iterate trial_;
   double undeformed_j_ = 0;  // the energy of the springs before the step
-  MatrixX3d inertial_;       // where inertia and the fastening force alone would lead
+  MatrixX3d inertial_;       // where inertia, gravity and the fastening force alone would lead
   MatrixX3d before_;         // velocities
   MatrixX3d direction_, gradient_change_, difference_, moved_, forces_;
 };

@@ -18,6 +18,7 @@ struct MotionProperties {
   double step_s = 0;
   double particle_mass_kg = 0;
   double air_resistance_per_s = 0;  // deceleration per speed
+  std::optional<Eigen::Vector3d> gravity_m_s2 = std::nullopt;
   // Of the implicit scheme, above 0: the minimum is found when the energy that is left to win is
   // less than this squared of what it takes to change the velocities so far. Too large: forces act
   // late and motion is damped; too small: each step takes more iterations.
@@ -27,12 +28,13 @@ struct MotionProperties {
 // The particles as integrators compute with them: each axis a column of its own, so that springs
 // are computed several at a time. Contact takes particles one by one, as Cloth has them.
 struct MotionState {
-  Eigen::MatrixX3d positions;   // particles x 3, m
-  Eigen::MatrixX3d velocities;  // particles x 3, m/s
-  Eigen::MatrixX3d fastening;   // particles x 3, N/kg, or no rows without a fastening force
+  Eigen::MatrixX3d positions;      // particles x 3, m
+  Eigen::MatrixX3d velocities;     // particles x 3, m/s
+  Eigen::MatrixX3d accelerations;  // particles x 3, m/s^2, by the fastening force and gravity, or
+                                   // no rows without either
 };
 
-// Moves a ribbon by its springs, the air and the fastening force.
+// Moves a ribbon by its springs, the air, gravity and the fastening force.
 class Integrator {
  public:
   virtual ~Integrator() = default;
@@ -42,6 +44,9 @@ class Integrator {
   void displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
   // Likewise by one of its substeps() parts.
   void displace_in_substep(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
+
+  // From now on gravity counts with that fraction, 0 to 1.
+  void ease_gravity(double fraction) { gravity_fraction_ = fraction; }
 
   // Into how many parts it divides a step to stay stable on its springs and in its air, however the
   // ribbon lies.
@@ -58,7 +63,10 @@ class Integrator {
   MotionState state_;
 
  private:
+  void set_accelerations(const Eigen::Matrix3Xd& fastening_force, double particle_mass_kg);
+
   int substeps_;
+  double gravity_fraction_ = 1;
   std::optional<SpringDamping> damping_;
 };
 

@@ -24,7 +24,7 @@ class RungeKutta final : public Integrator {
   void accelerate(const MatrixX3d& x, const MatrixX3d& v, MatrixX3d& a) {
     springs_.forces(x, a);
     a = a / properties_.particle_mass_kg - properties_.air_resistance_per_s * v;
-    if (state_.fastening.rows() > 0) a += state_.fastening;
+    if (state_.accelerations.rows() > 0) a += state_.accelerations;
   }
 
   void advance(double h) override {

@@ -26,7 +26,7 @@ class SymplecticEuler final : public Integrator {
     const double slowed = 1 / (1 + h * properties_.air_resistance_per_s);
     springs_.forces(state_.positions, forces_);
     state_.velocities += h / properties_.particle_mass_kg * forces_;
-    if (state_.fastening.rows() > 0) state_.velocities += h * state_.fastening;
+    if (state_.accelerations.rows() > 0) state_.velocities += h * state_.accelerations;
     state_.velocities *= slowed;
     state_.positions += h * state_.velocities;
   }

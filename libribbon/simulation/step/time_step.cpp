@@ -1,6 +1,7 @@
 #include "simulation/step/time_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geometry/vectors.h"
@@ -34,22 +35,27 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
 
 // A step that would leave an edge beyond the limit of strain is taken again, through the gate twice
 // as often, at last after each substep. What the cloth cannot bear even then, hands do not get: the
-// step is taken with half of their force and from half of the velocities, at last from rest. If
-// nothing helps, the ribbon stays where it is.
+// step is taken with half of their force, a quarter of the weight and from half of the velocities,
+// at last from rest. If nothing helps, the ribbon stays where it is.
 StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
   Cloth before = cloth;
   int gates = 1;
-  for (int eased_attempts = 0;;) {
+  for (int eased_attempts = 0;; gates = std::min(2 * gates, substeps())) {
     const StepReport report =
         advance_with_gates(gates, fastening_force(hands, cloth), bodies, cloth);  // section 5.2
-    if (is_within_limit(cloth)) return report;
+    const bool is_borne = is_within_limit(cloth);
+    if (is_borne || eased_attempts == most_eased_attempts) {
+      if (!is_borne) cloth = before;
+      integrator_->ease_gravity(1);
+      return report;
+    }
     if (gates == substeps()) {
-      before.velocities *= ++eased_attempts < most_eased_attempts ? 0.5 : 0;
+      ++eased_attempts;
+      before.velocities *= eased_attempts < most_eased_attempts ? 0.5 : 0;
+      integrator_->ease_gravity(std::ldexp(1.0, -2 * eased_attempts));
       if (hands != nullptr) hands->ease();
     }
     cloth = before;
-    if (eased_attempts > most_eased_attempts) return report;
-    gates = std::min(2 * gates, substeps());
   }
 }
 
@@ -220,7 +226,8 @@ int TimeStep::truncate(GatedMotion& motion, Cloth& cloth) {
     const double lost_m = length_of(lost);
     const double speed_m_s = lost_m > 0 ? dot(lost, cloth.velocities.col(particle)) / lost_m : 0;
     if (speed_m_s > 0)
-      cloth.velocities.col(particle) -= std::min(speed_m_s, lost_m / motion.duration_s()) * lost / lost_m;
+      cloth.velocities.col(particle) -=
+          std::min(speed_m_s, lost_m / motion.duration_s()) * lost / lost_m;
   }
   cloth.positions = motion.free_positions();
   return truncated;
@@ -305,9 +312,10 @@ TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLength
                    double particle_mass_kg)
     : contact_(scene.contact),
       step_s_(scene.time.step_s),
-      integrator_(create_integrator(
-          scene.time.integrator, spring_network(size, scene.springs),
-          {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s, scene.time.tolerance})),
+      integrator_(
+          create_integrator(scene.time.integrator, spring_network(size, scene.springs),
+                            {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s,
+                             scene.gravity_m_s2, scene.time.tolerance})),
       distances_(pair_distances(scene, size, lengths)),
       repulsion_{.friction = scene.friction},
       strain_correction_(scene.strain_correction),

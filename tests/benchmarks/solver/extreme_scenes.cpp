@@ -103,6 +103,12 @@ class List {
           [=](Scene& scene) { scene.air_resistance_per_s = per_s; });
   }
 
+  void add_gravity() {
+    for (const double times : {1.0, 100.0})
+      add("gravity x" + short_number(times),
+          [=](Scene& scene) { scene.gravity_m_s2 = times * Eigen::Vector3d(0, 0, -9.81); });
+  }
+
   void add_forces() {
     add("force x0", [](Scene& scene) { scene.fastening.reset(); });
     add("force x1", [](Scene&) {});
@@ -160,6 +166,7 @@ std::vector<ExtremeScene> extreme_scenes(int most_particles) {
   list.add_lengths();
   list.add_places();
   list.add_air();
+  list.add_gravity();
   list.add_forces();
   list.add_sizes();
   return list.take();

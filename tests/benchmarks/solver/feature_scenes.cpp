@@ -11,6 +11,7 @@ Scene bare(const Scene& full) {
   Scene scene = full;
   scene.springs = {};
   scene.air_resistance_per_s = 0;
+  scene.gravity_m_s2.reset();
   scene.friction = 0;
   scene.ribbon.thickness_m = 0;
   scene.fastening.reset();
@@ -57,6 +58,7 @@ void add_all_features(const Scene& full, List& list) {
            [](Scene& s) { s.fastening->max_speed_m_s = 4 * s.fastening->speed_m_s; });
   list.add("+ friction", [](Scene& s) { s.friction = 0.2; });
   list.add("+ thickness", [](Scene& s) { s.ribbon.thickness_m = 0.001; });
+  list.add("+ gravity", [](Scene& s) { s.gravity_m_s2 = Eigen::Vector3d(0, -9.81, 0); });
 }
 
 }  // namespace

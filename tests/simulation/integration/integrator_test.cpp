@@ -6,8 +6,10 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "parallel/any_threads.h"
 #include "simulation/integration/spring_networks.h"
@@ -36,6 +38,7 @@ struct Band {
   SpringScene stiffness;
   SpringNetwork springs = springs_of_size(1);
   double air_resistance_per_s = 0;
+  std::optional<Vector3d> gravity_m_s2;
   Matrix3Xd force = Matrix3Xd(3, 0);
   Cloth cloth;
 
@@ -79,7 +82,7 @@ struct Band {
   [[nodiscard]] std::unique_ptr<Integrator> integrator(IntegrationMethod method,
                                                        double step_s) const {
     return create_integrator(method, springs,
-                             {step_s, cloth.particle_mass_kg, air_resistance_per_s});
+                             {step_s, cloth.particle_mass_kg, air_resistance_per_s, gravity_m_s2});
   }
 
   void advance(IntegrationMethod method, double step_s, int steps) {
@@ -204,6 +207,58 @@ TEST_P(AnyIntegrator, brings_a_constant_force_to_the_speed_at_which_air_resists_
   band.force.row(2).setConstant(3 * band.cloth.particle_mass_kg);  // 3 m/s^2 against 5/s: 0.6 m/s
   band.advance(GetParam(), 0.01, 500);
   EXPECT_LT((band.cloth.velocities.row(2).array() - 0.6).abs().maxCoeff(), 1e-9);
+}
+
+// By hand: v = g / c (1 - exp(-c t)), x = g / c (t - (1 - exp(-c t)) / c). Schemes of first order
+// are wrong by half a step's worth of the acceleration.
+TEST(Integrator, falls_in_air_as_a_free_particle_does) {
+  const Vector3d gravity(1, -9.81, 2);
+  constexpr double air = 4, time_s = 0.5;
+  const double lost = 1 - std::exp(-air * time_s);
+  for (const auto method :
+       {IntegrationMethod::rk4, IntegrationMethod::symplectic_euler, IntegrationMethod::implicit}) {
+    SCOPED_TRACE(name_of(method));
+    const auto error = [&](int steps) {
+      Band band;
+      band.air_resistance_per_s = air;
+      band.gravity_m_s2 = gravity;
+      const Matrix3Xd before = band.cloth.positions;
+      band.advance(method, time_s / steps, steps);
+      const Vector3d fallen = gravity / air * (time_s - lost / air);
+      return std::pair(((band.cloth.velocities.colwise() - gravity / air * lost)).norm(),
+                       ((band.cloth.positions - before).colwise() - fallen).norm());
+    };
+    const auto [speed_error, place_error] = error(50);
+    const auto [half_speed_error, half_place_error] = error(100);
+    const double order = method == IntegrationMethod::rk4 ? 4 : 1;
+    EXPECT_NEAR(std::log2(speed_error / half_speed_error), order, 0.1);
+    EXPECT_NEAR(std::log2(place_error / half_place_error), order, 0.1);
+    EXPECT_LT(half_speed_error, 0.01 * gravity.norm() * std::sqrt(50) / air);
+  }
+}
+
+TEST_P(AnyIntegrator, falls_at_last_as_fast_as_air_lets_it) {
+  Band band;
+  band.air_resistance_per_s = 5;
+  band.gravity_m_s2 = Vector3d(0, -9.81, 0);
+  band.advance(GetParam(), 0.01, 500);
+  EXPECT_LT((band.cloth.velocities.colwise() - Vector3d(0, -9.81 / 5, 0)).cwiseAbs().maxCoeff(),
+            1e-9);
+}
+
+// Weight does no work about the centre of mass: all that is swung before is swung on the way down.
+TEST_P(AnyIntegrator, gravity_adds_the_same_momentum_to_all_and_nothing_else) {
+  Band band;
+  band.throw_it();
+  band.crumple(0.01);
+  Band falling = band;
+  falling.gravity_m_s2 = Vector3d(3, -9.81, 1);
+  band.advance(GetParam(), 0.01, 50);
+  falling.advance(GetParam(), 0.01, 50);
+  const Matrix3Xd gained = falling.cloth.velocities - band.cloth.velocities;
+  EXPECT_LT((gained.rowwise().mean() - 0.5 * *falling.gravity_m_s2).norm(), 1e-12);
+  const double tolerated_m_s = GetParam() == IntegrationMethod::implicit ? 0.1 : 1e-9;
+  EXPECT_LT((gained.colwise() - 0.5 * *falling.gravity_m_s2).cwiseAbs().maxCoeff(), tolerated_m_s);
 }
 
 TEST(Integrator, moves_without_springs_as_a_particle_does) {

@@ -1,0 +1,65 @@
+#include "simulation/fastening/hanging_weight.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "geometry/vectors.h"
+#include "ribbon_mesh/springs.h"
+
+namespace ribbon {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+namespace {
+
+// Strained by s along and t across, a spring of length L that reaches x and y lengthens by
+// (s x^2 + t y^2) / L. The ribbon draws in across, by the t at which the energy of all is least.
+double resistance_n(const RestSize& size, const SpringNetwork& springs) {
+  double along_n = 0;
+  double both_n = 0;
+  double across_n = 0;
+  for (const SpringKind* kind : springs.kinds())
+    for (const SpringFamily& family : kind->families) {
+      const int in_row = std::max(0, size.grid.across - std::abs(family.columns));
+      const double x = family.rows * size.along_m() / family.rest_length_m;
+      const double y = family.columns * size.across_m() / family.rest_length_m;
+      const double squared_m = family.rest_length_m * family.rest_length_m;
+      const double resists_n = kind->stiffness * in_row * squared_m / size.along_m();
+      along_n += resists_n * x * x * x * x;
+      both_n += resists_n * x * x * y * y;
+      across_n += resists_n * y * y * y * y;
+    }
+  return across_n > 0 ? along_n - both_n * both_n / across_n : along_n;
+}
+
+}  // namespace
+
+HangingWeight::HangingWeight(const RestSize& size, const SpringScene& stiffness,
+                             double particle_mass_kg, const Vector3d& gravity_m_s2)
+    : grid_(size.grid),
+      row_weight_n_(size.grid.across * particle_mass_kg * gravity_m_s2),
+      resistance_n_(resistance_n(size, spring_network(size, stiffness))) {}
+
+std::vector<double> HangingWeight::strains(const Matrix3Xd& positions) const {
+  std::vector<double> strains(grid_.along - 1);
+  const auto row_middle = [&](int row) -> Vector3d {
+    return mean_of_columns(positions.middleCols(grid_.particle(row, 0), grid_.across));
+  };
+  // From the end inwards; a slack ribbon bears nothing, and does not push.
+  const auto add_half = [&](int end, int inwards, int edges) {
+    double tension_n = 0;
+    for (int i = 0; i < edges; ++i) {
+      const int row = end + i * inwards;
+      const Vector3d outwards = normalised(row_middle(row) - row_middle(row + inwards));
+      tension_n = std::max(0.0, tension_n + dot(row_weight_n_, outwards));
+      strains[std::min(row, row + inwards)] = tension_n > 0 ? tension_n / resistance_n_ : 0;
+    }
+  };
+  const int half = (grid_.along - 1) / 2;
+  add_half(0, 1, half);
+  add_half(grid_.along - 1, -1, grid_.along - 1 - half);
+  return strains;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,31 @@
+// How far a ribbon is stretched by what hangs from it.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ribbon_mesh/rest_size.h"
+#include "scene/scene.h"
+
+namespace ribbon {
+
+// A ribbon that hangs in equilibrium over whatever, without friction, bears at each of its rows the
+// weight that lies lower towards the end of its half: as much as would hang straight down from
+// there to the height of that end.
+class HangingWeight {
+ public:
+  HangingWeight(const RestSize& size, const SpringScene& stiffness, double particle_mass_kg,
+                const Eigen::Vector3d& gravity_m_s2);
+
+  // One for each row but the last: by how much of their rest length the springs would give, from
+  // that row to the next, under that weight alone. Infinite where there are no springs along.
+  // positions: 3 x particles.
+  [[nodiscard]] std::vector<double> strains(const Eigen::Matrix3Xd& positions) const;
+
+ private:
+  RibbonGrid grid_;
+  Eigen::Vector3d row_weight_n_;
+  double resistance_n_;  // of the ribbon to being stretched along: force over strain
+};
+
+}  // namespace ribbon

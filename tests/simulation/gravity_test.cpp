@@ -1,0 +1,187 @@
+// Ribbons that have weight: what holds them, and how they answer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "simulation/fastening_processor.h"
+#include "simulation/frame_judge.h"
+#include "simulation/loop_scene.h"
+#include "simulation/start/width_growth.h"
+#include "simulation/state/edge_strain.h"
+
+namespace ribbon::gravity_test {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr double earths = 9.81;
+constexpr double post_radius_m = 0.2;
+
+// A band of 2 m of cloth that bears its own weight, level, 10 cm above a post that lies along y.
+Scene scene_of_drape(ContactMethod contact = ContactMethod::gate) {
+  Scene scene;
+  scene.name = "drape";
+  scene.contact = contact;
+  scene.ribbon = {.width_m = 0.06, .along = 61, .across = 4, .mass_kg = 0.03};
+  scene.springs = {.stretch = 10, .shear = 10, .bend = 1};
+  scene.air_resistance_per_s = 8;
+  scene.gravity_m_s2 = Vector3d(0, 0, -earths);
+  scene.friction = 0.3;
+  scene.time = {.step_s = 0.01, .duration_s = 10};
+  return scene;
+}
+
+RibbonMesh level_ribbon(const Scene& scene) {
+  return generate_ribbon_mesh(straight_curve(scene.ribbon.along, 2, {-1, 0, post_radius_m + 0.1}),
+                              scene.ribbon, Axis::y);
+}
+
+FasteningProcessor above_the_post(const Scene& scene) {
+  return FasteningProcessor::create(scene, level_ribbon(scene), post(post_radius_m)).value();
+}
+
+double height_of_row_m(const Scene& scene, const Matrix3Xd& positions, int row) {
+  return positions.row(2).segment(row * scene.ribbon.across, scene.ribbon.across).mean();
+}
+
+void expect_draped(const Scene& scene, const Matrix3Xd& positions) {
+  EXPECT_NEAR(height_of_row_m(scene, positions, 30), post_radius_m, 0.02);
+  EXPECT_LT(height_of_row_m(scene, positions, 0), -0.3);
+  EXPECT_LT(height_of_row_m(scene, positions, 60), -0.3);
+}
+
+TEST(Gravity, a_ribbon_that_falls_on_a_post_drapes_over_it_and_stays_certified) {
+  for (const IntegrationMethod method :
+       {IntegrationMethod::rk4, IntegrationMethod::symplectic_euler, IntegrationMethod::implicit}) {
+    SCOPED_TRACE(static_cast<int>(method));
+    Scene scene = scene_of_drape();
+    scene.time.integrator = method;
+    FasteningProcessor processor = above_the_post(scene);
+    const FrameJudge judge(level_ribbon(scene), post(post_radius_m));
+    for (int step = 0; step < 300; ++step) {
+      processor.step();
+      ASSERT_TRUE(judge.is_free(processor.positions())) << step;
+      ASSERT_LE(processor.strain(), paper_strain_limit) << step;
+    }
+    expect_draped(scene, processor.positions());
+  }
+}
+
+TEST(Gravity, as_published_a_ribbon_drapes_over_a_post_too) {
+  const Scene scene = scene_of_drape(ContactMethod::paper);
+  FasteningProcessor processor = above_the_post(scene);
+  for (int step = 0; step < 300; ++step) processor.step();
+  expect_draped(scene, processor.positions());
+}
+
+TEST(Gravity, what_nothing_holds_falls_as_fast_as_air_lets_it) {
+  const Scene scene = scene_of_drape();
+  auto processor = FasteningProcessor::create(scene, level_ribbon(scene), std::nullopt).value();
+  for (int step = 0; step < 200; ++step) processor.step();
+  const Matrix3Xd before = processor.positions();
+  processor.step();
+  const Matrix3Xd fallen = processor.positions() - before;
+  EXPECT_LT((fallen.colwise() - Vector3d(0, 0, -0.01 * earths / 8)).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+// Cloth a hundred times too heavy: its strain stays within the limit, and it sinks all the same.
+TEST(Gravity, cloth_that_cannot_bear_its_weight_does_not_stay_in_the_air) {
+  Scene scene = scene_of_drape();
+  scene.ribbon.mass_kg *= 100;
+  FasteningProcessor processor = above_the_post(scene);
+  for (int step = 0; step < 300; ++step) {
+    processor.step();
+    ASSERT_LE(processor.strain(), paper_strain_limit) << step;
+  }
+  EXPECT_LT(height_of_row_m(scene, processor.positions(), 0), 0);
+  EXPECT_LT(height_of_row_m(scene, processor.positions(), 60), 0);
+}
+
+// The loop that the ribbon is laid in hangs on the post; its ends swing down and are drawn.
+TEST(Gravity, a_loop_that_hangs_on_a_post_is_drawn_tight_and_knows_that_it_is) {
+  Scene scene = scene_of_loop();
+  scene.ribbon.mass_kg = 0.05;
+  scene.air_resistance_per_s = 10;
+  scene.gravity_m_s2 = Vector3d(0, 0, earths);
+  scene.fastening->speed_m_s = 0.7;
+  scene.fastening->yield_strain = 0.03;
+  FasteningProcessor processor =
+      FasteningProcessor::create(scene, mesh_of_loop(scene), post(0.3)).value();
+  int steps = 0;
+  StepReport report;
+  for (; steps < 1500 && !processor.is_tight(); ++steps) report = processor.step();
+  EXPECT_LT(steps, 1500);
+  EXPECT_GT(report.pull, 0.05) << "what hangs does not make hands give way";
+  EXPECT_LT(std::abs(processor.tightness()->progress), 0.03);
+}
+
+// Cloth that its own weight strains to the limit: what breaks that is slowed down where it is,
+// which hands do not feel. Without gravity they would have to ease their pull.
+TEST(Gravity, hands_pull_on_where_the_weight_is_too_much) {
+  Scene scene = scene_of_loop();
+  scene.friction = 0.3;
+  scene.air_resistance_per_s = 10;
+  scene.gravity_m_s2 = Vector3d(0, 0, earths);
+  scene.fastening->speed_m_s = 3;
+  FasteningProcessor processor =
+      FasteningProcessor::create(scene, mesh_of_loop(scene), post(0.3)).value();
+  for (int step = 0; step < 150; ++step) {
+    EXPECT_EQ(processor.step().pull, 1) << step;
+    ASSERT_LE(processor.strain(), paper_strain_limit) << step;
+  }
+}
+
+// Where the particles are a frame of two steps later, if the scene changes now.
+Matrix3Xd a_frame_later(FasteningProcessor& now, const Scene& changed, const RestSize& size) {
+  auto later = FasteningProcessor::restore(changed, size, post(post_radius_m), now.state(),
+                                           Settings::changed)
+                   .value();
+  later.step();
+  later.step();
+  return later.positions();
+}
+
+// From rest a free particle goes a t^2 / 2, in air about 5 % less, and in 20 substeps 5 % more.
+// What hangs free at the ends answers to gravity so; what lies on the post is held.
+TEST(Gravity, a_settled_ribbon_answers_within_a_frame_when_gravity_turns_by_a_degree) {
+  const Scene scene = scene_of_drape();
+  FasteningProcessor processor = above_the_post(scene);
+  for (int step = 0; step < 1000; ++step) processor.step();
+  const RestSize size = rest_size(level_ribbon(scene), 1);
+  const double degree = std::numbers::pi / 180;
+  Scene turned = scene;
+  turned.gravity_m_s2 = earths * Vector3d(0, std::sin(degree), -std::cos(degree));
+  const Matrix3Xd answer =
+      a_frame_later(processor, turned, size) - a_frame_later(processor, scene, size);
+  const double free_m = 0.5 * earths * std::sin(degree) * 0.02 * 0.02;
+  for (const int end : {0, 58}) {
+    const auto rows = answer.middleCols(end * size.grid.across, 3 * size.grid.across);
+    EXPECT_GT(rows.row(1).mean(), 0.9 * free_m);
+    EXPECT_LT(rows.row(1).mean(), 1.1 * free_m);
+  }
+  EXPECT_LT(answer.colwise().norm().maxCoeff(), 2 * free_m);
+}
+
+// Likewise the hands: each half is drawn towards its end, by as much as the force adds.
+TEST(Gravity, a_settled_ribbon_answers_within_a_frame_when_hands_pull) {
+  Scene scene = scene_of_drape();
+  scene.fastening = FasteningScene{.speed_m_s = 1e-6, .pull = FasteningPull::ends};
+  FasteningProcessor processor = above_the_post(scene);
+  for (int step = 0; step < 1000; ++step) processor.step();
+  const RestSize size = rest_size(level_ribbon(scene), 1);
+  Scene pulled = scene;
+  pulled.fastening->speed_m_s = 0.01;
+  const Matrix3Xd answer =
+      a_frame_later(processor, pulled, size) - a_frame_later(processor, scene, size);
+  // All of the pull is on four rows at each end, which draw on those above them.
+  const double free_m = 0.5 * 8 * 0.01 * 30.5 / 4 * 0.02 * 0.02;
+  for (const int end : {0, 60}) {
+    const double down_m = -answer.row(2).segment(end * size.grid.across, size.grid.across).mean();
+    EXPECT_GT(down_m, 0.1 * free_m);
+    EXPECT_LT(down_m, 1.1 * free_m);
+  }
+}
+
+}  // namespace ribbon::gravity_test
