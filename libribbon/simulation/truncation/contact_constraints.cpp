@@ -19,7 +19,7 @@ namespace {
 constexpr double clear_of_truncation = 1.2;
 // Of what lacks to the activation distance: layers that were pressed together move apart gently.
 constexpr double opening = 0.2;
-constexpr double negligible_violation = 1e-3;  // of a distance
+constexpr double negligible_violation = 0.03;  // of a distance
 
 // Where the closest points leave no direction, or nothing could move, one of distance 0, which is
 // always kept.
