@@ -21,7 +21,8 @@ GateSettings::GateSettings(const RestSize& size, const PairDistances& pair_dista
       broad_phase{.reach_m = distances.largest_activation_m(),
                   .slack_m = 0.05 * size.shortest_edge_m(),
                   .longest_displacement_m = 4 * size.shortest_edge_m()},
-      negligible_m(0.01 * size.shortest_edge_m()) {}
+      negligible_m(0.01 * size.shortest_edge_m()),
+      farthest_m(1.5 * size.shortest_edge_m()) {}
 
 void GatedMotion::detect(const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::detection);

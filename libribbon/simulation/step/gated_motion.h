@@ -20,6 +20,7 @@ struct GateSettings {
   PairDistances distances;
   BroadPhaseLengths broad_phase;
   double negligible_m;  // displacements that are not worth another truncation
+  double farthest_m;    // that particles should go between two gates
 };
 
 // Within one step, or some of its substeps: from the positions at its start, in which nothing

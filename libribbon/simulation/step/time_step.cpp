@@ -39,7 +39,7 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
 // at last from rest. If nothing helps, the ribbon stays where it is.
 StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
   Cloth before = cloth;
-  int gates = 1;
+  int gates = gates_for(cloth);
   for (int eased_attempts = 0;; gates = std::min(2 * gates, substeps())) {
     const StepReport report =
         advance_with_gates(gates, fastening_force(hands, cloth), bodies, cloth);  // section 5.2
@@ -85,6 +85,16 @@ StepReport TimeStep::correct_as_published(const Matrix3Xd& before, Bodies& bodie
     any_collision = repel(detect(before, bodies, cloth), before, bodies, cloth);  // section 5.4
   correct_strain(cloth);                                                          // section 5.5
   return recover(bodies, cloth);                                                  // section 5.6
+}
+
+// The farther the particles go, the more their ways differ and the more of them could meet: where
+// they pass several edges in a step, it is quicker to take it in parts.
+int TimeStep::gates_for(const Cloth& cloth) const {
+  double fastest_m_s = 0;
+  for (const auto& velocity : cloth.velocities.colwise())
+    fastest_m_s = std::max(fastest_m_s, length_of(velocity));
+  const double gates = std::ceil(step_s_ * fastest_m_s / gate_.farthest_m);
+  return static_cast<int>(std::clamp(gates, 1.0, static_cast<double>(substeps())));
 }
 
 // contact = "gate", so many times, after equal numbers of substeps.

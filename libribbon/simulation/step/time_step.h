@@ -75,6 +75,7 @@ class TimeStep {
  private:
   StepReport advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth);
   StepReport advance_as_published(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
+  [[nodiscard]] int gates_for(const Cloth& cloth) const;
   StepReport advance_with_gates(int gates, const Eigen::Matrix3Xd& force, Bodies& bodies,
                                 Cloth& cloth);
   StepReport advance_with_gate(int substeps, const Eigen::Matrix3Xd& force, Bodies& bodies,
