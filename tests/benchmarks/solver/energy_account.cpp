@@ -19,7 +19,8 @@ EnergyAccount::EnergyAccount(const Scene& scene, const RibbonMesh& mesh, const M
     : network_(spring_network({mesh.grid, mesh.length_m, mesh.width_m}, scene.springs)),
       step_s_(scene.time.step_s),
       mass_kg_(scene.ribbon.mass_kg / mesh.grid.particle_count()),
-      put_in_j_(elastic_energy_j(network_, start)) {
+      put_in_j_(elastic_energy_j(network_, start)),
+      gravity_m_s2_(scene.gravity_m_s2.value_or(Eigen::Vector3d::Zero())) {
   if (scene.fastening)
     force_.emplace(*scene.fastening, scene.air_resistance_per_s, mesh.grid, start, mass_kg_);
 }
@@ -28,6 +29,7 @@ void EnergyAccount::add_step(const Matrix3Xd& before, const Matrix3Xd& after) {
   const Matrix3Xd way = after - before;
   if (force_)
     put_in_j_ += std::max(0.0, force_->at(before).leftCols(way.cols()).cwiseProduct(way).sum());
+  put_in_j_ += std::max(0.0, mass_kg_ * gravity_m_s2_.dot(way.rowwise().sum()));
   const double kinetic_j = mass_kg_ / 2 * (way / step_s_).squaredNorm();
   const double energy_j = elastic_energy_j(network_, after) + kinetic_j;
   if (energy_j > 0) most_ = std::max(most_, energy_j / put_in_j_);

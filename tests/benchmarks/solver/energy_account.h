@@ -12,7 +12,7 @@
 namespace ribbon {
 
 // What the springs hold and what moves, against what there was at the start and what the fastening
-// force has put in.
+// force and gravity have put in.
 class EnergyAccount {
  public:
   // start: 3 x particles.
@@ -36,6 +36,7 @@ class EnergyAccount {
   double step_s_;
   double mass_kg_;  // of a particle
   double put_in_j_;
+  Eigen::Vector3d gravity_m_s2_;
   double most_ = 0;
   bool is_explosion_ = false;
   std::optional<FasteningForce> force_;

@@ -136,6 +136,7 @@ class List {
       scene.ribbon.mass_kg = particle_mass_kg(scene) * across * along;
       scene.ribbon.along = along;
       scene.ribbon.across = across;
+      scene.recording.max_position_error = 1e-6;  // short edges bear no more
     }).steps = steps;
   }
 
