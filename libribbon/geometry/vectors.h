@@ -32,7 +32,7 @@ double length_of(const Eigen::MatrixBase<A>& vector) {
 // Of length 1; as it is where it has no length.
 template <class A>
 typename A::PlainObject normalised(const Eigen::MatrixBase<A>& vector) {
-  const typename A::PlainObject v = vector;
+  typename A::PlainObject v = vector;
   const double squared = squared_length_of(v);
   if (!(squared > 0)) return v;
   return v / std::sqrt(squared);
@@ -41,7 +41,7 @@ typename A::PlainObject normalised(const Eigen::MatrixBase<A>& vector) {
 // Likewise, also of vectors whose squares are too small or too large to be numbers.
 template <class A>
 typename A::PlainObject safely_normalised(const Eigen::MatrixBase<A>& vector) {
-  const typename A::PlainObject v = vector;
+  typename A::PlainObject v = vector;
   const double largest = v.cwiseAbs().maxCoeff();
   const typename A::PlainObject scaled = v / largest;
   const double squared = squared_length_of(scaled);

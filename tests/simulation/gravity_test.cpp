@@ -43,7 +43,9 @@ FasteningProcessor above_the_post(const Scene& scene) {
 }
 
 double height_of_row_m(const Scene& scene, const Matrix3Xd& positions, int row) {
-  return positions.row(2).segment(row * scene.ribbon.across, scene.ribbon.across).mean();
+  return positions.row(2)
+      .segment(Eigen::Index{row} * scene.ribbon.across, scene.ribbon.across)
+      .mean();
 }
 
 void expect_draped(const Scene& scene, const Matrix3Xd& positions) {
@@ -156,7 +158,7 @@ TEST(Gravity, a_settled_ribbon_answers_within_a_frame_when_gravity_turns_by_a_de
   const Matrix3Xd answer =
       a_frame_later(processor, turned, size) - a_frame_later(processor, scene, size);
   const double free_m = 0.5 * earths * std::sin(degree) * 0.02 * 0.02;
-  for (const int end : {0, 58}) {
+  for (const Eigen::Index end : {0, 58}) {
     const auto rows = answer.middleCols(end * size.grid.across, 3 * size.grid.across);
     EXPECT_GT(rows.row(1).mean(), 0.9 * free_m);
     EXPECT_LT(rows.row(1).mean(), 1.1 * free_m);
@@ -177,7 +179,7 @@ TEST(Gravity, a_settled_ribbon_answers_within_a_frame_when_hands_pull) {
       a_frame_later(processor, pulled, size) - a_frame_later(processor, scene, size);
   // All of the pull is on four rows at each end, which draw on those above them.
   const double free_m = 0.5 * 8 * 0.01 * 30.5 / 4 * 0.02 * 0.02;
-  for (const int end : {0, 60}) {
+  for (const Eigen::Index end : {0, 60}) {
     const double down_m = -answer.row(2).segment(end * size.grid.across, size.grid.across).mean();
     EXPECT_GT(down_m, 0.1 * free_m);
     EXPECT_LT(down_m, 1.1 * free_m);

@@ -111,17 +111,17 @@ StepReport TimeStep::advance_with_gates(int gates, const Matrix3Xd& force, Bodie
   return report;
 }
 
-// One detection serves all of these substeps, and there is nothing to recover from. Springs press
-// what lies on each other together, all the more the longer they are left alone; so contact and
-// strain answer to each substep, and what rests hardly moves.
-StepReport TimeStep::advance_with_gate(int substeps, const Matrix3Xd& force, Bodies& bodies,
+// Once, after so many substeps. One detection serves them all, and there is nothing to recover
+// from. Springs press what lies on each other together, all the more the longer they are left
+// alone; so contact and strain answer to each substep, and what rests hardly moves.
+StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies& bodies,
                                        Cloth& cloth) {
-  const double duration_s = step_s_ * substeps / this->substeps();
+  const double duration_s = step_s_ * parts / substeps();
   GatedMotion motion(gate_, cloth.positions, duration_s, bodies, clock_);
   const Matrix3Xd expected = cloth.positions + duration_s * cloth.velocities;
   motion.detect(expected);  // section 5.4
   const auto contacts = contact_constraints(motion, expected, bodies);
-  for (int substep = 0; substep < substeps; ++substep) {
+  for (int part = 0; part < parts; ++part) {
     const Matrix3Xd before = cloth.positions;
     integrate_substep(force, cloth);  // section 5.3
     correct_strain_and_contact(contacts, sweeps_in_substep, before, bodies,

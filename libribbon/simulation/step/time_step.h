@@ -78,7 +78,7 @@ class TimeStep {
   [[nodiscard]] int gates_for(const Cloth& cloth) const;
   StepReport advance_with_gates(int gates, const Eigen::Matrix3Xd& force, Bodies& bodies,
                                 Cloth& cloth);
-  StepReport advance_with_gate(int substeps, const Eigen::Matrix3Xd& force, Bodies& bodies,
+  StepReport advance_with_gate(int parts, const Eigen::Matrix3Xd& force, Bodies& bodies,
                                Cloth& cloth);
   StepReport correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
   StepReport correct_as_published(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth);
