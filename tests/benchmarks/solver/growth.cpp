@@ -62,6 +62,7 @@ Result<SampleRibbon> ribbon_in(const std::string& tight, const RibbonSize& size,
   if (!ribbon) return ribbon;
   if (options.integrator) ribbon->scene.time.integrator = *options.integrator;
   if (options.step_s) ribbon->scene.time.step_s = *options.step_s;
+  ribbon->scene.recording.max_position_error = 1e-6;  // short edges bear no more
   if (tight.empty()) return ribbon;
   auto motion = tight_ribbon(tight, size.along, size.across);
   if (!motion) return tl::unexpected(motion.error());
