@@ -1,6 +1,6 @@
 #include "ribbon_mesh/springs.h"
 
-#include "geometry/diagonal_length.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 
@@ -9,7 +9,7 @@ std::array<SpringFamily, 2> stretch_families(const RestSize& size) {
 }
 
 std::array<SpringFamily, 2> shear_families(const RestSize& size) {
-  const double diagonal_m = diagonal_length(size.along_m(), size.across_m());
+  const double diagonal_m = length_of(Eigen::Vector2d(size.along_m(), size.across_m()));
   return {{{1, 1, diagonal_m}, {1, -1, diagonal_m}}};
 }
 

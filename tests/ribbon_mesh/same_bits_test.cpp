@@ -1,21 +1,11 @@
 // The same drawing gives the same ribbon, bit for bit, whichever compiler and options built it.
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cstdint>
-
 #include "curve/path_data.h"
+#include "geometry/hash_of_positions.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 
 namespace ribbon::ribbon_same_bits_test {
-
-// FNV-1a, of 64 bits at a time.
-std::uint64_t hash_of(const Eigen::Matrix3Xd& positions) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const double value : positions.reshaped())
-    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3;
-  return hash;
-}
 
 // A loop of arcs and a cubic, turned and slanted. Made by GCC 12 without sanitizers.
 TEST(SameBits, of_a_ribbon_along_arcs_come_from_every_build) {

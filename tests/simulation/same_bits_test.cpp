@@ -1,21 +1,13 @@
 // The same scene gives the same bits, whichever compiler and options built it.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cstdint>
 
+#include "geometry/hash_of_positions.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
 
 namespace ribbon::same_bits_test {
-
-// FNV-1a, of 64 bits at a time.
-std::uint64_t hash_of(const Eigen::Matrix3Xd& positions) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const double value : positions.reshaped())
-    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3;
-  return hash;
-}
 
 // Drawn onto the post until it touches it all round.
 std::uint64_t hash_after_fastening(IntegrationMethod integrator) {

@@ -1,10 +1,9 @@
 #include "simulation/contact/pair_distances.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
-#include "geometry/diagonal_length.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 
@@ -38,12 +37,12 @@ double PairDistances::rest_distance_m(const FeaturePair& pair) const {
   const std::span<const int> second = std::span(pair.vertices).subspan(first_count);
   const auto row = [this](int vertex) { return size_.grid.row(vertex); };
   const auto column = [this](int vertex) { return size_.grid.column(vertex); };
-  const double distance_m =
-      diagonal_length(apart(interval(first, row), interval(second, row)) * size_.along_m(),
-                      apart(interval(first, column), interval(second, column)) * size_.across_m());
+  const double distance_m = length_of(
+      Eigen::Vector2d(apart(interval(first, row), interval(second, row)) * size_.along_m(),
+                      apart(interval(first, column), interval(second, column)) * size_.across_m()));
   // No two features that share no vertex are closer than a corner of a quad and its diagonal.
-  const double corner_to_diagonal_m =
-      size_.along_m() * size_.across_m() / diagonal_length(size_.along_m(), size_.across_m());
+  const double corner_to_diagonal_m = size_.along_m() * size_.across_m() /
+                                      length_of(Eigen::Vector2d(size_.along_m(), size_.across_m()));
   return std::max(distance_m, corner_to_diagonal_m);
 }
 

@@ -5,7 +5,6 @@
 #include <functional>
 #include <numeric>
 
-#include "geometry/diagonal_length.h"
 #include "geometry/vectors.h"
 #include "parallel/parallel.h"
 #include "simulation/detection/bvh_walk.h"
@@ -317,7 +316,7 @@ bool RibbonBvh::is_flat(const Tangents& tangents) const {
       least_stretch(tangents.along.end, along_m_, tangents.across.end, across_m_, u, v));
   // In the band, features that share no vertex lie at least a corner's height over its quad's
   // diagonal apart. No number compares as less than the reach: what has no frame is not flat.
-  const double apart_m = along_m_ * across_m_ / diagonal_length(along_m_, across_m_);
+  const double apart_m = along_m_ * across_m_ / length_of(Eigen::Vector2d(along_m_, across_m_));
   return flatness * apart_m > reach_m_ + 2 * tangents.freedom_m;
 }
 
