@@ -7,7 +7,7 @@
 
 #include "ribbon_mesh/springs.h"
 #include "scene/scene.h"
-#include "simulation/integration/spring_damping.h"
+#include "simulation/integration/internal_damping.h"
 #include "simulation/integration/spring_forces.h"
 #include "simulation/state/cloth.h"
 
@@ -67,7 +67,7 @@ class Integrator {
 
   int substeps_;
   double gravity_fraction_ = 1;
-  std::optional<SpringDamping> damping_;
+  std::optional<InternalDamping> damping_;
 };
 
 // The least number of substeps with which an explicit scheme is stable. fastest_rad_s: what may

@@ -13,7 +13,8 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 constexpr RestSize size{{41, 4}, 2, 0.15};  // edges of 5 cm
-constexpr SpringScene stiffness{.stretch = 20, .shear = 10, .bend = 10};
+// Undamped: what is held by being put back after each substep would drag on what hangs from it.
+constexpr SpringScene stiffness{.stretch = 20, .shear = 10, .bend = 10, .damping = 0};
 constexpr double particle_mass_kg = 1e-4;
 const Vector3d gravity_m_s2(0, -9.81, 0);
 
@@ -92,13 +93,13 @@ TEST(HangingWeight, is_what_a_hanging_ribbon_comes_to_rest_under) {
   }
 }
 
-// It is stretched by 0.6 %, and by 0.8 % beside what is held and so cannot draw in or bend.
+// It is stretched by 0.6 %, and by 0.7 % beside what is held and so cannot draw in or bend.
 TEST(HangingWeight, is_not_felt_by_hands_that_yield) {
   const Matrix3Xd positions = at_rest();
-  EXPECT_LT(Yielding(size, 0.008).force_fraction(positions), 0.3);
-  EXPECT_EQ(Yielding(size, 0.008, weight()).force_fraction(positions), 1);
+  EXPECT_LT(Yielding(size, 0.006).force_fraction(positions), 0.3);
+  EXPECT_EQ(Yielding(size, 0.006, weight()).force_fraction(positions), 1);
   const Matrix3Xd pulled = 1.004 * positions;  // what hands add they feel
-  EXPECT_NEAR(Yielding(size, 0.008, weight()).force_fraction(pulled), 0.5, 0.3);
+  EXPECT_NEAR(Yielding(size, 0.006, weight()).force_fraction(pulled), 0.5, 0.3);
 }
 
 }  // namespace ribbon::hanging_weight_test

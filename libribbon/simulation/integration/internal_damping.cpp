@@ -1,0 +1,274 @@
+#include "simulation/integration/internal_damping.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <utility>
+
+#include "parallel/instruction_set.h"
+#include "parallel/parallel.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixX3d;
+
+// A lot of so many rows is damped by itself, all lots at a time, and then what leads from one lot
+// to the next.
+constexpr int rows_in_lot = 32;
+constexpr int half_lot = rows_in_lot / 2;
+
+// Of dashpots that have no particle in common several are computed at once.
+using Four = double [[gnu::vector_size(4 * sizeof(double))]];
+
+// As the innermost loop needs a family.
+template <std::size_t ends>
+struct Loop {
+  std::array<Index, ends> offsets{};  // from a dashpot's first particle, in the arrays
+  std::array<double, ends> weights{};
+  double slowed = 0;  // the fraction of the speed that is lost, over sum(w^2)
+  std::array<const double*, 3> positions{};
+  std::array<double*, 3> velocities{};
+
+  // The dashpot of the particle at `first`, or those of the four from there on.
+  template <class Lanes>
+  [[gnu::always_inline]] void damp(Index first) const {
+    std::array<Lanes, 3> apart{};
+    std::array<Lanes, 3> parting{};
+    Lanes value{};
+    for (std::size_t k = 0; k < ends; ++k)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::memcpy(&value, positions[axis] + first + offsets[k], sizeof(value));
+        apart[axis] += weights[k] * value;
+        std::memcpy(&value, velocities[axis] + first + offsets[k], sizeof(value));
+        parting[axis] += weights[k] * value;
+      }
+    const Lanes squared = apart[0] * apart[0] + apart[1] * apart[1] + apart[2] * apart[2];
+    const Lanes along = apart[0] * parting[0] + apart[1] * parting[1] + apart[2] * parting[2];
+    // Points that coincide have no direction, and nothing parts along it.
+    const Lanes lost = slowed * along / (squared > 0 ? squared : Lanes{} + 1);
+    for (std::size_t k = 0; k < ends; ++k)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double* velocity = velocities[axis] + first + offsets[k];
+        std::memcpy(&value, velocity, sizeof(value));
+        value -= weights[k] * lost * apart[axis];
+        std::memcpy(velocity, &value, sizeof(value));
+      }
+  }
+
+  // Those of `count` particles one after the other, which have no particle in common.
+  [[gnu::always_inline]] void damp_run(Index first, int count) const {
+    int i = 0;
+    for (; i + 4 <= count; i += 4) damp<Four>(first + i);
+    for (; i < count; ++i) damp<double>(first + i);
+  }
+};
+
+// How the particles of the arrays lie: row by row as in the grid; or, of one lot, column by column,
+// in each the even rows before the odd ones, so that what leads across the ribbon can be computed
+// for several rows at once.
+enum class Layout { rows, turned };
+
+int turned(int row, int column) {
+  return column * rows_in_lot + row % 2 * half_lot + row / 2;
+}
+
+// The dashpots of a family whose first particles lie in rows [begin, end); all their ends exist.
+struct Task {
+  const RibbonGrid& grid;
+  const DashpotFamily& family;
+  double lost;  // the fraction of the speed
+  Layout layout;
+  int begin;
+  int end;
+  const MatrixX3d& positions;
+  MatrixX3d& velocities;
+};
+
+// offset_of(end): where an end's particle is in the arrays, from the first.
+template <std::size_t ends, class Offset>
+[[gnu::always_inline]] inline Loop<ends> loop_of(const Task& task, const Offset& offset_of) {
+  Loop<ends> loop;
+  for (std::size_t k = 0; k < ends; ++k) {
+    loop.offsets[k] = offset_of(task.family.ends[k]);
+    loop.weights[k] = task.family.ends[k].weight;
+  }
+  loop.slowed = task.lost / task.family.squared_weights;
+  for (int axis = 0; axis < 3; ++axis) {
+    loop.positions[axis] = task.positions.col(axis).data();
+    loop.velocities[axis] = task.velocities.col(axis).data();
+  }
+  return loop;
+}
+
+template <std::size_t ends>
+[[gnu::always_inline]] inline void damp_rows(const Task& task) {
+  const auto loop = loop_of<ends>(task, [&](const DashpotFamily::End& end) -> Index {
+    return task.grid.particle(end.rows, end.columns);
+  });
+  const int columns = task.grid.across - task.family.columns;
+  const int at_once = task.family.are_apart_in_a_row ? columns : 1;
+  for (int row = task.begin; row < task.end; ++row)
+    for (int column = 0; column < columns; column += at_once)
+      loop.damp_run(task.grid.particle(row, column), at_once);
+}
+
+// Column by column, the even rows before the odd ones: of families of one or two rows, whose
+// dashpots at every other row are apart.
+template <std::size_t ends>
+[[gnu::always_inline]] inline void damp_turned(const Task& task) {
+  for (int parity = 0; parity < 2; ++parity) {
+    const auto loop = loop_of<ends>(task, [&](const DashpotFamily::End& end) -> Index {
+      return turned(parity + end.rows, end.columns) - turned(parity, 0);
+    });
+    const int count = (task.end - task.begin + 1 - parity) / 2;
+    for (int column = 0; column + task.family.columns < task.grid.across; ++column)
+      loop.damp_run(turned(parity, column), count);
+  }
+}
+
+template <std::size_t ends>
+[[gnu::always_inline]] inline void damp_with(const Task& task) {
+  if (task.layout == Layout::rows)
+    damp_rows<ends>(task);
+  else
+    damp_turned<ends>(task);
+}
+
+[[gnu::always_inline]] inline void damp_with_any(const Task& task) {
+  switch (task.family.ends.size()) {
+    case 2:
+      return damp_with<2>(task);
+    case 3:
+      return damp_with<3>(task);
+    default:
+      return damp_with<4>(task);
+  }
+}
+
+void plain(const Task& task) {
+  damp_with_any(task);
+}
+
+#ifdef __x86_64__
+[[gnu::target("avx2")]]
+#endif
+void in_wide_registers(const Task& task) {
+  damp_with_any(task);
+}
+
+void damp(const Task& task) {
+  if (instruction_set() == InstructionSet::baseline)
+    plain(task);
+  else
+    in_wide_registers(task);
+}
+
+// between(x, turned_x) for each coordinate of the lot that begins with a row, here and there.
+template <class Here, class There, class Between>
+void for_each_turned(const RibbonGrid& grid, int first_row, int rows, Here& here, There& there,
+                     const Between& between) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < grid.across; ++column)
+        between(here(grid.particle(first_row + row, column), axis),
+                there(turned(row, column), axis));
+}
+
+DashpotFamily beside(const SpringFamily& springs) {
+  return DashpotFamily(
+      {{0, std::max(0, -springs.columns), -1}, {springs.rows, std::max(0, springs.columns), 1}});
+}
+
+}  // namespace
+
+DashpotFamily::DashpotFamily(std::vector<End> of_ends) : ends(std::move(of_ends)) {
+  for (const End& end : ends) {
+    rows = std::max(rows, end.rows);
+    columns = std::max(columns, end.columns);
+    squared_weights += end.weight * end.weight;
+  }
+  const auto share_a_row = [](const End& a, const End& b) { return a.rows == b.rows; };
+  are_apart_in_a_row = std::adjacent_find(ends.begin(), ends.end(), share_a_row) == ends.end();
+}
+
+InternalDamping::InternalDamping(const SpringNetwork& network, double particle_mass_kg)
+    : grid_(network.grid),
+      damping_(network.damping),
+      particle_mass_kg_(particle_mass_kg),
+      lots_((grid_.along + rows_in_lot - 1) / rows_in_lot) {
+  for (const SpringKind* kind : network.kinds())
+    for (const SpringFamily& springs : kind->families) add(beside(springs), kind->stiffness);
+  const double bend = network.bend.stiffness;
+  add(DashpotFamily({{0, 0, 0.5}, {1, 0, -1}, {2, 0, 0.5}}), bend);
+  add(DashpotFamily({{0, 0, 0.5}, {0, 1, -1}, {0, 2, 0.5}}), bend);
+  add(DashpotFamily({{0, 0, 0.5}, {0, 1, -0.5}, {1, 0, -0.5}, {1, 1, 0.5}}), bend);
+  for (Lot& lot : lots_) {
+    lot.positions.setZero(rows_in_lot * grid_.across, 3);
+    lot.velocities.setZero(rows_in_lot * grid_.across, 3);
+  }
+}
+
+void InternalDamping::add(DashpotFamily family, double stiffness) {
+  if (stiffness == 0 || family.rows >= grid_.along || family.columns >= grid_.across) return;
+  family.rate_per_s =
+      2 * damping_ * std::sqrt(family.squared_weights * stiffness / particle_mass_kg_);
+  families_.push_back(std::move(family));
+}
+
+void InternalDamping::apply(double h, const MatrixX3d& positions, MatrixX3d& velocities) {
+  const auto within = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t lot = begin; lot < end; ++lot)
+      damp_lot(h, static_cast<int>(lot), positions, velocities);
+  };
+  parallel_ranges(lots_.size(), 1, std::ref(within));
+  const auto between = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t lot = begin; lot < end; ++lot)
+      damp_after_lot(h, static_cast<int>(lot), positions, velocities);
+  };
+  parallel_ranges(lots_.size() - 1, 8, std::ref(between));
+}
+
+namespace {
+
+double fraction_lost(const DashpotFamily& family, double h) {
+  const double r = family.rate_per_s * h;
+  return r < 2 ? r / (1 + r / 2) : 1;
+}
+
+}  // namespace
+
+void InternalDamping::damp_lot(double h, int lot, const MatrixX3d& positions,
+                               MatrixX3d& velocities) {
+  const int first_row = lot * rows_in_lot;
+  const int rows = std::min(rows_in_lot, grid_.along - first_row);
+  for (const DashpotFamily& family : families_)
+    if (family.are_apart_in_a_row)
+      damp({grid_, family, fraction_lost(family, h), Layout::rows, first_row,
+            first_row + rows - family.rows, positions, velocities});
+  auto& [turned_positions, turned_velocities] = lots_[lot];
+  const auto fetch = [](double from, double& to) { to = from; };
+  for_each_turned(grid_, first_row, rows, positions, turned_positions, fetch);
+  for_each_turned(grid_, first_row, rows, velocities, turned_velocities, fetch);
+  for (const DashpotFamily& family : families_)
+    if (!family.are_apart_in_a_row)
+      damp({grid_, family, fraction_lost(family, h), Layout::turned, 0, rows - family.rows,
+            turned_positions, turned_velocities});
+  for_each_turned(grid_, first_row, rows, velocities, turned_velocities,
+                  [](double& to, double from) { to = from; });
+}
+
+void InternalDamping::damp_after_lot(double h, int lot, const MatrixX3d& positions,
+                                     MatrixX3d& velocities) {
+  const int next_row = (lot + 1) * rows_in_lot;
+  for (const DashpotFamily& family : families_)
+    damp({grid_, family, fraction_lost(family, h), Layout::rows, next_row - family.rows,
+          std::min(next_row, grid_.along - family.rows), positions, velocities});
+}
+
+}  // namespace ribbon
