@@ -76,11 +76,11 @@ struct PackedBox {
   Lanes end_low;
   Lanes end_high;
 
-  // Single precision is finest near the origin, so boxes that are tested against each other are
-  // all packed about one that is near them (in double precision, the same for all).
-  static PackedBox around(const MovingBox& box, const Eigen::Vector3d& origin) {
-    return {rounded(box.start.low - origin, -1), rounded(box.start.high - origin, 1),
-            rounded(box.end.low - origin, -1), rounded(box.end.high - origin, 1)};
+  // Grown by a margin. Single precision is finest near the origin, so boxes that are tested against
+  // each other are all packed about one that is near them (in double precision, the same for all).
+  static PackedBox around(const MovingBox& box, double margin, const Eigen::Vector3d& origin) {
+    return {rounded(box.start.low, -margin, origin, -1), rounded(box.start.high, margin, origin, 1),
+            rounded(box.end.low, -margin, origin, -1), rounded(box.end.high, margin, origin, 1)};
   }
   void include(const PackedBox& box) {
     start_low = start_low.min(box.start_low);
@@ -98,9 +98,10 @@ struct PackedBox {
 
  private:
   // Farther out by more than the conversion and the origin's subtraction can be wrong.
-  static Lanes rounded(const Eigen::Vector3d& bound, float outwards) {
-    Lanes lanes;
-    lanes << bound.cast<float>().array(), 0;
+  static Lanes rounded(const Eigen::Vector3d& bound, double margin, const Eigen::Vector3d& origin,
+                       float outwards) {
+    const auto lane = [&](int k) { return static_cast<float>(bound[k] + margin - origin[k]); };
+    const Lanes lanes(lane(0), lane(1), lane(2), 0);
     return lanes + 2 * outwards * std::numeric_limits<float>::epsilon() * lanes.abs();
   }
 };

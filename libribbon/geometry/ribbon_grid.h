@@ -19,28 +19,36 @@ struct RibbonGrid {
   [[nodiscard]] int quad_count() const { return (along - 1) * (across - 1); }
   [[nodiscard]] int triangle_count() const { return 2 * quad_count(); }
 
-  // Corners of quad q (row by row), counter-clockwise about the ribbon's front:
-  // (i,j), (i+1,j), (i+1,j+1), (i,j+1).
-  [[nodiscard]] std::array<int, 4> quad(int q) const {
-    const int corner = particle(q / (across - 1), q % (across - 1));
+  // Corners of the quad that begins at particle (i, j), counter-clockwise about the ribbon's front:
+  // (i,j), (i+1,j), (i+1,j+1), (i,j+1). Quads are numbered row by row.
+  [[nodiscard]] std::array<int, 4> quad(int i, int j) const {
+    const int corner = particle(i, j);
     return {corner, corner + across, corner + across + 1, corner + 1};
+  }
+  [[nodiscard]] std::array<int, 4> quad(int q) const {
+    return quad(q / (across - 1), q % (across - 1));
   }
 
   // The diagonal that splits quad q into triangles 2q and 2q+1, its smaller end first. It
   // alternates from quad to quad, so that cloth does not prefer one direction: it joins corners 0
   // and 2 where i+j is even, 3 and 1 where it is odd.
+  [[nodiscard]] std::array<int, 2> diagonal(int i, int j) const {
+    const auto c = quad(i, j);
+    return (i + j) % 2 == 0 ? std::array{c[0], c[2]} : std::array{c[3], c[1]};
+  }
   [[nodiscard]] std::array<int, 2> diagonal(int q) const {
-    const auto c = quad(q);
-    return joins_corners_0_and_2(q) ? std::array{c[0], c[2]} : std::array{c[3], c[1]};
+    return diagonal(q / (across - 1), q % (across - 1));
   }
 
-  // Corners of triangle t.
+  // Corners of the two triangles of a quad, and of triangle t.
+  [[nodiscard]] std::array<std::array<int, 3>, 2> halves(int i, int j) const {
+    const auto c = quad(i, j);
+    if ((i + j) % 2 == 0) return {{{c[0], c[1], c[2]}, {c[0], c[2], c[3]}}};
+    return {{{c[0], c[1], c[3]}, {c[1], c[2], c[3]}}};
+  }
   [[nodiscard]] std::array<int, 3> triangle(int t) const {
-    const auto c = quad(t / 2);
-    const bool is_first = t % 2 == 0;
-    if (joins_corners_0_and_2(t / 2))
-      return is_first ? std::array{c[0], c[1], c[2]} : std::array{c[0], c[2], c[3]};
-    return is_first ? std::array{c[0], c[1], c[3]} : std::array{c[1], c[2], c[3]};
+    const int q = t / 2;
+    return halves(q / (across - 1), q % (across - 1))[t % 2];
   }
 
   // 3 x triangle_count().
@@ -54,11 +62,6 @@ struct RibbonGrid {
   }
 
   bool operator==(const RibbonGrid&) const = default;
-
- private:
-  [[nodiscard]] bool joins_corners_0_and_2(int q) const {
-    return (q / (across - 1) + q % (across - 1)) % 2 == 0;
-  }
 };
 
 }  // namespace ribbon

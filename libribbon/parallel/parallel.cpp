@@ -16,8 +16,7 @@ void set_thread_limit(int threads) {
                                                   threads);
 }
 
-void parallel_ranges(std::size_t count, std::size_t grain,
-                     const std::function<void(std::size_t begin, std::size_t end)>& body) {
+void parallel_ranges(std::size_t count, std::size_t grain, RangeBody body) {
   if (count <= grain) {
     if (count > 0) body(0, count);
     return;

@@ -71,8 +71,8 @@ TEST(PackedBox, touching_boxes_meet_wherever_they_lie) {
   for (const Vector3d& at : {Vector3d(0, 0, 0), far}) {
     const MovingBox low{{at, at + corner}, {at, at + corner}};
     const MovingBox high{{at + corner, at + 2 * corner}, {at + corner, at + 2 * corner}};
-    EXPECT_TRUE(PackedBox::around(low, {0, 0, 0}).meets(PackedBox::around(high, {0, 0, 0})));
-    EXPECT_TRUE(PackedBox::around(low, at).meets(PackedBox::around(high, at)));
+    EXPECT_TRUE(PackedBox::around(low, 0, {0, 0, 0}).meets(PackedBox::around(high, 0, {0, 0, 0})));
+    EXPECT_TRUE(PackedBox::around(low, 0, at).meets(PackedBox::around(high, 0, at)));
   }
 }
 
@@ -95,7 +95,7 @@ TEST(PackedBox, misses_no_meeting_and_adds_only_what_nearly_touches) {
     MovingBox grown = first;
     grown.grow(1e-6);
     const bool packed_meet =
-        PackedBox::around(first, origin).meets(PackedBox::around(second, origin));
+        PackedBox::around(first, 0, origin).meets(PackedBox::around(second, 0, origin));
     if (first.meets(second)) {
       ASSERT_TRUE(packed_meet);
     }

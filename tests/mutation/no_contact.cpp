@@ -21,13 +21,13 @@ bool keep_apart(std::span<const ContactConstraint> /*constraints*/, double /*fri
   return false;
 }
 
-TruncationReport truncate_displacements(const ContactCandidates& /*candidates*/,
-                                        const Bodies& /*bodies*/,
-                                        const PairDistances& /*distances*/,
-                                        const Eigen::Matrix3Xd& target,
-                                        Eigen::Matrix3Xd& positions) {
+const TruncationReport& DisplacementTruncation::truncate(const ContactCandidates& /*candidates*/,
+                                                         const Bodies& /*bodies*/,
+                                                         const PairDistances& /*distances*/,
+                                                         const Eigen::Matrix3Xd& target,
+                                                         Eigen::Matrix3Xd& positions) {
   positions = target;
-  return {};
+  return report_;
 }
 
 }  // namespace ribbon

@@ -1,11 +1,11 @@
 #include "simulation/contact/contact_extent.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "geometry/vectors.h"
 #include "simulation/detection/closest_weights.h"
-#include "simulation/detection/swept_pairs.h"
 #include "simulation/detection/vertex_ranges.h"
 
 namespace ribbon {
@@ -25,26 +25,38 @@ bool touch(const FeaturePair& pair, const PairDistances& distances,
          touching * distances.activation_m(pair);
 }
 
+// Most pairs of a knot tell nothing new about their rows: distances take time, and so do lists.
 std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& distances,
                                   const Matrix3Xd& positions) {
   const VertexPositions vertices = bodies.vertices(positions);
   std::vector<Touches> rows(bodies.grid.along, Touches::nothing);
-  const double reach_m = touching * distances.largest_activation_m();
   const auto row_of = [&](int particle) -> Touches& { return rows[bodies.grid.row(particle)]; };
-  for (const FeaturePair& pair :
-       pairs_within_ranges(bodies, vertex_ranges(positions, positions), reach_m)) {
-    const bool with_obstacle = std::any_of(pair.vertices.begin(), pair.vertices.end(),
-                                           [&](int vertex) { return !bodies.is_particle(vertex); });
-    const Touches what = with_obstacle ? Touches::obstacle : Touches::ribbon;
-    const auto is_news = [&](int vertex) {
-      return bodies.is_particle(vertex) && row_of(vertex) < what;
+  const auto look_for = [&](Touches what) {
+    const auto is_wanted = [&rows, what](const RibbonBvh::Rows& part) {
+      return std::any_of(rows.begin() + part.first, rows.begin() + part.last + 1,
+                         [what](Touches row) { return row < what; });
     };
-    // Most pairs of a knot tell nothing new, and distances take time.
-    if (std::none_of(pair.vertices.begin(), pair.vertices.end(), is_news)) continue;
-    if (!touch(pair, distances, vertices)) continue;
-    for (const int vertex : pair.vertices)
-      if (is_news(vertex)) row_of(vertex) = what;
-  }
+    const auto take = [&, what](std::span<const FeaturePair> pairs) {
+      for (const FeaturePair& pair : pairs) {
+        const auto is_news = [&](int vertex) {
+          return bodies.is_particle(vertex) && row_of(vertex) < what;
+        };
+        if (std::none_of(pair.vertices.begin(), pair.vertices.end(), is_news)) continue;
+        if (!touch(pair, distances, vertices)) continue;
+        for (const int vertex : pair.vertices)
+          if (is_news(vertex)) row_of(vertex) = what;
+      }
+    };
+    if (what == Touches::ribbon)
+      bodies.ribbon_bvh.visit_within(is_wanted, take);
+    else if (const auto& obstacle = bodies.obstacle)
+      bodies.ribbon_bvh.visit_with(obstacle->surface, obstacle->bvh, obstacle->vertices, is_wanted,
+                                   take);
+  };
+  bodies.ribbon_bvh.refit(vertex_ranges(positions, positions),
+                          touching * distances.largest_activation_m());
+  look_for(Touches::ribbon);
+  look_for(Touches::obstacle);
   return rows;
 }
 

@@ -81,12 +81,6 @@ void list_features(const RangedSurface& on_a, const RangedSurface& on_b, const C
 
 }  // namespace
 
-std::vector<char> flags_of(std::span<const int> named, int particles) {
-  std::vector<char> flags(particles, 0);
-  for (const int particle : named) flags[particle] = 1;
-  return flags;
-}
-
 std::vector<FeaturePair> feature_pairs(const RangedSurface& a, const RangedSurface& b,
                                        std::span<const CandidatePair> pairs, double margin_m) {
   constexpr std::size_t grain = 256;

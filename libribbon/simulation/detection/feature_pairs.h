@@ -44,9 +44,7 @@ inline Eigen::Matrix<double, 3, 4> displacements(const FeaturePair& pair,
   return result;
 }
 
-// One flag for each of so many particles: is it among the named ones?
-std::vector<char> flags_of(std::span<const int> named, int particles);
-// Has the pair a flagged particle?
+// Has the pair a flagged particle? One flag for each.
 inline bool has_any(const FeaturePair& pair, const std::vector<char>& flags) {
   return std::any_of(pair.vertices.begin(), pair.vertices.end(), [&](int vertex) {
     return vertex < static_cast<int>(flags.size()) && flags[vertex] != 0;

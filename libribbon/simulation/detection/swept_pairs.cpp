@@ -23,31 +23,26 @@ std::vector<FeaturePair> list_pairs(Bodies& bodies, std::span<const CandidatePai
   return pairs;
 }
 
-std::vector<FeaturePair> listed_by(const RibbonBvh& patches,
-                                   const std::optional<ObstacleBody>& obstacle) {
-  std::vector<FeaturePair> pairs = patches.pairs_within();
-  if (!obstacle) return pairs;
-  const std::vector<FeaturePair> others =
-      patches.pairs_with(obstacle->surface, obstacle->bvh, obstacle->vertices);
-  pairs.insert(pairs.end(), others.begin(), others.end());
-  return pairs;
+void list_by(RibbonBvh& patches, const std::optional<ObstacleBody>& obstacle,
+             std::vector<FeaturePair>& pairs) {
+  pairs.clear();
+  patches.list_within(pairs);
+  if (obstacle) patches.list_with(obstacle->surface, obstacle->bvh, obstacle->vertices, pairs);
 }
 
 }  // namespace
 
-std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
-                                             double margin_m) {
+void list_pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges, double margin_m,
+                              std::vector<FeaturePair>& pairs) {
   bodies.ribbon_bvh.refit(ranges, margin_m);
-  return listed_by(bodies.ribbon_bvh, bodies.obstacle);
+  list_by(bodies.ribbon_bvh, bodies.obstacle, pairs);
 }
 
-std::vector<FeaturePair> pairs_of_changed_ranges(std::span<const int> particles, Bodies& bodies,
-                                                 std::span<const MovingBox> ranges) {
+void list_pairs_of_changed_ranges(std::span<const int> particles, Bodies& bodies,
+                                  std::span<const MovingBox> ranges,
+                                  std::vector<FeaturePair>& pairs) {
   bodies.ribbon_bvh.refit_around(particles, ranges);
-  std::vector<FeaturePair> pairs = listed_by(bodies.ribbon_bvh, bodies.obstacle);
-  const std::vector<char> is_named = flags_of(particles, bodies.grid.particle_count());
-  std::erase_if(pairs, [&](const FeaturePair& pair) { return !has_any(pair, is_named); });
-  return pairs;
+  list_by(bodies.ribbon_bvh, bodies.obstacle, pairs);
 }
 
 std::vector<FeaturePair> swept_pairs_by_curvature(Bodies& bodies, const Eigen::Matrix3Xd& t0,

@@ -10,16 +10,17 @@
 
 namespace ribbon {
 
-// The feature pairs, ribbon-ribbon and ribbon-obstacle, that may come within margin_m of each other
-// inside the ranges of the particles, as far as boxes and flatness (ribbon_bvh.h) tell. Nothing is
-// missed: a pair that is not listed stays more than margin_m apart.
-std::vector<FeaturePair> pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges,
-                                             double margin_m);
+// Makes `pairs` those feature pairs, ribbon-ribbon and ribbon-obstacle, that may come within
+// margin_m of each other inside the ranges of the particles, as far as boxes and flatness
+// (ribbon_bvh.h) tell. Nothing is missed: a pair that is not listed stays more than margin_m apart.
+void list_pairs_within_ranges(Bodies& bodies, std::span<const MovingBox> ranges, double margin_m,
+                              std::vector<FeaturePair>& pairs);
 
 // Those of them that have one of these particles, whose ranges alone differ from when
-// pairs_within_ranges() was last asked.
-std::vector<FeaturePair> pairs_of_changed_ranges(std::span<const int> particles, Bodies& bodies,
-                                                 std::span<const MovingBox> ranges);
+// list_pairs_within_ranges() was last called.
+void list_pairs_of_changed_ranges(std::span<const int> particles, Bodies& bodies,
+                                  std::span<const MovingBox> ranges,
+                                  std::vector<FeaturePair>& pairs);
 
 // As published: the pairs whose boxes over the straight way from t0 to t1 come within margin_m of
 // each other, but for regions that curvature spares (TriangleBvh::Spare).

@@ -390,20 +390,20 @@ void TriangleBvh::descend(const TriangleBvh& first, const TriangleBvh& second, c
 }
 
 std::vector<CandidatePair> TriangleBvh::pairs_within(Spare spare) const {
-  return walk<CandidatePair>(NodePair{root(), root()},
-                             [this, spare](const NodePair& pair, std::vector<NodePair>& next,
-                                           std::vector<CandidatePair>& found) {
-                               if (!can_meet(pair, spare)) return;
-                               if (is_leaf(pair.a) && is_leaf(pair.b))
-                                 found.push_back({pair.a, pair.b});
-                               else
-                                 descend(pair, next);
-                             });
+  return BvhWalk<CandidatePair, NodePair>().from(
+      {root(), root()}, [this, spare](const NodePair& pair, std::vector<NodePair>& next,
+                                      std::vector<CandidatePair>& found) {
+        if (!can_meet(pair, spare)) return;
+        if (is_leaf(pair.a) && is_leaf(pair.b))
+          found.push_back({pair.a, pair.b});
+        else
+          descend(pair, next);
+      });
 }
 
 std::vector<CandidatePair> TriangleBvh::pairs_with(const TriangleBvh& other) const {
-  return walk<CandidatePair>(
-      NodePair{root(), other.root()},
+  return BvhWalk<CandidatePair, NodePair>().from(
+      {root(), other.root()},
       [&](const NodePair& pair, std::vector<NodePair>& next, std::vector<CandidatePair>& found) {
         if (!boxes_[pair.a].meets(other.boxes_[pair.b])) return;
         if (is_leaf(pair.a) && other.is_leaf(pair.b))

@@ -2,8 +2,6 @@
 
 #include <numeric>
 
-#include "simulation/truncation/displacement_truncation.h"
-
 namespace ribbon {
 
 namespace {
@@ -16,55 +14,56 @@ constexpr int detections_of_stragglers = 3;  // before all particles count as su
 
 }  // namespace
 
-GateSettings::GateSettings(const RestSize& size, const PairDistances& pair_distances)
+Gate::Gate(const RestSize& size, const PairDistances& pair_distances)
     : distances(pair_distances),
-      broad_phase{.reach_m = distances.largest_activation_m(),
-                  .slack_m = 0.05 * size.shortest_edge_m(),
-                  .longest_displacement_m = 4 * size.shortest_edge_m()},
+      broad_phase({.reach_m = distances.largest_activation_m(),
+                   .slack_m = 0.05 * size.shortest_edge_m(),
+                   .longest_displacement_m = 4 * size.shortest_edge_m()}),
       negligible_m(0.01 * size.shortest_edge_m()),
       farthest_m(1.5 * size.shortest_edge_m()) {}
 
 void GatedMotion::detect(const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::detection);
-  candidates_ = find_contact_candidates(bodies_, settings_.broad_phase, free_positions_, target);
-  clock_.count_detection(candidates_.pairs.size());
+  gate_.broad_phase.detect(bodies_, free_positions(), target);
+  clock_.count_detection(candidates().pairs.size());
 }
 
-void GatedMotion::detect_around(const std::vector<int>& particles, Widening widening,
+void GatedMotion::detect_around(std::span<const int> particles, Widening widening,
                                 const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::detection);
-  widen(particles, widening, bodies_, settings_.broad_phase, target, candidates_);
-  clock_.count_detection(candidates_.pairs.size());
+  gate_.broad_phase.widen(particles, widening, bodies_, target);
+  clock_.count_detection(candidates().pairs.size());
 }
 
 void GatedMotion::detect_if_outgrown(const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::detection);
-  const std::vector<int> outside = particles_outside(candidates_, target);
-  if (!outside.empty()) detect_around(outside, Widening::onward, target);
+  find_particles_outside(candidates(), target, gate_.outside);
+  if (!gate_.outside.empty()) detect_around(gate_.outside, Widening::onward, target);
 }
 
 int GatedMotion::truncate(const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::truncation);
-  const auto advance = [&] {
-    return truncate_displacements(candidates_, bodies_, settings_.distances, target,
-                                  free_positions_);
+  const auto advance = [&]() -> const TruncationReport& {
+    return gate_.truncation.truncate(candidates(), bodies_, gate_.distances, target,
+                                     gate_.free_positions);
   };
-  TruncationReport report;
-  for (int i = 0; i < most_truncations; ++i) {
-    report = advance();
+  for (int i = 0;; ++i) {
+    const TruncationReport* report = &advance();
     // Stragglers get bounds that reach back to where they were, until there are none: at last all
     // particles do.
-    for (int again = 1; !report.stragglers.empty(); ++again) {
+    for (int again = 1; !report->stragglers.empty(); ++again) {
       if (again > detections_of_stragglers) {
-        report.stragglers.resize(free_positions_.cols());
-        std::iota(report.stragglers.begin(), report.stragglers.end(), 0);
-      }
-      detect_around(report.stragglers, Widening::onward_and_back, target);
-      report = advance();
+        gate_.outside.resize(free_positions().cols());
+        std::iota(gate_.outside.begin(), gate_.outside.end(), 0);
+      } else
+        gate_.outside = report->stragglers;
+      detect_around(gate_.outside, Widening::onward_and_back, target);
+      report = &advance();
     }
-    if (report.truncated == 0 || report.farthest_m < settings_.negligible_m) break;
+    if (report->truncated == 0 || report->farthest_m < gate_.negligible_m ||
+        i + 1 == most_truncations)
+      return report->truncated;
   }
-  return report.truncated;
 }
 
 }  // namespace ribbon

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "ribbon_mesh/rest_size.h"
@@ -11,30 +11,33 @@
 #include "simulation/detection/feature_pairs.h"
 #include "simulation/step/stage_clock.h"
 #include "simulation/truncation/contact_candidates.h"
+#include "simulation/truncation/displacement_truncation.h"
 
 namespace ribbon {
 
-struct GateSettings {
-  GateSettings(const RestSize& size, const PairDistances& pair_distances);
+// The gate's settings, and its stages, which keep their memory from motion to motion.
+struct Gate {
+  Gate(const RestSize& size, const PairDistances& pair_distances);
 
   PairDistances distances;
-  BroadPhaseLengths broad_phase;
-  double negligible_m;  // displacements that are not worth another truncation
-  double farthest_m;    // that particles should go between two gates
+  BroadPhase broad_phase;
+  DisplacementTruncation truncation;
+  Eigen::Matrix3Xd free_positions;  // of the present motion
+  std::vector<int> outside;         // particles whose targets lie outside their bounds
+  double negligible_m;              // displacements that are not worth another truncation
+  double farthest_m;                // that particles should go between two gates
 };
 
 // Within one step, or some of its substeps: from the positions at its start, in which nothing
 // intersects, stage by stage toward the targets that integration and corrections set. What it
-// refers to must outlive it.
+// refers to must outlive it, and the gate serves one motion at a time.
 class GatedMotion {
  public:
-  GatedMotion(const GateSettings& settings, Eigen::Matrix3Xd start, double duration_s,
-              Bodies& bodies, StageClock& clock)
-      : settings_(settings),
-        bodies_(bodies),
-        clock_(clock),
-        free_positions_(std::move(start)),
-        duration_s_(duration_s) {}
+  GatedMotion(Gate& gate, const Eigen::Matrix3Xd& start, double duration_s, Bodies& bodies,
+              StageClock& clock)
+      : gate_(gate), bodies_(bodies), clock_(clock), duration_s_(duration_s) {
+    gate_.free_positions = start;
+  }
 
   // The broad phase, around the displacements from the free positions to the targets.
   void detect(const Eigen::Matrix3Xd& target);
@@ -48,24 +51,25 @@ class GatedMotion {
   int truncate(const Eigen::Matrix3Xd& target);
 
   // In which nothing intersects: as far as the gate has let the ribbon pass.
-  [[nodiscard]] const Eigen::Matrix3Xd& free_positions() const { return free_positions_; }
-  [[nodiscard]] const ContactCandidates& candidates() const { return candidates_; }
+  [[nodiscard]] const Eigen::Matrix3Xd& free_positions() const { return gate_.free_positions; }
+  [[nodiscard]] const ContactCandidates& candidates() const {
+    return gate_.broad_phase.candidates();
+  }
   [[nodiscard]] double duration_s() const { return duration_s_; }
   // Pairs this close may come into contact by what still moves them.
   [[nodiscard]] double reach_m() const {
-    return settings_.broad_phase.reach_m + settings_.broad_phase.slack_m;
+    const BroadPhaseLengths& lengths = gate_.broad_phase.lengths();
+    return lengths.reach_m + lengths.slack_m;
   }
 
  private:
-  void detect_around(const std::vector<int>& particles, Widening widening,
+  void detect_around(std::span<const int> particles, Widening widening,
                      const Eigen::Matrix3Xd& target);
 
-  const GateSettings& settings_;
+  Gate& gate_;
   Bodies& bodies_;
   StageClock& clock_;
-  Eigen::Matrix3Xd free_positions_;
   double duration_s_;
-  ContactCandidates candidates_;
 };
 
 }  // namespace ribbon

@@ -121,8 +121,9 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
   const Matrix3Xd expected = cloth.positions + duration_s * cloth.velocities;
   motion.detect(expected);  // section 5.4
   const auto contacts = contact_constraints(motion, expected, bodies);
+  Matrix3Xd before(3, cloth.particle_count());
   for (int part = 0; part < parts; ++part) {
-    const Matrix3Xd before = cloth.positions;
+    before = cloth.positions;
     integrate_substep(force, cloth);  // section 5.3
     correct_strain_and_contact(contacts, sweeps_in_substep, before, bodies,
                                cloth);  // cf. sections 5.4.2 and 5.5

@@ -110,7 +110,7 @@ class TimeStep {
   RepulsionSettings repulsion_;
   StrainCorrectionScene strain_correction_;  // of the gate
   StrainConstraints strain_constraints_;
-  GateSettings gate_;
+  Gate gate_;
   PublishedStrainCorrection published_correction_;
   RecoverySettings recovery_;
   StageClock clock_;

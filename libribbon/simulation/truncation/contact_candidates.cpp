@@ -1,13 +1,13 @@
 #include "simulation/truncation/contact_candidates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/vectors.h"
 #include "parallel/parallel.h"
 #include "simulation/detection/closest_weights.h"
 #include "simulation/detection/swept_pairs.h"
-#include "simulation/detection/vertex_ranges.h"
 
 namespace ribbon {
 
@@ -16,51 +16,12 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-// The target, or where the longest displacement toward it ends.
-Vector3d within_longest_displacement(const BroadPhaseLengths& lengths, const Vector3d& from,
-                                     const Vector3d& target) {
-  const Vector3d displacement = target - from;
-  const double longest_m = lengths.longest_displacement_m;
-  const bool is_long = squared_length_of(displacement) > longest_m * longest_m;
-  return from + (is_long ? longest_m * safely_normalised(displacement) : displacement);
-}
-
-std::vector<MovingBox> motion_bounds(const BroadPhaseLengths& lengths, const Matrix3Xd& from,
-                                     const Matrix3Xd& target) {
-  Matrix3Xd end(3, from.cols());
-  for (int particle = 0; particle < from.cols(); ++particle)
-    end.col(particle) =
-        within_longest_displacement(lengths, from.col(particle), target.col(particle));
-  std::vector<MovingBox> bounds = vertex_ranges(from, end);
-  for (MovingBox& bound : bounds) bound.end.grow(lengths.slack_m);
-  return bounds;
-}
-
-// How particles move inside their bounds: by a displacement, and beside it as far as their freedom
-// goes.
-struct Motion {
-  Matrix3Xd displacements;       // to the middles of the bounds
-  std::vector<double> freedoms;  // m
-};
-
-Motion motion_within(const std::vector<MovingBox>& bounds, const Matrix3Xd& from) {
-  Motion motion{Matrix3Xd(3, from.cols()), std::vector<double>(bounds.size())};
-  for (int particle = 0; particle < from.cols(); ++particle) {
-    const Box& end = bounds[particle].end;
-    const Vector3d middle = (end.low + end.high) / 2;
-    motion.displacements.col(particle) = middle - from.col(particle);
-    motion.freedoms[particle] = length_of(end.high - middle);
-  }
-  return motion;
-}
-
 // The largest difference between the displacements of a vertex of the one and a vertex of the other
 // feature.
-double largest_difference_m(const FeaturePair& pair, const Matrix3Xd& of_particles) {
-  const Eigen::Matrix<double, 3, 4> d = displacements(pair, of_particles);
+double largest_difference_m(FeaturePair::Kind kind, const Eigen::Matrix<double, 3, 4>& d) {
   double squared =
       std::max(squared_length_of(d.col(0) - d.col(2)), squared_length_of(d.col(0) - d.col(3)));
-  if (pair.kind == FeaturePair::Kind::edge_edge)
+  if (kind == FeaturePair::Kind::edge_edge)
     squared = std::max(
         {squared, squared_length_of(d.col(1) - d.col(2)), squared_length_of(d.col(1) - d.col(3))});
   else
@@ -68,114 +29,164 @@ double largest_difference_m(const FeaturePair& pair, const Matrix3Xd& of_particl
   return std::sqrt(squared);
 }
 
-// Boxes meet long before what is inside them does: measures the pairs and adds those that are not
-// too far apart for how differently their vertices can move.
-void add_near_pairs(const std::vector<FeaturePair>& pairs, const Bodies& bodies, double reach_m,
-                    ContactCandidates& candidates) {
-  const Motion motion = motion_within(candidates.bounds, candidates.from);
-  const VertexPositions from = bodies.vertices(candidates.from);
-  std::vector<double> distances(pairs.size());
-  std::vector<char> is_near(pairs.size());
-  parallel_ranges(pairs.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto freedom_m = [&](int k) {
-        const int vertex = pairs[i].vertices[k];
-        return bodies.is_particle(vertex) ? motion.freedoms[vertex] : 0;
-      };
-      const auto x = corners(pairs[i], from);
-      distances[i] = length_of(weighted_sum(x, closest_weights(pairs[i].kind, x)));
-      const bool edges = pairs[i].kind == FeaturePair::Kind::edge_edge;
-      const double middle_m = freedom_m(1);
-      const double last_m = std::max(freedom_m(2), freedom_m(3));
-      const double freedoms_m = edges ? std::max(freedom_m(0), middle_m) + last_m
-                                      : freedom_m(0) + std::max(middle_m, last_m);
-      const double approach_m = largest_difference_m(pairs[i], motion.displacements) + freedoms_m;
-      is_near[i] = distances[i] <= reach_m + approach_m ? 1 : 0;
-    }
-  });
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (is_near[i] == 0) continue;
-    candidates.pairs.push_back(pairs[i]);
-    candidates.distances_m.push_back(distances[i]);
-  }
-}
-
-void drop_pairs_of(std::span<const int> particles, ContactCandidates& candidates) {
-  const std::vector<char> is_named =
-      flags_of(particles, static_cast<int>(candidates.bounds.size()));
-  std::vector<FeaturePair>& pairs = candidates.pairs;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (has_any(pairs[i], is_named)) continue;
-    pairs[kept] = pairs[i];
-    candidates.distances_m[kept++] = candidates.distances_m[i];
-  }
-  pairs.resize(kept);
-  candidates.distances_m.resize(kept);
-}
+constexpr std::size_t particles_at_a_time = 1024;
+constexpr std::size_t pairs_at_a_time = 512;
 
 }  // namespace
 
-ContactCandidates find_contact_candidates(Bodies& bodies, const BroadPhaseLengths& lengths,
-                                          const Matrix3Xd& from, const Matrix3Xd& target) {
-  ContactCandidates candidates;
-  candidates.from = from;
-  candidates.bounds = motion_bounds(lengths, from, target);
-  add_near_pairs(pairs_within_ranges(bodies, candidates.bounds, lengths.reach_m), bodies,
-                 lengths.reach_m, candidates);
-  return candidates;
+// The target, or where the longest displacement toward it ends.
+Vector3d BroadPhase::within_longest_displacement(const Vector3d& from,
+                                                 const Vector3d& target) const {
+  const Vector3d displacement = target - from;
+  const double longest_m = lengths_.longest_displacement_m;
+  const bool is_long = squared_length_of(displacement) > longest_m * longest_m;
+  return from + (is_long ? longest_m * safely_normalised(displacement) : displacement);
 }
 
-void widen(std::span<const int> particles, Widening widening, Bodies& bodies,
-           const BroadPhaseLengths& lengths, const Matrix3Xd& target,
-           ContactCandidates& candidates) {
+void BroadPhase::set_motion(int particle) {
+  const Box& end = candidates_.bounds[particle].end;
+  const Vector3d middle = (end.low + end.high) / 2;
+  motions_[particle] = {middle - candidates_.from.col(particle), length_of(end.high - middle)};
+}
+
+const ContactCandidates& BroadPhase::detect(Bodies& bodies, const Matrix3Xd& from,
+                                            const Matrix3Xd& target) {
+  candidates_.from = from;
+  candidates_.bounds.resize(from.cols());
+  motions_.resize(from.cols());
+  parallel_ranges(from.cols(), particles_at_a_time, [&](std::size_t begin, std::size_t end) {
+    for (auto particle = static_cast<int>(begin); particle < static_cast<int>(end); ++particle) {
+      MovingBox& bound = candidates_.bounds[particle];
+      bound.start = Box::around(from.col(particle));
+      bound.end =
+          Box::around(within_longest_displacement(from.col(particle), target.col(particle)));
+      bound.end.grow(lengths_.slack_m);
+      set_motion(particle);
+    }
+  });
+  candidates_.pairs.clear();
+  candidates_.distances_m.clear();
+  list_pairs_within_ranges(bodies, candidates_.bounds, lengths_.reach_m, found_);
+  add_near_pairs(bodies);
+  return candidates_;
+}
+
+void BroadPhase::widen(std::span<const int> particles, Widening widening, Bodies& bodies,
+                       const Matrix3Xd& target) {
   for (const int particle : particles) {
-    MovingBox& bound = candidates.bounds[particle];
+    MovingBox& bound = candidates_.bounds[particle];
     Box onward = Box::around(
-        within_longest_displacement(lengths, candidates.from.col(particle), target.col(particle)));
-    onward.grow(lengths.slack_m);
+        within_longest_displacement(candidates_.from.col(particle), target.col(particle)));
+    onward.grow(lengths_.slack_m);
     bound.end.include(onward);
     if (widening == Widening::onward_and_back) bound.end.include(bound.start);
+    set_motion(particle);
   }
-  drop_pairs_of(particles, candidates);
-  add_near_pairs(pairs_of_changed_ranges(particles, bodies, candidates.bounds), bodies,
-                 lengths.reach_m, candidates);
+  drop_pairs_of(particles);
+  list_pairs_of_changed_ranges(particles, bodies, candidates_.bounds, found_);
+  add_near_pairs(bodies);
+}
+
+void BroadPhase::drop_pairs_of(std::span<const int> particles) {
+  is_named_.assign(candidates_.bounds.size(), 0);
+  for (const int particle : particles) is_named_[particle] = 1;
+  std::vector<FeaturePair>& pairs = candidates_.pairs;
+  std::vector<double>& distances_m = candidates_.distances_m;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (has_any(pairs[i], is_named_)) continue;
+    pairs[kept] = pairs[i];
+    distances_m[kept++] = distances_m[i];
+  }
+  pairs.resize(kept);
+  distances_m.resize(kept);
+}
+
+// Boxes meet long before what is inside them does: measures the pairs and adds those that are not
+// too far apart for how differently their vertices can move.
+void BroadPhase::add_near_pairs(const Bodies& bodies) {
+  const VertexPositions from = bodies.vertices(candidates_.from);
+  distances_m_.resize(found_.size());
+  is_near_.resize(found_.size());
+  parallel_ranges(found_.size(), pairs_at_a_time, [&](std::size_t begin, std::size_t end) {
+    const Motion still{Vector3d::Zero()};
+    for (std::size_t i = begin; i < end; ++i) {
+      const FeaturePair& pair = found_[i];
+      Eigen::Matrix<double, 3, 4> displacements;
+      std::array<double, 4> freedoms_m{};
+      for (int k = 0; k < 4; ++k) {
+        const int vertex = pair.vertices[k];
+        const Motion& motion = bodies.is_particle(vertex) ? motions_[vertex] : still;
+        displacements.col(k) = motion.displacement;
+        freedoms_m[k] = motion.freedom_m;
+      }
+      const auto x = corners(pair, from);
+      distances_m_[i] = length_of(weighted_sum(x, closest_weights(pair.kind, x)));
+      const bool edges = pair.kind == FeaturePair::Kind::edge_edge;
+      const double last_m = std::max(freedoms_m[2], freedoms_m[3]);
+      const double freedom_m = edges ? std::max(freedoms_m[0], freedoms_m[1]) + last_m
+                                     : freedoms_m[0] + std::max(freedoms_m[1], last_m);
+      const double approach_m = largest_difference_m(pair.kind, displacements) + freedom_m;
+      is_near_[i] = distances_m_[i] <= lengths_.reach_m + approach_m ? 1 : 0;
+    }
+  });
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    if (is_near_[i] == 0) continue;
+    candidates_.pairs.push_back(found_[i]);
+    candidates_.distances_m.push_back(distances_m_[i]);
+  }
+}
+
+const std::vector<std::size_t>& ApproachingPairs::find(const ContactCandidates& candidates,
+                                                       const Matrix3Xd& positions,
+                                                       const Matrix3Xd& displacement,
+                                                       double distance_m) {
+  gone_.resize(3, positions.cols());
+  moved_m_.resize(positions.cols());
+  parallel_ranges(moved_m_.size(), particles_at_a_time, [&](std::size_t begin, std::size_t end) {
+    for (auto particle = static_cast<int>(begin); particle < static_cast<int>(end); ++particle) {
+      gone_.col(particle) = positions.col(particle) - candidates.from.col(particle);
+      moved_m_[particle] = length_of(gone_.col(particle)) + length_of(displacement.col(particle));
+    }
+  });
+  const auto moved_m = [&](int vertex) {
+    return vertex < std::ssize(moved_m_) ? moved_m_[vertex] : 0;
+  };
+  const std::vector<FeaturePair>& pairs = candidates.pairs;
+  is_approaching_.resize(pairs.size());
+  parallel_ranges(pairs.size(), pairs_at_a_time, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      // What has hardly moved is told by that alone; the rest by how differently it moved.
+      const FeaturePair& pair = pairs[i];
+      const double room_m = candidates.distances_m[i] - distance_m;
+      const auto& v = pair.vertices;
+      const double most_m = std::max({moved_m(v[0]), moved_m(v[1]), moved_m(v[2]), moved_m(v[3])});
+      const bool is_approaching =
+          !(2 * most_m < room_m) &&
+          largest_difference_m(pair.kind, displacements(pair, gone_)) +
+                  largest_difference_m(pair.kind, displacements(pair, displacement)) >=
+              room_m;
+      is_approaching_[i] = is_approaching ? 1 : 0;
+    }
+  });
+  found_.clear();
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (is_approaching_[i] != 0) found_.push_back(i);
+  return found_;
 }
 
 std::vector<std::size_t> approaching_pairs(const ContactCandidates& candidates,
                                            const Matrix3Xd& positions,
                                            const Matrix3Xd& displacement, double distance_m) {
-  constexpr std::size_t grain = 1024;
-  const Matrix3Xd gone = positions - candidates.from;
-  Eigen::VectorXd moved_m(gone.cols());
-  for (Eigen::Index vertex = 0; vertex < gone.cols(); ++vertex)
-    moved_m[vertex] = length_of(gone.col(vertex)) + length_of(displacement.col(vertex));
-  const auto reach_m = [&](int vertex) { return vertex < moved_m.size() ? moved_m[vertex] : 0; };
-  const std::vector<FeaturePair>& pairs = candidates.pairs;
-  std::vector<std::vector<std::size_t>> parts((pairs.size() + grain - 1) / grain);
-  parallel_ranges(pairs.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      // What has hardly moved is told by that alone; the rest by how differently it moved.
-      const double room_m = candidates.distances_m[i] - distance_m;
-      const auto& v = pairs[i].vertices;
-      if (2 * std::max({reach_m(v[0]), reach_m(v[1]), reach_m(v[2]), reach_m(v[3])}) < room_m)
-        continue;
-      if (largest_difference_m(pairs[i], gone) + largest_difference_m(pairs[i], displacement) >=
-          room_m)
-        parts[begin / grain].push_back(i);
-    }
-  });
-  std::vector<std::size_t> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  return ApproachingPairs().find(candidates, positions, displacement, distance_m);
 }
 
-std::vector<int> particles_outside(const ContactCandidates& candidates, const Matrix3Xd& target) {
-  std::vector<int> outside;
+void find_particles_outside(const ContactCandidates& candidates, const Matrix3Xd& target,
+                            std::vector<int>& outside) {
+  outside.clear();
   for (int particle = 0; particle < target.cols(); ++particle)
     if (!candidates.bounds[particle].end.contains(target.col(particle)))
       outside.push_back(particle);
-  return outside;
 }
 
 }  // namespace ribbon

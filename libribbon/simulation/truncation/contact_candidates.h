@@ -33,28 +33,71 @@ struct BroadPhaseLengths {
   double longest_displacement_m = 0;  // bounds reach no further, however far the target lies
 };
 
-// Detects around the straight way from `from` to `target` (3 x particles each).
-ContactCandidates find_contact_candidates(Bodies& bodies, const BroadPhaseLengths& lengths,
-                                          const Eigen::Matrix3Xd& from,
-                                          const Eigen::Matrix3Xd& target);
-
-// Widens the bounds of some particles, wherever they are in theirs, to reach on to their present
-// targets and, for stragglers, back to where they were at the detection. Pairs with these particles
-// are listed anew; the others stay.
 enum class Widening { onward, onward_and_back };
-void widen(std::span<const int> particles, Widening widening, Bodies& bodies,
-           const BroadPhaseLengths& lengths, const Eigen::Matrix3Xd& target,
-           ContactCandidates& candidates);
 
-// Indices, in order, of the listed pairs that may come within distance_m of each other while all
-// particles move from `positions` along equal parts of their `displacement` (3 x particles each).
-// Pairs whose vertices move together are told apart from those that approach.
+// Keeps its memory from one detection to the next.
+class BroadPhase {
+ public:
+  explicit BroadPhase(const BroadPhaseLengths& lengths) : lengths_(lengths) {}
+
+  // Detects around the straight way from `from` to `target` (3 x particles each).
+  const ContactCandidates& detect(Bodies& bodies, const Eigen::Matrix3Xd& from,
+                                  const Eigen::Matrix3Xd& target);
+
+  // Widens the bounds of some particles, wherever they are in theirs, to reach on to their present
+  // targets and, for stragglers, back to where they were at the detection. Pairs with these
+  // particles are listed anew; the others stay.
+  void widen(std::span<const int> particles, Widening widening, Bodies& bodies,
+             const Eigen::Matrix3Xd& target);
+
+  [[nodiscard]] const BroadPhaseLengths& lengths() const { return lengths_; }
+  // What the last detection found.
+  [[nodiscard]] const ContactCandidates& candidates() const { return candidates_; }
+
+ private:
+  // How a particle moves inside its bound: by a displacement, and beside it as far as its freedom
+  // goes.
+  struct Motion {
+    Eigen::Vector3d displacement;  // to the middle of the bound
+    double freedom_m = 0;
+  };
+
+  [[nodiscard]] Eigen::Vector3d within_longest_displacement(const Eigen::Vector3d& from,
+                                                            const Eigen::Vector3d& target) const;
+  void set_motion(int particle);
+  void drop_pairs_of(std::span<const int> particles);
+  void add_near_pairs(const Bodies& bodies);
+
+  BroadPhaseLengths lengths_;
+  ContactCandidates candidates_;
+  std::vector<Motion> motions_;      // of the particles
+  std::vector<FeaturePair> found_;   // whose boxes meet
+  std::vector<double> distances_m_;  // of these pairs
+  std::vector<char> is_near_;        // are they?
+  std::vector<char> is_named_;       // are the particles?
+};
+
+// Tells pairs whose vertices move together from those that approach. Keeps its memory.
+class ApproachingPairs {
+ public:
+  // Indices, in order, of the listed pairs that may come within distance_m of each other while all
+  // particles move from `positions` along equal parts of their `displacement` (3 x particles each).
+  const std::vector<std::size_t>& find(const ContactCandidates& candidates,
+                                       const Eigen::Matrix3Xd& positions,
+                                       const Eigen::Matrix3Xd& displacement, double distance_m);
+
+ private:
+  std::vector<double> moved_m_;  // by each particle
+  Eigen::Matrix3Xd gone_;
+  std::vector<char> is_approaching_;  // of the pairs
+  std::vector<std::size_t> found_;
+};
 std::vector<std::size_t> approaching_pairs(const ContactCandidates& candidates,
                                            const Eigen::Matrix3Xd& positions,
                                            const Eigen::Matrix3Xd& displacement, double distance_m);
 
-// The particles whose targets lie outside their bounds.
-std::vector<int> particles_outside(const ContactCandidates& candidates,
-                                   const Eigen::Matrix3Xd& target);
+// Makes `outside` the particles whose targets lie outside their bounds, in order.
+void find_particles_outside(const ContactCandidates& candidates, const Eigen::Matrix3Xd& target,
+                            std::vector<int>& outside);
 
 }  // namespace ribbon

@@ -1,7 +1,7 @@
 #include "simulation/truncation/displacement_truncation.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <vector>
 
 #include "geometry/vectors.h"
@@ -16,131 +16,123 @@ namespace {
 constexpr double roomy = 1 + 1e-4;
 
 using Eigen::Matrix3Xd;
-using Eigen::Vector4d;
 
-// The targets, brought inside the bounds.
-Matrix3Xd confined(const std::vector<MovingBox>& bounds, const Matrix3Xd& target) {
-  Matrix3Xd inside(3, target.cols());
-  for (int particle = 0; particle < target.cols(); ++particle) {
-    const Box& bound = bounds[particle].end;
-    inside.col(particle) = target.col(particle).cwiseMax(bound.low).cwiseMin(bound.high);
-  }
-  return inside;
-}
-
-// The fraction of its displacement that each particle may go: the least that any of its pairs
-// leaves it.
-class LeastFractions {
- public:
-  LeastFractions(const ContactCandidates& candidates, const Bodies& bodies,
-                 const PairDistances& distances, const Matrix3Xd& positions,
-                 const Matrix3Xd& displacement)
-      : candidates_(candidates),
-        distances_(distances),
-        positions_(positions),
-        vertices_(bodies.vertices(positions)),
-        displacement_(displacement),
-        fractions_(Eigen::VectorXd::Ones(displacement.cols())) {}
-
-  // Pairs whose vertices move together stay apart by themselves, as long as each goes all of its
-  // displacement. So first the others are bounded, and then, until no more particles are truncated,
-  // those that move together no longer.
-  Eigen::VectorXd find() {
-    is_bounded_.assign(candidates_.pairs.size(), 0);
-    std::vector<std::size_t> next = approaching_pairs(
-        candidates_, positions_, displacement_, distances_.largest_min_separation_m() * roomy);
-    for (const std::size_t i : next) is_bounded_[i] = 1;
-    while (!next.empty()) {
-      bound(next);
-      next = unbounded_pairs_of_truncated();
-    }
-    return fractions_;
-  }
-
- private:
-  void bound(const std::vector<std::size_t>& indices) {
-    std::vector<Vector4d> of_pair(indices.size());
-    parallel_ranges(indices.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        const FeaturePair& pair = candidates_.pairs[indices[n]];
-        of_pair[n] = displacement_fractions(pair.kind, corners(pair, vertices_),
-                                            displacements(pair, displacement_),
-                                            distances_.min_separation_m(pair));
-      }
-    });
-    for (std::size_t n = 0; n < indices.size(); ++n)
-      for (int k = 0; k < 4; ++k) lower(candidates_.pairs[indices[n]].vertices[k], of_pair[n][k]);
-  }
-
-  [[nodiscard]] bool is_particle(int vertex) const { return vertex < displacement_.cols(); }
-
-  void lower(int vertex, double fraction) {
-    if (!is_particle(vertex)) return;
-    if (fractions_[vertex] == 1 && fraction < 1) truncated_.push_back(vertex);
-    fractions_[vertex] = std::min(fractions_[vertex], fraction);
-  }
-
-  // Of the particles truncated since the last time.
-  std::vector<std::size_t> unbounded_pairs_of_truncated() {
-    if (truncated_.empty()) return {};
-    if (first_.empty()) sort_pairs_by_particle();
-    std::vector<std::size_t> pairs;
-    for (const int particle : truncated_)
-      for (std::size_t n = first_[particle]; n < first_[particle + 1]; ++n)
-        if (char& is_bounded = is_bounded_[of_particle_[n]]; is_bounded == 0) {
-          is_bounded = 1;
-          pairs.push_back(of_particle_[n]);
-        }
-    truncated_.clear();
-    return pairs;
-  }
-
-  // first_[p] ... first_[p + 1] - 1: where the pairs of particle p stand in of_particle_.
-  void sort_pairs_by_particle() {
-    first_.assign(displacement_.cols() + 1, 0);
-    for (const FeaturePair& pair : candidates_.pairs)
-      for (const int vertex : pair.vertices)
-        if (is_particle(vertex)) ++first_[vertex + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    of_particle_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < candidates_.pairs.size(); ++i)
-      for (const int vertex : candidates_.pairs[i].vertices)
-        if (is_particle(vertex)) of_particle_[next[vertex]++] = i;
-  }
-
-  const ContactCandidates& candidates_;
-  const PairDistances& distances_;
-  const Matrix3Xd& positions_;
-  VertexPositions vertices_;
-  const Matrix3Xd& displacement_;
-  Eigen::VectorXd fractions_;
-  std::vector<char> is_bounded_;  // of the pairs
-  std::vector<int> truncated_;    // particles, since they were last asked for
-  std::vector<std::size_t> first_;
-  std::vector<std::size_t> of_particle_;
-};
+constexpr std::size_t particles_at_a_time = 1024;
 
 }  // namespace
 
-TruncationReport truncate_displacements(const ContactCandidates& candidates, const Bodies& bodies,
-                                        const PairDistances& distances, const Matrix3Xd& target,
-                                        Matrix3Xd& positions) {
-  Matrix3Xd reached = confined(candidates.bounds, target);
-  const Matrix3Xd displacement = reached - positions;
-  const Eigen::VectorXd fraction =
-      LeastFractions(candidates, bodies, distances, positions, displacement).find();
-  TruncationReport report;
-  for (int p = 0; p < positions.cols(); ++p) {
-    if (fraction[p] < 1) {
-      reached.col(p) = positions.col(p) + fraction[p] * displacement.col(p);
-      if (!candidates.bounds[p].end.contains(reached.col(p))) report.stragglers.push_back(p);
-    }
-    report.farthest_m = std::max(report.farthest_m, fraction[p] * length_of(displacement.col(p)));
-    if (reached.col(p) != target.col(p)) ++report.truncated;
+// Pairs whose vertices move together stay apart by themselves, as long as each goes all of its
+// displacement. So first the others are bounded, and then, until no more particles are truncated,
+// those that move together no longer.
+void DisplacementTruncation::find_least_fractions(const Motion& motion,
+                                                  const Matrix3Xd& positions) {
+  const std::vector<FeaturePair>& pairs = motion.candidates.pairs;
+  fractions_.assign(displacement_.cols(), 1);
+  truncated_ = 0;
+  const std::vector<std::size_t>& approaching =
+      approaching_.find(motion.candidates, positions, displacement_,
+                        motion.distances.largest_min_separation_m() * roomy);
+  bound(motion, approaching);
+  if (truncated_ == 0) return;
+  is_bounded_.assign(pairs.size(), 0);
+  for (const std::size_t i : approaching) is_bounded_[i] = 1;
+  for (int before = 0; truncated_ > before;) {
+    before = truncated_;
+    find_unbounded_pairs_of_truncated(pairs);
+    bound(motion, unbounded_);
   }
-  if (report.stragglers.empty()) positions.swap(reached);
-  return report;
+}
+
+void DisplacementTruncation::bound(const Motion& motion, std::span<const std::size_t> pairs) {
+  of_pair_.resize(pairs.size());
+  const std::vector<FeaturePair>& all = motion.candidates.pairs;
+  parallel_ranges(pairs.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const FeaturePair& pair = all[pairs[n]];
+      of_pair_[n] = displacement_fractions(pair.kind, corners(pair, motion.start),
+                                           displacements(pair, displacement_),
+                                           motion.distances.min_separation_m(pair));
+    }
+  });
+  for (std::size_t n = 0; n < pairs.size(); ++n)
+    for (int k = 0; k < 4; ++k)
+      if (const int vertex = all[pairs[n]].vertices[k]; is_particle(vertex))
+        lower(vertex, of_pair_[n][k]);
+}
+
+void DisplacementTruncation::lower(int particle, double fraction) {
+  double& least = fractions_[particle];
+  if (least == 1 && fraction < 1) ++truncated_;
+  least = std::min(least, fraction);
+}
+
+void DisplacementTruncation::find_unbounded_pairs_of_truncated(std::span<const FeaturePair> pairs) {
+  const auto is_truncated = [this](int vertex) {
+    return is_particle(vertex) && fractions_[vertex] < 1;
+  };
+  unbounded_.clear();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& vertices = pairs[i].vertices;
+    if (is_bounded_[i] != 0 || std::none_of(vertices.begin(), vertices.end(), is_truncated))
+      continue;
+    is_bounded_[i] = 1;
+    unbounded_.push_back(i);
+  }
+}
+
+// Makes reached_ what the fractions leave of the displacements.
+void DisplacementTruncation::advance(const ContactCandidates& candidates, const Matrix3Xd& target,
+                                     const Matrix3Xd& positions) {
+  const std::size_t particles = fractions_.size();
+  outcomes_.resize((particles + particles_at_a_time - 1) / particles_at_a_time);
+  parallel_ranges(particles, particles_at_a_time, [&](std::size_t begin, std::size_t end) {
+    Outcome& outcome = outcomes_[begin / particles_at_a_time];
+    outcome.truncated = 0;
+    outcome.stragglers.clear();
+    double farthest_squared = 0;  // of those that go all of it
+    double farthest_m = 0;        // of the others
+    for (auto p = static_cast<int>(begin); p < static_cast<int>(end); ++p) {
+      const auto displacement = displacement_.col(p);
+      if (fractions_[p] < 1) {
+        reached_.col(p) = positions.col(p) + fractions_[p] * displacement;
+        if (!candidates.bounds[p].end.contains(reached_.col(p))) outcome.stragglers.push_back(p);
+        farthest_m = std::max(farthest_m, fractions_[p] * length_of(displacement));
+      } else {
+        farthest_squared = std::max(farthest_squared, squared_length_of(displacement));
+      }
+      if (reached_.col(p) != target.col(p)) ++outcome.truncated;
+    }
+    outcome.farthest_m = std::max(farthest_m, std::sqrt(farthest_squared));
+  });
+}
+
+const TruncationReport& DisplacementTruncation::truncate(const ContactCandidates& candidates,
+                                                         const Bodies& bodies,
+                                                         const PairDistances& distances,
+                                                         const Matrix3Xd& target,
+                                                         Matrix3Xd& positions) {
+  reached_.resize(3, target.cols());
+  displacement_.resize(3, target.cols());
+  parallel_ranges(target.cols(), particles_at_a_time, [&](std::size_t begin, std::size_t end) {
+    for (auto p = static_cast<int>(begin); p < static_cast<int>(end); ++p) {
+      const Box& bound = candidates.bounds[p].end;
+      reached_.col(p) = target.col(p).cwiseMax(bound.low).cwiseMin(bound.high);
+      displacement_.col(p) = reached_.col(p) - positions.col(p);
+    }
+  });
+  find_least_fractions({candidates, distances, bodies.vertices(positions)}, positions);
+  advance(candidates, target, positions);
+  report_.truncated = 0;
+  report_.farthest_m = 0;
+  report_.stragglers.clear();
+  for (const Outcome& of_some : outcomes_) {
+    report_.truncated += of_some.truncated;
+    report_.farthest_m = std::max(report_.farthest_m, of_some.farthest_m);
+    report_.stragglers.insert(report_.stragglers.end(), of_some.stragglers.begin(),
+                              of_some.stragglers.end());
+  }
+  if (report_.stragglers.empty()) positions.swap(reached_);
+  return report_;
 }
 
 }  // namespace ribbon

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "simulation/contact/pair_distances.h"
+#include "simulation/detection/vertex_positions.h"
 #include "simulation/truncation/contact_candidates.h"
 
 namespace ribbon {
@@ -16,21 +19,59 @@ struct TruncationReport {
   std::vector<int> stragglers;  // particles that would fall behind their bounds: nothing was moved
 };
 
-// Moves `positions` (3 x particles, inside their bounds, where the broad phase found them or at the
-// end of its displacements) toward `target`, as far as it is certain that no two features that
-// share no vertex come closer than their minimum separation (at most the broad phase's reach), or,
-// where they are closer already, any closer at all.
-//
-// Each listed pair bounds the displacements of its vertices by a plane (displacement_fractions); a
-// particle takes the shortest of its displacements and stays inside its bound. Truncating a
-// displacement keeps a particle on its side of every plane, so all planes hold at every instant of
-// the straight motion; a pair that is not listed cannot meet inside the bounds. What is truncated
-// because another layer was still in the way may go on when this is done again.
-//
-// Cf. per-vertex conservative bounds (Offset Geometric Contact, Chen et al. 2025).
-TruncationReport truncate_displacements(const ContactCandidates& candidates, const Bodies& bodies,
-                                        const PairDistances& distances,
-                                        const Eigen::Matrix3Xd& target,
-                                        Eigen::Matrix3Xd& positions);
+// Keeps its memory from one truncation to the next.
+class DisplacementTruncation {
+ public:
+  // Moves `positions` (3 x particles, inside their bounds, where the broad phase found them or
+  // at the end of its displacements) toward `target`, as far as it is certain that no two
+  // features that share no vertex come closer than their minimum separation (at most the broad
+  // phase's reach), or, where they are closer already, any closer at all.
+  //
+  // Each listed pair bounds the displacements of its vertices by a plane
+  // (displacement_fractions); a particle takes the shortest of its displacements and stays
+  // inside its bound. Truncating a displacement keeps a particle on its side of every plane,
+  // so all planes hold at every instant of the straight motion; a pair that is not listed
+  // cannot meet inside the bounds. What is truncated because another layer was still in the
+  // way may go on when this is done again.
+  //
+  // Cf. per-vertex conservative bounds (Offset Geometric Contact, Chen et al. 2025).
+  const TruncationReport& truncate(const ContactCandidates& candidates, const Bodies& bodies,
+                                   const PairDistances& distances, const Eigen::Matrix3Xd& target,
+                                   Eigen::Matrix3Xd& positions);
+
+ private:
+  // What is truncated at present.
+  struct Motion {
+    const ContactCandidates& candidates;
+    const PairDistances& distances;
+    VertexPositions start;
+  };
+
+  // What becomes of some of the particles.
+  struct Outcome {
+    int truncated = 0;
+    double farthest_m = 0;
+    std::vector<int> stragglers;
+  };
+
+  void find_least_fractions(const Motion& motion, const Eigen::Matrix3Xd& positions);
+  void bound(const Motion& motion, std::span<const std::size_t> pairs);
+  void lower(int particle, double fraction);
+  void find_unbounded_pairs_of_truncated(std::span<const FeaturePair> pairs);
+  void advance(const ContactCandidates& candidates, const Eigen::Matrix3Xd& target,
+               const Eigen::Matrix3Xd& positions);
+  [[nodiscard]] bool is_particle(int vertex) const { return vertex < displacement_.cols(); }
+
+  TruncationReport report_;
+  ApproachingPairs approaching_;
+  Eigen::Matrix3Xd reached_;       // the targets inside the bounds, then what of them is reached
+  Eigen::Matrix3Xd displacement_;  // to these targets
+  std::vector<double> fractions_;  // of its displacement, that each particle may go
+  std::vector<Eigen::Vector4d> of_pair_;
+  int truncated_ = 0;             // so many particles
+  std::vector<char> is_bounded_;  // of the pairs
+  std::vector<std::size_t> unbounded_;
+  std::vector<Outcome> outcomes_;
+};
 
 }  // namespace ribbon

@@ -82,8 +82,11 @@ Pairs detect(DetectionMethod method, double cell_factor, Moving& moving) {
       return swept_pairs_by_curvature(moving.bodies, motion.t0, motion.t1, motion.margin_m);
     case DetectionMethod::boxes:
       return by_boxes(moving);
-    case DetectionMethod::patches:
-      return pairs_within_ranges(moving.bodies, moving.ranges(), motion.margin_m);
+    case DetectionMethod::patches: {
+      Pairs pairs;
+      list_pairs_within_ranges(moving.bodies, moving.ranges(), motion.margin_m, pairs);
+      return pairs;
+    }
   }
   return {};
 }

@@ -38,10 +38,16 @@ Matrix3Xd turned(const Matrix3Xd& x) {
   return Eigen::Quaterniond(0.5, 0.3, -0.7, 0.4).normalized().toRotationMatrix() * x;
 }
 
+std::vector<FeaturePair> pairs_within(RibbonBvh& tree) {
+  std::vector<FeaturePair> found;
+  tree.list_within(found);
+  return found;
+}
+
 std::vector<FeaturePair> pairs(const RibbonGrid& grid, const Matrix3Xd& t0, const Matrix3Xd& t1) {
   RibbonBvh tree(grid);
   tree.refit(vertex_ranges(t0, t1), reach_m);
-  return tree.pairs_within();
+  return pairs_within(tree);
 }
 
 TEST(RibbonBvh, a_flat_ribbon_has_no_pairs_to_test_however_it_lies_and_flies) {
@@ -157,7 +163,7 @@ TEST(RibbonBvh, room_in_the_ranges_counts) {
     std::vector<MovingBox> ranges = vertex_ranges(flat, flat);
     for (MovingBox& range : ranges) range.end.grow(room_m);
     tree.refit(ranges, reach_m);
-    EXPECT_EQ(tree.pairs_within().empty(), room_m < 0.1);
+    EXPECT_EQ(pairs_within(tree).empty(), room_m < 0.1);
   }
 }
 
@@ -170,7 +176,8 @@ TEST(RibbonBvh, lists_what_of_an_obstacle_comes_close) {
     t1.row(1).setConstant(-sink_m);
     RibbonBvh tree(grid);
     tree.refit(vertex_ranges(planted.positions, t1), reach_m);
-    const auto found = tree.pairs_with(floor.surface, floor.bvh, floor.vertices);
+    std::vector<FeaturePair> found;
+    tree.list_with(floor.surface, floor.bvh, floor.vertices, found);
     std::set<int> particles;
     for (const FeaturePair& pair : found)
       if (pair.kind == Kind::vertex_triangle) particles.insert(pair.vertices[0]);
@@ -201,22 +208,23 @@ TEST(RibbonBvh, refitted_around_particles_lists_their_pairs_as_if_refitted_as_a_
     RibbonBvh around(grid);
     around.refit(vertex_ranges(x, x), reach_m);
     around.refit_around(changed, vertex_ranges(x, end));
-    const std::vector<char> is_changed = flags_of(changed, grid.particle_count());
-    const auto of_changed = [&](const RibbonBvh& tree) {
-      std::vector<FeaturePair> found = tree.pairs_within();
-      std::erase_if(found, [&](const FeaturePair& pair) { return !has_any(pair, is_changed); });
-      return found;
+    const std::set<int> all_changed(changed.begin(), changed.end());
+    const auto has_changed = [&](const FeaturePair& pair) {
+      return std::any_of(pair.vertices.begin(), pair.vertices.end(),
+                         [&](int vertex) { return all_changed.contains(vertex); });
     };
     RibbonBvh whole(grid);
     whole.refit(vertex_ranges(x, end), reach_m);
+    std::vector<FeaturePair> of_whole = pairs_within(whole);
+    std::erase_if(of_whole, [&](const FeaturePair& pair) { return !has_changed(pair); });
     const auto vertices_of = [](const std::vector<FeaturePair>& found) {
       std::set<std::array<int, 4>> all;
       for (const FeaturePair& pair : found) all.insert(pair.vertices);
       return all;
     };
-    const auto expected = vertices_of(of_changed(whole));
+    const auto expected = vertices_of(of_whole);
     EXPECT_GT(expected.size(), changed.size());
-    EXPECT_EQ(vertices_of(of_changed(around)), expected);
+    EXPECT_EQ(vertices_of(pairs_within(around)), expected);
   }
 }
 

@@ -104,8 +104,10 @@ TEST(SweptPairs, are_all_that_come_close_by_brute_force_and_each_once) {
 
     Bodies bodies{grid, ObstacleBody(soup.array() - first, t0.rightCols(9))};
     std::set<Features> listed;
-    for (const auto& pair : pairs_within_ranges(
-             bodies, vertex_ranges(t0.leftCols(first), t1.leftCols(first)), margin_m))
+    std::vector<FeaturePair> pairs;
+    list_pairs_within_ranges(bodies, vertex_ranges(t0.leftCols(first), t1.leftCols(first)),
+                             margin_m, pairs);
+    for (const FeaturePair& pair : pairs)
       EXPECT_TRUE(listed.insert(features(pair)).second) << "listed twice";
 
     const Shape ribbon = shape_of(grid.triangles());

@@ -25,6 +25,12 @@ Matrix3Xd kicked(const Matrix3Xd& x, double size, std::mt19937& random) {
   return result;
 }
 
+std::vector<int> particles_outside(const ContactCandidates& candidates, const Matrix3Xd& target) {
+  std::vector<int> outside;
+  find_particles_outside(candidates, target, outside);
+  return outside;
+}
+
 using Key = std::pair<FeaturePair::Kind, std::array<int, 4>>;
 
 std::set<Key> listed_in(const ContactCandidates& candidates) {
@@ -42,6 +48,7 @@ void expect_all_within_reach_are_listed(const ContactCandidates& candidates, Bod
   const auto listed = listed_in(candidates);
   int within_reach = 0;
   std::uniform_real_distribution<double> part(0, 1);
+  std::vector<FeaturePair> close;
   for (int trial = 0; trial < 40; ++trial) {
     Matrix3Xd end = candidates.from;
     for (int p = 0; p < bodies.grid.particle_count(); ++p) {
@@ -52,7 +59,8 @@ void expect_all_within_reach_are_listed(const ContactCandidates& candidates, Bod
     ASSERT_TRUE(particles_outside(candidates, end).empty());
     const double time = trial < 20 ? 1 : part(random);
     const Matrix3Xd x = candidates.from + time * (end - candidates.from);
-    for (const FeaturePair& pair : pairs_within_ranges(bodies, vertex_ranges(x, x), reach_m)) {
+    list_pairs_within_ranges(bodies, vertex_ranges(x, x), reach_m, close);
+    for (const FeaturePair& pair : close) {
       const auto c = corners(pair, x);
       if ((c * closest_weights(pair.kind, c)).norm() > reach_m) continue;
       ++within_reach;
@@ -67,7 +75,7 @@ TEST(ContactCandidates, list_every_pair_that_comes_within_reach_inside_the_bound
   std::mt19937 random(8);
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_displacement_m = 1};
   const ContactCandidates candidates =
-      find_contact_candidates(bodies, lengths, from, kicked(from, 0.2, random));
+      BroadPhase(lengths).detect(bodies, from, kicked(from, 0.2, random));
   expect_all_within_reach_are_listed(candidates, bodies, random);
 }
 
@@ -75,12 +83,12 @@ TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once
   auto [grid, from, bodies] = folded(0.5);
   std::mt19937 random(8);
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_displacement_m = 1};
-  ContactCandidates candidates =
-      find_contact_candidates(bodies, lengths, from, kicked(from, 0.2, random));
+  BroadPhase broad_phase(lengths);
+  const ContactCandidates& candidates = broad_phase.detect(bodies, from, kicked(from, 0.2, random));
   const std::size_t before = candidates.pairs.size();
   const Matrix3Xd farther = kicked(from, 0.5, random);
   const std::vector<int> some = {0, 1, 7, 23, 52, 77, 104};
-  widen(some, Widening::onward, bodies, lengths, farther, candidates);
+  broad_phase.widen(some, Widening::onward, bodies, farther);
   for (const int p : some) {
     const MovingBox& bound = candidates.bounds[p];
     EXPECT_TRUE(bound.end.contains(farther.col(p)) || (farther - from).col(p).norm() > 1);
@@ -88,7 +96,7 @@ TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once
   EXPECT_GT(candidates.pairs.size(), before);
   expect_all_within_reach_are_listed(candidates, bodies, random);
   const std::vector<int> back = {2, 23, 60};
-  widen(back, Widening::onward_and_back, bodies, lengths, farther, candidates);
+  broad_phase.widen(back, Widening::onward_and_back, bodies, farther);
   for (const int p : back) EXPECT_TRUE(candidates.bounds[p].end.contains(from.col(p)));
   expect_all_within_reach_are_listed(candidates, bodies, random);
 }
@@ -96,7 +104,7 @@ TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once
 TEST(ContactCandidates, know_the_distances_and_leave_far_pairs_out) {
   auto [grid, from, bodies] = folded(0.5);
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0, .longest_displacement_m = 1};
-  const ContactCandidates still = find_contact_candidates(bodies, lengths, from, from);
+  const ContactCandidates still = BroadPhase(lengths).detect(bodies, from, from);
   ASSERT_EQ(still.pairs.size(), still.distances_m.size());
   for (std::size_t i = 0; i < still.pairs.size(); ++i) {
     const auto c = corners(still.pairs[i], from);
@@ -112,7 +120,7 @@ TEST(ContactCandidates, a_target_on_the_moon_does_not_list_the_whole_ribbon) {
   Matrix3Xd target = from;
   for (int p = 0; p < grid.particle_count(); ++p) target(0, p) += p % 2 == 0 ? 4e8 : -4e8;
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_displacement_m = 2};
-  const ContactCandidates candidates = find_contact_candidates(bodies, lengths, from, target);
+  const ContactCandidates candidates = BroadPhase(lengths).detect(bodies, from, target);
   EXPECT_LT(candidates.pairs.size(), 100U * static_cast<unsigned>(grid.particle_count()));
   EXPECT_EQ(particles_outside(candidates, target).size(),
             static_cast<std::size_t>(grid.particle_count()));
@@ -124,7 +132,7 @@ TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
   displacement.row(1).setConstant(3);
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_displacement_m = 10};
   const ContactCandidates candidates =
-      find_contact_candidates(bodies, lengths, from, from + displacement);
+      BroadPhase(lengths).detect(bodies, from, from + displacement);
   EXPECT_GT(candidates.pairs.size(), 100U);
   EXPECT_TRUE(approaching_pairs(candidates, from, displacement, reach_m).empty());
   // By hand: one particle that lags by its whole displacement approaches all that it is listed

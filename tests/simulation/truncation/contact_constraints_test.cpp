@@ -19,7 +19,7 @@ struct Sinking {
     free_positions = planted.positions;
     cloth = {free_positions, Matrix3Xd::Zero(3, grid.particle_count()), 1};
     cloth.positions.row(1).array() -= sink;
-    candidates = find_contact_candidates(planted.bodies, lengths, free_positions, cloth.positions);
+    candidates = BroadPhase(lengths).detect(planted.bodies, free_positions, cloth.positions);
     constraints = contact_constraints(candidates, planted.bodies, distances, 0.3, free_positions,
                                       cloth.positions);
   }

@@ -20,7 +20,9 @@ using Corners = Eigen::Matrix<double, 3, 4>;
 
 double smallest_gap_m(Bodies& bodies, const Matrix3Xd& x, double query_m) {
   double smallest = query_m;
-  for (const FeaturePair& pair : pairs_within_ranges(bodies, vertex_ranges(x, x), query_m)) {
+  std::vector<FeaturePair> close;
+  list_pairs_within_ranges(bodies, vertex_ranges(x, x), query_m, close);
+  for (const FeaturePair& pair : close) {
     const Corners x_pair = corners(pair, x);
     smallest = std::min(smallest, (x_pair * closest_weights(pair.kind, x_pair)).norm());
   }
@@ -37,12 +39,14 @@ PairDistances thin(const Bodies& bodies, double min_separation_m) {
 TruncationReport truncate(Bodies& bodies, double min_separation_m, const Matrix3Xd& target,
                           Matrix3Xd& x) {
   const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_displacement_m = 100};
-  ContactCandidates candidates = find_contact_candidates(bodies, lengths, x, target);
+  BroadPhase broad_phase(lengths);
+  broad_phase.detect(bodies, x, target);
+  DisplacementTruncation truncation;
   while (true) {
-    TruncationReport report =
-        truncate_displacements(candidates, bodies, thin(bodies, min_separation_m), target, x);
+    const TruncationReport& report = truncation.truncate(broad_phase.candidates(), bodies,
+                                                         thin(bodies, min_separation_m), target, x);
     if (report.stragglers.empty()) return report;
-    widen(report.stragglers, Widening::onward_and_back, bodies, lengths, target, candidates);
+    broad_phase.widen(report.stragglers, Widening::onward_and_back, bodies, target);
   }
 }
 
@@ -100,11 +104,14 @@ TEST(DisplacementTruncation, one_jammed_pair_does_not_stop_the_rest) {
 TEST(DisplacementTruncation, keeps_the_gap_many_times_within_one_detection) {
   auto [grid, x, bodies] = folded(0.5);
   const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.3, .longest_displacement_m = 100};
-  const ContactCandidates candidates = find_contact_candidates(bodies, lengths, x, x);
+  const ContactCandidates candidates = BroadPhase(lengths).detect(bodies, x, x);
+  DisplacementTruncation truncation;
   std::mt19937 random(6);
   for (int throw_number = 0; throw_number < 60; ++throw_number) {
-    truncate_displacements(candidates, bodies, thin(bodies, 0.02), thrown(grid, x, random), x);
-    ASSERT_TRUE(particles_outside(candidates, x).empty());
+    truncation.truncate(candidates, bodies, thin(bodies, 0.02), thrown(grid, x, random), x);
+    std::vector<int> outside;
+    find_particles_outside(candidates, x, outside);
+    ASSERT_TRUE(outside.empty());
     ASSERT_EQ(count_penetrating_edges(bodies, x), 0) << throw_number;
     ASSERT_GE(smallest_gap_m(bodies, x, 0.05), 0.02 - 1e-12) << throw_number;
   }
@@ -142,11 +149,11 @@ TEST(DisplacementTruncation,
   target.row(1).array() -= 2;
   const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_displacement_m = 100};
   Matrix3Xd x = planted.positions;
-  const ContactCandidates candidates = find_contact_candidates(planted.bodies, lengths, x, target);
+  const ContactCandidates candidates = BroadPhase(lengths).detect(planted.bodies, x, target);
   const PairDistances distances = thin(planted.bodies, 0.02);
-  EXPECT_EQ(
-      truncate_displacements(candidates, planted.bodies, distances, target, x).stragglers.size(),
-      static_cast<std::size_t>(grid.particle_count()));
+  DisplacementTruncation truncation;
+  EXPECT_EQ(truncation.truncate(candidates, planted.bodies, distances, target, x).stragglers.size(),
+            static_cast<std::size_t>(grid.particle_count()));
   const TruncationReport report = truncate(planted.bodies, 0.02, target, x);
   EXPECT_EQ(report.truncated, grid.particle_count());
   EXPECT_GT(report.farthest_m, 1);
