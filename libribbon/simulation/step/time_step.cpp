@@ -68,7 +68,9 @@ namespace {
 
 constexpr int most_detections = 10;   // as published, of detection and repulsion in one step
 constexpr int most_corrections = 10;  // as published, of strain in one step (section 5.5)
-constexpr int sweeps_in_substep = 3;  // with the gate
+// With the gate: more after the last substep, as far as there is need, so that little is truncated.
+constexpr int sweeps_in_substep = 3;
+constexpr int most_sweeps_before_gate = 30;
 
 }  // namespace
 
@@ -125,8 +127,9 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
   for (int part = 0; part < parts; ++part) {
     before = cloth.positions;
     integrate_substep(force, cloth);  // section 5.3
-    correct_strain_and_contact(contacts, sweeps_in_substep, before, bodies,
-                               cloth);  // cf. sections 5.4.2 and 5.5
+    const bool is_last = part + 1 == parts;
+    correct_strain_and_contact(contacts, is_last ? most_sweeps_before_gate : sweeps_in_substep,
+                               before, bodies, cloth);  // cf. sections 5.4.2 and 5.5
   }
   return correct_with_gate(motion, bodies, cloth);
 }

@@ -37,7 +37,7 @@ std::vector<ContactConstraint> contact_constraints(const ContactCandidates& cand
 // grows; their rows become active, and those whose rows all rest are passed over. With `friction`
 // (Coulomb's coefficient, >= 0; friction.h) what the contact points have slid over each other since
 // `before` (3 x particles) and the speed at which they slide are reduced likewise. Was any distance
-// violated by more than a thousandth of it?
+// violated by more than 3 % of it?
 bool keep_apart(std::span<const ContactConstraint> constraints, double friction,
                 const Eigen::Matrix3Xd& before, const Bodies& bodies, RowActivity& activity,
                 Cloth& cloth);

@@ -29,7 +29,7 @@ class StrainConstraints {
   // One sweep: both particles of each edge beyond the limit move toward or away from each other by
   // equal parts (over-relaxed, up to its rest length), and lose the speed at which it gets further
   // beyond, so that kinetic energy never grows; one family after the other; rows that rest are
-  // passed over. Was any beyond it by more than a five-hundredth of its length?
+  // passed over. Was any beyond it by more than 0.4 % of its length?
   bool tighten(RowActivity& activity, Cloth& cloth) const;
 
   // Of the rows at the beginning of some sweeps.
