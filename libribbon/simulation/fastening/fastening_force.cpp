@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geometry/vectors.h"
-#include "simulation/state/smoothed_tangents.h"
 
 namespace ribbon {
 
@@ -16,14 +15,15 @@ FasteningForce::FasteningForce(const FasteningScene& scene, double air_resistanc
     : scene_(scene),
       grid_(grid),
       held_rows_(std::min(grid.across, grid.along / 2)),
-      newton_per_m_s_(particle_mass_kg * air_resistance_per_s) {
+      newton_per_m_s_(particle_mass_kg * air_resistance_per_s),
+      tangents_(grid) {
   if (scene.pull == FasteningPull::ends) newton_per_m_s_ *= 0.5 * grid.along / held_rows_;
   for (int particle = 0; particle < grid.particle_count(); ++particle)
     mean_distance_m_ += distance_from_axis_m(start.col(particle)) / grid.particle_count();
 }
 
 void FasteningForce::visit_state(StateArchive& archive) {
-  auto& [scene, grid, held_rows, newton, mean_distance] = *this;
+  auto& [scene, grid, held_rows, newton, mean_distance, tangents, forces] = *this;
   archive.visit(mean_distance);
 }
 
@@ -41,14 +41,14 @@ double FasteningForce::strength_n(int particle, const Vector3d& position) const 
   return mean_distance_m_ > 0 ? full_n / mean_distance_m_ * distance_from_axis_m(position) : 0;
 }
 
-Matrix3Xd FasteningForce::at(const Matrix3Xd& positions) const {
-  Matrix3Xd forces = smoothed_tangents(grid_, positions);
+const Matrix3Xd& FasteningForce::at(const Matrix3Xd& positions) {
+  forces_ = tangents_.at(positions);
   for (int particle = 0; particle < grid_.particle_count(); ++particle) {
     const int twice_from_middle = 2 * grid_.row(particle) - (grid_.along - 1);
     const double sign = twice_from_middle > 0 ? 1 : twice_from_middle < 0 ? -1 : 0;
-    forces.col(particle) *= sign * strength_n(particle, positions.col(particle));
+    forces_.col(particle) *= sign * strength_n(particle, positions.col(particle));
   }
-  return forces;
+  return forces_;
 }
 
 }  // namespace ribbon

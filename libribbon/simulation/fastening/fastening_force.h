@@ -5,6 +5,7 @@
 
 #include "geometry/ribbon_grid.h"
 #include "scene/scene.h"
+#include "simulation/state/smoothed_tangents.h"
 #include "simulation/state/state_archive.h"
 
 namespace ribbon {
@@ -28,7 +29,7 @@ class FasteningForce {
                  const Eigen::Matrix3Xd& start, double particle_mass_kg);
 
   // 3 x particles, N.
-  [[nodiscard]] Eigen::Matrix3Xd at(const Eigen::Matrix3Xd& positions) const;
+  const Eigen::Matrix3Xd& at(const Eigen::Matrix3Xd& positions);
 
   // The force on a particle for each m/s at which the scene wants it to move, N s/m.
   [[nodiscard]] double newton_per_m_s() const { return newton_per_m_s_; }
@@ -45,6 +46,8 @@ class FasteningForce {
   int held_rows_;  // at each end, when pulled by the ends
   double newton_per_m_s_;
   double mean_distance_m_ = 0;  // from the axis, at the start
+  SmoothedTangents tangents_;
+  Eigen::Matrix3Xd forces_;
 };
 
 }  // namespace ribbon

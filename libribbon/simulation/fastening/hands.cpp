@@ -16,14 +16,11 @@ constexpr double standstill = 0.03;
 constexpr double least_pull = 1e-9;  // of the force
 constexpr double more_pull = 1.05;   // in each step, up to all of it
 
-// Which forces reach against the air, but no more than highest_m_s.
-Matrix3Xd terminal_velocities(const Matrix3Xd& forces, double newton_per_m_s, double highest_m_s) {
-  Matrix3Xd velocities = forces / newton_per_m_s;
+void limit_speeds(double highest_m_s, Matrix3Xd& velocities) {
   for (auto velocity : velocities.colwise()) {
     const double speed_m_s = length_of(velocity);
     if (speed_m_s > highest_m_s) velocity *= highest_m_s / speed_m_s;
   }
-  return velocities;
 }
 
 std::optional<HangingWeight> hanging_weight(const Scene& scene, const RestSize& size,
@@ -46,19 +43,19 @@ Hands::Hands(const Scene& scene, const RestSize& size, const Cloth& cloth)
                          scene.air_resistance_per_s, scene.time.step_s);
 }
 
-Matrix3Xd Hands::pull(const Cloth& cloth) {
+const Matrix3Xd& Hands::pull(const Cloth& cloth) {
   before_ = cloth.positions;
-  Matrix3Xd force = force_.at(cloth.positions);
-  force *= bearable_;
-  command_ = terminal_velocities(force, force_.newton_per_m_s(), highest_m_s_);
+  pull_ = bearable_ * force_.at(cloth.positions);
+  command_ = pull_ / force_.newton_per_m_s();
+  limit_speeds(highest_m_s_, command_);
   force_fraction_ = bearable_;
   if (yielding_) {
     const double fraction = yielding_->force_fraction(cloth.positions);
-    force *= fraction;
+    pull_ *= fraction;
     force_fraction_ *= fraction;
   }
-  if (speed_limit_) speed_limit_->apply(cloth.velocities, force);
-  return force;
+  if (speed_limit_) speed_limit_->apply(cloth.velocities, pull_);
+  return pull_;
 }
 
 void Hands::ease() {
@@ -71,8 +68,8 @@ void Hands::follow(const Cloth& cloth) {
 }
 
 void Hands::visit_state(StateArchive& archive) {
-  auto& [force, yielding, speed_limit, progress, highest, bearable, force_fraction, command_of_step,
-         before_step] = *this;
+  auto& [force, yielding, speed_limit, progress, highest, bearable, force_fraction, pull_of_step,
+         command_of_step, before_step] = *this;
   force.visit_state(archive);
   archive.visit(bearable);
   archive.visit(force_fraction);

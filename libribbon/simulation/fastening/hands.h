@@ -24,7 +24,7 @@ class Hands {
   Hands(const Scene& scene, const RestSize& size, const Cloth& cloth);
 
   // The force for the next step, 3 x particles, N.
-  Eigen::Matrix3Xd pull(const Cloth& cloth);
+  const Eigen::Matrix3Xd& pull(const Cloth& cloth);
 
   // The cloth cannot bear what they pulled: they halve it. From then on they pull a little more in
   // every step.
@@ -56,6 +56,7 @@ class Hands {
   double highest_m_s_;
   double bearable_ = 1;  // the fraction of the force that the cloth can bear, as far as is known
   double force_fraction_ = 1;
+  Eigen::Matrix3Xd pull_;     // N, of the present step
   Eigen::Matrix3Xd command_;  // m/s, of the present step, by what the cloth can bear
   Eigen::Matrix3Xd before_;   // positions, of the present step
 };

@@ -41,8 +41,8 @@ HangingWeight::HangingWeight(const RestSize& size, const SpringScene& stiffness,
       row_weight_n_(size.grid.across * particle_mass_kg * gravity_m_s2),
       resistance_n_(resistance_n(size, spring_network(size, stiffness))) {}
 
-std::vector<double> HangingWeight::strains(const Matrix3Xd& positions) const {
-  std::vector<double> strains(grid_.along - 1);
+const std::vector<double>& HangingWeight::strains(const Matrix3Xd& positions) {
+  strains_.resize(grid_.along - 1);
   const auto row_middle = [&](int row) -> Vector3d {
     return mean_of_columns(positions.middleCols(grid_.particle(row, 0), grid_.across));
   };
@@ -53,13 +53,13 @@ std::vector<double> HangingWeight::strains(const Matrix3Xd& positions) const {
       const int row = end + i * inwards;
       const Vector3d outwards = normalised(row_middle(row) - row_middle(row + inwards));
       tension_n = std::max(0.0, tension_n + dot(row_weight_n_, outwards));
-      strains[std::min(row, row + inwards)] = tension_n > 0 ? tension_n / resistance_n_ : 0;
+      strains_[std::min(row, row + inwards)] = tension_n > 0 ? tension_n / resistance_n_ : 0;
     }
   };
   const int half = (grid_.along - 1) / 2;
   add_half(0, 1, half);
   add_half(grid_.along - 1, -1, grid_.along - 1 - half);
-  return strains;
+  return strains_;
 }
 
 }  // namespace ribbon

@@ -20,12 +20,13 @@ class HangingWeight {
   // One for each row but the last: by how much of their rest length the springs would give, from
   // that row to the next, under that weight alone. Infinite where there are no springs along.
   // positions: 3 x particles.
-  [[nodiscard]] std::vector<double> strains(const Eigen::Matrix3Xd& positions) const;
+  const std::vector<double>& strains(const Eigen::Matrix3Xd& positions);
 
  private:
   RibbonGrid grid_;
   Eigen::Vector3d row_weight_n_;
   double resistance_n_;  // of the ribbon to being stretched along: force over strain
+  std::vector<double> strains_;
 };
 
 }  // namespace ribbon

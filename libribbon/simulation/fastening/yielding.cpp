@@ -24,7 +24,7 @@ double Yielding::force_fraction(const Eigen::Matrix3Xd& positions) {
     lengths_.push_back(sum_m / grid_.across);
   }
   if (hanging_) {
-    const std::vector<double> strains = hanging_->strains(positions);
+    const std::vector<double>& strains = hanging_->strains(positions);
     for (std::size_t row = 0; row < strains.size(); ++row)
       lengths_[row] -= strains[row] * along_.rest_length_m;
   }

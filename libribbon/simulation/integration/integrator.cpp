@@ -12,26 +12,28 @@ Integrator::Integrator(const SpringNetwork& springs, const MotionProperties& pro
 }
 
 void Integrator::displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) {
-  for (int substep = 0; substep < substeps_; ++substep) displace_in_substep(fastening_force, cloth);
+  hold_force(fastening_force, cloth);
+  for (int substep = 0; substep < substeps_; ++substep) displace_in_substep(cloth);
 }
 
-void Integrator::displace_in_substep(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) {
+void Integrator::hold_force(const Eigen::Matrix3Xd& fastening_force, const Cloth& cloth) {
+  Eigen::MatrixX3d& accelerations = state_.accelerations;
+  const std::optional<Eigen::Vector3d>& gravity_m_s2 = properties_.gravity_m_s2;
+  if (fastening_force.cols() > 0)
+    accelerations = fastening_force.transpose() / cloth.particle_mass_kg;
+  else
+    accelerations.setZero(gravity_m_s2 ? cloth.particle_count() : 0, 3);
+  if (gravity_m_s2) accelerations.rowwise() += gravity_fraction_ * gravity_m_s2->transpose();
+}
+
+void Integrator::displace_in_substep(Cloth& cloth) {
   state_.positions = cloth.positions.transpose();
   state_.velocities = cloth.velocities.transpose();
-  set_accelerations(fastening_force, cloth.particle_mass_kg);
   const double h = properties_.step_s / substeps_;
   advance(h);
   if (damping_) damping_->apply(h, state_.positions, state_.velocities);
   cloth.positions = state_.positions.transpose();
   cloth.velocities = state_.velocities.transpose();
-}
-
-void Integrator::set_accelerations(const Eigen::Matrix3Xd& fastening_force,
-                                   double particle_mass_kg) {
-  state_.accelerations = fastening_force.transpose() / particle_mass_kg;
-  if (!properties_.gravity_m_s2) return;
-  if (state_.accelerations.rows() == 0) state_.accelerations.setZero(state_.positions.rows(), 3);
-  state_.accelerations.rowwise() += gravity_fraction_ * properties_.gravity_m_s2->transpose();
 }
 
 int stable_substeps(double step_s, double fastest_rad_s, double stability_limit) {

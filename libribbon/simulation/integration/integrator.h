@@ -42,10 +42,13 @@ class Integrator {
   // Moves the particles of the cloth by one step. The fastening force (3 x particles, N, or no
   // columns for none) is held over the step.
   void displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
-  // Likewise by one of its substeps() parts.
-  void displace_in_substep(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
 
-  // From now on gravity counts with that fraction, 0 to 1.
+  // Likewise in substeps() parts: first the force that is held over those that follow, with
+  // gravity, and then each of them.
+  void hold_force(const Eigen::Matrix3Xd& fastening_force, const Cloth& cloth);
+  void displace_in_substep(Cloth& cloth);
+
+  // With the next force gravity counts with that fraction, 0 to 1.
   void ease_gravity(double fraction) { gravity_fraction_ = fraction; }
 
   // Into how many parts it divides a step to stay stable on its springs and in its air, however the
@@ -63,8 +66,6 @@ class Integrator {
   MotionState state_;
 
  private:
-  void set_accelerations(const Eigen::Matrix3Xd& fastening_force, double particle_mass_kg);
-
   int substeps_;
   double gravity_fraction_ = 1;
   std::optional<InternalDamping> damping_;

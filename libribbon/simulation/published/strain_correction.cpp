@@ -46,7 +46,7 @@ void PublishedStrainCorrection::correct_edge(int a, int b, double rest_length_m,
 }
 
 void PublishedStrainCorrection::apply(Matrix3Xd& positions) const {
-  const Matrix3Xd directions = smoothed_tangents(grid_, positions);
+  const Matrix3Xd directions = SmoothedTangents(grid_).at(positions);
   for_each_spring(grid_, along_, [&](int a, int b) {
     correct_edge(a, b, along_.rest_length_m, directions.col(a) + directions.col(b), positions);
   });

@@ -7,9 +7,20 @@
 
 namespace ribbon {
 
-// For each particle: the sum of the edges along its column, over as many rows to either side as the
-// ribbon is particles wide, divided by the sum of their lengths. Length 1 where the ribbon is
-// straight, less where it is crumpled. 3 x particles.
-Eigen::Matrix3Xd smoothed_tangents(const RibbonGrid& grid, const Eigen::Matrix3Xd& positions);
+// Keeps its memory.
+class SmoothedTangents {
+ public:
+  explicit SmoothedTangents(const RibbonGrid& grid) : grid_(grid) {}
+
+  // For each particle: the sum of the edges along its column, over as many rows to either side as
+  // the ribbon is particles wide, divided by the sum of their lengths. Length 1 where the ribbon is
+  // straight, less where it is crumpled. 3 x particles.
+  const Eigen::Matrix3Xd& at(const Eigen::Matrix3Xd& positions);
+
+ private:
+  RibbonGrid grid_;
+  Eigen::MatrixXd length_up_to_;  // m, of each column of the ribbon, from its first row
+  Eigen::Matrix3Xd directions_;
+};
 
 }  // namespace ribbon

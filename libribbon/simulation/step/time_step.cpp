@@ -38,24 +38,24 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
 // step is taken with half of their force, a quarter of the weight and from half of the velocities,
 // at last from rest. If nothing helps, the ribbon stays where it is.
 StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
-  Cloth before = cloth;
+  before_step_ = cloth;
   int gates = gates_for(cloth);
   for (int eased_attempts = 0;; gates = std::min(2 * gates, substeps())) {
     const StepReport report =
         advance_with_gates(gates, fastening_force(hands, cloth), bodies, cloth);  // section 5.2
     const bool is_borne = is_within_limit(cloth);
     if (is_borne || eased_attempts == most_eased_attempts) {
-      if (!is_borne) cloth = before;
+      if (!is_borne) cloth = before_step_;
       integrator_->ease_gravity(1);
       return report;
     }
     if (gates == substeps()) {
       ++eased_attempts;
-      before.velocities *= eased_attempts < most_eased_attempts ? 0.5 : 0;
+      before_step_.velocities *= eased_attempts < most_eased_attempts ? 0.5 : 0;
       integrator_->ease_gravity(std::ldexp(1.0, -2 * eased_attempts));
       if (hands != nullptr) hands->ease();
     }
-    cloth = before;
+    cloth = before_step_;
   }
 }
 
@@ -120,16 +120,16 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
                                        Cloth& cloth) {
   const double duration_s = step_s_ * parts / substeps();
   GatedMotion motion(gate_, cloth.positions, duration_s, bodies, clock_);
-  const Matrix3Xd expected = cloth.positions + duration_s * cloth.velocities;
-  motion.detect(expected);  // section 5.4
-  const auto contacts = contact_constraints(motion, expected, bodies);
-  Matrix3Xd before(3, cloth.particle_count());
+  expected_ = cloth.positions + duration_s * cloth.velocities;
+  motion.detect(expected_);  // section 5.4
+  const auto& contacts = find_contacts(motion, expected_, bodies);
+  hold_force(force, cloth);
   for (int part = 0; part < parts; ++part) {
-    before = cloth.positions;
-    integrate_substep(force, cloth);  // section 5.3
+    before_substep_ = cloth.positions;
+    integrate_substep(cloth);  // section 5.3
     const bool is_last = part + 1 == parts;
     correct_strain_and_contact(contacts, is_last ? most_sweeps_before_gate : sweeps_in_substep,
-                               before, bodies, cloth);  // cf. sections 5.4.2 and 5.5
+                               before_substep_, bodies, cloth);  // cf. sections 5.4.2 and 5.5
   }
   return correct_with_gate(motion, bodies, cloth);
 }
@@ -137,7 +137,7 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
 StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth) {
   StepReport report = pass_gate(motion, cloth);
   for (int round = 0; round < strain_correction_.most_rounds && report.is_over_limit; ++round) {
-    const auto contacts = contact_constraints(motion, cloth.positions, bodies);
+    const auto& contacts = find_contacts(motion, cloth.positions, bodies);
     correct_strain_and_contact(contacts, strain_correction_.most_sweeps, motion.free_positions(),
                                bodies, cloth);  // cf. section 5.5
     const int truncated = report.truncated;
@@ -149,9 +149,9 @@ StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies
 
 // ---- The stages
 
-Matrix3Xd TimeStep::fastening_force(Hands* hands, const Cloth& cloth) {
+const Matrix3Xd& TimeStep::fastening_force(Hands* hands, const Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::fastening_force);
-  return hands != nullptr ? hands->pull(cloth) : Matrix3Xd(3, 0);
+  return hands != nullptr ? hands->pull(cloth) : no_force_;
 }
 
 // The hands measure how far the ribbon followed their pull.
@@ -165,9 +165,14 @@ void TimeStep::integrate(const Matrix3Xd& force, Cloth& cloth) {
   integrator_->displace(force, cloth);
 }
 
-void TimeStep::integrate_substep(const Matrix3Xd& force, Cloth& cloth) {
+void TimeStep::hold_force(const Matrix3Xd& force, const Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::integration);
-  integrator_->displace_in_substep(force, cloth);
+  integrator_->hold_force(force, cloth);
+}
+
+void TimeStep::integrate_substep(Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::integration);
+  integrator_->displace_in_substep(cloth);
 }
 
 std::vector<FeaturePair> TimeStep::detect(const Matrix3Xd& before, Bodies& bodies,
@@ -200,12 +205,12 @@ void TimeStep::correct_strain(Cloth& cloth) {
   if (rounds > 0) cloth.velocities += (cloth.positions - before) / step_s_;
 }
 
-std::vector<ContactConstraint> TimeStep::contact_constraints(const GatedMotion& motion,
-                                                             const Matrix3Xd& target,
-                                                             const Bodies& bodies) {
+const std::vector<ContactConstraint>& TimeStep::find_contacts(const GatedMotion& motion,
+                                                              const Matrix3Xd& target,
+                                                              const Bodies& bodies) {
   const StageTimer timer(clock_, StepStage::repulsion);
-  return ribbon::contact_constraints(motion.candidates(), bodies, distances_, motion.reach_m(),
-                                     motion.free_positions(), target);
+  return contacts_.find(motion.candidates(), bodies, distances_, motion.reach_m(),
+                        motion.free_positions(), target);
 }
 
 // Corrected alone, edges would be pressed into contact, and stretched again by it; so both are
@@ -214,12 +219,12 @@ void TimeStep::correct_strain_and_contact(std::span<const ContactConstraint> con
                                           int most_sweeps, const Matrix3Xd& before,
                                           const Bodies& bodies, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
-  RowActivity activity = strain_constraints_.activity();
+  activity_.reset();
   bool any = true;
   int sweeps = 0;
   for (; sweeps < most_sweeps && any; ++sweeps) {
-    any = keep_apart(contacts, repulsion_.friction, before, bodies, activity, cloth);
-    any = strain_constraints_.tighten(activity, cloth) || any;
+    any = keep_apart(contacts, repulsion_.friction, before, bodies, activity_, cloth);
+    any = strain_constraints_.tighten(activity_, cloth) || any;
   }
   clock_.count_sweeps(sweeps);
 }
@@ -276,7 +281,7 @@ StepReport TimeStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth& clo
   if (contact_ == ContactMethod::paper) return correct_as_published(before, bodies, cloth);
   GatedMotion motion(gate_, before, step_s_, bodies, clock_);
   motion.detect(cloth.positions);
-  correct_strain_and_contact(contact_constraints(motion, cloth.positions, bodies),
+  correct_strain_and_contact(find_contacts(motion, cloth.positions, bodies),
                              strain_correction_.most_sweeps, before, bodies, cloth);
   return correct_with_gate(motion, bodies, cloth);
 }
@@ -334,6 +339,7 @@ TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLength
       repulsion_{.friction = scene.friction},
       strain_correction_(scene.strain_correction),
       strain_constraints_(strain_constraints(scene, size, lengths.rounding_m)),
+      activity_(strain_constraints_.activity()),
       gate_(size, distances_),
       published_correction_(size, paper_strain_limit),
       recovery_(RecoverySettings::of_edge(size.shortest_edge_m())) {}

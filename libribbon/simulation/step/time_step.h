@@ -83,18 +83,19 @@ class TimeStep {
   StepReport correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
   StepReport correct_as_published(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth);
 
-  Eigen::Matrix3Xd fastening_force(Hands* hands, const Cloth& cloth);
+  const Eigen::Matrix3Xd& fastening_force(Hands* hands, const Cloth& cloth);
   void follow_with(Hands& hands, const Cloth& cloth);
   void integrate(const Eigen::Matrix3Xd& force, Cloth& cloth);
-  void integrate_substep(const Eigen::Matrix3Xd& force, Cloth& cloth);
+  void hold_force(const Eigen::Matrix3Xd& force, const Cloth& cloth);
+  void integrate_substep(Cloth& cloth);
   std::vector<FeaturePair> detect(const Eigen::Matrix3Xd& before, Bodies& bodies,
                                   const Cloth& cloth);
   bool repel(const std::vector<FeaturePair>& pairs, const Eigen::Matrix3Xd& before,
              const Bodies& bodies, Cloth& cloth);
   void correct_strain(Cloth& cloth);
-  std::vector<ContactConstraint> contact_constraints(const GatedMotion& motion,
-                                                     const Eigen::Matrix3Xd& target,
-                                                     const Bodies& bodies);
+  const std::vector<ContactConstraint>& find_contacts(const GatedMotion& motion,
+                                                      const Eigen::Matrix3Xd& target,
+                                                      const Bodies& bodies);
   void correct_strain_and_contact(std::span<const ContactConstraint> contacts, int most_sweeps,
                                   const Eigen::Matrix3Xd& before, const Bodies& bodies,
                                   Cloth& cloth);
@@ -110,10 +111,17 @@ class TimeStep {
   RepulsionSettings repulsion_;
   StrainCorrectionScene strain_correction_;  // of the gate
   StrainConstraints strain_constraints_;
+  RowActivity activity_;
+  ContactConstraints contacts_;
   Gate gate_;
   PublishedStrainCorrection published_correction_;
   RecoverySettings recovery_;
   StageClock clock_;
+  // Kept for their memory alone.
+  Cloth before_step_;
+  Eigen::Matrix3Xd before_substep_;  // positions
+  Eigen::Matrix3Xd expected_;        // positions, as far as velocities tell
+  Eigen::Matrix3Xd no_force_;        // no columns
 };
 
 }  // namespace ribbon

@@ -175,12 +175,6 @@ const std::vector<std::size_t>& ApproachingPairs::find(const ContactCandidates& 
   return found_;
 }
 
-std::vector<std::size_t> approaching_pairs(const ContactCandidates& candidates,
-                                           const Matrix3Xd& positions,
-                                           const Matrix3Xd& displacement, double distance_m) {
-  return ApproachingPairs().find(candidates, positions, displacement, distance_m);
-}
-
 void find_particles_outside(const ContactCandidates& candidates, const Matrix3Xd& target,
                             std::vector<int>& outside) {
   outside.clear();

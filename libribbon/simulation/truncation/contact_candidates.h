@@ -92,9 +92,6 @@ class ApproachingPairs {
   std::vector<char> is_approaching_;  // of the pairs
   std::vector<std::size_t> found_;
 };
-std::vector<std::size_t> approaching_pairs(const ContactCandidates& candidates,
-                                           const Eigen::Matrix3Xd& positions,
-                                           const Eigen::Matrix3Xd& displacement, double distance_m);
 
 // Makes `outside` the particles whose targets lie outside their bounds, in order.
 void find_particles_outside(const ContactCandidates& candidates, const Eigen::Matrix3Xd& target,

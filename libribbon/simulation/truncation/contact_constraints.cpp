@@ -47,20 +47,19 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Bodies& bodies,
 
 }  // namespace
 
-std::vector<ContactConstraint> contact_constraints(const ContactCandidates& candidates,
-                                                   const Bodies& bodies,
-                                                   const PairDistances& distances, double reach_m,
-                                                   const Matrix3Xd& free_positions,
-                                                   const Matrix3Xd& target) {
+const std::vector<ContactConstraint>& ContactConstraints::find(
+    const ContactCandidates& candidates, const Bodies& bodies, const PairDistances& distances,
+    double reach_m, const Matrix3Xd& free_positions, const Matrix3Xd& target) {
   const VertexPositions vertices = bodies.vertices(free_positions);
-  const std::vector<std::size_t> near =
-      approaching_pairs(candidates, free_positions, target - free_positions, reach_m);
-  std::vector<ContactConstraint> constraints(near.size());
+  displacement_ = target - free_positions;
+  const std::vector<std::size_t>& near =
+      approaching_.find(candidates, free_positions, displacement_, reach_m);
+  found_.resize(near.size());
   parallel_ranges(near.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      constraints[i] = constraint_of(candidates.pairs[near[i]], bodies, vertices, distances);
+      found_[i] = constraint_of(candidates.pairs[near[i]], bodies, vertices, distances);
   });
-  return constraints;
+  return found_;
 }
 
 namespace {

@@ -23,14 +23,23 @@ struct ContactConstraint {
   double distance_m = 0;
 };
 
-// One for each listed pair that could come into contact between `free_positions`, in which nothing
-// intersects, and `target` (3 x particles each): along the line between its closest points in the
-// free ones, contact shall not begin, or, where it has begun, open by a fifth of what lacks.
-std::vector<ContactConstraint> contact_constraints(const ContactCandidates& candidates,
-                                                   const Bodies& bodies,
-                                                   const PairDistances& distances, double reach_m,
-                                                   const Eigen::Matrix3Xd& free_positions,
-                                                   const Eigen::Matrix3Xd& target);
+// Keeps its memory.
+class ContactConstraints {
+ public:
+  // One for each listed pair that could come into contact between `free_positions`, in which
+  // nothing intersects, and `target` (3 x particles each): along the line between its closest
+  // points in the free ones, contact shall not begin, or, where it has begun, open by a fifth of
+  // what lacks.
+  const std::vector<ContactConstraint>& find(const ContactCandidates& candidates,
+                                             const Bodies& bodies, const PairDistances& distances,
+                                             double reach_m, const Eigen::Matrix3Xd& free_positions,
+                                             const Eigen::Matrix3Xd& target);
+
+ private:
+  Eigen::Matrix3Xd displacement_;
+  ApproachingPairs approaching_;
+  std::vector<ContactConstraint> found_;
+};
 
 // One sweep: moves apart, in order and by momentum conservation, the pairs that do not keep their
 // distance, and takes from them the speed at which they approach, so that kinetic energy never

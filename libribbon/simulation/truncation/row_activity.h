@@ -3,6 +3,7 @@
 // left.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -16,6 +17,9 @@ class RowActivity {
  public:
   // So many rows, none of which any of so many tasks has looked at.
   RowActivity(int rows, std::size_t tasks) : last_moved_(rows, 0), last_turn_(tasks, 0) {}
+
+  // As if none of the tasks had looked at any row.
+  void reset() { std::fill(last_turn_.begin(), last_turn_.end(), 0); }
 
   // A task begins to look at all rows, one after the other.
   void begin(std::size_t task) {

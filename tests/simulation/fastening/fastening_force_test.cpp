@@ -31,7 +31,7 @@ Matrix3Xd forces_on_straight(const FasteningScene& scene, double air_per_s = 1) 
 }
 
 TEST(SmoothedTangents, of_a_straight_ribbon_are_its_direction) {
-  const Matrix3Xd directions = smoothed_tangents(grid, straight(grid));
+  const Matrix3Xd directions = SmoothedTangents(grid).at(straight(grid));
   for (int p = 0; p < grid.particle_count(); ++p)
     EXPECT_TRUE(directions.col(p).isApprox(Vector3d::UnitX())) << p;
 }
@@ -41,7 +41,7 @@ TEST(SmoothedTangents, fade_where_the_ribbon_is_folded) {
   const RibbonGrid folded{8, 2};
   Matrix3Xd positions = straight(folded);
   for (int p = 0; p < folded.particle_count(); ++p) positions(0, p) = folded.row(p) % 2;
-  const Matrix3Xd directions = smoothed_tangents(folded, positions);
+  const Matrix3Xd directions = SmoothedTangents(folded).at(positions);
   // Row 4: rows 1 to 6, five edges of length 1 that add up to -1.
   EXPECT_TRUE(directions.col(folded.particle(4, 0)).isApprox(Vector3d(-0.2, 0, 0)));
 }
@@ -81,8 +81,7 @@ TEST(FasteningForce, by_the_ends_pulls_a_square_of_cloth_at_each_end) {
 
 // By hand: half of 18 particles of 0.5 kg at 0.7 m/s against 3 per second take 9.45 N.
 TEST(FasteningForce, by_the_ends_draws_each_half_at_the_given_speed) {
-  const FasteningForce force =
-      force_on_straight({.speed_m_s = 0.7, .pull = FasteningPull::ends}, 3);
+  FasteningForce force = force_on_straight({.speed_m_s = 0.7, .pull = FasteningPull::ends}, 3);
   const Matrix3Xd forces = force.at(straight(grid));
   EXPECT_NEAR(forces.leftCols(9).rowwise().sum().norm(), 9.45, 1e-12);
   EXPECT_NEAR(forces.rightCols(9).rowwise().sum().norm(), 9.45, 1e-12);
@@ -92,8 +91,7 @@ TEST(FasteningForce, by_the_ends_draws_each_half_at_the_given_speed) {
 
 TEST(FasteningForce, by_the_ends_holds_no_more_than_there_is) {
   const RibbonGrid wide{4, 6};
-  const FasteningForce force({.speed_m_s = 1, .pull = FasteningPull::ends}, 1, wide, straight(wide),
-                             1);
+  FasteningForce force({.speed_m_s = 1, .pull = FasteningPull::ends}, 1, wide, straight(wide), 1);
   // By hand: 12 particles a half, all of them held.
   EXPECT_NEAR(force.at(straight(wide)).leftCols(12).rowwise().sum().norm(), 12, 1e-12);
 }

@@ -134,7 +134,7 @@ TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
   const ContactCandidates candidates =
       BroadPhase(lengths).detect(bodies, from, from + displacement);
   EXPECT_GT(candidates.pairs.size(), 100U);
-  EXPECT_TRUE(approaching_pairs(candidates, from, displacement, reach_m).empty());
+  EXPECT_TRUE(ApproachingPairs().find(candidates, from, displacement, reach_m).empty());
   // By hand: one particle that lags by its whole displacement approaches all that it is listed
   // with.
   const int lagging = grid.particle(10, 2);
@@ -142,7 +142,7 @@ TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
   std::size_t of_particle = 0;
   for (const FeaturePair& pair : candidates.pairs)
     of_particle += std::count(pair.vertices.begin(), pair.vertices.end(), lagging) > 0 ? 1U : 0U;
-  EXPECT_EQ(approaching_pairs(candidates, from, displacement, reach_m).size(), of_particle);
+  EXPECT_EQ(ApproachingPairs().find(candidates, from, displacement, reach_m).size(), of_particle);
 }
 
 }  // namespace ribbon::contact_candidates_test

@@ -20,8 +20,8 @@ struct Sinking {
     cloth = {free_positions, Matrix3Xd::Zero(3, grid.particle_count()), 1};
     cloth.positions.row(1).array() -= sink;
     candidates = BroadPhase(lengths).detect(planted.bodies, free_positions, cloth.positions);
-    constraints = contact_constraints(candidates, planted.bodies, distances, 0.3, free_positions,
-                                      cloth.positions);
+    constraints = ContactConstraints().find(candidates, planted.bodies, distances, 0.3,
+                                            free_positions, cloth.positions);
   }
   bool keep_apart_once() {
     return keep_apart(constraints, friction, free_positions, planted.bodies, activity, cloth);
