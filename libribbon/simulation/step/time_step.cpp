@@ -43,9 +43,8 @@ StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& c
   for (int eased_attempts = 0;; gates = std::min(2 * gates, substeps())) {
     const StepReport report =
         advance_with_gates(gates, fastening_force(hands, cloth), bodies, cloth);  // section 5.2
-    const bool is_borne = is_within_limit(cloth);
-    if (is_borne || eased_attempts == most_eased_attempts) {
-      if (!is_borne) cloth = before_step_;
+    if (report.is_bearable || eased_attempts == most_eased_attempts) {
+      if (!report.is_bearable) cloth = before_step_;
       integrator_->ease_gravity(1);
       return report;
     }
@@ -232,7 +231,10 @@ void TimeStep::correct_strain_and_contact(std::span<const ContactConstraint> con
 StepReport TimeStep::pass_gate(GatedMotion& motion, Cloth& cloth) {
   motion.detect_if_outgrown(cloth.positions);
   const int truncated = truncate(motion, cloth);
-  return {.truncated = truncated, .is_over_limit = is_over_limit(cloth)};
+  const StrainExcess strain = strain_excess(cloth);
+  return {.truncated = truncated,
+          .is_bearable = strain.is_bearable,
+          .is_over_limit = strain.beyond_limit > strain_left_over};
 }
 
 // What was truncated is taken from the velocity, as far as there is any in that direction: a
@@ -265,14 +267,13 @@ double TimeStep::guaranteed_strain() const {
   return contact_ == ContactMethod::gate ? paper_strain_limit : 0;
 }
 
-bool TimeStep::is_over_limit(const Cloth& cloth) {
+StrainExcess TimeStep::strain_excess(const Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
-  return strain_constraints_.worst_excess(cloth.positions) > strain_left_over;
+  return strain_constraints_.excess(cloth.positions);
 }
 
 bool TimeStep::is_within_limit(const Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::strain_correction);
-  return strain_constraints_.hold(cloth.positions);
+  return strain_excess(cloth).is_bearable;
 }
 
 // ---- Before the first step

@@ -102,7 +102,7 @@ class TimeStep {
   StepReport pass_gate(GatedMotion& motion, Cloth& cloth);
   int truncate(GatedMotion& motion, Cloth& cloth);
   StepReport recover(Bodies& bodies, Cloth& cloth);
-  [[nodiscard]] bool is_over_limit(const Cloth& cloth);
+  [[nodiscard]] StrainExcess strain_excess(const Cloth& cloth);
 
   ContactMethod contact_;
   double step_s_;

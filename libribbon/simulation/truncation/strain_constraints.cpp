@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "geometry/vectors.h"
@@ -77,17 +76,14 @@ bool StrainConstraints::tighten(RowActivity& activity, Cloth& cloth) const {
   return any;
 }
 
-double StrainConstraints::worst_excess(const Eigen::Matrix3Xd& positions) const {
-  double worst = -std::numeric_limits<double>::infinity();
-  for (const LimitedFamily& limited : families_)
-    worst = std::max(worst, worst_strain(grid_, limited.family, positions) - limited.limit);
-  return worst;
-}
-
-bool StrainConstraints::hold(const Eigen::Matrix3Xd& positions) const {
-  return std::all_of(families_.begin(), families_.end(), [&](const LimitedFamily& limited) {
-    return worst_strain(grid_, limited.family, positions) <= limited.most;
-  });
+StrainExcess StrainConstraints::excess(const Eigen::Matrix3Xd& positions) const {
+  StrainExcess excess;
+  for (const LimitedFamily& limited : families_) {
+    const double strain = worst_strain(grid_, limited.family, positions);
+    excess.beyond_limit = std::max(excess.beyond_limit, strain - limited.limit);
+    excess.is_bearable = excess.is_bearable && strain <= limited.most;
+  }
+  return excess;
 }
 
 double most_strain(double rest_m, double rounding_m) {

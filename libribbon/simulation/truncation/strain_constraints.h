@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "ribbon_mesh/springs.h"
@@ -18,6 +19,13 @@ struct LimitedFamily {
 
   [[nodiscard]] double shortest_m() const { return (1 - limit) * family.rest_length_m; }
   [[nodiscard]] double longest_m() const { return (1 + limit) * family.rest_length_m; }
+};
+
+// Of all edges.
+struct StrainExcess {
+  // The most by which the |strain| of an edge is beyond its limit; below 0 where none is.
+  double beyond_limit = -std::numeric_limits<double>::infinity();
+  bool is_bearable = true;  // is every edge within what no step may leave?
 };
 
 // PublishedStrainCorrection does not know of contact and therefore moves along the smoothed
@@ -37,11 +45,7 @@ class StrainConstraints {
     return {grid_.along, first_family_task + families_.size()};
   }
 
-  // The most by which the |strain| of an edge is beyond its limit; below 0 where none is.
-  [[nodiscard]] double worst_excess(const Eigen::Matrix3Xd& positions) const;
-
-  // Is every edge within what no step may leave?
-  [[nodiscard]] bool hold(const Eigen::Matrix3Xd& positions) const;
+  [[nodiscard]] StrainExcess excess(const Eigen::Matrix3Xd& positions) const;
 
  private:
   RibbonGrid grid_;
