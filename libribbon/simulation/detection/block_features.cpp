@@ -117,15 +117,15 @@ BlockFeatures::BlockFeatures(const BlockShape& shape, int first_particle,
       BoxedFeature<n>& feature = features.add();
       const int first = first_particle + offsets[0];
       feature.vertices[0] = first;
-      int looked_at = is_looked_at[first];
+      bool looked_at = is_looked_at[first] != 0;
       PackedBox box = boxes[first];
       for (std::size_t k = 1; k < n; ++k) {
         const int vertex = first_particle + offsets[k];
         feature.vertices[k] = vertex;
-        looked_at |= is_looked_at[vertex];
+        looked_at = is_looked_at[vertex] != 0 || looked_at;
         box.include(boxes[vertex]);
       }
-      feature.is_looked_at = looked_at != 0;
+      feature.is_looked_at = looked_at;
       feature.box = box;
     }
   };

@@ -84,11 +84,13 @@ void RibbonBvh::Tangents::include(const Tangents& other) {
 }
 
 Box RibbonBvh::Tangents::along(int end) const {
-  return {Vector3d(lowest_along.data() + 3 * end), Vector3d(highest_along.data() + 3 * end)};
+  return {Vector3d(lowest_along.data() + std::ptrdiff_t{3} * end),
+          Vector3d(highest_along.data() + std::ptrdiff_t{3} * end)};
 }
 
 Box RibbonBvh::Tangents::across(int end) const {
-  return {Vector3d(lowest_across.data() + 3 * end), Vector3d(highest_across.data() + 3 * end)};
+  return {Vector3d(lowest_across.data() + std::ptrdiff_t{3} * end),
+          Vector3d(highest_across.data() + std::ptrdiff_t{3} * end)};
 }
 
 RibbonBvh::RibbonBvh(const RibbonGrid& grid)

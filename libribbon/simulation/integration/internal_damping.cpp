@@ -24,7 +24,7 @@ constexpr int rows_in_lot = 32;
 constexpr int half_lot = rows_in_lot / 2;
 
 // Of dashpots that have no particle in common several are computed at once.
-using Four = double [[gnu::vector_size(4 * sizeof(double))]];
+using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
 
 // As the innermost loop needs a family.
 template <std::size_t ends>
@@ -209,8 +209,8 @@ InternalDamping::InternalDamping(const SpringNetwork& network, double particle_m
   add(DashpotFamily({{0, 0, 0.5}, {0, 1, -1}, {0, 2, 0.5}}), bend);
   add(DashpotFamily({{0, 0, 0.5}, {0, 1, -0.5}, {1, 0, -0.5}, {1, 1, 0.5}}), bend);
   for (Lot& lot : lots_) {
-    lot.positions.setZero(rows_in_lot * grid_.across, 3);
-    lot.velocities.setZero(rows_in_lot * grid_.across, 3);
+    lot.positions.setZero(Index{rows_in_lot} * grid_.across, 3);
+    lot.velocities.setZero(Index{rows_in_lot} * grid_.across, 3);
   }
 }
 
