@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <functional>
 #include <utility>
 
 #include "parallel/instruction_set.h"
@@ -198,10 +197,13 @@ DashpotFamily::DashpotFamily(std::vector<End> of_ends) : ends(std::move(of_ends)
 }
 
 InternalDamping::InternalDamping(const SpringNetwork& network, double particle_mass_kg)
-    : grid_(network.grid),
-      damping_(network.damping),
-      particle_mass_kg_(particle_mass_kg),
-      lots_((grid_.along + rows_in_lot - 1) / rows_in_lot) {
+    : grid_(network.grid), lots_((grid_.along + rows_in_lot - 1) / rows_in_lot) {
+  const auto add = [&](DashpotFamily family, double stiffness) {
+    if (stiffness == 0 || family.rows >= grid_.along || family.columns >= grid_.across) return;
+    family.rate_per_s =
+        2 * network.damping * std::sqrt(family.squared_weights * stiffness / particle_mass_kg);
+    families_.push_back(std::move(family));
+  };
   for (const SpringKind* kind : network.kinds())
     for (const SpringFamily& springs : kind->families) add(beside(springs), kind->stiffness);
   const double bend = network.bend.stiffness;
@@ -214,24 +216,17 @@ InternalDamping::InternalDamping(const SpringNetwork& network, double particle_m
   }
 }
 
-void InternalDamping::add(DashpotFamily family, double stiffness) {
-  if (stiffness == 0 || family.rows >= grid_.along || family.columns >= grid_.across) return;
-  family.rate_per_s =
-      2 * damping_ * std::sqrt(family.squared_weights * stiffness / particle_mass_kg_);
-  families_.push_back(std::move(family));
-}
-
 void InternalDamping::apply(double h, const MatrixX3d& positions, MatrixX3d& velocities) {
   const auto within = [&](std::size_t begin, std::size_t end) {
     for (std::size_t lot = begin; lot < end; ++lot)
       damp_lot(h, static_cast<int>(lot), positions, velocities);
   };
-  parallel_ranges(lots_.size(), 1, std::ref(within));
+  parallel_ranges(lots_.size(), 1, within);
   const auto between = [&](std::size_t begin, std::size_t end) {
     for (std::size_t lot = begin; lot < end; ++lot)
       damp_after_lot(h, static_cast<int>(lot), positions, velocities);
   };
-  parallel_ranges(lots_.size() - 1, 8, std::ref(between));
+  parallel_ranges(lots_.size() - 1, 8, between);
 }
 
 namespace {

@@ -44,7 +44,7 @@ struct DashpotFamily {
 // dashpot meets what its neighbour has just added, by which the speed is 1 + r / 2 times as high.
 class InternalDamping {
  public:
-  // damping: a fraction of the critical one, > 0.
+  // network.damping: > 0.
   InternalDamping(const SpringNetwork& network, double particle_mass_kg);
 
   // What it does to the velocities in h seconds. particles x 3 each, m and m/s. In an order that
@@ -58,7 +58,6 @@ class InternalDamping {
     Eigen::MatrixX3d velocities;
   };
 
-  void add(DashpotFamily family, double stiffness);
   // All dashpots between the rows of a lot.
   void damp_lot(double h, int lot, const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& velocities);
   // Those that lead from the rows of a lot to the next.
@@ -66,8 +65,6 @@ class InternalDamping {
                       Eigen::MatrixX3d& velocities);
 
   RibbonGrid grid_;
-  double damping_;
-  double particle_mass_kg_;
   std::vector<DashpotFamily> families_;
   std::vector<Lot> lots_;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "parallel/parallel.h"
@@ -83,7 +82,7 @@ void SpringForces::forces_on(Index begin, Index end, const MatrixX3d& positions,
 double SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
   forces.resize(particle_count_, 3);
   const auto body = [&](Index begin, Index end) { forces_on(begin, end, positions, forces); };
-  parallel_ranges(particle_count_, grain_, std::ref(body));
+  parallel_ranges(particle_count_, grain_, body);
   double energy_j = 0;
   for (const Workspace& workspace : workspaces_) energy_j += workspace.energy_j;
   return energy_j;

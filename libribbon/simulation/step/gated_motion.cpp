@@ -55,8 +55,9 @@ int GatedMotion::truncate(const Matrix3Xd& target) {
       if (again > detections_of_stragglers) {
         gate_.outside.resize(free_positions().cols());
         std::iota(gate_.outside.begin(), gate_.outside.end(), 0);
-      } else
+      } else {
         gate_.outside = report->stragglers;
+      }
       detect_around(gate_.outside, Widening::onward_and_back, target);
       report = &advance();
     }
