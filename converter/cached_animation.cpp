@@ -2,7 +2,7 @@
 
 #include "commandline/progress.h"
 #include "converter/export/obj_text.h"
-#include "converter/export/point_cache.h"
+#include "converter/export/pc2_writer.h"
 #include "converter/output_names.h"
 #include "files/files.h"
 
@@ -28,7 +28,7 @@ Result<void> pose_at_start(RecordingReader& reader, const std::vector<int>& fram
 }
 
 Result<void> append_frames(RecordingReader& reader, const std::vector<int>& frames, Model& model,
-                           PointCacheWriter& cache, const ConversionRequest& request,
+                           MotionWriter& cache, const ConversionRequest& request,
                            ConversionReport& report) {
   ProgressLine progress("frame", static_cast<int>(frames.size()), request.quiet);
   for (const int index : frames) {
@@ -37,7 +37,7 @@ Result<void> append_frames(RecordingReader& reader, const std::vector<int>& fram
     if (!posed) return tl::unexpected(posed.error());
     if (!*posed) report.missing.push_back(index + 1);
     report.frames_written += *posed ? 1 : 0;
-    auto appended = cache.append(model.objects.front().positions);
+    auto appended = cache.append(model);
     if (!appended) return appended;
     progress.update(report.frames_written + static_cast<int>(report.missing.size()));
   }
@@ -63,13 +63,12 @@ Result<ConversionReport> write_cached_animation(const ConversionRequest& request
   if (auto posed = pose_at_start(reader, frames, model); !posed)
     return tl::unexpected(posed.error());
   const Model base = model;
-  const auto points = static_cast<int>(model.objects.front().positions.cols());
-  auto cache = PointCacheWriter::create(request.output, points, static_cast<int>(frames.size()));
+  const auto cache = new_pc2_writer(request.output, model, static_cast<int>(frames.size()));
   if (!cache) return tl::unexpected(cache.error());
   ConversionReport report;
   report.first_file = report.last_file = request.output;
-  return append_frames(reader, frames, model, *cache, request, report)
-      .and_then([&] { return cache->finish(); })
+  return append_frames(reader, frames, model, **cache, request, report)
+      .and_then([&] { return (*cache)->finish(); })
       .and_then([&] { return write_base(base, request.output); })
       .map([&] {
         report.bytes_written = std::filesystem::file_size(request.output);

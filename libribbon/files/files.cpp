@@ -1,6 +1,5 @@
 #include "files/files.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -8,6 +7,7 @@
 #include <system_error>
 
 #include "files/descriptor.h"
+#include "files/pending_file.h"
 
 namespace ribbon {
 
@@ -26,24 +26,9 @@ Result<std::string> read_file(const std::filesystem::path& path) {
 }
 
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
-  if (auto created = create_folder_of(path); !created) return created;
-  const std::filesystem::path temporary = path.string() + ".part" + std::to_string(::getpid());
-  FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (!file.is_open())
-    return failure(path.string(), "cannot be written (" + last_error_text() + ")",
-                   "choose a folder that you may write to");
-  // Forced to the disk before the rename: a power cut must not leave an empty file under the name.
-  const bool written = write_all(file, bytes) && ::fsync(file.number()) == 0;
-  std::string problem = written ? "" : last_error_text();
-  if (!file.close() && problem.empty()) problem = last_error_text();
-  if (problem.empty() && ::rename(temporary.c_str(), path.c_str()) != 0)
-    problem = last_error_text();
-  if (!problem.empty()) {
-    ::unlink(temporary.c_str());
-    return failure(path.string(), "cannot be written (" + problem + ")",
-                   "free some space or choose another place");
-  }
-  return {};
+  auto file = PendingFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  return file->append(bytes).and_then([&] { return file->finish(); });
 }
 
 Result<void> replace_file(const std::filesystem::path& path,

@@ -12,7 +12,7 @@
 #include "converter/export/fbx_export.h"
 #include "converter/export/fbx_records.h"
 #include "converter/export/obj_text.h"
-#include "converter/export/point_cache.h"
+#include "converter/export/pc2_writer.h"
 #include "converter/sample_knot.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"
@@ -108,10 +108,13 @@ void write_spoiled_cache(const Folder& file, const ribbon::SampleKnot& knot,
                          const std::function<void(std::vector<Eigen::Matrix3Xd>&)>& spoil) {
   std::vector<Eigen::Matrix3Xd> frames = knot.frames;
   spoil(frames);
-  auto cache = demanded(ribbon::PointCacheWriter::create(file, knot.header.grid.particle_count(),
-                                                         static_cast<int>(frames.size())));
-  for (const auto& frame : frames) demanded(cache.append(frame.cast<float>()));
-  demanded(cache.finish());
+  Model model = model_of(knot, frames.front());
+  const auto cache = demanded(ribbon::new_pc2_writer(file, model, static_cast<int>(frames.size())));
+  for (const auto& frame : frames) {
+    model.objects.front().positions = frame.cast<float>();
+    demanded(cache->append(model));
+  }
+  demanded(cache->finish());
 }
 
 void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {

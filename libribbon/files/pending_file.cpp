@@ -1,0 +1,69 @@
+#include "files/pending_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+#include <utility>
+
+namespace ribbon {
+
+Result<PendingFile> PendingFile::create(const std::filesystem::path& path) {
+  if (auto created = create_folder_of(path); !created) return tl::unexpected(created.error());
+  std::filesystem::path temporary = path.string() + ".part" + std::to_string(::getpid());
+  FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (!file.is_open())
+    return failure(path.string(), "cannot be written (" + last_error_text() + ")",
+                   "choose a folder that you may write to");
+  return PendingFile(path, std::move(temporary), std::move(file));
+}
+
+PendingFile::PendingFile(std::filesystem::path path, std::filesystem::path temporary,
+                         FileDescriptor file)
+    : path_(std::move(path)), temporary_(std::move(temporary)), file_(std::move(file)) {}
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      file_(std::move(other.file_)),
+      size_(other.size_) {}
+
+PendingFile::~PendingFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+Result<void> PendingFile::append(std::string_view bytes) {
+  if (!write_all(file_, bytes)) return unwritable(last_error_text());
+  size_ += bytes.size();
+  return {};
+}
+
+Result<void> PendingFile::overwrite(std::uint64_t offset, std::string_view bytes) {
+  assert(offset + bytes.size() <= size_);
+  while (!bytes.empty()) {
+    const ssize_t written =
+        ::pwrite(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return unwritable(last_error_text());
+    offset += static_cast<std::uint64_t>(written);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+Result<void> PendingFile::finish() {
+  // Forced to the disk before the rename: a power cut must not leave an empty file under the name.
+  if (::fsync(file_.number()) != 0) return unwritable(last_error_text());
+  if (!file_.close()) return unwritable(last_error_text());
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) return unwritable(last_error_text());
+  temporary_.clear();
+  return {};
+}
+
+tl::unexpected<Error> PendingFile::unwritable(const std::string& problem) const {
+  return failure(path_.string(), "cannot be written (" + problem + ")",
+                 "free some space or choose another place");
+}
+
+}  // namespace ribbon

@@ -1,0 +1,45 @@
+// A file written piece by piece, for what is too long to be held in memory.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+#include "files/descriptor.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+// Stands beside its final name under a temporary one until finish() renames it. Destroyed earlier,
+// it leaves nothing behind, and an older file under the name is untouched. Errors name the file
+// as the user did.
+class PendingFile {
+ public:
+  // Creates missing parent folders.
+  static Result<PendingFile> create(const std::filesystem::path& path);
+
+  PendingFile(PendingFile&&) noexcept;
+  PendingFile& operator=(PendingFile&&) = delete;
+  ~PendingFile();
+
+  // Unbuffered: pieces of some kilobytes and more are fast.
+  Result<void> append(std::string_view bytes);
+  // Replaces bytes that were appended before: what is known only later, as a length in a header.
+  // offset: in bytes from the beginning; all of `bytes` must fall on what is there.
+  Result<void> overwrite(std::uint64_t offset, std::string_view bytes);
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  // Forces everything to the disk and renames. Nothing may be written afterwards.
+  Result<void> finish();
+
+ private:
+  PendingFile(std::filesystem::path path, std::filesystem::path temporary, FileDescriptor file);
+  [[nodiscard]] tl::unexpected<Error> unwritable(const std::string& problem) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;  // empty: renamed, or moved from
+  FileDescriptor file_;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,49 @@
+#include "files/pending_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "files/files.h"
+#include "files/temporary_folder.h"
+#include "result/refusal.h"
+
+namespace ribbon::pending_file_test {
+
+TEST(PendingFile, pieces_and_corrections_make_the_file) {
+  const auto path = temporary_file("pending") / "pieces.bin";
+  auto file = PendingFile::create(path).value();
+  ASSERT_TRUE(file.append("length ????, "));
+  ASSERT_TRUE(file.append("then the rest"));
+  ASSERT_TRUE(file.overwrite(7, "0013"));
+  EXPECT_EQ(file.size(), 26U);
+  EXPECT_FALSE(std::filesystem::exists(path)) << "appears only when it is complete";
+  ASSERT_TRUE(file.finish());
+  EXPECT_EQ(read_file(path).value(), "length 0013, then the rest");
+}
+
+TEST(PendingFile, what_is_not_finished_leaves_nothing_behind) {
+  const auto path = temporary_file("given up") / "never.bin";
+  {
+    auto file = PendingFile::create(path).value();
+    const PendingFile moved = std::move(file);
+    EXPECT_FALSE(std::filesystem::is_empty(path.parent_path()));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(path.parent_path()));
+}
+
+TEST(PendingFile, an_older_file_stays_until_the_new_one_is_complete) {
+  const auto path = temporary_file("replaced") / "file.bin";
+  ASSERT_TRUE(write_file(path, "older"));
+  {
+    auto file = PendingFile::create(path).value();
+    ASSERT_TRUE(file.append("newer"));
+  }
+  EXPECT_EQ(read_file(path).value(), "older");
+}
+
+TEST(PendingFile, an_unwritable_place_is_named) {
+  EXPECT_THAT(refusal_of(PendingFile::create("/dev/null/a.bin")), HasSubstr("/dev/null"));
+}
+
+}  // namespace ribbon::pending_file_test
