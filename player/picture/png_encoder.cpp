@@ -5,6 +5,8 @@
 #include <cassert>
 #include <stdexcept>
 
+#include "files/files.h"
+
 namespace ribbon {
 
 namespace {
@@ -57,6 +59,10 @@ std::string png_bytes(const Picture& picture) {
   std::string bytes;
   PngWriter(bytes).write(picture);
   return bytes;
+}
+
+Result<void> write_png(const std::filesystem::path& path, const Picture& picture) {
+  return write_file(path, png_bytes(picture));
 }
 
 }  // namespace ribbon

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "player/picture/picture.h"
-#include "player/render/camera.h"
 #include "player/render/surface.h"
+#include "player/view/camera.h"
 
 namespace ribbon {
 

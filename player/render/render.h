@@ -2,10 +2,10 @@
 #pragma once
 
 #include "player/picture/picture.h"
-#include "player/render/camera.h"
 #include "player/render/lighting.h"
 #include "player/render/render_scene.h"
 #include "player/render/sampling.h"
+#include "player/view/camera.h"
 
 namespace ribbon {
 

@@ -5,9 +5,9 @@
 
 #include "playback/recording_reader.h"
 #include "player/picture/picture.h"
-#include "player/render/framing.h"
 #include "player/render/render_scene.h"
 #include "player/render/sampling.h"
+#include "player/view/framing.h"
 
 namespace ribbon {
 

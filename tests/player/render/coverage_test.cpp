@@ -4,7 +4,7 @@
 
 #include "geometry/solids.h"
 #include "player/quads.h"
-#include "player/render/framing.h"
+#include "player/view/framing.h"
 
 namespace ribbon::coverage_test {
 

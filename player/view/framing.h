@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "player/picture/picture.h"
-#include "player/render/camera.h"
+#include "player/view/camera.h"
 
 namespace ribbon {
 

@@ -1,4 +1,4 @@
-#include "player/render/framing.h"
+#include "player/view/framing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,41 @@
+#include "player/follow_recording.h"
+
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "commandline/interrupt.h"
+#include "player/report/follow.h"
+#include "player/report/info.h"
+#include "player/write_pictures.h"
+#include "text/number_text.h"
+
+namespace ribbon {
+
+Result<ExitCode> follow_recording(RecordingReader& reader, const Options& options) {
+  std::optional<LivePictures> pictures;
+  if (!options.pictures.empty()) {
+    auto pattern = FramePattern::parse(options.pictures);
+    if (!pattern) return tl::unexpected(pattern.error());
+    pictures.emplace(reader, options, std::move(*pattern));
+  }
+  const Interrupt interrupt;
+  const auto tell_frame = [&](int index) -> Result<void> {
+    if (pictures)
+      if (auto shown = pictures->show(index); !shown) return shown;
+    if (options.quiet) return {};
+    std::printf("%s\n", frame_line(index, reader.numbers(index).value_or(FrameNumbers{})).c_str());
+    std::fflush(stdout);
+    return {};
+  };
+  auto followed = follow(reader, {tell_frame, [&] { return interrupt.requested(); }});
+  if (!followed) return tl::unexpected(followed.error());
+  const RecordingInfo info = recording_info(options.recording, reader);
+  if (options.info) std::fputs(info_text(info).c_str(), stdout);
+  if (!info.missing.empty())
+    std::fprintf(stderr, "ribbon-play: %s: lost to damage: frames %s\n", info.file.c_str(),
+                 number_list(info.missing).c_str());
+  return info.missing.empty() && info.damage.empty() ? ExitCode::done : ExitCode::answer_is_no;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,40 @@
+#include "player/write_sheet.h"
+
+#include <utility>
+
+#include "player/picture/contact_sheet.h"
+#include "player/picture/png_encoder.h"
+#include "player/render/sequence_renderer.h"
+#include "text/number_text.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr int sheet_columns = 5;
+
+}  // namespace
+
+Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& info,
+                                const std::vector<int>& frames, const Options& options) {
+  const auto cameras =
+      frame_cameras(reader, {{three_quarter_view, sheet_cell}, {top_view, sheet_cell}});
+  SequenceRenderer renderer(reader, options.samples);
+  std::vector<SheetColumn> columns;
+  for (const int index : spread_frames(frames, sheet_columns)) {
+    if (auto shown = renderer.show(index); !shown) return tl::unexpected(shown.error());
+    SheetColumn column{index + 1, reader.numbers(index).value_or(FrameNumbers{}), {}};
+    for (const Camera& camera : cameras)
+      column.views.push_back(renderer.picture(camera, sheet_cell));
+    columns.push_back(std::move(column));
+  }
+  const RecordingHeader& header = reader.header();
+  std::string ribbon = filled_in("{} × {} particles, {} frames recorded", header.grid.across,
+                                 header.grid.along, reader.frame_count());
+  if (info.outcome) ribbon += " · " + outcome_text(*info.outcome);
+  return write_png(options.sheet, contact_sheet(header.scene_name, ribbon, columns)).map([&] {
+    return "contact sheet: " + options.sheet.string();
+  });
+}
+
+}  // namespace ribbon
