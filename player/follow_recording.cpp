@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <optional>
-#include <utility>
 
 #include "commandline/interrupt.h"
 #include "player/report/follow.h"
@@ -15,9 +14,8 @@ namespace ribbon {
 Result<ExitCode> follow_recording(RecordingReader& reader, const Options& options) {
   std::optional<LivePictures> pictures;
   if (!options.pictures.empty()) {
-    auto pattern = FramePattern::parse(options.pictures);
-    if (!pattern) return tl::unexpected(pattern.error());
-    pictures.emplace(reader, options, std::move(*pattern));
+    pictures.emplace(reader, options);
+    if (auto begun = pictures->begin(); !begun) return tl::unexpected(begun.error());
   }
   const Interrupt interrupt;
   const auto tell_frame = [&](int index) -> Result<void> {

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <vector>
 
-#include "commandline/frame_pattern.h"
 #include "commandline/frame_range.h"
 #include "commandline/interrupt.h"
 #include "commandline/progress.h"
@@ -48,14 +47,12 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
   const auto frames = parse_frame_range(options.frames, info.frame_count());
   if (!frames) return tl::unexpected(frames.error());
   if (frames->empty()) return failure(info.file.string(), "holds no frames", "record some first");
-  const auto pattern = FramePattern::parse(options.pictures, static_cast<int>(frames->size()));
-  if (!options.pictures.empty() && !pattern) return tl::unexpected(pattern.error());
   const std::vector<int> readable = readable_frames(info, *frames);
   const ExitCode answer =
       readable.size() == frames->size() ? ExitCode::done : ExitCode::answer_is_no;
   if (readable.empty()) return answer;
   if (!options.pictures.empty()) {
-    const auto done = write_pictures(reader, readable, *pattern, options);
+    const auto done = write_pictures(reader, readable, options);
     if (!done) return tl::unexpected(done.error());
     tell(options, *done);
   }

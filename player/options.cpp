@@ -17,6 +17,8 @@ constexpr const char* examples = R"(Examples:
       renders every frame into frames/0001.png, frames/0002.png, ...
   ribbon-play knot.rbn -o last.png --frames -1 --size 1920x1080 --samples 64
       renders the last frame, large and smooth
+  ribbon-play knot.rbn -o '{view}/{frame:04}.png' --view front --view knot
+      the same frames from two cameras, the second framed on the knot and following it
   ribbon-play knot.rbn --sheet sheet.png --frames 1:-1:50
       puts frames on one sheet, seen from two sides, with their numbers
   ribbon-play knot.rbn --info
@@ -47,20 +49,42 @@ Result<PictureSize> parse_size(const std::string& text) {
   return size;
 }
 
-void add_options(Arguments& arguments, Options& options, std::string& size) {
+// What is read as text and understood afterwards.
+struct Texts {
+  std::string size = "1280x720";
+  std::vector<std::string> views;
+};
+
+void add_view_options(Arguments& arguments, Options& options, Texts& texts, Argument sheet) {
+  arguments.add("--view", texts.views, "VIEW",
+                "front, top, three-quarter (default), knot, or settings as in "
+                "azimuth=30,elevation=20,distance=2,lens=60,subject=knot; may be repeated");
+  arguments
+      .add("--turns", options.turns, {-1000, 1000}, "N",
+           "turn the camera N times round the scene while the pictures are taken")
+      .excludes(sheet);
+  arguments
+      .add("--camera-path", options.camera_path, "FILE",
+           "keyframes: a table with the columns time and any of azimuth, elevation, distance, "
+           "lens, x, y, z")
+      .excludes(sheet);
+}
+
+void add_options(Arguments& arguments, Options& options, Texts& texts) {
   arguments.add("RECORDING", options.recording, "FILE", "the recording (.rbn)").required();
   const auto pictures = arguments.add(
       "-o,--output", options.pictures, "PATTERN",
       "PNG files to write, with {frame} or {frame:04} for the number; one frame needs none");
   const auto frames = arguments.add("--frames", options.frames, "A:B:STEP",
                                     "frames A to B, every STEP-th; -1 is the last (default: all)");
-  arguments.add("--size", size, "WxH", "size of the pictures in pixels").with_default_shown();
+  arguments.add("--size", texts.size, "WxH", "size of the pictures in pixels").with_default_shown();
   arguments
       .add("--samples", options.samples, {1, 4096}, "N",
            "samples per pixel: more is smoother and slower")
       .with_default_shown();
   const auto sheet = arguments.add("--sheet", options.sheet, "FILE",
                                    "contact sheet to write: several frames, two cameras, captions");
+  add_view_options(arguments, options, texts, sheet);
   const auto info = arguments.flag("--info", options.info, "tell what the recording holds");
   const auto verify =
       arguments
@@ -92,17 +116,20 @@ void add_options(Arguments& arguments, Options& options, std::string& size) {
 
 Result<std::optional<Options>> parse_options(int argc, const char* const* argv) {
   Options options;
-  std::string size = "1280x720";
+  Texts texts;
   Arguments arguments("ribbon-play",
                       "Renders a recorded ribbon into pictures, tells what it holds, verifies it.",
                       RIBBON_VERSION, examples);
-  add_options(arguments, options, size);
+  add_options(arguments, options, texts);
   const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
-  const auto parsed = parse_size(size);
-  if (!parsed) return tl::unexpected(parsed.error());
-  options.size = *parsed;
+  const auto size = parse_size(texts.size);
+  if (!size) return tl::unexpected(size.error());
+  options.size = *size;
+  auto views = parse_views(texts.views);
+  if (!views) return tl::unexpected(views.error());
+  options.views = std::move(*views);
   return options;
 }
 

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "player/picture/picture.h"
+#include "player/view/view.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -16,8 +18,11 @@ struct Options {
   std::filesystem::path sheet;  // file of the contact sheet; empty: none
   std::string frames;           // as parse_frame_range reads it; empty: all
   PictureSize size;
-  int samples = 16;  // per pixel
-  int threads = 0;   // 0: all cores
+  std::vector<NamedView> views;       // empty: the three-quarter view
+  double turns = 0;                   // of the cameras round the scene
+  std::filesystem::path camera_path;  // keyframes; empty: none
+  int samples = 16;                   // per pixel
+  int threads = 0;                    // 0: all cores
   bool info = false;
   bool follow = false;
   bool verify = false;

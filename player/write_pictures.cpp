@@ -6,44 +6,72 @@
 #include "commandline/interrupt.h"
 #include "commandline/progress.h"
 #include "player/picture/png_encoder.h"
+#include "player/shots.h"
 #include "text/number_text.h"
 
 namespace ribbon {
 
+namespace {
+
+constexpr int any_number = 2;  // of frames: all but a single one need a place for it
+
+}  // namespace
+
 Result<std::string> write_pictures(RecordingReader& reader, const std::vector<int>& frames,
-                                   const FramePattern& pattern, const Options& options) {
-  const auto cameras = frame_cameras(reader, {{three_quarter_view, options.size}});
+                                   const Options& options) {
+  const auto patterns = patterns_of(options, static_cast<int>(frames.size()));
+  if (!patterns) return tl::unexpected(patterns.error());
+  const auto shots = shots_of(options);
+  if (!shots) return tl::unexpected(shots.error());
+  const CameraWork cameras(reader, *shots);
   SequenceRenderer renderer(reader, options.samples);
-  ProgressLine progress("picture", static_cast<int>(frames.size()), options.quiet);
+  const auto pictures = static_cast<int>(frames.size() * shots->size());
+  ProgressLine progress("picture", pictures, options.quiet);
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
   int done = 0;
-  for (const int index : frames) {
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const int index = frames[f];
     if (interrupt.requested())
       return failure("", filled_in("interrupted before frame {}", index + 1),
                      "run it again with --frames to go on");
     if (auto shown = renderer.show(index); !shown) return tl::unexpected(shown.error());
-    const Picture picture = renderer.picture(cameras.front(), options.size);
-    if (auto written = write_png(pattern.file(index + 1), picture); !written)
-      return tl::unexpected(written.error());
-    progress.update(++done);
+    const Moment moment{index, static_cast<double>(f) / static_cast<double>(frames.size())};
+    for (std::size_t shot = 0; shot < shots->size(); ++shot) {
+      const Picture picture = renderer.picture(cameras.camera(shot, moment), options.size);
+      if (auto written = write_png((*patterns)[shot].file(index + 1), picture); !written)
+        return tl::unexpected(written.error());
+      progress.update(++done);
+    }
   }
   progress.clear();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   return filled_in("{} {}, {:.2f} s each, last: {}", done, done == 1 ? "picture" : "pictures",
-                   elapsed.count() / done, pattern.file(frames.back() + 1).string());
+                   elapsed.count() / done, patterns->back().file(frames.back() + 1).string());
 }
 
-LivePictures::LivePictures(RecordingReader& reader, const Options& options, FramePattern pattern)
-    : reader_(reader),
-      options_(options),
-      pattern_(std::move(pattern)),
-      renderer_(reader, options.samples) {}
+LivePictures::LivePictures(RecordingReader& reader, const Options& options)
+    : reader_(reader), options_(options), renderer_(reader, options.samples) {}
+
+Result<void> LivePictures::begin() {
+  auto patterns = patterns_of(options_, any_number);
+  if (!patterns) return tl::unexpected(patterns.error());
+  patterns_ = std::move(*patterns);
+  auto shots = shots_of(options_);
+  if (!shots) return tl::unexpected(shots.error());
+  shots_ = std::move(*shots);
+  return {};
+}
 
 Result<void> LivePictures::show(int index) {
-  if (cameras_.empty()) cameras_ = frame_cameras(reader_, {{three_quarter_view, options_.size}});
+  if (!cameras_) cameras_.emplace(reader_, shots_);
   if (auto shown = renderer_.show(index); !shown) return shown;
-  return write_png(pattern_.file(index + 1), renderer_.picture(cameras_.front(), options_.size));
+  for (std::size_t shot = 0; shot < shots_.size(); ++shot) {
+    const Picture picture = renderer_.picture(cameras_->camera(shot, {index, 0}), options_.size);
+    if (auto written = write_png(patterns_[shot].file(index + 1), picture); !written)
+      return written;
+  }
+  return {};
 }
 
 }  // namespace ribbon

@@ -1,6 +1,7 @@
 // Frames of a recording become picture files.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 #include "playback/recording_reader.h"
 #include "player/options.h"
 #include "player/render/sequence_renderer.h"
-#include "player/view/camera.h"
+#include "player/view/camera_work.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -17,23 +18,26 @@ namespace ribbon {
 // about it. Fails when a file cannot be written or the user interrupts; what is written is
 // complete.
 Result<std::string> write_pictures(RecordingReader& reader, const std::vector<int>& frames,
-                                   const FramePattern& pattern, const Options& options);
+                                   const Options& options);
 
-// Renders frames as they come, all with the camera that the first look finds.
+// Renders frames as they come; cameras stand where the frames of the first look put them.
 class LivePictures {
  public:
   // Keeps references to `reader` and `options`.
-  LivePictures(RecordingReader& reader, const Options& options, FramePattern pattern);
+  LivePictures(RecordingReader& reader, const Options& options);
 
+  // Comes before all else. Fails when names or cameras make no sense.
+  Result<void> begin();
   // Renders and writes frame `index`.
   Result<void> show(int index);
 
  private:
   RecordingReader& reader_;
   const Options& options_;
-  FramePattern pattern_;
+  std::vector<FramePattern> patterns_;  // of each shot
+  std::vector<Shot> shots_;
   SequenceRenderer renderer_;
-  std::vector<Camera> cameras_;  // one, once there is a frame
+  std::optional<CameraWork> cameras_;  // once there is a frame
 };
 
 }  // namespace ribbon

@@ -5,6 +5,7 @@
 #include "player/picture/contact_sheet.h"
 #include "player/picture/png_encoder.h"
 #include "player/render/sequence_renderer.h"
+#include "player/view/camera_work.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -17,15 +18,15 @@ constexpr int sheet_columns = 5;
 
 Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& info,
                                 const std::vector<int>& frames, const Options& options) {
-  const auto cameras =
-      frame_cameras(reader, {{three_quarter_view, sheet_cell}, {top_view, sheet_cell}});
+  const std::vector<Shot> shots{{three_quarter_view, sheet_cell}, {knot_view, sheet_cell}};
+  const CameraWork cameras(reader, shots);
   SequenceRenderer renderer(reader, options.samples);
   std::vector<SheetColumn> columns;
   for (const int index : spread_frames(frames, sheet_columns)) {
     if (auto shown = renderer.show(index); !shown) return tl::unexpected(shown.error());
     SheetColumn column{index + 1, reader.numbers(index).value_or(FrameNumbers{}), {}};
-    for (const Camera& camera : cameras)
-      column.views.push_back(renderer.picture(camera, sheet_cell));
+    for (std::size_t shot = 0; shot < shots.size(); ++shot)
+      column.views.push_back(renderer.picture(cameras.camera(shot, {index}), sheet_cell));
     columns.push_back(std::move(column));
   }
   const RecordingHeader& header = reader.header();

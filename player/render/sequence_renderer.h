@@ -1,25 +1,13 @@
-// Renders a recording: one camera for all of it, one picture per frame.
+// Renders the frames of a recording.
 #pragma once
-
-#include <vector>
 
 #include "playback/recording_reader.h"
 #include "player/picture/picture.h"
 #include "player/render/render_scene.h"
 #include "player/render/sampling.h"
-#include "player/view/framing.h"
+#include "player/view/camera.h"
 
 namespace ribbon {
-
-struct Shot {
-  View view;
-  PictureSize size;
-};
-
-// One camera per shot, each so near that it just holds the obstacle and the ribbon of every
-// frame that can be read, so that a frame looks the same whichever others are rendered. At least
-// one frame must be readable.
-std::vector<Camera> frame_cameras(RecordingReader& reader, const std::vector<Shot>& shots);
 
 class SequenceRenderer {
  public:

@@ -1,41 +1,18 @@
 #include "player/view/framing.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "player/view/orbit.h"
 
 namespace ribbon {
 
-namespace {
-
-// A long lens: perspective is felt, but what comes near does not swell.
-constexpr float half_view = 0.2F;     // tangent of half the angle of view, along the shorter side
-constexpr float free_margin = 0.04F;  // of the picture, kept free on each side
-
-Eigen::Matrix3f world_from_camera(const View& view) {
-  const float to_radians = std::numbers::pi_v<float> / 180.0F;
-  const float azimuth = view.azimuth_deg * to_radians;
-  const float elevation = view.elevation_deg * to_radians;
-  const Eigen::Vector3f right(std::cos(azimuth), 0, -std::sin(azimuth));
-  const Eigen::Vector3f backward(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                                 std::cos(azimuth) * std::cos(elevation));
-  Eigen::Matrix3f axes;
-  axes << right, backward.cross(right), backward;
-  return axes;
-}
-
-}  // namespace
-
 Framing::Framing(const View& view, PictureSize size)
-    : reach_(Eigen::Vector4f::Constant(-std::numeric_limits<float>::infinity())),
+    : camera_(camera_towards(view, size)),
+      reach_(Eigen::Vector4f::Constant(-std::numeric_limits<float>::infinity())),
       nearest_(-std::numeric_limits<float>::infinity()) {
-  const auto shorter = static_cast<float>(std::min(size.width, size.height));
-  camera_.half_width = half_view * static_cast<float>(size.width) / shorter;
-  camera_.half_height = half_view * static_cast<float>(size.height) / shorter;
-  camera_.world_from_camera = world_from_camera(view);
   const float wide = camera_.half_width * (1 - 2 * free_margin);
   const float high = camera_.half_height * (1 - 2 * free_margin);
   Eigen::Matrix<float, 4, 3> in_camera;
@@ -65,6 +42,12 @@ Camera Framing::camera() const {
   Camera camera = camera_;
   camera.eye = camera.world_from_camera * eye;
   return camera;
+}
+
+float Framing::distance_from(const Eigen::Vector3f& target) const {
+  assert(std::isfinite(nearest_));
+  const Eigen::Vector3f backward = camera_.world_from_camera.col(2);
+  return ((reach_ - side_ * target).array() / (side_ * backward).array()).maxCoeff();
 }
 
 }  // namespace ribbon

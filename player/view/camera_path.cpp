@@ -1,0 +1,156 @@
+#include "player/view/camera_path.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <sstream>
+#include <string_view>
+
+#include "files/files.h"
+#include "text/number_text.h"
+
+namespace ribbon {
+
+namespace {
+
+struct Column {
+  std::string_view name;
+  double least;
+  double most;
+};
+
+// In the order of CameraPath::Values.
+constexpr std::array<Column, 7> columns{{{"azimuth", -36000, 36000},
+                                         {"elevation", -90, 90},
+                                         {"distance", 1e-3, 1e4},
+                                         {"lens", 8, 1200},
+                                         {"x", -1e4, 1e4},
+                                         {"y", -1e4, 1e4},
+                                         {"z", -1e4, 1e4}}};
+constexpr int time_column = -1;
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    std::string_view field = line.substr(0, comma);
+    while (!field.empty() && (field.front() == ' ' || field.front() == '\t'))
+      field.remove_prefix(1);
+    while (!field.empty() && (field.back() == ' ' || field.back() == '\r')) field.remove_suffix(1);
+    fields.push_back(field);
+    if (comma == std::string_view::npos) return fields;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+// Which value each field is, or time_column.
+Result<std::vector<int>> read_heading(std::string_view line, const std::string& place) {
+  std::vector<int> order;
+  for (const std::string_view field : fields_of(line)) {
+    const auto* found = std::find_if(columns.begin(), columns.end(),
+                                     [&](const Column& column) { return column.name == field; });
+    if (found == columns.end() && field != "time")
+      return failure(place, filled_in("there is no column '{}'", field),
+                     "name columns as in time,azimuth,elevation,distance,lens,x,y,z");
+    const int column = field == "time" ? time_column : static_cast<int>(found - columns.begin());
+    if (std::find(order.begin(), order.end(), column) != order.end())
+      return failure(place, filled_in("column '{}' stands there twice", field), "keep one");
+    order.push_back(column);
+  }
+  const auto has = [&](int column) {
+    return std::find(order.begin(), order.end(), column) != order.end();
+  };
+  if (!has(time_column)) return failure(place, "there is no column 'time'", "add it, in seconds");
+  if (has(4) != has(5) || has(5) != has(6))
+    return failure(place, "the point looked at needs x, y and z", "add what is missing");
+  return order;
+}
+
+Result<double> read_field(std::string_view field, double least, double most,
+                          const std::string& place) {
+  double number = 0;
+  const char* end = field.data() + field.size();
+  const auto [stop, problem] = std::from_chars(field.data(), end, number);
+  if (problem != std::errc() || stop != end || !(number >= least && number <= most))
+    return failure(place,
+                   filled_in("'{}' is not a number from {:.4g} to {:.4g}", field, least, most),
+                   "correct it");
+  return number;
+}
+
+}  // namespace
+
+Result<CameraPath> CameraPath::parse(const std::string& text, const std::string& name,
+                                     const View& start) {
+  std::istringstream stream(text);
+  std::string line;
+  std::getline(stream, line);
+  const auto order = read_heading(line, name + ":1");
+  if (!order) return tl::unexpected(order.error());
+  CameraPath path(start, std::find(order->begin(), order->end(), 4) != order->end());
+  for (int number = 2; std::getline(stream, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const std::string place = filled_in("{}:{}", name, number);
+    const auto fields = fields_of(line);
+    if (fields.size() != order->size())
+      return failure(place,
+                     filled_in("has {} fields, the first line {}", fields.size(), order->size()),
+                     "write one for each column");
+    Values values;
+    values << start.azimuth_deg, start.elevation_deg, start.distance_m, start.lens_mm, 0, 0, 0;
+    double time_s = 0;
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      const int column = (*order)[f];
+      const auto read = column == time_column ? read_field(fields[f], -1e6, 1e6, place)
+                                              : read_field(fields[f], columns[column].least,
+                                                           columns[column].most, place);
+      if (!read) return tl::unexpected(read.error());
+      (column == time_column ? time_s : values[column]) = *read;
+    }
+    if (!path.times_s_.empty() && time_s <= path.times_s_.back())
+      return failure(place, "is not later than the line before", "sort the lines by time");
+    path.times_s_.push_back(time_s);
+    path.values_.push_back(values);
+  }
+  if (path.times_s_.empty())
+    return failure(name, "holds no keyframe", "write one line of numbers at least");
+  return path;
+}
+
+Result<CameraPath> CameraPath::read(const std::filesystem::path& file, const View& start) {
+  return read_file(file).and_then(
+      [&](const std::string& text) { return parse(text, file.string(), start); });
+}
+
+// Change per second, from the neighbours; at the ends the camera starts and stops smoothly.
+CameraPath::Values CameraPath::tangent(std::size_t key) const {
+  if (key == 0 || key + 1 == times_s_.size()) return Values::Zero();
+  return (values_[key + 1] - values_[key - 1]) / (times_s_[key + 1] - times_s_[key - 1]);
+}
+
+CameraPose CameraPath::at(double time_s) const {
+  const auto later = std::upper_bound(times_s_.begin(), times_s_.end(), time_s);
+  Values values;
+  if (later == times_s_.begin()) {
+    values = values_.front();
+  } else if (later == times_s_.end()) {
+    values = values_.back();
+  } else {
+    const auto next = static_cast<std::size_t>(later - times_s_.begin());
+    const double span_s = times_s_[next] - times_s_[next - 1];
+    const double t = (time_s - times_s_[next - 1]) / span_s;
+    const double u = 1 - t;
+    values = (1 + 2 * t) * u * u * values_[next - 1] + t * t * (3 - 2 * t) * values_[next] +
+             span_s * t * u * (u * tangent(next - 1) - t * tangent(next));
+    values[1] = std::clamp(values[1], -90.0, 90.0);
+  }
+  CameraPose pose{start_, std::nullopt};
+  pose.view.azimuth_deg = static_cast<float>(values[0]);
+  pose.view.elevation_deg = static_cast<float>(values[1]);
+  pose.view.distance_m = static_cast<float>(std::max(values[2], 0.0));
+  pose.view.lens_mm = static_cast<float>(std::max(values[3], columns[3].least));
+  if (has_target_) pose.target = values.tail<3>().cast<float>().matrix();
+  return pose;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,120 @@
+#include "player/view/camera_work.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "player/view/framing.h"
+#include "player/view/orbit.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr int degrees_between = 15;  // the directions from which a moving camera is tried
+// By so much further out may be what it sees in between.
+constexpr float between_factor = 1.01F;
+
+bool looks_at_knot(const Shot& shot) {
+  return shot.view.subject == Subject::knot;
+}
+
+bool is_still(const Shot& shot) {
+  return shot.turns == 0 && !shot.path && shot.view.distance_m == 0 && !looks_at_knot(shot);
+}
+
+// The directions from which a shot may look at everything, closely enough to find the distance from
+// which everything fits.
+std::vector<Framing> framings_of(const Shot& shot) {
+  std::vector<Framing> framings{Framing(shot.view, shot.size)};
+  if (is_still(shot) || looks_at_knot(shot)) return framings;
+  View view = shot.view;
+  for (int down = -90; down <= 90; down += degrees_between) {
+    if (shot.path) view.elevation_deg = static_cast<float>(down);
+    for (int round = 0; round < 360; round += degrees_between) {
+      view.azimuth_deg = static_cast<float>(round);
+      framings.emplace_back(view, shot.size);
+    }
+    if (!shot.path) break;
+  }
+  return framings;
+}
+
+struct Extent {
+  Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Vector3f high = -low;
+
+  void include(const Eigen::Matrix3Xf& points) {
+    if (points.cols() == 0) return;
+    low = low.cwiseMin(points.rowwise().minCoeff());
+    high = high.cwiseMax(points.rowwise().maxCoeff());
+  }
+  [[nodiscard]] Sphere sphere() const { return {(low + high) / 2, (high - low).norm() / 2}; }
+};
+
+}  // namespace
+
+CameraWork::CameraWork(RecordingReader& reader, std::vector<Shot> shots)
+    : shots_(std::move(shots)), frames_per_second_(reader.header().frames_per_second) {
+  const RecordingHeader& header = reader.header();
+  const bool watches = std::any_of(shots_.begin(), shots_.end(), looks_at_knot);
+  std::vector<std::vector<Framing>> framings;
+  for (const Shot& shot : shots_) framings.push_back(framings_of(shot));
+  Extent extent;
+  const auto include = [&](const Eigen::Matrix3Xf& points) {
+    extent.include(points);
+    for (auto& directions : framings)
+      for (Framing& framing : directions) framing.include(points);
+  };
+  if (header.obstacle) include(header.obstacle->vertices);
+  std::vector<std::optional<Sphere>> knots;
+  std::vector<double> times_s;
+  Eigen::Matrix3Xf positions;
+  for (int index = 0; index < reader.frame_count(); ++index) {
+    times_s.push_back(index / frames_per_second_);
+    knots.emplace_back();
+    if (!reader.readable(index) || !reader.read(index, positions)) continue;
+    include(positions);
+    if (watches)
+      knots.back() = knot_sphere(header.grid, static_cast<float>(header.ribbon_width_m),
+                                 static_cast<float>(header.ribbon_length_m), positions);
+  }
+  everything_ = extent.sphere();
+  for (const auto& directions : framings) {
+    still_.push_back(directions.front().camera());
+    float distance_m = 0;
+    for (const Framing& framing : directions)
+      distance_m = std::max(distance_m, framing.distance_from(everything_.center));
+    distances_.push_back(distance_m * between_factor);
+  }
+  const bool knotted = std::any_of(knots.begin(), knots.end(),
+                                   [](const auto& sphere) { return sphere.has_value(); });
+  if (knotted) knots_ = followed(times_s, knots);
+}
+
+Sphere CameraWork::subject(Subject subject, int frame) const {
+  if (subject == Subject::everything || knots_.empty()) return everything_;
+  // A growing recording has frames that were not there when it was read.
+  return knots_[std::min(static_cast<std::size_t>(frame), knots_.size() - 1)];
+}
+
+CameraPose CameraWork::pose(const Shot& shot, const Moment& moment) const {
+  CameraPose pose{shot.view, std::nullopt};
+  if (shot.path) pose = shot.path->at(moment.frame / frames_per_second_);
+  pose.view.azimuth_deg += static_cast<float>(360 * shot.turns * moment.progress);
+  return pose;
+}
+
+Camera CameraWork::camera(std::size_t number, const Moment& moment) const {
+  const Shot& shot = shots_[number];
+  if (is_still(shot)) return still_[number];
+  const CameraPose pose = this->pose(shot, moment);
+  const Sphere looked_at = subject(pose.view.subject, moment.frame);
+  float distance_m = pose.view.distance_m;
+  if (distance_m == 0)
+    distance_m = looks_at_knot(shot) ? distance_to_hold(looked_at.radius_m, pose.view, shot.size)
+                                     : distances_[number] * pose.view.lens_mm / shot.view.lens_mm;
+  return orbit_camera(pose.view, shot.size, pose.target.value_or(looked_at.center), distance_m);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,50 @@
+// The cameras of a recording: where each picture is taken from.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "playback/recording_reader.h"
+#include "player/picture/picture.h"
+#include "player/view/camera.h"
+#include "player/view/camera_path.h"
+#include "player/view/knot_sphere.h"
+#include "player/view/view.h"
+
+namespace ribbon {
+
+struct Shot {
+  View view;
+  PictureSize size;
+  double turns = 0;  // round the scene while all pictures are taken, anticlockwise from above
+  std::optional<CameraPath> path = std::nullopt;
+};
+
+// Where a picture stands in the recording, and in the film that is made of it.
+struct Moment {
+  int frame = 0;        // index, from 0
+  double progress = 0;  // through the film: 0 at the first picture, below 1 at the last
+};
+
+// A still camera stands so that the obstacle and the ribbon of every frame that can be read just
+// fit: a frame looks the same whichever others are rendered. One that looks at the knot follows it.
+class CameraWork {
+ public:
+  // Reads every frame once. At least one must be readable.
+  CameraWork(RecordingReader& reader, std::vector<Shot> shots);
+
+  [[nodiscard]] Camera camera(std::size_t shot, const Moment& moment) const;
+
+ private:
+  [[nodiscard]] CameraPose pose(const Shot& shot, const Moment& moment) const;
+  [[nodiscard]] Sphere subject(Subject subject, int frame) const;
+
+  std::vector<Shot> shots_;
+  std::vector<Camera> still_;     // of each shot, if nothing moves it
+  std::vector<float> distances_;  // of each shot: from the middle of everything, that holds it
+  double frames_per_second_;
+  Sphere everything_;
+  std::vector<Sphere> knots_;  // of all frames; empty: no shot looks at the knot
+};
+
+}  // namespace ribbon

@@ -1,0 +1,77 @@
+#include "player/view/camera_work.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "recording/sample_recording.h"
+
+namespace ribbon::camera_work_test {
+
+constexpr PictureSize wide{1280, 720};
+
+RecordingReader recorded(int frames) {
+  const std::filesystem::path path = temporary_file("shot.rbn");
+  write_sample_recording(path, frames);
+  return RecordingReader::open(path).value();
+}
+
+// How near anything of the sample comes to the border of the picture: 1 is the border.
+float widest(const Camera& camera, int frames) {
+  float widest = 0;
+  const auto include = [&](const Eigen::Matrix3Xf& points) {
+    for (const auto point : points.colwise()) {
+      const Eigen::Vector3f seen = camera.project(point);
+      EXPECT_GT(seen.z(), 0);
+      widest = std::max(widest, seen.head<2>().cwiseAbs().maxCoeff());
+    }
+  };
+  for (int frame = 0; frame < frames; ++frame) include(sample_positions(frame).cast<float>());
+  include(sample_header().obstacle->vertices);
+  return widest;
+}
+
+TEST(CameraWork, a_still_camera_sees_every_particle_of_every_frame_and_the_obstacle) {
+  RecordingReader reader = recorded(12);
+  const CameraWork work(reader, {{three_quarter_view, wide}, {front_view, {420, 320}}});
+  for (const std::size_t shot : {0, 1}) EXPECT_LT(widest(work.camera(shot, {3}), 12), 0.93F);
+  EXPECT_EQ(work.camera(0, {3}).eye, work.camera(0, {11, 0.5}).eye);
+}
+
+TEST(CameraWork, a_turning_camera_goes_round_once_and_sees_everything_all_the_way) {
+  RecordingReader reader = recorded(12);
+  const CameraWork work(reader, {{three_quarter_view, wide, 1}});
+  const Eigen::Vector3f start = work.camera(0, {0, 0}).eye;
+  EXPECT_LT((work.camera(0, {0, 1}).eye - start).norm(), 1e-3F * start.norm());
+  EXPECT_GT((work.camera(0, {0, 0.5}).eye - start).norm(), 0.5F * start.norm());
+  for (double progress = 0; progress < 1; progress += 0.05)
+    EXPECT_LT(widest(work.camera(0, {0, progress}), 12), 0.94F) << progress;
+}
+
+TEST(CameraWork, a_distance_and_a_lens_are_kept) {
+  RecordingReader reader = recorded(3);
+  View view = front_view;
+  view.distance_m = 2;
+  View longer = view;
+  longer.lens_mm = 2 * view.lens_mm;
+  const CameraWork work(reader, {{view, wide}, {longer, wide}});
+  EXPECT_EQ(work.camera(0, {}).eye, work.camera(1, {}).eye);
+  EXPECT_FLOAT_EQ(work.camera(0, {}).half_width, 2 * work.camera(1, {}).half_width);
+  Camera level = work.camera(0, {});
+  const Eigen::Vector3f middle = level.eye - 2 * level.world_from_camera.col(2);
+  EXPECT_LT(level.project(middle).head<2>().norm(), 1e-5F);
+}
+
+TEST(CameraWork, keyframes_lead_the_camera) {
+  RecordingReader reader = recorded(12);
+  const double second = reader.header().frames_per_second;
+  const std::string table =
+      "time,azimuth,distance,x,y,z\n0,0,3,1,2,3\n" + std::to_string(10 / second) + ",90,5,1,2,3\n";
+  Shot shot{View{0, 0}, wide};
+  shot.path = CameraPath::parse(table, "keys.csv", shot.view).value();
+  const CameraWork work(reader, {shot});
+  EXPECT_LT((work.camera(0, {0}).eye - Eigen::Vector3f(1, 2, 6)).norm(), 1e-5F);
+  EXPECT_LT((work.camera(0, {11}).eye - Eigen::Vector3f(6, 2, 3)).norm(), 1e-5F);
+}
+
+}  // namespace ribbon::camera_work_test
