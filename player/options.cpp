@@ -15,7 +15,7 @@ constexpr int largest_side = 16384;
 constexpr const char* examples = R"(Examples:
   ribbon-play knot.rbn -o 'frames/{frame:04}.png'
       renders every frame into frames/0001.png, frames/0002.png, ...
-  ribbon-play knot.rbn -o last.png --frames -1 --size 1920x1080 --samples 64
+  ribbon-play knot.rbn -o last.png --frames -1 --size 1920x1080 --quality final
       renders the last frame, large and smooth
   ribbon-play knot.rbn -o '{view}/{frame:04}.png' --view front --view knot
       the same frames from two cameras, the second framed on the knot and following it
@@ -53,7 +53,41 @@ Result<PictureSize> parse_size(const std::string& text) {
 struct Texts {
   std::string size = "1280x720";
   std::vector<std::string> views;
+  std::string quality = "standard";
+  int samples = 0;   // 0: as the quality says
+  double noise = 0;  // likewise
 };
+
+void add_quality_options(Arguments& arguments, Texts& texts) {
+  arguments
+      .add("--quality", texts.quality, "NAME",
+           "draft (sun and its shadow), standard (and what the sky cannot reach), final (and light "
+           "from cloth to cloth)")
+      .one_of({"draft", "standard", "final"})
+      .with_default_shown();
+  const auto samples =
+      arguments.add("--samples", texts.samples, {1, 4096}, "N",
+                    "samples in every pixel, whatever the quality says; no smoothing");
+  arguments
+      .add(
+          "--noise", texts.noise, {0.01, 100}, "X",
+          "samples until the estimated error of each region is below X levels of 255; no smoothing")
+      .excludes(samples);
+}
+
+constexpr int most_samples_for_noise = 4096;
+
+Quality quality_of(const Texts& texts) {
+  Quality quality = *quality_named(texts.quality);
+  if (texts.samples == 0 && texts.noise == 0) return quality;
+  quality.smooth_sky = false;
+  quality.noise = static_cast<float>(texts.noise);
+  if (texts.samples > 0)
+    quality.samples = quality.most_samples = texts.samples;
+  else
+    quality.most_samples = most_samples_for_noise;
+  return quality;
+}
 
 void add_view_options(Arguments& arguments, Options& options, Texts& texts, Argument sheet) {
   arguments.add("--view", texts.views, "VIEW",
@@ -78,12 +112,9 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
   const auto frames = arguments.add("--frames", options.frames, "A:B:STEP",
                                     "frames A to B, every STEP-th; -1 is the last (default: all)");
   arguments.add("--size", texts.size, "WxH", "size of the pictures in pixels").with_default_shown();
-  arguments
-      .add("--samples", options.samples, {1, 4096}, "N",
-           "samples per pixel: more is smoother and slower")
-      .with_default_shown();
   const auto sheet = arguments.add("--sheet", options.sheet, "FILE",
                                    "contact sheet to write: several frames, two cameras, captions");
+  add_quality_options(arguments, texts);
   add_view_options(arguments, options, texts, sheet);
   const auto info = arguments.flag("--info", options.info, "tell what the recording holds");
   const auto verify =
@@ -127,6 +158,7 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   const auto size = parse_size(texts.size);
   if (!size) return tl::unexpected(size.error());
   options.size = *size;
+  options.render.quality = quality_of(texts);
   auto views = parse_views(texts.views);
   if (!views) return tl::unexpected(views.error());
   options.views = std::move(*views);

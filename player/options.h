@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "player/picture/picture.h"
+#include "player/render/render.h"
 #include "player/view/view.h"
 #include "result/result.h"
 
@@ -21,8 +22,8 @@ struct Options {
   std::vector<NamedView> views;       // empty: the three-quarter view
   double turns = 0;                   // of the cameras round the scene
   std::filesystem::path camera_path;  // keyframes; empty: none
-  int samples = 16;                   // per pixel
-  int threads = 0;                    // 0: all cores
+  RenderSettings render;
+  int threads = 0;  // 0: all cores
   bool info = false;
   bool follow = false;
   bool verify = false;

@@ -24,7 +24,7 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
   const auto shots = shots_of(options);
   if (!shots) return tl::unexpected(shots.error());
   const CameraWork cameras(reader, *shots);
-  SequenceRenderer renderer(reader, options.samples);
+  SequenceRenderer renderer(reader, options.render);
   const auto pictures = static_cast<int>(frames.size() * shots->size());
   ProgressLine progress("picture", pictures, options.quiet);
   const Interrupt interrupt;
@@ -51,7 +51,7 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
 }
 
 LivePictures::LivePictures(RecordingReader& reader, const Options& options)
-    : reader_(reader), options_(options), renderer_(reader, options.samples) {}
+    : reader_(reader), options_(options), renderer_(reader, options.render) {}
 
 Result<void> LivePictures::begin() {
   auto patterns = patterns_of(options_, any_number);

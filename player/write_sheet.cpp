@@ -20,7 +20,7 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
                                 const std::vector<int>& frames, const Options& options) {
   const std::vector<Shot> shots{{three_quarter_view, sheet_cell}, {knot_view, sheet_cell}};
   const CameraWork cameras(reader, shots);
-  SequenceRenderer renderer(reader, options.samples);
+  SequenceRenderer renderer(reader, options.render);
   std::vector<SheetColumn> columns;
   for (const int index : spread_frames(frames, sheet_columns)) {
     if (auto shown = renderer.show(index); !shown) return tl::unexpected(shown.error());

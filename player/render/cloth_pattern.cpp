@@ -27,37 +27,50 @@ float distance_to_selvage(float across) {
   return std::min(across, 1.0F - across);
 }
 
+// 1 on the stripe, 0 beside it.
+float stripe(float selvage, float blur) {
+  const float soft = std::max(blur, 1e-6F);
+  return step(selvage, stripe_begin, soft) - step(selvage, stripe_end, soft);
+}
+
 // "Waves of the blue sea": discs as wide as the ribbon that overlap like roof tiles, each of
 // concentric arcs, so that only fans are left, opening towards the ribbon's second end. Returns how
 // much of the cream thread shows.
-float waves(float along, float across) {
+float waves(float along, float across, float blur) {
   constexpr float rows_per_width = 4;
   constexpr float arcs = 3;
+  constexpr float thread_begin = 0.74F;  // of each arc
+  constexpr float mean = 0.325F;         // of the thread over all discs, summed up numerically
+  // Arcs are a sixth of a width apart; from a look that spans one on, only their mean is seen.
+  const float arcs_seen = blur * 2 * arcs;
+  if (arcs_seen >= 1) return mean;
   // A disc reaches half a width around its centre; of those that hold the point the first lies on
   // top. One always does: the rows stand closer than that.
   for (float row = std::ceil((along - 0.5F) * rows_per_width);; ++row) {
-    const float shift = std::fmod(std::abs(row), 2.0F) / 2;
-    const float dx = across - shift - std::round(across - shift);
+    const float shift = row / 2 - std::floor(row / 2);
+    const float dx = across - shift - std::floor(across - shift + 0.5F);
     const float dy = along - row / rows_per_width;
     const float radius = 2 * std::sqrt(dx * dx + dy * dy);
     if (radius > 1) continue;
-    return step(radius * arcs - std::floor(radius * arcs), 0.74F, 0.1F);
+    const float arc = radius * arcs - std::floor(radius * arcs);
+    const float thread = step(arc, thread_begin, std::max(0.1F, arcs_seen));
+    return thread + (mean - thread) * arcs_seen * arcs_seen;
   }
 }
 
 }  // namespace
 
-Color cloth_front(float along, float across) {
+Color cloth_front(float along, float across, float blur) {
   const float selvage = distance_to_selvage(across);
-  if (selvage < stripe_begin) return indigo;
-  if (selvage < stripe_end) return gold;
-  if (selvage < pattern_begin) return indigo;
-  return indigo + (cream - indigo) * waves(along, across);
+  const float on_stripe = stripe(selvage, blur);
+  const float patterned = step(selvage, pattern_begin, std::max(blur, 1e-6F));
+  Color color = indigo;
+  if (patterned > 0) color += (cream - indigo) * (patterned * waves(along, across, blur));
+  return color + (gold - color) * on_stripe;
 }
 
-Color cloth_back(float /*along*/, float across) {
-  const float selvage = distance_to_selvage(across);
-  return selvage >= stripe_begin && selvage < stripe_end ? wine : vermilion;
+Color cloth_back(float /*along*/, float across, float blur) {
+  return vermilion + (wine - vermilion) * stripe(distance_to_selvage(across), blur);
 }
 
 }  // namespace ribbon

@@ -7,8 +7,9 @@ namespace ribbon {
 
 // What fraction of the light each side returns, as linear colours. `along` and `across` are
 // measured in ribbon widths: along from the first end, across from 0 to 1. Where the pattern runs
-// and how it leans shows how the ribbon is twisted.
-Color cloth_front(float along, float across);
-Color cloth_back(float along, float across);
+// and how it leans shows how the ribbon is twisted. `blur` is how far a look at the cloth reaches,
+// in ribbon widths: what is finer is shown as its mean, since it would only be noise.
+Color cloth_front(float along, float across, float blur);
+Color cloth_back(float along, float across, float blur);
 
 }  // namespace ribbon

@@ -34,6 +34,12 @@ struct Lighting {
 struct Backdrop {
   Color top = from_srgb(0xDDE2E8);
   Color bottom = from_srgb(0xF7F5F1);
+
+  // In row `y` of a picture `height` rows high.
+  [[nodiscard]] Color at(int y, int height) const {
+    const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(height);
+    return top + (bottom - top) * down;
+  }
 };
 
 }  // namespace ribbon

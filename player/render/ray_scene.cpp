@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -62,21 +63,22 @@ void* attach(const Surface& surface, RTCDevice device, RTCScene scene) {
 }
 
 // Lanes without a ray keep whatever they hold: `valid` switches them off.
-void fill(std::span<const Ray> rays, RTCRay16& packet, Valid& valid) {
-  for (std::size_t i = 0; i < packet_size; ++i) valid[i] = i < rays.size() ? -1 : 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    packet.org_x[i] = rays[i].origin.x();
-    packet.org_y[i] = rays[i].origin.y();
-    packet.org_z[i] = rays[i].origin.z();
-    packet.dir_x[i] = rays[i].direction.x();
-    packet.dir_y[i] = rays[i].direction.y();
-    packet.dir_z[i] = rays[i].direction.z();
-    packet.tnear[i] = 0;
-    packet.tfar[i] = std::numeric_limits<float>::infinity();
-    packet.time[i] = 0;
-    packet.mask[i] = ~0U;
-    packet.flags[i] = 0;
-  }
+void fill(const RayBatch& rays, std::size_t begin, RTCRay16& packet, Valid& valid) {
+  const auto copy = [begin](const Lanes<float>& lanes, float* to) {
+    std::copy_n(lanes.begin() + static_cast<std::ptrdiff_t>(begin), packet_size, to);
+  };
+  for (std::size_t i = 0; i < packet_size; ++i) valid[i] = begin + i < rays.count ? -1 : 0;
+  copy(rays.origin.x, packet.org_x);
+  copy(rays.origin.y, packet.org_y);
+  copy(rays.origin.z, packet.org_z);
+  copy(rays.direction.x, packet.dir_x);
+  copy(rays.direction.y, packet.dir_y);
+  copy(rays.direction.z, packet.dir_z);
+  std::fill_n(packet.tnear, packet_size, 0.0F);
+  std::fill_n(packet.tfar, packet_size, std::numeric_limits<float>::infinity());
+  std::fill_n(packet.time, packet_size, 0.0F);
+  std::fill_n(packet.mask, packet_size, ~0U);
+  std::fill_n(packet.flags, packet_size, 0U);
 }
 
 RTCIntersectContext new_context(Coherence coherence) {
@@ -91,8 +93,8 @@ void clear_hits(RTCHit16& hit) {
   std::fill_n(hit.instID[0], packet_size, RTC_INVALID_GEOMETRY_ID);
 }
 
-void collect(const RTCHit16& found, Hit::Body body, std::span<Hit> hits) {
-  for (std::size_t i = 0; i < hits.size(); ++i)
+void collect(const RTCHit16& found, Hit::Body body, std::size_t count, Hit* hits) {
+  for (std::size_t i = 0; i < count; ++i)
     if (found.geomID[i] != RTC_INVALID_GEOMETRY_ID)
       hits[i] = {body, found.primID[i], found.u[i], found.v[i]};
 }
@@ -135,41 +137,39 @@ void RayScene::set_ribbon(const Surface& ribbon) {
   check(s.device.get());
 }
 
-void RayScene::first_hits(std::span<const Ray> rays, Coherence coherence,
-                          std::span<Hit> hits) const {
+void RayScene::first_hits(const RayBatch& rays, Coherence coherence, Lanes<Hit>& hits) const {
   RTCIntersectContext context = new_context(coherence);
   RTCRayHit16 packet;
   alignas(64) Valid valid;
-  for (std::size_t begin = 0; begin < rays.size(); begin += packet_size) {
-    const std::size_t count = std::min(packet_size, rays.size() - begin);
-    fill(rays.subspan(begin, count), packet.ray, valid);
+  for (std::size_t begin = 0; begin < rays.count; begin += packet_size) {
+    const std::size_t count = std::min(packet_size, rays.count - begin);
+    fill(rays, begin, packet.ray, valid);
     std::fill_n(hits.begin() + static_cast<std::ptrdiff_t>(begin), count, Hit{});
     // The second scene counts only where it is nearer: the first has shortened the rays.
     const auto trace = [&](const Scene& scene, Hit::Body body) {
       if (!scene) return;
       clear_hits(packet.hit);
       rtcIntersect16(valid.data(), scene.get(), &context, &packet);
-      collect(packet.hit, body, hits.subspan(begin, count));
+      collect(packet.hit, body, count, hits.data() + begin);
     };
     trace(state_->ribbon, Hit::Body::ribbon);
     trace(state_->obstacle, Hit::Body::obstacle);
   }
 }
 
-void RayScene::unblocked(std::span<const Ray> rays, Coherence coherence,
-                         std::span<std::uint8_t> free) const {
+void RayScene::unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>& free) const {
   RTCIntersectContext context = new_context(coherence);
   RTCRay16 packet;
   alignas(64) Valid valid;
-  for (std::size_t begin = 0; begin < rays.size(); begin += packet_size) {
-    const std::size_t count = std::min(packet_size, rays.size() - begin);
-    fill(rays.subspan(begin, count), packet, valid);
+  for (std::size_t begin = 0; begin < rays.count; begin += packet_size) {
+    const std::size_t count = std::min(packet_size, rays.count - begin);
+    fill(rays, begin, packet, valid);
     if (state_->ribbon) rtcOccluded16(valid.data(), state_->ribbon.get(), &context, &packet);
     // Embree marks a blocked ray by a negative length.
     for (std::size_t i = 0; i < count; ++i)
       if (packet.tfar[i] < 0) valid[i] = 0;
     if (state_->obstacle) rtcOccluded16(valid.data(), state_->obstacle.get(), &context, &packet);
-    for (std::size_t i = 0; i < count; ++i) free[begin + i] = packet.tfar[i] < 0 ? 0 : 1;
+    for (std::size_t i = 0; i < count; ++i) free[begin + i] = packet.tfar[i] < 0 ? 0.0F : 1.0F;
   }
 }
 

@@ -4,24 +4,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
-#include <span>
 
+#include "player/render/ray_batch.h"
 #include "player/render/surface.h"
 
 namespace ribbon {
-
-struct Ray {
-  Eigen::Vector3f origin;
-  Eigen::Vector3f direction;
-};
-
-struct Hit {
-  enum class Body : std::uint8_t { none, ribbon, obstacle };
-  Body body = Body::none;
-  std::uint32_t triangle = 0;
-  float u = 0;  // weight of the triangle's second corner
-  float v = 0;  // and of its third
-};
 
 // Rays that start near each other in similar directions are traced faster when this is said.
 enum class Coherence { similar, mixed };
@@ -38,11 +25,10 @@ class RayScene {
   void set_obstacle(const Surface& obstacle);
   void set_ribbon(const Surface& ribbon);
 
-  // Fills hits[i] with the first thing that rays[i] meets. Safe to call from several threads.
-  void first_hits(std::span<const Ray> rays, Coherence coherence, std::span<Hit> hits) const;
-  // Sets free[i] to 1 where rays[i] meets nothing, however far, and to 0 elsewhere.
-  void unblocked(std::span<const Ray> rays, Coherence coherence,
-                 std::span<std::uint8_t> free) const;
+  // Fills hits[i] with the first thing that ray i meets. Safe to call from several threads.
+  void first_hits(const RayBatch& rays, Coherence coherence, Lanes<Hit>& hits) const;
+  // Sets free[i] to 1 where ray i meets nothing, however far, and to 0 elsewhere.
+  void unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>& free) const;
 
  private:
   struct State;

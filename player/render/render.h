@@ -1,18 +1,49 @@
 // Gathers the light of a picture.
 #pragma once
 
+#include <optional>
+
 #include "player/picture/picture.h"
 #include "player/render/lighting.h"
+#include "player/render/pixel_planes.h"
+#include "player/render/quality.h"
 #include "player/render/render_scene.h"
 #include "player/render/sampling.h"
 #include "player/view/camera.h"
 
 namespace ribbon {
 
-// Every sample of a pixel sees one point and asks once whether the sun and once whether the sky
-// reaches it. The pixels are the same for any number of threads.
-LightPicture render(const RenderScene& scene, const Camera& camera, PictureSize size,
-                    const SamplePatterns& patterns, const Lighting& lighting = {},
-                    const Backdrop& backdrop = {});
+struct RenderSettings {
+  Quality quality;
+  Lighting lighting;
+  Backdrop backdrop;
+};
+
+// What the estimate of noise reached.
+struct RenderReport {
+  double samples = 0;  // per pixel that may show anything but the backdrop, mean
+  double error = 0;    // of the picture, in 8-bit levels: root of the mean square over its pixels;
+                       // 0 where pixels have one sample
+  double wanting = 0;  // share of the pixels whose region is still above Quality::noise
+};
+
+struct Rendered {
+  LightPicture light;
+  RenderReport report;
+};
+
+// Keeps what it needs from picture to picture.
+class Renderer {
+ public:
+  explicit Renderer(RenderSettings settings);
+
+  // The pixels are the same for any number of threads, and whatever was rendered before.
+  Rendered render(const RenderScene& scene, const Camera& camera, PictureSize size);
+
+ private:
+  RenderSettings settings_;
+  SamplePatterns patterns_;
+  std::optional<PixelPlanes> planes_;  // of the last picture whose sky was smoothed
+};
 
 }  // namespace ribbon

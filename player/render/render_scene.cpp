@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "player/render/cloth_pattern.h"
 
@@ -33,7 +34,10 @@ Eigen::Vector3f lifted(const Eigen::Vector3f& point, const Eigen::Matrix3f& corn
 }  // namespace
 
 RenderScene::RenderScene(const RecordingHeader& header)
-    : grid_(header.grid), pattern_(header.uv), ribbon_(ribbon_surface(header.grid)) {
+    : grid_(header.grid),
+      pattern_(header.uv),
+      ribbon_width_m_(static_cast<float>(header.ribbon_width_m)),
+      ribbon_(ribbon_surface(header.grid)) {
   assert(header.uv.cols() == grid_.particle_count());
   pattern_.row(0) *= static_cast<float>(header.ribbon_length_m / header.ribbon_width_m);
   if (!header.obstacle || header.obstacle->triangles.cols() == 0) return;
@@ -51,15 +55,18 @@ void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions) {
   clearance_ = 1e-5F * std::max(obstacle_reach_, reach(positions));
 }
 
-Color RenderScene::cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
-                         bool front) const {
+Color RenderScene::cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights, bool front,
+                         float reach_m) const {
   Eigen::Vector2f texture = Eigen::Vector2f::Zero();
   for (int i = 0; i < 3; ++i) texture += weights[i] * pattern_.col(corners[i]);
-  return front ? cloth_front(texture.x(), texture.y()) : cloth_back(texture.x(), texture.y());
+  const float blur = reach_m / ribbon_width_m_;
+  return front ? cloth_front(texture.x(), texture.y(), blur)
+               : cloth_back(texture.x(), texture.y(), blur);
 }
 
-SurfacePoint RenderScene::point(const Ray& ray, const Hit& hit) const {
-  assert(hit.body != Hit::Body::none);
+void RenderScene::add_point(const RayBatch& rays, std::size_t lane, const Hit& hit,
+                            SurfaceBatch& batch) const {
+  assert(hit.body != Hit::Body::none && batch.count < batch_size);
   const Surface& surface = hit.body == Hit::Body::ribbon ? ribbon_ : obstacle_;
   const Eigen::Vector3i corner = surface.triangles.col(hit.triangle);
   const Eigen::Vector3f weights(1 - hit.u - hit.v, hit.u, hit.v);
@@ -69,20 +76,28 @@ SurfacePoint RenderScene::point(const Ray& ray, const Hit& hit) const {
     corners.col(i) = surface.vertices.col(corner[i]);
     normals.col(i) = surface.normals.col(corner[i]);
   }
-  const Eigen::Vector3f area =
-      (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
-  const bool front = area.dot(ray.direction) < 0;
-  if (!front) normals = -normals;
-
-  const Eigen::Vector3f facet = (front ? area : Eigen::Vector3f(-area)).normalized();
-  SurfacePoint point;
+  Eigen::Vector3f facet = surface.facets.col(hit.triangle);
+  const Eigen::Vector3f direction = rays.direction.at(lane);
+  const bool front = facet.dot(direction) < 0;
+  if (!front) {
+    normals = -normals;
+    facet = -facet;
+  }
   // Where the cloth is folded flat its neighbours' normals cancel or even turn round.
   const Eigen::Vector3f smooth = normals * weights;
-  point.normal = smooth.dot(facet) > 0.1F * smooth.norm() ? smooth.normalized() : facet;
+  const float length = smooth.norm();
   const Eigen::Vector3f position = corners * weights;
-  point.light_start = lifted(position, corners, normals, weights) + clearance_ * facet;
-  point.albedo = hit.body == Hit::Body::ribbon ? cloth(corner, weights, front) : obstacle_color;
-  return point;
+  const float distance = std::sqrt((position - rays.origin.at(lane)).squaredNorm() /
+                                   direction.squaredNorm());  // in lengths of its direction
+  const std::size_t to = batch.count++;
+  batch.position.set(to, position);
+  batch.normal.set(to, smooth.dot(facet) > 0.1F * length ? smooth / length : facet);
+  batch.start.set(to, lifted(position, corners, normals, weights) + clearance_ * facet);
+  const Color albedo = hit.body == Hit::Body::ribbon
+                           ? cloth(corner, weights, front, rays.spread * distance)
+                           : obstacle_color;
+  batch.albedo.set(to, albedo.matrix());
+  batch.body[to] = hit.body;
 }
 
 }  // namespace ribbon

@@ -10,12 +10,15 @@
 
 namespace ribbon {
 
-// A point on a surface as light needs it.
-struct SurfacePoint {
-  Eigen::Vector3f light_start;  // from where rays towards the light go
-  Eigen::Vector3f normal;       // of the smooth surface that the triangles stand for, unit length,
-                                // to the side that is looked at
-  Color albedo;                 // fraction of the light that it returns
+// Points on surfaces as light needs them.
+struct SurfaceBatch {
+  VectorLanes position;
+  VectorLanes start;   // from where rays towards the light go
+  VectorLanes normal;  // of the smooth surface that the triangles stand for, unit length, to the
+                       // side that is looked at
+  VectorLanes albedo;  // fraction of the light that it returns: red, green, blue
+  Lanes<Hit::Body> body;
+  std::size_t count = 0;
 };
 
 class RenderScene {
@@ -29,15 +32,17 @@ class RenderScene {
   [[nodiscard]] const Surface& ribbon() const { return ribbon_; }
   [[nodiscard]] const Surface& obstacle() const { return obstacle_; }  // empty if there is none
   [[nodiscard]] const RayScene& rays() const { return rays_; }
-  // What `ray` met. hit.body must not be none.
-  [[nodiscard]] SurfacePoint point(const Ray& ray, const Hit& hit) const;
+  // Adds what ray `lane` met to `batch`. hit.body must not be none.
+  void add_point(const RayBatch& rays, std::size_t lane, const Hit& hit, SurfaceBatch& batch) const;
 
  private:
+  // reach_m: how wide the look at it is.
   [[nodiscard]] Color cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
-                            bool front) const;
+                            bool front, float reach_m) const;
 
   RibbonGrid grid_;
   Eigen::Matrix2Xf pattern_;  // 2 x particles: along and across, in ribbon widths
+  float ribbon_width_m_;
   Surface ribbon_;
   Surface obstacle_;
   RayScene rays_;

@@ -1,8 +1,6 @@
 #include "player/render/sampling.h"
 
 #include <cassert>
-#include <numeric>
-#include <utility>
 
 namespace ribbon {
 
@@ -34,26 +32,20 @@ std::uint32_t owen_scrambled(std::uint32_t value, std::uint32_t seed) {
   return result;
 }
 
-// 0 ... count - 1 in an order of its own for each seed, so that patterns do not know each other.
-std::vector<std::uint32_t> shuffled(int count, std::uint32_t seed) {
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0U);
-  for (auto left = static_cast<std::uint32_t>(count); left > 1; --left)
-    std::swap(order[left - 1], order[scramble(left + scramble(seed)) % left]);
-  return order;
-}
-
 }  // namespace
 
 SamplePatterns::SamplePatterns(int samples)
-    : samples_(samples), points_(3 * static_cast<std::size_t>(samples)) {
+    : samples_(samples), points_(pattern_count * static_cast<std::size_t>(samples)) {
   assert(samples >= 1);
-  for (std::uint32_t pattern = 0; pattern < 3; ++pattern) {
+  for (std::uint32_t pattern = 0; pattern < pattern_count; ++pattern) {
     const std::uint32_t seed = 10 * pattern + 1;
-    const auto order = shuffled(samples, seed);
-    for (std::size_t s = 0; s < order.size(); ++s)
-      points_[3 * s + pattern] = {owen_scrambled(mirrored(order[s]), seed + 1),
-                                  owen_scrambled(sobol_second(order[s]), seed + 2)};
+    for (int s = 0; s < samples; ++s) {
+      // Scrambled as well, the order is another in each block of 2^k: patterns do not know each
+      // other.
+      const std::uint32_t index = owen_scrambled(static_cast<std::uint32_t>(s), seed);
+      points_[static_cast<std::size_t>(s) * pattern_count + pattern] = {
+          owen_scrambled(mirrored(index), seed + 1), owen_scrambled(sobol_second(index), seed + 2)};
+    }
   }
 }
 

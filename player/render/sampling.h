@@ -7,13 +7,15 @@
 
 namespace ribbon {
 
-// Three independent two-dimensional patterns (Sobol', Owen-scrambled with fixed seeds), one for
-// each question that a sample asks.
-enum class Pattern { pixel, sun, sky };
+// Independent two-dimensional patterns, one for each question that a sample asks.
+enum class Pattern { pixel, sun, sky, sun_on_bounce, sky_on_bounce };
+inline constexpr int pattern_count = 5;
 
+// Sobol' sequences, Owen-scrambled and shuffled with fixed seeds, so that any first 2^k points of a
+// pattern are evenly spread (B. Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020).
 class SamplePatterns {
  public:
-  // samples: how many per pixel, at least 1.
+  // samples: the most per pixel, at least 1.
   explicit SamplePatterns(int samples);
 
   [[nodiscard]] int samples() const { return samples_; }
@@ -21,7 +23,8 @@ class SamplePatterns {
   // its own that is spread as evenly: bits are flipped, the same for all points of the pattern.
   [[nodiscard]] Eigen::Vector2f point(Pattern pattern, int sample, std::uint32_t key_x,
                                       std::uint32_t key_y) const {
-    const auto& bits = points_[static_cast<std::size_t>(sample) * 3 + static_cast<int>(pattern)];
+    const auto& bits = points_[static_cast<std::size_t>(sample) * pattern_count +
+                               static_cast<std::size_t>(pattern)];
     return {unit(bits.x ^ key_x), unit(bits.y ^ key_y)};
   }
 
@@ -33,7 +36,7 @@ class SamplePatterns {
   static float unit(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
 
   int samples_;
-  std::vector<Bits> points_;  // sample by sample, three patterns each
+  std::vector<Bits> points_;  // sample by sample, all patterns of each
 };
 
 // A number that looks random but depends on the argument alone.

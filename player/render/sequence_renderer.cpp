@@ -1,11 +1,11 @@
 #include "player/render/sequence_renderer.h"
 
-#include "player/render/render.h"
+#include <utility>
 
 namespace ribbon {
 
-SequenceRenderer::SequenceRenderer(RecordingReader& reader, int samples)
-    : reader_(reader), scene_(reader.header()), patterns_(samples) {}
+SequenceRenderer::SequenceRenderer(RecordingReader& reader, RenderSettings settings)
+    : reader_(reader), scene_(reader.header()), renderer_(std::move(settings)) {}
 
 Result<void> SequenceRenderer::show(int index) {
   if (auto read = reader_.read(index, positions_); !read) return read;
@@ -13,8 +13,8 @@ Result<void> SequenceRenderer::show(int index) {
   return {};
 }
 
-Picture SequenceRenderer::picture(const Camera& camera, PictureSize size) const {
-  return encode_srgb(render(scene_, camera, size, patterns_));
+Picture SequenceRenderer::picture(const Camera& camera, PictureSize size) {
+  return encode_srgb(renderer_.render(scene_, camera, size).light);
 }
 
 }  // namespace ribbon

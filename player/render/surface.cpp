@@ -18,10 +18,9 @@ Eigen::Vector3f unit_or_zero(const Eigen::Vector3f& vector) {
 }
 
 // Twice the area, along the normal.
-Eigen::Vector3f area_vector(const TriangleMesh& mesh, Eigen::Index triangle) {
-  const Eigen::Vector3i corners = mesh.triangles.col(triangle);
-  const Eigen::Vector3f a = mesh.vertices.col(corners[0]);
-  return (mesh.vertices.col(corners[1]) - a).cross(mesh.vertices.col(corners[2]) - a);
+Eigen::Vector3f area_vector(const Eigen::Matrix3Xf& vertices, const Eigen::Vector3i& corners) {
+  const Eigen::Vector3f a = vertices.col(corners[0]);
+  return (vertices.col(corners[1]) - a).cross(vertices.col(corners[2]) - a);
 }
 
 // Meshes repeat a vertex where texture or normals change; only its position counts here.
@@ -47,6 +46,7 @@ Surface ribbon_surface(const RibbonGrid& grid) {
   ribbon.vertices = Eigen::Matrix3Xf::Zero(3, grid.particle_count());
   ribbon.normals = Eigen::Matrix3Xf::Zero(3, grid.particle_count());
   ribbon.triangles = grid.triangles();
+  ribbon.facets = Eigen::Matrix3Xf::Zero(3, grid.triangle_count());
   return ribbon;
 }
 
@@ -62,6 +62,8 @@ void update_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Su
     for (const int corner : c) ribbon.normals.col(corner) += normal;
   }
   for (auto normal : ribbon.normals.colwise()) normal = unit_or_zero(normal);
+  for (Eigen::Index t = 0; t < ribbon.triangles.cols(); ++t)
+    ribbon.facets.col(t) = unit_or_zero(area_vector(positions, ribbon.triangles.col(t)));
 }
 
 Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {
@@ -69,19 +71,24 @@ Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {
   const auto around = triangles_round_position(mesh, position_of_vertex);
   const float smooth = std::cos(crease_deg * std::numbers::pi_v<float> / 180.0F);
   const Eigen::Index corners = 3 * mesh.triangles.cols();
+  const auto area_of = [&mesh](Eigen::Index triangle) {
+    return area_vector(mesh.vertices, mesh.triangles.col(triangle));
+  };
   Surface surface{Eigen::Matrix3Xf(3, corners), Eigen::Matrix3Xf(3, corners),
-                  Eigen::Matrix3Xi(3, mesh.triangles.cols())};
+                  Eigen::Matrix3Xi(3, mesh.triangles.cols()),
+                  Eigen::Matrix3Xf(3, mesh.triangles.cols())};
   std::iota(surface.triangles.data(), surface.triangles.data() + corners, 0);
   for (Eigen::Index corner = 0; corner < corners; ++corner) {
     const int vertex = mesh.triangles(corner % 3, corner / 3);
-    const Eigen::Vector3f own = unit_or_zero(area_vector(mesh, corner / 3));
+    const Eigen::Vector3f own = unit_or_zero(area_of(corner / 3));
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (const int triangle : around[position_of_vertex[vertex]]) {
-      const Eigen::Vector3f other = area_vector(mesh, triangle);
+      const Eigen::Vector3f other = area_of(triangle);
       if (other.dot(own) >= smooth * other.norm()) sum += other;
     }
     surface.vertices.col(corner) = mesh.vertices.col(vertex);
     surface.normals.col(corner) = unit_or_zero(sum);
+    surface.facets.col(corner / 3) = own;
   }
   return surface;
 }

@@ -25,9 +25,15 @@ Ray down(float x, float y) {
   return {{x, y, 5}, {0, 0, -1}};
 }
 
+RayBatch batch_of(std::initializer_list<Ray> rays) {
+  RayBatch batch;
+  for (const Ray& ray : rays) batch.add(ray);
+  return batch;
+}
+
 TEST(RayScene, the_nearest_body_is_hit_whichever_it_is) {
-  const std::array<Ray, 4> rays{down(0, 0), down(0, 0.9F), down(1.9F, 0), down(0, 3)};
-  std::array<Hit, 4> hits;
+  const RayBatch rays = batch_of({down(0, 0), down(0, 0.9F), down(1.9F, 0), down(0, 3)});
+  Lanes<Hit> hits;
   two_quads().first_hits(rays, Coherence::similar, hits);
   EXPECT_EQ(hits[0].body, Hit::Body::ribbon);
   EXPECT_EQ(hits[1].body, Hit::Body::obstacle);
@@ -42,8 +48,8 @@ TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
   Eigen::Matrix3Xf moved = test::flat_quad();
   moved.row(1).array() += 10;
   scene.set_ribbon(test::quad_surface(moved));
-  const std::array<Ray, 2> rays{down(1.9F, 0), down(1.9F, 10)};
-  std::array<Hit, 2> hits;
+  const RayBatch rays = batch_of({down(1.9F, 0), down(1.9F, 10)});
+  Lanes<Hit> hits;
   scene.first_hits(rays, Coherence::mixed, hits);
   EXPECT_EQ(hits[0].body, Hit::Body::none);
   EXPECT_EQ(hits[1].body, Hit::Body::ribbon);
@@ -52,10 +58,10 @@ TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
 TEST(RayScene, any_number_of_rays_is_answered_one_by_one) {
   const RayScene scene = two_quads();
   for (std::size_t count = 0; count <= 40; ++count) {
-    std::vector<Ray> rays;
-    for (std::size_t i = 0; i < count; ++i) rays.push_back(down(0, i % 3 == 0 ? 0.0F : 3.0F));
-    std::vector<Hit> hits(count);
-    std::vector<std::uint8_t> free(count, 7);
+    RayBatch rays;
+    for (std::size_t i = 0; i < count; ++i) rays.add(down(0, i % 3 == 0 ? 0.0F : 3.0F));
+    Lanes<Hit> hits;
+    Lanes<float> free;
     scene.first_hits(rays, Coherence::similar, hits);
     scene.unblocked(rays, Coherence::mixed, free);
     for (std::size_t i = 0; i < count; ++i) {
@@ -67,8 +73,8 @@ TEST(RayScene, any_number_of_rays_is_answered_one_by_one) {
 
 TEST(RayScene, corner_weights_tell_the_place) {
   const RecordingHeader header = test::quad_ribbon();
-  const std::array<Ray, 1> rays{down(0.7F, -0.1F)};
-  std::array<Hit, 1> hits;
+  const RayBatch rays = batch_of({down(0.7F, -0.1F)});
+  Lanes<Hit> hits;
   two_quads().first_hits(rays, Coherence::similar, hits);
   const Eigen::Vector3i corners = header.grid.triangles().col(hits[0].triangle);
   const Eigen::Matrix3Xf at = test::flat_quad();
@@ -79,9 +85,9 @@ TEST(RayScene, corner_weights_tell_the_place) {
 }
 
 TEST(RayScene, without_anything_every_ray_is_free) {
-  const std::array<Ray, 1> rays{down(0, 0)};
-  std::array<Hit, 1> hits;
-  std::array<std::uint8_t, 1> free{};
+  const RayBatch rays = batch_of({down(0, 0)});
+  Lanes<Hit> hits;
+  Lanes<float> free;
   const RayScene scene;
   scene.first_hits(rays, Coherence::similar, hits);
   scene.unblocked(rays, Coherence::similar, free);

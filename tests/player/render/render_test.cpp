@@ -52,10 +52,19 @@ Camera from_above(float height, float half_width, float half_height) {
   return {.eye = {0, 0, height}, .half_width = half_width, .half_height = half_height};
 }
 
+Quality with_samples(int samples) {
+  return {.samples = samples, .most_samples = samples};
+}
+
+LightPicture render(const RenderScene& scene, const Camera& camera, PictureSize size, int samples,
+                    const Lighting& lighting = {}, const Backdrop& backdrop = {}) {
+  return Renderer({with_samples(samples), lighting, backdrop}).render(scene, camera, size).light;
+}
+
 // What the middle of a 1 x 1 picture shows.
 Color radiance(const RenderScene& scene, const Camera& camera, const Lighting& lighting,
                int samples = 16) {
-  return render(scene, camera, {1, 1}, SamplePatterns(samples), lighting).pixels[0];
+  return render(scene, camera, {1, 1}, samples, lighting).pixels[0];
 }
 
 void expect_color(const Color& color, const Color& expected, float tolerance = 1e-4F) {
@@ -66,13 +75,13 @@ void expect_color(const Color& color, const Color& expected, float tolerance = 1
 TEST(Render, cloth_that_faces_the_sun_returns_its_colour_of_the_light) {
   const Lighting lighting = only_sun({0, 0, -1});
   expect_color(radiance(flat_scene(), close_up(0, 0, -1), lighting),
-               cloth_back(0, 0.5F) * lighting.sun);
+               cloth_back(0, 0.5F, 0) * lighting.sun);
 }
 
 TEST(Render, light_falls_off_with_the_cosine) {
   const Lighting lighting = only_sun({0, std::sqrt(3.0F), -1});  // 60 degrees off
   expect_color(radiance(flat_scene(), close_up(0, 0, -1), lighting),
-               cloth_back(0, 0.5F) * lighting.sun * 0.5F);
+               cloth_back(0, 0.5F, 0) * lighting.sun * 0.5F);
 }
 
 TEST(Render, light_from_behind_does_not_come_through) {
@@ -88,9 +97,9 @@ TEST(Render, each_side_has_its_own_colours_at_their_places) {
       const Lighting front = only_sun({0, 0, 1});
       const Lighting back = only_sun({0, 0, -1});
       expect_color(radiance(flat_scene(), close_up(x, y, 1), front),
-                   cloth_front(along, across) * front.sun, 0.01F);
+                   cloth_front(along, across, 0) * front.sun, 0.01F);
       expect_color(radiance(flat_scene(), close_up(x, y, -1), back),
-                   cloth_back(along, across) * back.sun);
+                   cloth_back(along, across, 0) * back.sun);
     }
 }
 
@@ -98,7 +107,7 @@ TEST(Render, the_open_sky_gives_its_mean) {
   const Color above(0.9F, 0.6F, 0.3F);
   const Color below(0.1F, 0.2F, 0.3F);
   expect_color(radiance(flat_scene(), close_up(0, 0, -1), only_sky(above, below), 1),
-               cloth_back(0, 0.5F) * (above + below) / 2);
+               cloth_back(0, 0.5F, 0) * (above + below) / 2);
 }
 
 TEST(Render, a_point_in_shadow_sees_no_sun) {
@@ -108,7 +117,7 @@ TEST(Render, a_point_in_shadow_sees_no_sun) {
   const Lighting lighting = only_sun({0, 1, -1});
   expect_color(radiance(scene, close_up(0, 0, -1), lighting), Color::Zero());
   expect_color(radiance(scene, close_up(0.5F, 0, -1), lighting),
-               cloth_back(0, 0.5F) * lighting.sun * std::sqrt(0.5F));
+               cloth_back(0, 0.5F, 0) * lighting.sun * std::sqrt(0.5F));
 }
 
 TEST(Render, a_high_wall_hides_half_of_the_sky) {
@@ -117,9 +126,9 @@ TEST(Render, a_high_wall_hides_half_of_the_sky) {
   Lighting lighting = only_sky(Color::Ones(), Color::Ones());
   const Camera camera = close_up(-0.05F, 0, -1);
   // From 0.07 m beside an endless wall, all directions beyond the vertical are hidden: one half.
-  expect_color(radiance(scene, camera, lighting, 1024), cloth_back(0, 0.5F) / 2, 0.01F);
+  expect_color(radiance(scene, camera, lighting, 1024), cloth_back(0, 0.5F, 0) / 2, 0.01F);
   lighting.bounce = 0.5F;
-  const Color cloth = cloth_back(0, 0.5F);
+  const Color cloth = cloth_back(0, 0.5F, 0);
   expect_color(radiance(scene, camera, lighting, 1024), cloth / 2 + cloth / 4, 0.01F);
 }
 
@@ -129,13 +138,13 @@ TEST(Render, a_soft_sun_has_a_half_shadow_at_the_edge) {
   lighting.sun_radius = 0.1F;
   // Seen from x = -1 the plate's edge at (0, -1) cuts the sun's disc in halves.
   expect_color(radiance(scene, close_up(-1, 0, -1), lighting, 1024),
-               cloth_back(0, 0.5F) * lighting.sun * std::sqrt(0.5F) / 2, 0.01F);
+               cloth_back(0, 0.5F, 0) * lighting.sun * std::sqrt(0.5F) / 2, 0.01F);
 }
 
 TEST(Render, beside_everything_there_is_the_backdrop) {
   const Backdrop backdrop{{0.2F, 0.4F, 0.6F}, {0.6F, 0.4F, 0.2F}};
   const LightPicture picture =
-      render(flat_scene(), close_up(50, 0, -1), {32, 64}, SamplePatterns(1), Lighting{}, backdrop);
+      render(flat_scene(), close_up(50, 0, -1), {32, 64}, 1, Lighting{}, backdrop);
   expect_color(picture.pixels.front(), {0.2F, 0.4F, 0.6F}, 0.01F);
   expect_color(picture.pixels.back(), {0.6F, 0.4F, 0.2F}, 0.01F);
 }
@@ -150,8 +159,8 @@ TEST(Render, grazing_light_is_not_cut_off_by_flat_triangles) {
   header.obstacle = coarse_tube();
   RenderScene scene(header);
   scene.set_ribbon(test::flat_quad().array() + 100);
-  const LightPicture picture = render(scene, from_above(10, 0.1F, 0.01F), {400, 1},
-                                      SamplePatterns(16), only_sun({0.951F, 0, -0.309F}));
+  const LightPicture picture =
+      render(scene, from_above(10, 0.1F, 0.01F), {400, 1}, 16, only_sun({0.951F, 0, -0.309F}));
   // The sun stands 108 degrees from the front, so the smooth tube is lit from 18 degrees on. The
   // flat side from 0 to 30 degrees, here up to pixel 309, faces away from it as a whole.
   for (int x = 285; x < 370; ++x) {
@@ -184,9 +193,11 @@ RenderScene wavy_scene() {
 TEST(Render, pixels_are_the_same_for_any_number_of_threads) {
   const RenderScene scene = wavy_scene();
   const Camera camera = from_above(12, 0.2F, 0.1F);
-  same_for_any_threads([&] {
-    return encode_srgb(render(scene, camera, {203, 101}, SamplePatterns(5))).rgb;
-  });
+  for (const char* quality : {"draft", "standard", "final"})
+    same_for_any_threads([&] {
+      Renderer renderer({*quality_named(quality), {}, {}});
+      return encode_srgb(renderer.render(scene, camera, {203, 101}).light).rgb;
+    });
 }
 
 TEST(Render, tiles_left_out_would_have_shown_nothing_else) {
@@ -196,10 +207,78 @@ TEST(Render, tiles_left_out_would_have_shown_nothing_else) {
   const Camera camera = from_above(12, 0.4F, 0.4F);
   const Lighting lighting = only_sun({0.3F, 0.2F, -1});
   const auto picture = [&](const RenderScene& shown) {
-    return encode_srgb(render(shown, camera, {150, 150}, SamplePatterns(16), lighting)).rgb;
+    return encode_srgb(render(shown, camera, {150, 150}, 16, lighting)).rgb;
   };
   EXPECT_EQ(picture(flat_scene(coarse_tube())),
             picture(flat_scene(together(coarse_tube(), speck))));
+}
+
+TEST(Render, light_from_cloth_to_cloth_is_the_light_that_it_received) {
+  // A wall hides half of an even sky. It sees between a half of the sky itself, at its foot, and all
+  // of it high up, and returns about half of that.
+  const RenderScene scene = flat_scene(
+      quad_mesh({0.02F, -900, 0}, {0.02F, -900, -900}, {0.02F, 900, -900}, {0.02F, 900, 0}));
+  RenderSettings settings{with_samples(4096), only_sky(Color::Ones(), Color::Ones()), {}};
+  settings.quality.sky = SkyLight::bounced;
+  const Color shown =
+      Renderer(settings).render(scene, close_up(-0.05F, 0, -1), {1, 1}).light.pixels[0];
+  const Color white = Color::Ones() / 2;  // without the wall's own light
+  const Color from_wall = shown / cloth_back(0, 0.5F, 0) - white;
+  EXPECT_GT(from_wall.minCoeff(), 0.12F);
+  EXPECT_LT(from_wall.maxCoeff(), 0.3F);
+}
+
+double mean_square(const Picture& a, const Picture& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::pow(a.rgb[i] - b.rgb[i], 2);
+  return sum / static_cast<double>(a.rgb.size());
+}
+
+TEST(Render, noise_is_sampled_away_until_it_is_below_what_was_asked_for) {
+  const RenderScene scene = wavy_scene();
+  const Camera camera = from_above(12, 0.2F, 0.1F);
+  const auto picture = [&](const Quality& quality) {
+    return Renderer({quality, {}, {}}).render(scene, camera, {160, 80});
+  };
+  const Picture reference = encode_srgb(picture(with_samples(1024)).light);
+  double samples = 0;
+  for (const float noise : {4.0F, 2.0F}) {
+    const Rendered rendered = picture({.samples = 4, .most_samples = 4096, .noise = noise});
+    EXPECT_LT(std::sqrt(mean_square(encode_srgb(rendered.light), reference)), noise);
+    EXPECT_LE(rendered.report.error, noise);
+    EXPECT_EQ(rendered.report.wanting, 0);
+    EXPECT_GT(rendered.report.samples, samples) << "less noise takes more samples";
+    samples = rendered.report.samples;
+  }
+  EXPECT_GT(picture({.samples = 4, .most_samples = 8, .noise = 0.5F}).report.wanting, 0.01);
+}
+
+TEST(Render, a_smoothed_sky_is_nearer_to_many_samples_than_its_own_few) {
+  const RenderScene scene = wavy_scene();
+  const Camera camera = from_above(12, 0.2F, 0.1F);
+  const auto picture = [&](const Quality& quality) {
+    return encode_srgb(Renderer({quality, only_sky(Color::Ones(), Color::Ones()), {}})
+                           .render(scene, camera, {160, 80})
+                           .light);
+  };
+  const Picture reference = picture(with_samples(1024));
+  Quality few = with_samples(4);
+  const double rough = mean_square(picture(few), reference);
+  few.smooth_sky = true;
+  EXPECT_LT(mean_square(picture(few), reference), rough / 1.5);
+}
+
+TEST(Render, pictures_do_not_depend_on_those_before) {
+  const RenderScene scene = wavy_scene();
+  const RenderSettings settings{*quality_named("standard"), {}, {}};
+  Renderer used(settings);
+  used.render(scene, from_above(5, 0.4F, 0.4F), {64, 64});
+  const Camera camera = from_above(12, 0.4F, 0.4F);
+  const auto shown = [&](Renderer& renderer) {
+    return encode_srgb(renderer.render(scene, camera, {64, 64}).light).rgb;
+  };
+  Renderer fresh(settings);
+  EXPECT_EQ(shown(used), shown(fresh));
 }
 
 }  // namespace ribbon::render_test

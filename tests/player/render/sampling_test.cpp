@@ -24,6 +24,16 @@ TEST(SamplePatterns, sixteen_points_fill_every_kind_of_sixteenth) {
       }
 }
 
+TEST(SamplePatterns, the_first_sixteen_of_many_fill_every_kind_of_sixteenth) {
+  const SamplePatterns patterns(256);
+  std::set<int> cells;
+  for (int s = 0; s < 16; ++s) {
+    const Eigen::Vector2f point = patterns.point(Pattern::sky, s, 7, 9);
+    cells.insert(static_cast<int>(point.x() * 4) * 4 + static_cast<int>(point.y() * 4));
+  }
+  EXPECT_EQ(cells.size(), 16U);
+}
+
 TEST(SamplePatterns, patterns_do_not_know_each_other) {
   const SamplePatterns patterns(256);
   double covariance = 0;

@@ -20,13 +20,13 @@ TEST(SequenceRenderer, a_frame_looks_the_same_whatever_was_shown_before) {
   ASSERT_TRUE(reader) << reader.error().sentence();
   const PictureSize size{160, 90};
   const Camera camera = CameraWork(*reader, {{three_quarter_view, size}}).camera(0, {});
-  SequenceRenderer backwards(*reader, 4);
+  SequenceRenderer backwards(*reader, RenderSettings{});
   std::vector<Picture> pictures;
   for (const int index : {4, 1}) {
     ASSERT_TRUE(backwards.show(index));
     pictures.push_back(backwards.picture(camera, size));
   }
-  SequenceRenderer fresh(*reader, 4);
+  SequenceRenderer fresh(*reader, RenderSettings{});
   ASSERT_TRUE(fresh.show(1));
   EXPECT_EQ(fresh.picture(camera, size).rgb, pictures[1].rgb);
   EXPECT_NE(pictures[0].rgb, pictures[1].rgb);

@@ -1,0 +1,58 @@
+// Rays and what they meet, side by side for vector instructions.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace ribbon {
+
+struct Ray {
+  Eigen::Vector3f origin;
+  Eigen::Vector3f direction;
+};
+
+inline constexpr std::size_t batch_size = 256;
+
+template <class Value>
+using Lanes = std::array<Value, batch_size>;
+
+// One vector a lane.
+struct alignas(64) VectorLanes {
+  Lanes<float> x;
+  Lanes<float> y;
+  Lanes<float> z;
+
+  [[nodiscard]] Eigen::Vector3f at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+  void set(std::size_t lane, const Eigen::Vector3f& vector) {
+    x[lane] = vector.x();
+    y[lane] = vector.y();
+    z[lane] = vector.z();
+  }
+};
+
+struct RayBatch {
+  VectorLanes origin;
+  VectorLanes direction;
+  // How wide what each of them looks at is, per length of its direction: pattern finer than that is
+  // seen as its mean.
+  float spread = 0;
+  std::size_t count = 0;
+
+  void add(const Ray& ray) {
+    origin.set(count, ray.origin);
+    direction.set(count++, ray.direction);
+  }
+  [[nodiscard]] Ray ray(std::size_t lane) const { return {origin.at(lane), direction.at(lane)}; }
+};
+
+struct Hit {
+  enum class Body : std::uint8_t { none, ribbon, obstacle };
+  Body body = Body::none;
+  std::uint32_t triangle = 0;
+  float u = 0;  // weight of the triangle's second corner
+  float v = 0;  // and of its third
+};
+
+}  // namespace ribbon
