@@ -14,7 +14,7 @@ namespace {
 
 Result<ConversionReport> convert_frames(const ConversionRequest& request, OutputFormat format,
                                         RecordingReader reader, const std::vector<int>& frames) {
-  const auto model = model_of_recording(reader.header(), request.with_obstacle);
+  const auto model = model_of_recording(reader.header(), request.model);
   if (!model)
     return failure(request.recording.string(), model.error().problem, model.error().remedy);
   if (format == OutputFormat::pc2)

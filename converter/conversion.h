@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "converter/export/model.h"
 #include "playback/recording_reader.h"
 #include "result/result.h"
 
@@ -16,7 +17,7 @@ struct ConversionRequest {
   std::filesystem::path recording;
   std::string output;  // "out/knot.{frame:04}.obj", ".fbx" or "out/knot.pc2"
   std::string frames;  // "A:B:STEP"; empty: all
-  bool with_obstacle = true;
+  ModelSettings model;
   bool quiet = false;                                        // no progress line
   std::function<bool()> interrupted = [] { return false; };  // asked before each frame; any thread
 };

@@ -18,7 +18,13 @@ Metres, y up, vertices in the recorded order in every frame.
 Exit code: 0 done; 1 the recording is damaged (what can be read is written, what is missing is listed);
 2 could not.)";
 
-void add_options(Arguments& arguments, CommandLine& line, std::string& objects) {
+// What is chosen by words.
+struct Words {
+  std::string faces = "triangles";
+  std::string objects = "both";
+};
+
+void add_options(Arguments& arguments, CommandLine& line, Words& words) {
   ConversionRequest& request = line.request;
   arguments
       .add("recording", request.recording, "KNOT.rbn", "The recording, as ribbon-record wrote it")
@@ -29,7 +35,12 @@ void add_options(Arguments& arguments, CommandLine& line, std::string& objects) 
       .required();
   arguments.add("--frames", request.frames, "A:B:STEP",
                 "Frames from 1, both ends included; -1 is the last (default: all)");
-  arguments.add("--object", objects, "NAME", "What to write: both or ribbon")
+  arguments
+      .add("--faces", words.faces, "KIND",
+           "Of the ribbon: triangles, which the recording certifies, or quads")
+      .one_of({"triangles", "quads"})
+      .with_default_shown();
+  arguments.add("--object", words.objects, "NAME", "What to write: both or ribbon")
       .one_of({"both", "ribbon"})
       .with_default_shown();
   arguments.add("--threads", line.threads, {1, 1024}, "N",
@@ -43,12 +54,14 @@ Result<std::optional<CommandLine>> parse_command_line(int argc, const char* cons
   Arguments arguments("ribbon-convert", "Writes a recording as files for modelling packages.",
                       RIBBON_VERSION, examples);
   CommandLine line;
-  std::string objects = "both";
-  add_options(arguments, line, objects);
+  Words words;
+  add_options(arguments, line, words);
   const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
-  line.request.with_obstacle = objects == "both";
+  ModelSettings& model = line.request.model;
+  model.faces = words.faces == "quads" ? RibbonFaces::quads : RibbonFaces::triangles;
+  model.with_obstacle = words.objects == "both";
   return line;
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "converter/export/normals.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -26,31 +27,44 @@ std::string object_name(std::string name, std::string_view otherwise) {
   return name.empty() ? std::string(otherwise) : name;
 }
 
-Eigen::MatrixXi ribbon_faces(const RibbonGrid& grid) {
-  Eigen::MatrixXi faces(4, grid.quad_count());
+Eigen::MatrixXi ribbon_quads(const RibbonGrid& grid) {
+  Eigen::MatrixXi quads(4, grid.quad_count());
   for (int q = 0; q < grid.quad_count(); ++q) {
-    const auto corners = grid.quad(q);
-    faces.col(q) << corners[0], corners[1], corners[2], corners[3];
+    const auto corners = grid.fan(q);
+    quads.col(q) << corners[0], corners[1], corners[2], corners[3];
   }
-  return faces;
+  return quads;
 }
 
-ModelObject ribbon_object(const RecordingHeader& header) {
+Eigen::MatrixXi ribbon_faces(const RibbonGrid& grid, RibbonFaces faces) {
+  if (faces == RibbonFaces::quads) return ribbon_quads(grid);
+  return grid.triangles();
+}
+
+ModelObject ribbon_object(const RecordingHeader& header, RibbonFaces faces) {
   return {.name = object_name(header.scene_name, "ribbon"),
           .material = {"ribbon", {0.61F, 0.03F, 0.05F}},
           .positions = Eigen::Matrix3Xf::Zero(3, header.grid.particle_count()),
           .uv = header.uv,
-          .faces = ribbon_faces(header.grid)};
+          .faces = ribbon_faces(header.grid, faces),
+          .moves = true};
 }
 
-ModelObject obstacle_object(const TriangleMesh& mesh, const std::string& ribbon_name) {
+ModelObject obstacle_object(const TriangleMesh& mesh, const std::string& ribbon_name,
+                            const Placement& placement) {
   std::string name = object_name(mesh.name, "obstacle");
   if (name == ribbon_name) name = name == "obstacle" ? "still_life" : "obstacle";
   return {.name = std::move(name),
           .material = {"obstacle", {0.45F, 0.45F, 0.42F}},
-          .positions = mesh.vertices,
+          .positions = placement.place(mesh.vertices),
           .uv = Eigen::Matrix2Xf(2, 0),
           .faces = mesh.triangles};
+}
+
+void set_normals(ModelObject& object, const Placement& placement) {
+  const bool y_up = placement.up == UpAxis::y;
+  object.normals = vertex_normals(object.positions, object.faces,
+                                  y_up ? Eigen::Vector3f::UnitY() : Eigen::Vector3f::UnitZ());
 }
 
 bool faces_fit(const ModelObject& object) {
@@ -62,27 +76,48 @@ tl::unexpected<Error> contradiction(const std::string& problem) {
   return failure("", "the recording's header contradicts itself: " + problem, "record it again");
 }
 
-}  // namespace
-
-Result<Model> model_of_recording(const RecordingHeader& header, bool with_obstacle) {
+Result<void> check_ribbon(const RecordingHeader& header) {
   if (header.grid.along < 2 || header.grid.across < 2)
     return contradiction("the ribbon has fewer than 2 x 2 particles");
   if (header.uv.cols() != header.grid.particle_count())
     return contradiction(filled_in("it has uv for {} of {} particles", header.uv.cols(),
                                    header.grid.particle_count()));
   if (!header.uv.allFinite()) return contradiction("a uv is not a finite number");
-  Model model{.objects = {ribbon_object(header)}, .frames_per_second = header.frames_per_second};
-  if (with_obstacle && header.obstacle)
-    model.objects.push_back(obstacle_object(*header.obstacle, model.objects.front().name));
-  if (!model.objects.back().positions.allFinite())
+  return {};
+}
+
+Result<void> check_obstacle(const ModelObject& obstacle) {
+  if (!obstacle.positions.allFinite())
     return contradiction("a vertex of the obstacle is not finite");
-  if (!faces_fit(model.objects.back()))
+  if (!faces_fit(obstacle))
     return contradiction("a triangle of the obstacle names a vertex that does not exist");
+  return {};
+}
+
+}  // namespace
+
+Result<Model> model_of_recording(const RecordingHeader& header, const ModelSettings& settings) {
+  if (auto checked = check_ribbon(header); !checked) return tl::unexpected(checked.error());
+  const bool own_rate = settings.frames_per_second > 0;
+  Model model{.objects = {ribbon_object(header, settings.faces)},
+              .frames_per_second = own_rate ? settings.frames_per_second : header.frames_per_second,
+              .placement = settings.placement};
+  if (settings.with_obstacle && header.obstacle) {
+    ModelObject obstacle =
+        obstacle_object(*header.obstacle, model.objects.front().name, settings.placement);
+    if (auto checked = check_obstacle(obstacle); !checked) return tl::unexpected(checked.error());
+    model.objects.push_back(std::move(obstacle));
+  }
+  if (!settings.with_ribbon) model.objects.erase(model.objects.begin());
+  if (model.objects.empty())
+    return failure("", "the recording has no obstacle", "export the ribbon");
+  if (settings.with_normals)
+    for (ModelObject& object : model.objects) set_normals(object, settings.placement);
   return model;
 }
 
 Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number) {
-  assert(!model.objects.empty());
+  assert(!model.objects.empty() && model.objects.front().moves);
   ModelObject& ribbon = model.objects.front();
   const std::string place = filled_in("frame {}", number);
   if (positions.cols() != ribbon.positions.cols())
@@ -90,11 +125,13 @@ Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int nu
                    filled_in("holds {} particles where the ribbon has {}", positions.cols(),
                              ribbon.positions.cols()),
                    "leave it out with --frames");
-  for (Eigen::Index particle = 0; particle < positions.cols(); ++particle)
-    if (!positions.col(particle).allFinite())
+  const Eigen::Matrix3Xf placed = model.placement.place(positions);
+  for (Eigen::Index particle = 0; particle < placed.cols(); ++particle)
+    if (!placed.col(particle).allFinite())
       return failure(place, filled_in("particle {} is not at a finite position", particle),
                      "leave it out with --frames");
-  ribbon.positions = positions;
+  ribbon.positions = placed;
+  if (ribbon.normals.cols() > 0) set_normals(ribbon, model.placement);
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "converter/export/placement.h"
 #include "recording/records/recording.h"
 #include "result/result.h"
 
@@ -18,23 +19,42 @@ struct Material {
 struct ModelObject {
   std::string name;  // one line, not empty, at most 63 bytes; unique in its model
   Material material;
-  Eigen::Matrix3Xf positions;  // 3 x vertices in metres, y up
+  Eigen::Matrix3Xf positions;  // 3 x vertices, as the model's placement says
   Eigen::Matrix2Xf uv;         // 2 x vertices, or 2 x 0: the object has none
   Eigen::MatrixXi faces;       // corners x faces, counter-clockwise seen from the front
+  // 3 x vertices of length 1, or 3 x 0: none are asked for.
+  Eigen::Matrix3Xf normals = Eigen::Matrix3Xf(3, 0);
+  bool moves = false;  // from frame to frame: true of the ribbon
 };
 
 struct Model {
   std::vector<ModelObject> objects;  // the ribbon first
   double frames_per_second = 0;
+  Placement placement = {};
+};
+
+// How the ribbon is divided. A recording certifies its triangles. Quads begin at the corner from
+// which a fan splits them into the same triangles, but a reader may split them otherwise.
+enum class RibbonFaces { triangles, quads };
+
+// What of a recording is exported, and how.
+struct ModelSettings {
+  RibbonFaces faces = RibbonFaces::triangles;
+  bool with_ribbon = true;
+  bool with_obstacle = true;
+  bool with_normals = false;
+  double frames_per_second = 0;  // that the files state; 0: the recording's
+  Placement placement = {};
 };
 
 // The parts of the model that no frame changes. The ribbon's positions are still to be set. Fails
-// when the header contradicts itself: uv or face indices that do not fit, an obstacle that is not
-// finite.
-Result<Model> model_of_recording(const RecordingHeader& header, bool with_obstacle);
+// when the header contradicts itself (uv or face indices that do not fit, an obstacle that is not
+// finite), or when nothing is left to export.
+Result<Model> model_of_recording(const RecordingHeader& header, const ModelSettings& settings);
 
-// Puts one frame's ribbon (3 x particles, metres) into `model`. Fails, naming the frame (`number`
-// from 1), when the number of particles differs from the recording's or a position is not finite.
+// Puts one frame's ribbon, as it is recorded (3 x particles, metres), into `model`, whose first
+// object it is. Fails, naming the frame (`number` from 1), when the number of particles differs
+// from the recording's or a position is not finite, before or after it is placed.
 Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number);
 
 }  // namespace ribbon

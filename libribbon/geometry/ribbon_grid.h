@@ -40,6 +40,16 @@ struct RibbonGrid {
     return diagonal(q / (across - 1), q % (across - 1));
   }
 
+  // The corners of quad (i, j), beginning with one from which a fan (first, second, third; first,
+  // third, fourth) splits it along its diagonal.
+  [[nodiscard]] std::array<int, 4> fan(int i, int j) const {
+    const auto c = quad(i, j);
+    return (i + j) % 2 == 0 ? c : std::array{c[1], c[2], c[3], c[0]};
+  }
+  [[nodiscard]] std::array<int, 4> fan(int q) const {
+    return fan(q / (across - 1), q % (across - 1));
+  }
+
   // Corners of the two triangles of a quad, and of triangle t.
   [[nodiscard]] std::array<std::array<int, 3>, 2> halves(int i, int j) const {
     const auto c = quad(i, j);

@@ -15,6 +15,9 @@ import sys
 
 import bpy
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from blender_scene import attach_cache, evaluated, import_file  # noqa: E402
+
 # Blender turns imported objects upright by a rotation in single precision, so its positions are
 # exact only to a few times this part of the largest coordinate.
 FLOAT_ROUNDING = 4 * 2.0**-23
@@ -58,24 +61,6 @@ class Reference:
 def z_up(point):
     x, y, z = point
     return (x, -z, y)
-
-
-def empty_scene():
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-
-
-def import_file(path):
-    empty_scene()
-    if path.suffix == ".obj":
-        bpy.ops.wm.obj_import(filepath=str(path))
-    else:
-        bpy.ops.import_scene.fbx(filepath=str(path))
-
-
-def attach_cache(name, path):
-    cache = bpy.data.objects[name].modifiers.new("cache", "MESH_CACHE")
-    cache.cache_format = "PC2"
-    cache.filepath = str(path)
 
 
 def largest_distance(ours, expected):
@@ -136,14 +121,15 @@ def compare_objects(reference):
     )
 
 
-def compare_ribbon(reference, mesh, frame):
+def compare_ribbon(reference, mesh, frame, corners):
     ribbon = bpy.data.objects[reference.ribbon]
+    faces = reference.quads if corners == 4 else 2 * reference.quads
     return compare_mesh(
-        ribbon, mesh, reference.frames[frame], reference.quads, 4, reference.tolerance
+        ribbon, mesh, reference.frames[frame], faces, corners, reference.tolerance
     )
 
 
-def check_file(path, reference, frame):
+def check_file(path, reference, frame, corners=3):
     """Problems of one exported frame; none when it is right."""
     try:
         import_file(path)
@@ -153,21 +139,19 @@ def check_file(path, reference, frame):
     if reference.ribbon not in bpy.data.objects:
         return problems
     mesh = bpy.data.objects[reference.ribbon].data
-    return problems + compare_ribbon(reference, mesh, frame) + compare_uv(mesh, reference.uv)
+    return problems + compare_ribbon(reference, mesh, frame, corners) + compare_uv(mesh, reference.uv)
 
 
-def check_cache(base, cache, reference):
+def check_cache(base, cache, reference, corners=3):
     """Problems of a point cache on its base, over all frames."""
-    problems = check_file(base, reference, 0)
+    problems = check_file(base, reference, 0, corners)
     attach_cache(reference.ribbon, cache)
     for frame in range(len(reference.frames)):
         bpy.context.scene.frame_set(frame)
-        evaluated = bpy.data.objects[reference.ribbon].evaluated_get(
-            bpy.context.evaluated_depsgraph_get()
-        )
+        ribbon = evaluated(bpy.data.objects[reference.ribbon])
         problems += [
             f"frame {frame}: {problem}"
-            for problem in compare_ribbon(reference, evaluated.data, frame)
+            for problem in compare_ribbon(reference, ribbon.data, frame, corners)
         ]
     return problems
 
@@ -196,21 +180,22 @@ class Verdicts:
             self.refuses(f"spoiled {path.name}", problems, FAULTS[path.stem])
 
 
-def check_exports(verdicts, convert, folder, sample):
+def check_exports(verdicts, convert, folder, sample, faces, corners):
     reference = Reference(folder / f"{sample}.json")
     recording = folder / f"{sample}.rbn"
-    out = folder / sample
+    what = f"{sample} {faces}"
+    out = folder / sample / faces
+    for name in ("knot.{frame:04}.obj", "knot.{frame:04}.fbx", "knot.pc2"):
+        command = [convert, recording, "-o", out / name, "--faces", faces, "--quiet"]
+        subprocess.run(command, check=True)
     for extension in (".obj", ".fbx"):
-        pattern = out / ("knot.{frame:04}" + extension)
-        subprocess.run([convert, recording, "-o", pattern, "--quiet"], check=True)
         for frame in range(len(reference.frames)):
             path = out / f"knot.{frame + 1:04}{extension}"
-            verdicts.accepts(f"{sample} {path.name}", check_file(path, reference, frame))
+            problems = check_file(path, reference, frame, corners)
+            verdicts.accepts(f"{what} {path.name}", problems)
     cache = out / "knot.pc2"
-    subprocess.run([convert, recording, "-o", cache, "--quiet"], check=True)
-    verdicts.accepts(
-        f"{sample} {cache.name}", check_cache(cache.with_suffix(".obj"), cache, reference)
-    )
+    problems = check_cache(cache.with_suffix(".obj"), cache, reference, corners)
+    verdicts.accepts(f"{what} {cache.name}", problems)
 
 
 def check_that_faults_are_seen(verdicts, folder):
@@ -220,21 +205,21 @@ def check_that_faults_are_seen(verdicts, folder):
     for path in faults:
         verdicts.judges(path, check_file(path, reference, SPOILED_FRAME))
     for extension in (".obj", ".fbx"):
-        neighbour = folder / "near" / f"knot.0002{extension}"
+        neighbour = folder / "near/triangles" / f"knot.0002{extension}"
         problems = check_file(neighbour, reference, 0)
         verdicts.refuses(f"frame 2 for frame 1, {extension}", problems, "a position is off")
     for cache in sorted(spoiled.glob("*.pc2")):
-        verdicts.judges(cache, check_cache(folder / "near" / "knot.obj", cache, reference))
+        verdicts.judges(cache, check_cache(folder / "near/triangles/knot.obj", cache, reference))
 
 
 def main():
     convert, samples, folder = sys.argv[sys.argv.index("--") + 1 :]
     folder = pathlib.Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
     subprocess.run([samples, folder], check=True)
     verdicts = Verdicts()
     for sample in ("near", "far"):
-        check_exports(verdicts, convert, folder, sample)
+        check_exports(verdicts, convert, folder, sample, "triangles", 3)
+    check_exports(verdicts, convert, folder, "near", "quads", 4)
     check_that_faults_are_seen(verdicts, folder)
     if verdicts.failed:
         raise SystemExit(f"{verdicts.failed} comparisons went wrong")

@@ -73,7 +73,7 @@ void write_reference(const Folder& recording, const Folder& file) {
 }
 
 Model model_of(const ribbon::SampleKnot& knot, const Eigen::Matrix3Xd& ribbon_positions) {
-  Model model = ribbon::model_of_recording(knot.header, true).value();
+  Model model = ribbon::model_of_recording(knot.header, {}).value();
   model.objects[0].positions = ribbon_positions.cast<float>();
   return model;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace ribbon::ribbon_grid_test {
 
@@ -41,6 +42,21 @@ TEST(RibbonGrid, both_triangles_of_a_quad_have_its_diagonal) {
       EXPECT_EQ(std::count(corners.begin(), corners.end(), low), 1);
       EXPECT_EQ(std::count(corners.begin(), corners.end(), high), 1);
     }
+  }
+}
+
+TEST(RibbonGrid, a_fan_splits_a_quad_into_its_two_triangles) {
+  const RibbonGrid grid{5, 4};
+  for (int q = 0; q < grid.quad_count(); ++q) {
+    const auto [a, b, c, d] = grid.fan(q);
+    // The same triangles, whichever comes first and wherever each begins.
+    const auto turned = [](std::array<int, 3> t) {
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      return t;
+    };
+    EXPECT_EQ((std::set{turned({a, b, c}), turned({a, c, d})}),
+              (std::set{turned(grid.triangle(2 * q)), turned(grid.triangle(2 * q + 1))}))
+        << q;
   }
 }
 

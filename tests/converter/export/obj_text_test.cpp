@@ -107,8 +107,8 @@ TEST(ObjText, faces_are_the_same_in_every_frame) {
     return text.substr(text.find("\nf "), text.find("\no small") - text.find("\nf "));
   };
   EXPECT_EQ(faces(0), faces(2));
-  const std::string quads = faces(0);
-  EXPECT_EQ(std::count(quads.begin(), quads.end(), 'f'), 33);
+  const std::string triangles = faces(0);
+  EXPECT_EQ(std::count(triangles.begin(), triangles.end(), 'f'), 66);
 }
 
 }  // namespace ribbon::obj_text_test
