@@ -77,17 +77,19 @@ std::unique_ptr<aiNode> node_of(const ModelObject& object, unsigned mesh) {
 // FBX axes: 0 x, 1 y, 2 z. Its unit is the centimetre, so metres are a factor of 100; without these
 // keys readers take one unit for 1 cm. assimp passes a key on only if its type is exact.
 aiMetadata* metadata_of(const Model& model) {
+  const bool z_up = model.placement.up == UpAxis::z;
+  const double unit_cm = 100 * model.placement.metres_per_unit;
   auto metadata = std::make_unique<aiMetadata>();
-  for (const auto& [key, value] : {std::pair<const char*, std::int32_t>{"UpAxis", 1},
+  for (const auto& [key, value] : {std::pair<const char*, std::int32_t>{"UpAxis", z_up ? 2 : 1},
                                    {"UpAxisSign", 1},
-                                   {"FrontAxis", 2},
-                                   {"FrontAxisSign", 1},
+                                   {"FrontAxis", z_up ? 1 : 2},
+                                   {"FrontAxisSign", z_up ? -1 : 1},
                                    {"CoordAxis", 0},
                                    {"CoordAxisSign", 1},
                                    {"TimeMode", 14}})  // 14: custom frame rate
     metadata->Add(key, value);
-  metadata->Add("UnitScaleFactor", 100.0);
-  metadata->Add("OriginalUnitScaleFactor", 100.0);
+  metadata->Add("UnitScaleFactor", unit_cm);
+  metadata->Add("OriginalUnitScaleFactor", unit_cm);
   metadata->Add("CustomFrameRate", model.frames_per_second);
   return metadata.release();
 }

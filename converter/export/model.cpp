@@ -86,6 +86,17 @@ Result<void> check_ribbon(const RecordingHeader& header) {
   return {};
 }
 
+// Two things may each move by the rounding, towards each other.
+Result<void> check_rounding(const Model& model, const Eigen::Matrix3Xf& recorded) {
+  const double rounding_m = model.placement.rounding_m(recorded);
+  if (model.stated_gap_m == 0 || 2 * rounding_m < model.stated_gap_m) return {};
+  return failure("",
+                 "its unit or scale rounds coordinates by up to " + metres(rounding_m) +
+                     ", so that layers could meet that are " + metres(model.stated_gap_m) +
+                     " apart",
+                 "leave --unit and --scale out");
+}
+
 Result<void> check_obstacle(const ModelObject& obstacle) {
   if (!obstacle.positions.allFinite())
     return contradiction("a vertex of the obstacle is not finite");
@@ -101,11 +112,14 @@ Result<Model> model_of_recording(const RecordingHeader& header, const ModelSetti
   const bool own_rate = settings.frames_per_second > 0;
   Model model{.objects = {ribbon_object(header, settings.faces)},
               .frames_per_second = own_rate ? settings.frames_per_second : header.frames_per_second,
-              .placement = settings.placement};
+              .placement = settings.placement,
+              .stated_gap_m = header.stated_gap_m};
   if (settings.with_obstacle && header.obstacle) {
     ModelObject obstacle =
         obstacle_object(*header.obstacle, model.objects.front().name, settings.placement);
     if (auto checked = check_obstacle(obstacle); !checked) return tl::unexpected(checked.error());
+    if (auto checked = check_rounding(model, header.obstacle->vertices); !checked)
+      return tl::unexpected(checked.error());
     model.objects.push_back(std::move(obstacle));
   }
   if (!settings.with_ribbon) model.objects.erase(model.objects.begin());
@@ -130,6 +144,8 @@ Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int nu
     if (!placed.col(particle).allFinite())
       return failure(place, filled_in("particle {} is not at a finite position", particle),
                      "leave it out with --frames");
+  if (auto checked = check_rounding(model, positions); !checked)
+    return failure(place, checked.error().problem, checked.error().remedy);
   ribbon.positions = placed;
   if (ribbon.normals.cols() > 0) set_normals(ribbon, model.placement);
   return {};

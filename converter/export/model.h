@@ -31,6 +31,8 @@ struct Model {
   std::vector<ModelObject> objects;  // the ribbon first
   double frames_per_second = 0;
   Placement placement = {};
+  // The recording guarantees that nothing comes nearer (RecordingHeader); 0: nothing is guaranteed.
+  double stated_gap_m = 0;
 };
 
 // How the ribbon is divided. A recording certifies its triangles. Quads begin at the corner from
@@ -54,7 +56,8 @@ Result<Model> model_of_recording(const RecordingHeader& header, const ModelSetti
 
 // Puts one frame's ribbon, as it is recorded (3 x particles, metres), into `model`, whose first
 // object it is. Fails, naming the frame (`number` from 1), when the number of particles differs
-// from the recording's or a position is not finite, before or after it is placed.
+// from the recording's, when a position is not finite, before or after it is placed, or when the
+// placement rounds so coarsely that layers could meet which the recording keeps apart.
 Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number);
 
 }  // namespace ribbon

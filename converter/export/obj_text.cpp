@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "text/number_text.h"
+
 namespace ribbon {
 
 namespace {
@@ -25,24 +27,44 @@ void append_columns(std::string& text, const char* keyword, const Columns& colum
   }
 }
 
-// OBJ counts vertices and uv from 1 and through the whole file.
-void append_faces(std::string& text, const ModelObject& object, Eigen::Index first_vertex,
-                  Eigen::Index first_uv) {
+// OBJ counts vertices, uv and normals from 1 and through the whole file.
+struct FirstNumbers {
+  Eigen::Index vertex = 1;
+  Eigen::Index uv = 1;
+  Eigen::Index normal = 1;
+};
+
+// A corner is vertex, vertex/uv, vertex//normal or vertex/uv/normal.
+void append_corner(std::string& text, const ModelObject& object, int corner,
+                   const FirstNumbers& first) {
   const bool has_uv = object.uv.cols() > 0;
+  const bool has_normals = object.normals.cols() > 0;
+  append_number(text, ' ', corner + first.vertex);
+  if (has_uv) append_number(text, '/', corner + first.uv);
+  if (has_normals && !has_uv) text += '/';
+  if (has_normals) append_number(text, '/', corner + first.normal);
+}
+
+void append_faces(std::string& text, const ModelObject& object, const FirstNumbers& first) {
   for (Eigen::Index face = 0; face < object.faces.cols(); ++face) {
     text += 'f';
-    for (const int corner : object.faces.col(face)) {
-      append_number(text, ' ', corner + first_vertex);
-      if (has_uv) append_number(text, '/', corner + first_uv);
-    }
+    for (const int corner : object.faces.col(face)) append_corner(text, object, corner, first);
     text += '\n';
   }
+}
+
+// OBJ itself cannot say it; people read it.
+std::string placement_text(const Placement& placement) {
+  const bool metres = placement.metres_per_unit == 1;
+  return (metres ? "metres" : filled_in("units of {:.6g} m", placement.metres_per_unit)) +
+         (placement.up == UpAxis::y ? ", y up" : ", z up");
 }
 
 std::size_t expected_bytes(const Model& model) {
   std::size_t bytes = 1000;
   for (const ModelObject& object : model.objects)
-    bytes += 40 * object.positions.cols() + 24 * object.uv.cols() + 48 * object.faces.cols();
+    bytes += 40 * object.positions.cols() + 24 * object.uv.cols() + 40 * object.normals.cols() +
+             48 * object.faces.cols();
   return bytes;
 }
 
@@ -51,17 +73,19 @@ std::size_t expected_bytes(const Model& model) {
 std::string obj_text(const Model& model, const std::string& material_library) {
   std::string text;
   text.reserve(expected_bytes(model));
-  text += "# ribbon-convert: metres, y up\nmtllib " + material_library + '\n';
-  Eigen::Index first_vertex = 1;
-  Eigen::Index first_uv = 1;
+  text += "# ribbon-convert: " + placement_text(model.placement) + "\nmtllib " + material_library +
+          '\n';
+  FirstNumbers first;
   for (const ModelObject& object : model.objects) {
     text += "o " + object.name + '\n';
     append_columns(text, "v", object.positions);
     append_columns(text, "vt", object.uv);
+    append_columns(text, "vn", object.normals);
     text += "usemtl " + object.material.name + '\n';
-    append_faces(text, object, first_vertex, first_uv);
-    first_vertex += object.positions.cols();
-    first_uv += object.uv.cols();
+    append_faces(text, object, first);
+    first.vertex += object.positions.cols();
+    first.uv += object.uv.cols();
+    first.normal += object.normals.cols();
   }
   return text;
 }

@@ -8,8 +8,8 @@
 namespace ribbon {
 
 // The model as OBJ: one `o` per object, vertices in the model's order, none joined, `vt` per vertex
-// where the object has uv, faces as they are. Numbers are the shortest that read back as the same
-// float. `material_library` is the file name that `mtllib` refers to.
+// where the object has uv, `vn` likewise, faces as they are. Numbers are the shortest that read
+// back as the same float. `material_library` is the file name that `mtllib` refers to.
 //
 // assimp's own OBJ writer is not used: it joins vertices at equal positions (their number then
 // changes from frame to frame), orders them by first use, and writes `g`, which Blender imports as

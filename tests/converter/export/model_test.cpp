@@ -79,6 +79,26 @@ TEST(Model, a_position_that_grows_beyond_all_numbers_names_its_frame) {
               StartsWith("frame 2: "));
 }
 
+TEST(Model, a_unit_whose_rounding_could_close_the_stated_gap_is_refused) {
+  SampleKnot knot = sample_knot({.along = 12, .across = 4}, {1000, 2000, -3000});
+  const ModelSettings centimetres{.with_obstacle = false, .placement = {.metres_per_unit = 0.01}};
+  const auto posed = [&](double gap_m) {
+    knot.header.stated_gap_m = gap_m;
+    Model model = model_of_recording(knot.header, centimetres).value();
+    return pose_ribbon(model, knot.frames[1].cast<float>(), 2);
+  };
+  EXPECT_TRUE(posed(0));  // nothing is stated
+  EXPECT_TRUE(posed(1e-3));
+  EXPECT_THAT(refusal_of(posed(1e-4)), AllOf(StartsWith("frame 2: "), HasSubstr("--unit")));
+}
+
+TEST(Model, an_obstacle_that_is_rounded_too_coarsely_is_refused) {
+  SampleKnot knot = sample_knot({.along = 12, .across = 4}, {1000, 2000, -3000});
+  knot.header.stated_gap_m = 1e-4;
+  EXPECT_TRUE(model_of_recording(knot.header, {}));
+  EXPECT_FALSE(model_of_recording(knot.header, {.placement = {.scale = 0.3}}));
+}
+
 TEST(Model, normals_are_there_only_where_they_are_asked_for) {
   const SampleKnot knot = sample_knot();
   EXPECT_EQ(posed_model(knot, 1).objects[0].normals.cols(), 0);

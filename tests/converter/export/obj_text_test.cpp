@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "converter/export/posed_model.h"
+#include "result/refusal.h"
 
 namespace ribbon::obj_text_test {
 
@@ -51,6 +52,21 @@ TEST(ObjText, a_quad_and_a_triangle_are_written_as_they_are) {
             "v 0 0 0\n"
             "usemtl obstacle\n"
             "f 7 6 5\n");
+}
+
+TEST(ObjText, normals_stand_with_their_corners) {
+  Model model = one_quad();
+  for (ModelObject& object : model.objects)
+    object.normals = Eigen::Vector3f::UnitY().replicate(1, object.positions.cols());
+  const std::string text = obj_text(model, "knot.mtl");
+  EXPECT_THAT(text, HasSubstr("vn 0 1 0\nusemtl ribbon\nf 1/1/1 2/2/2 3/3/3 4/4/4\n"));
+  EXPECT_THAT(text, HasSubstr("f 7//7 6//6 5//5\n"));
+}
+
+TEST(ObjText, people_can_read_its_axes_and_unit) {
+  Model model = one_quad();
+  model.placement = {.up = UpAxis::z, .metres_per_unit = 0.01};
+  EXPECT_THAT(obj_text(model, "knot.mtl"), StartsWith("# ribbon-convert: units of 0.01 m, z up\n"));
 }
 
 TEST(ObjText, the_material_library_names_every_material) {

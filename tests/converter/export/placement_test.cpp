@@ -35,4 +35,26 @@ TEST(Placement, a_scale_enlarges_whatever_the_unit) {
   EXPECT_EQ(tenth.place(two_points())(1, 0), 20);
 }
 
+// How far placing moves a vertex, measured in double precision.
+double moved_m(const Placement& placement, const Eigen::Matrix3Xf& recorded) {
+  const Eigen::Matrix3Xd exact = placement.factor() * recorded.cast<double>();
+  const Eigen::Matrix3Xd placed = placement.place(recorded).cast<double>();
+  return (placed - exact).colwise().norm().maxCoeff() / placement.factor();
+}
+
+TEST(Placement, no_vertex_moves_further_than_the_bound_says) {
+  for (const double scale : {0.1, 0.3, 7.0, 1e-30})
+    for (const float reach : {0.01F, 1.6F, 3000.0F}) {
+      const Eigen::Matrix3Xf recorded = reach * Eigen::Matrix3Xf::Random(3, 1000);
+      const Placement placement{.metres_per_unit = 0.01, .scale = scale};
+      EXPECT_LE(moved_m(placement, recorded), placement.rounding_m(recorded));
+      EXPECT_GT(moved_m(placement, recorded), placement.rounding_m(recorded) / 4);
+    }
+}
+
+TEST(Placement, as_recorded_nothing_is_rounded) {
+  EXPECT_EQ(Placement{}.rounding_m(two_points()), 0);
+  EXPECT_EQ(Placement{.up = UpAxis::z}.rounding_m(two_points()), 0);
+}
+
 }  // namespace ribbon::placement_test
