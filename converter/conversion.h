@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,16 @@ struct ConversionRequest {
   std::string output;  // "out/knot.{frame:04}.obj", ".fbx" or "out/knot.pc2"
   std::string frames;  // "A:B:STEP"; empty: all
   ModelSettings model;
-  bool quiet = false;                                        // no progress line
+  std::optional<int> start_frame;  // number of the first file of a sequence; otherwise as recorded
+  bool force = false;              // what exists may be replaced
+  bool resume = false;             // goes on with a sequence that was stopped
+  bool quiet = false;              // no progress line
   std::function<bool()> interrupted = [] { return false; };  // asked before each frame; any thread
 };
 
 struct ConversionReport {
-  int frames_written = 0;
+  int frames_written = 0;  // or kept
+  int frames_kept = 0;     // complete before this conversion went on
   std::uint64_t bytes_written = 0;
   std::filesystem::path first_file;
   std::filesystem::path last_file;
@@ -32,8 +37,9 @@ struct ConversionReport {
 };
 
 // Writes every asked frame that can be read, on all cores. Each file appears complete or not at
-// all. Fails, naming the place, when the recording cannot be opened or holds none of the frames,
-// when the output cannot be written, when a frame is not finite, or when interrupted.
+// all, and none is replaced unasked. Fails, naming the place, when the recording cannot be opened
+// or holds none of the frames, when the output exists or cannot be written, when the format has no
+// place for what is asked, when a frame is not finite, or when interrupted.
 Result<ConversionReport> convert(const ConversionRequest& request);
 
 }  // namespace ribbon

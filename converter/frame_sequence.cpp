@@ -3,15 +3,14 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <utility>
 
-#include "commandline/frame_pattern.h"
 #include "commandline/progress.h"
-#include "converter/export/fbx_export.h"
+#include "converter/encode_model.h"
 #include "converter/export/obj_text.h"
-#include "converter/output_names.h"
 #include "converter/reader_pool.h"
+#include "converter/sequence_log.h"
+#include "converter/sequence_names.h"
 #include "files/files.h"
 #include "parallel/parallel.h"
 
@@ -24,42 +23,43 @@ constexpr std::size_t frames_per_range = 8;  // consecutive, because a reader li
 // What became of one frame; all empty: it was not tried, because another one failed.
 struct Outcome {
   std::uint64_t bytes = 0;
+  bool kept = false;
   bool lost = false;  // by damage to the recording
   std::optional<Error> failure;
 };
 
 class Sequence {
  public:
-  Sequence(const ConversionRequest& request, OutputFormat format, RecordingReader reader,
-           const Model& model, const std::vector<int>& frames, FramePattern file)
-      : format_(format),
+  Sequence(const ConversionRequest& request, ConversionJob job, SequenceNames names,
+           SequenceLog log)
+      : format_(job.format),
         interrupted_(request.interrupted),
-        material_library_(material_library_name(request.output)),
-        model_(model),
-        frames_(frames),
-        file_(std::move(file)),
-        readers_(request.recording, std::move(reader)),
-        progress_("frame", static_cast<int>(frames.size()), request.quiet),
-        outcomes_(frames.size()) {}
+        names_(std::move(names)),
+        log_(std::move(log)),
+        model_(std::move(job.model)),
+        frames_(std::move(job.frames)),
+        readers_(request.recording, std::move(job.reader)),
+        progress_("frame", static_cast<int>(frames_.size()), request.quiet),
+        outcomes_(frames_.size()) {}
 
   Result<ConversionReport> write() {
-    if (format_ == OutputFormat::obj)
-      if (auto written = write_material_library(); !written) return tl::unexpected(written.error());
-    parallel_ranges(frames_.size(), frames_per_range,
-                    [this](std::size_t begin, std::size_t end) { write_range(begin, end); });
-    progress_.clear();
-    return report();
+    auto written = write_material_libraries();
+    if (written) {
+      parallel_ranges(frames_.size(), frames_per_range,
+                      [this](std::size_t begin, std::size_t end) { write_range(begin, end); });
+      progress_.clear();
+    }
+    auto report = written.and_then([this] { return this->report(); });
+    if (report || log_.empty()) log_.remove();
+    return report;
   }
 
  private:
-  // Into every folder that gets frames, since {frame} may stand in a folder's name.
-  Result<void> write_material_library() {
-    std::set<std::filesystem::path> folders;
-    for (const int index : frames_) folders.insert(file_.file(index + 1).parent_path());
-    for (const auto& folder : folders)
-      if (auto written = write_file(folder / material_library_, material_library_text(model_));
-          !written)
-        return written;
+  Result<void> write_material_libraries() {
+    if (format_ != OutputFormat::obj) return {};
+    const std::string text = material_library_text(model_);
+    for (const auto& library : names_.libraries())
+      if (auto written = write_file(library, text); !written) return written;
     return {};
   }
 
@@ -69,28 +69,31 @@ class Sequence {
     if (!reader) return stop(outcomes_[begin], reader.error());
     Model model = model_;
     for (std::size_t slot = begin; slot < end && !stopped_; ++slot) {
-      write_frame(*reader, model, frames_[slot], outcomes_[slot]);
+      write_frame(*reader, model, slot);
       count_done();
     }
     readers_.give_back(std::move(*reader));
   }
 
-  void write_frame(RecordingReader& reader, Model& model, int index, Outcome& outcome) {
-    if (interrupted_()) return stop(outcome, {"", "interrupted", "what is written is complete"});
+  void write_frame(RecordingReader& reader, Model& model, std::size_t slot) {
+    Outcome& outcome = outcomes_[slot];
+    if (interrupted_()) return stop(outcome, {"", "interrupted", "go on with --resume"});
+    outcome.bytes = log_.complete_bytes(names_.number(slot), names_.frame(slot));
+    outcome.kept = outcome.bytes > 0;
+    if (outcome.kept) return;
+    const int index = frames_[slot];
     Eigen::Matrix3Xf positions;
     outcome.lost = !reader.readable(index) || !reader.read(index, positions);
     if (outcome.lost) return;
-    const Result<std::string> bytes =
-        pose_ribbon(model, positions, index + 1).and_then([&] { return encode(model); });
+    const Result<std::string> bytes = pose_ribbon(model, positions, index + 1).and_then([&] {
+      return encode_model(format_, model, names_.library());
+    });
     if (!bytes) return stop(outcome, bytes.error());
-    const Result<void> written = write_file(file_.file(index + 1), *bytes);
+    const Result<void> written = write_file(names_.frame(slot), *bytes).and_then([&] {
+      return log_.add(names_.number(slot), *bytes);
+    });
     if (!written) return stop(outcome, written.error());
     outcome.bytes = bytes->size();
-  }
-
-  [[nodiscard]] Result<std::string> encode(const Model& model) const {
-    if (format_ == OutputFormat::fbx) return fbx_bytes(model);
-    return obj_text(model, material_library_);
   }
 
   void stop(Outcome& outcome, const Error& error) {
@@ -106,14 +109,15 @@ class Sequence {
   [[nodiscard]] Result<ConversionReport> report() {
     ConversionReport report;
     report.damage = readers_.damage();
-    report.first_file = file_.file(frames_.front() + 1);
-    report.last_file = file_.file(frames_.back() + 1);
+    report.first_file = names_.frame(0);
+    report.last_file = names_.frame(frames_.size() - 1);
     for (std::size_t slot = 0; slot < frames_.size(); ++slot) {
       const Outcome& outcome = outcomes_[slot];
       if (outcome.failure) return tl::unexpected(*outcome.failure);
       if (outcome.lost) report.missing.push_back(frames_[slot] + 1);
       report.frames_written += outcome.lost ? 0 : 1;
-      report.bytes_written += outcome.bytes;
+      report.frames_kept += outcome.kept ? 1 : 0;
+      report.bytes_written += outcome.kept ? 0 : outcome.bytes;
     }
     if (report.frames_written == 0)
       return failure("", "none of the frames can be read", "record it again");
@@ -122,10 +126,10 @@ class Sequence {
 
   OutputFormat format_;
   std::function<bool()> interrupted_;
-  std::string material_library_;
-  const Model& model_;
-  const std::vector<int>& frames_;
-  FramePattern file_;
+  SequenceNames names_;
+  SequenceLog log_;
+  Model model_;
+  std::vector<int> frames_;
   ReaderPool readers_;
   std::mutex progress_mutex_;
   ProgressLine progress_;
@@ -136,12 +140,14 @@ class Sequence {
 
 }  // namespace
 
-Result<ConversionReport> write_frame_sequence(const ConversionRequest& request, OutputFormat format,
-                                              RecordingReader reader, const Model& model,
-                                              const std::vector<int>& frames) {
-  auto file = FramePattern::parse(request.output, static_cast<int>(frames.size()));
-  if (!file) return tl::unexpected(file.error());
-  return Sequence(request, format, std::move(reader), model, frames, std::move(*file)).write();
+Result<ConversionReport> write_frame_sequence(const ConversionRequest& request, ConversionJob job) {
+  auto names = SequenceNames::of(request, job.frames);
+  if (!names) return tl::unexpected(names.error());
+  const std::string text = job_text(request, job.reader);
+  auto log = request.resume ? SequenceLog::resume(names->log(), text)
+                            : SequenceLog::begin(names->log(), text);
+  if (!log) return tl::unexpected(log.error());
+  return Sequence(request, std::move(job), std::move(*names), std::move(*log)).write();
 }
 
 }  // namespace ribbon

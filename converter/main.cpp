@@ -6,6 +6,7 @@
 #include "commandline/interrupt.h"
 #include "commandline/tool.h"
 #include "converter/conversion.h"
+#include "converter/dry_run.h"
 #include "converter/options.h"
 #include "parallel/parallel.h"
 #include "text/number_text.h"
@@ -14,9 +15,11 @@ namespace {
 
 void print_summary(const ribbon::ConversionReport& report, double seconds) {
   const bool several = report.first_file != report.last_file;
-  std::printf("%d frames, %.1f MB in %.1f s: %s%s%s\n", report.frames_written,
-              static_cast<double>(report.bytes_written) / 1e6, seconds, report.first_file.c_str(),
-              several ? " ... " : "", several ? report.last_file.c_str() : "");
+  if (report.frames_written > 0) std::printf("%d frames, ", report.frames_written);
+  if (report.frames_kept > 0) std::printf("%d of them kept, ", report.frames_kept);
+  std::printf("%.1f MB in %.1f s: %s%s%s\n", static_cast<double>(report.bytes_written) / 1e6,
+              seconds, report.first_file.c_str(), several ? " ... " : "",
+              several ? report.last_file.c_str() : "");
 }
 
 void print_damage(const ribbon::ConversionReport& report) {
@@ -36,6 +39,11 @@ ribbon::Result<ribbon::ExitCode> run(int argc, const char* const* argv) {
   ribbon::set_thread_limit((*line)->threads);
   const ribbon::Interrupt interrupt;
   (*line)->request.interrupted = [&] { return interrupt.requested(); };
+  if ((*line)->dry_run)
+    return ribbon::plan_conversion((*line)->request).map([](const ribbon::ConversionPlan& plan) {
+      std::printf("%s\n", ribbon::plan_text(plan).c_str());
+      return ribbon::ExitCode::done;
+    });
   const auto start = std::chrono::steady_clock::now();
   const auto report = ribbon::convert((*line)->request);
   if (!report) return tl::unexpected(report.error());

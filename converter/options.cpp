@@ -13,18 +13,70 @@ constexpr const char* examples = R"(Examples:
                                                          as the mesh that it deforms
   ribbon-convert knot.rbn -o last.obj --frames -1        the last frame alone
   ribbon-convert knot.rbn -o 'few.{frame}.fbx' --frames 1:-1:10
+  ribbon-convert knot.rbn -o rock.obj --object obstacle  what does not move, once
+  ribbon-convert knot.rbn -o 'max.{frame:04}.fbx' --up z --unit cm
 
-Metres, y up, vertices in the recorded order in every frame.
+Metres and y up unless told otherwise; vertices in the recorded order, and the triangles that the
+recording certifies, in every frame.
 Exit code: 0 done; 1 the recording is damaged (what can be read is written, what is missing is listed);
 2 could not.)";
 
-// What is chosen by words.
+// What is chosen by words, and numbers that may be left out.
 struct Words {
   std::string faces = "triangles";
   std::string objects = "both";
+  std::string up = "y";
+  std::string unit = "m";
+  int start_frame = 0;
 };
 
-void add_options(Arguments& arguments, CommandLine& line, Words& words) {
+void add_what(Arguments& arguments, ConversionRequest& request, Words& words) {
+  arguments.add("--frames", request.frames, "A:B:STEP",
+                "Frames from 1, both ends included; -1 is the last (default: all)");
+  arguments.add("--object", words.objects, "NAME", "What to write: ribbon, obstacle or both")
+      .one_of({"both", "ribbon", "obstacle"})
+      .with_default_shown();
+  arguments
+      .add("--faces", words.faces, "KIND",
+           "Of the ribbon: triangles, which the recording certifies, or quads")
+      .one_of({"triangles", "quads"})
+      .with_default_shown();
+  arguments.flag("--normals", request.model.with_normals,
+                 "Smooth normals at the vertices; without, readers compute their own");
+}
+
+void add_how(Arguments& arguments, ModelSettings& model, Words& words) {
+  arguments.add("--up", words.up, "AXIS", "Which axis points up: y or z")
+      .one_of({"y", "z"})
+      .with_default_shown();
+  arguments.add("--unit", words.unit, "UNIT", "What a coordinate of 1 means: m or cm")
+      .one_of({"m", "cm"})
+      .with_default_shown();
+  arguments.add("--scale", model.placement.scale, {1e-6, 1e6}, "X",
+                "Makes everything X times as large");
+  arguments.add("--fps", model.frames_per_second, {1e-3, 1e6}, "RATE",
+                "Frames a second that the files state, whatever the recording's were");
+}
+
+// Whether a number for the first file is given.
+Argument add_files(Arguments& arguments, CommandLine& line, Words& words) {
+  const auto start =
+      arguments.add("--start-frame", words.start_frame, {0, 100'000'000}, "N",
+                    "Number of the first file; the others follow (default: as recorded)");
+  const auto force =
+      arguments.flag("--force", line.request.force, "Replace files that exist already");
+  arguments
+      .flag("--resume", line.request.resume,
+            "Go on with a sequence that was stopped: files that are complete stay")
+      .excludes(force);
+  arguments.flag("--dry-run", line.dry_run, "Tell files, size and time, and write nothing");
+  arguments.add("--threads", line.threads, {1, 1024}, "N",
+                "How many threads to use (default: all cores)");
+  arguments.flag("--quiet", line.request.quiet, "No progress and no summary");
+  return start;
+}
+
+Argument add_options(Arguments& arguments, CommandLine& line, Words& words) {
   ConversionRequest& request = line.request;
   arguments
       .add("recording", request.recording, "KNOT.rbn", "The recording, as ribbon-record wrote it")
@@ -33,19 +85,17 @@ void add_options(Arguments& arguments, CommandLine& line, Words& words) {
       .add("-o,--output", request.output, "FILE",
            "Where to: .obj or .fbx with {frame} or {frame:04} for the number, or .pc2")
       .required();
-  arguments.add("--frames", request.frames, "A:B:STEP",
-                "Frames from 1, both ends included; -1 is the last (default: all)");
-  arguments
-      .add("--faces", words.faces, "KIND",
-           "Of the ribbon: triangles, which the recording certifies, or quads")
-      .one_of({"triangles", "quads"})
-      .with_default_shown();
-  arguments.add("--object", words.objects, "NAME", "What to write: both or ribbon")
-      .one_of({"both", "ribbon"})
-      .with_default_shown();
-  arguments.add("--threads", line.threads, {1, 1024}, "N",
-                "How many threads to use (default: all cores)");
-  arguments.flag("--quiet", request.quiet, "No progress and no summary");
+  add_what(arguments, request, words);
+  add_how(arguments, request.model, words);
+  return add_files(arguments, line, words);
+}
+
+void apply(const Words& words, ModelSettings& model) {
+  model.faces = words.faces == "quads" ? RibbonFaces::quads : RibbonFaces::triangles;
+  model.with_ribbon = words.objects != "obstacle";
+  model.with_obstacle = words.objects != "ribbon";
+  model.placement.up = words.up == "z" ? UpAxis::z : UpAxis::y;
+  model.placement.metres_per_unit = words.unit == "cm" ? 0.01 : 1;
 }
 
 }  // namespace
@@ -55,13 +105,12 @@ Result<std::optional<CommandLine>> parse_command_line(int argc, const char* cons
                       RIBBON_VERSION, examples);
   CommandLine line;
   Words words;
-  add_options(arguments, line, words);
+  const Argument start = add_options(arguments, line, words);
   const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
-  ModelSettings& model = line.request.model;
-  model.faces = words.faces == "quads" ? RibbonFaces::quads : RibbonFaces::triangles;
-  model.with_obstacle = words.objects == "both";
+  apply(words, line.request.model);
+  if (start.is_given()) line.request.start_frame = words.start_frame;
   return line;
 }
 

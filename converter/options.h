@@ -11,6 +11,7 @@ namespace ribbon {
 struct CommandLine {
   ConversionRequest request;
   int threads = 0;  // 0: all cores
+  bool dry_run = false;
 };
 
 // Nothing when help or the version was asked for, which this prints. Fails when it makes no sense.

@@ -20,10 +20,10 @@ echo "== Drawing"
 "$tools/player/ribbon-play" "$out/knot.rbn" --sheet "$out/sheet.png"
 echo "== Exporting"
 for format in obj fbx; do
-  "$tools/converter/ribbon-convert" "$out/knot.rbn" -o "$out/$format/knot.{frame:04}.$format" \
+  "$tools/converter/ribbon-convert" "$out/knot.rbn" --force -o "$out/$format/knot.{frame:04}.$format" \
     --frames "$every_tenth"
 done
-"$tools/converter/ribbon-convert" "$out/knot.rbn" -o "$out/knot.pc2"
+"$tools/converter/ribbon-convert" "$out/knot.rbn" --force -o "$out/knot.pc2"
 
 cat <<END
 

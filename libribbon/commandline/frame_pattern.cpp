@@ -52,7 +52,7 @@ Result<FramePattern> FramePattern::parse(const std::string& text, int frame_coun
 }
 
 std::filesystem::path FramePattern::file(int number) const {
-  assert(number >= 1);
+  assert(number >= 0);
   if (digits_ == 0) return before_;
   std::string digits = std::to_string(number);
   if (digits.size() < static_cast<std::size_t>(digits_))

@@ -17,7 +17,7 @@ class FramePattern {
   // Likewise for so many frames: a single one may also be named without a place for its number.
   static Result<FramePattern> parse(const std::string& text, int frame_count);
 
-  // The file of frame `number` (as users see it, from 1).
+  // The file of frame `number`, at least 0.
   [[nodiscard]] std::filesystem::path file(int number) const;
 
  private:

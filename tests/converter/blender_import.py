@@ -198,6 +198,17 @@ def check_exports(verdicts, convert, folder, sample, faces, corners):
     verdicts.accepts(f"{what} {cache.name}", problems)
 
 
+def check_placed(verdicts, convert, folder):
+    """FBX says its axes and unit, so that others than the recording's come to the same."""
+    reference = Reference(folder / "near.json")
+    out = folder / "near/placed"
+    command = [convert, folder / "near.rbn", "-o", out / "knot.{frame}.fbx", "--quiet"]
+    subprocess.run([*command, "--up", "z", "--unit", "cm"], check=True)
+    for frame in range(len(reference.frames)):
+        path = out / f"knot.{frame + 1:04}.fbx"
+        verdicts.accepts(f"near z-up cm {path.name}", check_file(path, reference, frame))
+
+
 def check_that_faults_are_seen(verdicts, folder):
     reference = Reference(folder / "near.json")
     spoiled = folder / "spoiled"
@@ -220,6 +231,7 @@ def main():
     for sample in ("near", "far"):
         check_exports(verdicts, convert, folder, sample, "triangles", 3)
     check_exports(verdicts, convert, folder, "near", "quads", 4)
+    check_placed(verdicts, convert, folder)
     check_that_faults_are_seen(verdicts, folder)
     if verdicts.failed:
         raise SystemExit(f"{verdicts.failed} comparisons went wrong")

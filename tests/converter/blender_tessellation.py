@@ -103,8 +103,8 @@ class Check:
         self.failed = 0
 
     def export(self, name, options):
-        output = self.folder / ("-".join(options).strip("-") or "default") / name
-        command = [self.convert, self.recording, "-o", output, "--quiet", *options]
+        output = self.folder / ("".join(options).strip("-") or "default") / name
+        command = [self.convert, self.recording, "-o", output, "--quiet", "--force", *options]
         subprocess.run(command, check=True)
         return output
 
@@ -141,6 +141,7 @@ def main():
     for name in ("knot.{frame:04}.obj", "knot.pc2"):
         check.accept(name, ["--faces", "quads"])
         check.refuse_spoiled(name)
+    check.accept("knot.pc2", ["--up", "z", "--unit", "cm", "--scale", "0.3"])
     if check.failed:
         raise SystemExit(f"{check.failed} comparisons went wrong")
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "commandline/tool_run.h"
+#include "converter/export/placement.h"
 #include "converter/sample_knot.h"
 #include "files/files.h"
 #include "files/flipped.h"
@@ -24,6 +25,11 @@ Eigen::Matrix3Xf cached_sample(const std::string& cache, std::size_t sample) {
   Eigen::Matrix3Xf positions(3, 48);
   std::memcpy(positions.data(), cache.data() + 32 + sample * sample_bytes, sample_bytes);
   return positions;
+}
+
+// What stands in an OBJ behind the name of its material library.
+std::string objects_of(const std::string& obj) {
+  return obj.substr(obj.find("\no "));
 }
 
 class Tool : public ToolTest {
@@ -76,8 +82,7 @@ TEST_F(Tool, a_point_cache_equals_the_recording_and_has_its_base) {
     EXPECT_EQ(cached_sample(cache, static_cast<std::size_t>(frame)), recorded) << "frame " << frame;
   }
   ASSERT_EQ(run("knot.rbn -o first.obj --frames 1").exit_code, 0);
-  const auto objects = [](const std::string& obj) { return obj.substr(obj.find("\no ")); };
-  EXPECT_EQ(objects(bytes("out/knot.obj")), objects(bytes("first.obj")));
+  EXPECT_EQ(objects_of(bytes("out/knot.obj")), objects_of(bytes("first.obj")));
 }
 
 TEST_F(Tool, the_last_frame_alone_needs_no_pattern) {
@@ -89,6 +94,129 @@ TEST_F(Tool, the_obstacle_can_be_left_out) {
   ASSERT_EQ(run("knot.rbn -o a.obj --frames 1 --object ribbon").exit_code, 0);
   EXPECT_THAT(bytes("a.obj"), Not(HasSubstr("small object")));
   EXPECT_THAT(bytes("a.mtl"), Not(HasSubstr("obstacle")));
+}
+
+TEST_F(Tool, the_obstacle_alone_is_one_file) {
+  EXPECT_THAT(output_of(run("knot.rbn -o rock.obj --object obstacle")), HasSubstr("rock.obj"));
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn", "rock.mtl", "rock.obj"));
+  EXPECT_THAT(bytes("rock.obj"), AllOf(HasSubstr("o small object"), Not(HasSubstr("o first"))));
+  expect_refusal(run("knot.rbn -o 'rock.{frame}.obj' --object obstacle"), "leave {frame} out");
+  expect_refusal(run("knot.rbn -o rock.pc2 --object obstacle"), ".obj or .fbx");
+  expect_refusal(run("knot.rbn -o a.obj --object obstacle --frames 1"), "--frames");
+}
+
+TEST_F(Tool, axes_unit_and_scale_reach_the_numbers) {
+  ASSERT_EQ(run("knot.rbn -o m.pc2").exit_code, 0);
+  ASSERT_EQ(run("knot.rbn -o cm.pc2 --up z --unit cm --scale 0.5").exit_code, 0);
+  const Placement placement{.up = UpAxis::z, .metres_per_unit = 0.01, .scale = 0.5};
+  EXPECT_EQ(cached_sample(bytes("cm.pc2"), 1), placement.place(cached_sample(bytes("m.pc2"), 1)));
+}
+
+TEST_F(Tool, what_a_format_has_no_place_for_is_refused) {
+  expect_refusal(run("knot.rbn -o '{frame}.obj' --fps 24"), "--fps");
+  expect_refusal(run("knot.rbn -o a.pc2 --fps 24"), "--fps");
+  expect_refusal(run("knot.rbn -o a.pc2 --start-frame 1001"), "--start-frame");
+  expect_refusal(run("knot.rbn -o a.pc2 --normals"), "--normals");
+  expect_refusal(run("knot.rbn -o a.pc2 --resume"), "--resume");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
+}
+
+TEST_F(Tool, numbers_of_files_can_begin_anywhere_and_leave_none_out) {
+  ASSERT_EQ(run("knot.rbn -o 'out/{frame}.fbx' --frames ::2 --start-frame 1001").exit_code, 0);
+  EXPECT_THAT(names("out"), ElementsAre("1001.fbx", "1002.fbx", "1003.fbx"));
+  ASSERT_EQ(run("knot.rbn -o 'zero/{frame}.fbx' --frames 2 --start-frame 0").exit_code, 0);
+  EXPECT_THAT(names("zero"), ElementsAre("0000.fbx"));
+}
+
+TEST_F(Tool, nothing_is_overwritten_unasked) {
+  for (const std::string output : {"'a.{frame}.obj'", "b.pc2", "'c.{frame}.fbx'"}) {
+    ASSERT_EQ(run("knot.rbn -o " + output).exit_code, 0);
+    const std::string again = "knot.rbn --object ribbon -o " + output;
+    expect_refusal(run(again), "exists already; replace it by --force");
+    EXPECT_EQ(run(again + " --force").exit_code, 0);
+  }
+}
+
+TEST_F(Tool, a_single_file_in_the_way_stops_all) {
+  ASSERT_TRUE(write_file(folder_ / "a.0005.obj", "mine"));
+  expect_refusal(run("knot.rbn -o 'a.{frame}.obj'"), "a.0005.obj: exists already");
+  EXPECT_THAT(names("."), ElementsAre("a.0005.obj", "knot.rbn"));
+}
+
+TEST_F(Tool, a_material_library_is_shared_by_those_who_write_the_same) {
+  ASSERT_EQ(run("knot.rbn -o 'a.{frame}.obj'").exit_code, 0);
+  EXPECT_EQ(run("knot.rbn -o a.pc2").exit_code, 0);
+  expect_refusal(run("knot.rbn -o a_.pc2 --object ribbon"), "a.mtl: exists already");
+}
+
+TEST_F(Tool, a_dry_run_tells_and_writes_nothing) {
+  EXPECT_THAT(output_of(run("knot.rbn -o 'out/a.{frame}.obj' --dry-run")),
+              AllOf(StartsWith("would write 6 files, about 0.0 MB"),
+                    HasSubstr("out/a.0001.obj ... out/a.0005.obj")));
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
+  ASSERT_EQ(run("knot.rbn -o a.pc2").exit_code, 0);
+  EXPECT_THAT(output_of(run("knot.rbn -o a.pc2 --dry-run")),
+              AllOf(StartsWith("would write 3 files"), HasSubstr("2 of them exist already")));
+  EXPECT_EQ(run("knot.rbn -o a.pc2 --fps 3 --dry-run").exit_code, 2);
+}
+
+// A conversion that stopped at frame 3, because a folder stood in its way.
+class StoppedConversion : public Tool {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(write_file(folder_ / "a.0003.obj/in the way", ""));
+    ASSERT_EQ(run(command_ + " --threads 1 --force").exit_code, 2);
+    EXPECT_TRUE(fs::remove_all(folder_ / "a.0003.obj"));
+    ASSERT_THAT(names("."),
+                ElementsAre("a.0001.obj", "a.0002.obj", "a.mtl", "a.obj.unfinished", "knot.rbn"));
+  }
+
+  std::string command_ = "knot.rbn -o 'a.{frame}.obj'";
+};
+
+TEST_F(StoppedConversion, goes_on_with_what_is_missing) {
+  const auto before = fs::last_write_time(folder_ / "a.0002.obj");
+  EXPECT_THAT(output_of(run(command_ + " --resume")), StartsWith("5 frames, 2 of them kept"));
+  EXPECT_EQ(fs::last_write_time(folder_ / "a.0002.obj"), before);
+  EXPECT_THAT(names("."), ElementsAre("a.0001.obj", "a.0002.obj", "a.0003.obj", "a.0004.obj",
+                                      "a.0005.obj", "a.mtl", "knot.rbn"));
+  ASSERT_EQ(run("knot.rbn -o 'b.{frame}.obj'").exit_code, 0);
+  for (const std::string frame : {"1", "2", "3", "4", "5"})
+    EXPECT_EQ(objects_of(bytes("a.000" + frame + ".obj")),
+              objects_of(bytes("b.000" + frame + ".obj")));
+}
+
+TEST_F(StoppedConversion, a_file_that_was_touched_since_is_written_again) {
+  const std::string whole = bytes("a.0002.obj");
+  ASSERT_TRUE(write_file(folder_ / "a.0002.obj", whole.substr(1)));
+  EXPECT_THAT(output_of(run(command_ + " --resume")), StartsWith("5 frames, 1 of them kept"));
+  EXPECT_EQ(bytes("a.0002.obj"), whole);
+}
+
+TEST_F(StoppedConversion, with_other_settings_is_refused) {
+  expect_refusal(run(command_ + " --resume --up z"), "other settings");
+  expect_refusal(run(command_ + " --resume --frames 1:4"), "other settings");
+}
+
+TEST_F(StoppedConversion, of_another_recording_is_refused) {
+  SampleKnot knot = sample_knot();
+  knot.frames.pop_back();
+  record(knot);
+  expect_refusal(run(command_ + " --resume --frames :"), "another recording");
+}
+
+TEST_F(StoppedConversion, without_a_word_is_refused) {
+  expect_refusal(run(command_), "go on with it by --resume, or begin anew with --force");
+}
+
+TEST_F(StoppedConversion, can_begin_anew) {
+  EXPECT_THAT(output_of(run(command_ + " --force")), StartsWith("5 frames, 0.0 MB"));
+  EXPECT_FALSE(fs::exists(folder_ / "a.obj.unfinished"));
+}
+
+TEST_F(Tool, nothing_half_written_cannot_go_on) {
+  expect_refusal(run("knot.rbn -o 'a.{frame}.obj' --resume"), "leave --resume out");
+  EXPECT_EQ(run("knot.rbn -o 'a.{frame}.obj' --resume --force").exit_code, 2);
 }
 
 TEST_F(Tool, several_frames_without_a_pattern_are_refused) {
@@ -197,7 +325,7 @@ TEST_F(Tool, a_disk_that_fills_up_leaves_no_half_file) {
   for (const std::string output : {"out/a.{frame}.obj", "out/a.{frame}.fbx", "out/a.pc2"}) {
     // 1 or 2 kB.
     expect_refusal(run("knot.rbn -o '" + output + "'", "ulimit -f 2 &&"), "cannot be written");
-    for (const std::string& name : names("out")) EXPECT_EQ(name, "a.mtl");
+    EXPECT_THAT(names("out"), testing::Each(testing::AnyOf("a.mtl", "a.obj.unfinished")));
   }
 }
 

@@ -1,0 +1,29 @@
+// A conversion that has been thought through, before anything is written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "converter/conversion.h"
+#include "converter/export/model.h"
+#include "converter/output_format.h"
+#include "playback/recording_reader.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+struct ConversionJob {
+  OutputFormat format = OutputFormat::obj;
+  RecordingReader reader;
+  std::vector<int> frames;  // indices from 0, at least one
+  Model model;
+};
+
+// Opens the recording and works out what is asked for. Fails, naming the place, where that cannot
+// be.
+Result<ConversionJob> open_job(const ConversionRequest& request);
+
+// What is written, in words, so that a later run can tell whether it would write the same.
+std::string job_text(const ConversionRequest& request, const RecordingReader& reader);
+
+}  // namespace ribbon

@@ -1,0 +1,14 @@
+#include "converter/encode_model.h"
+
+#include "converter/export/fbx_export.h"
+#include "converter/export/obj_text.h"
+
+namespace ribbon {
+
+Result<std::string> encode_model(OutputFormat format, const Model& model,
+                                 const std::string& library) {
+  if (format == OutputFormat::fbx) return fbx_bytes(model);
+  return obj_text(model, library);
+}
+
+}  // namespace ribbon

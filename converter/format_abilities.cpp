@@ -1,0 +1,63 @@
+#include "converter/format_abilities.h"
+
+#include <string>
+
+namespace ribbon {
+
+namespace {
+
+struct Abilities {
+  const char* extension;
+  bool frame_rate;  // it says how many frames a second
+  bool numbers;     // its files are numbered
+  bool normals;
+  bool still;  // it can hold what does not move
+};
+
+Abilities abilities_of(OutputFormat format) {
+  switch (format) {
+    case OutputFormat::obj:
+      return {".obj", false, true, true, true};
+    case OutputFormat::fbx:
+      return {".fbx", true, true, false, true};
+    case OutputFormat::pc2:
+      return {".pc2", false, false, false, false};
+  }
+  return {};
+}
+
+Result<void> check_still(const ConversionRequest& request, const Abilities& format) {
+  if (!format.still)
+    return failure(request.output, std::string("a ") + format.extension + " file holds motion",
+                   "write the obstacle as .obj or .fbx");
+  if (request.output.find('{') != std::string::npos)
+    return failure(request.output, "the obstacle does not move, so one file holds it",
+                   "leave {frame} out");
+  if (!request.frames.empty() || request.start_frame)
+    return failure("", "the obstacle is the same in all frames",
+                   "leave --frames and --start-frame out");
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_abilities(const ConversionRequest& request, OutputFormat output) {
+  const Abilities format = abilities_of(output);
+  const auto lacks = [&](const char* what, const char* option) {
+    return failure(request.output, std::string("a ") + format.extension + " file " + what,
+                   std::string("leave ") + option + " out");
+  };
+  if (request.model.frames_per_second > 0 && !format.frame_rate)
+    return lacks("does not say how many frames a second it has", "--fps");
+  if (request.resume && !(format.numbers && request.model.with_ribbon))
+    return failure(request.output, "is one file, which appears complete or not at all",
+                   "leave --resume out");
+  if (request.start_frame && !format.numbers)
+    return lacks("does not number its frames", "--start-frame");
+  if (request.model.with_normals && !format.normals)
+    return lacks("is written without normals", "--normals");
+  if (!request.model.with_ribbon) return check_still(request, format);
+  return {};
+}
+
+}  // namespace ribbon

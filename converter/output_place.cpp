@@ -1,0 +1,42 @@
+#include "converter/output_place.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "files/files.h"
+
+namespace ribbon {
+
+namespace {
+
+// Symbolic links that lead nowhere are there, too; devices are no files that could be lost.
+bool is_taken(const std::filesystem::path& file) {
+  std::error_code code;
+  const auto status = std::filesystem::symlink_status(file, code);
+  return std::filesystem::exists(status) && !std::filesystem::is_other(status);
+}
+
+tl::unexpected<Error> taken(const std::filesystem::path& file) {
+  return failure(file.string(), "exists already",
+                 "replace it by --force, or name another file after -o");
+}
+
+}  // namespace
+
+int existing_count(const std::vector<std::filesystem::path>& files) {
+  return static_cast<int>(std::count_if(files.begin(), files.end(), is_taken));
+}
+
+Result<void> check_places(const PlannedFiles& files) {
+  if (!files.log.empty() && is_taken(files.log))
+    return failure(files.log.string(), "tells that a conversion was stopped here",
+                   "go on with it by --resume, or begin anew with --force");
+  for (const std::filesystem::path& file : files.own)
+    if (is_taken(file)) return taken(file);
+  for (const std::filesystem::path& library : files.libraries)
+    if (is_taken(library) && read_file(library).value_or("") != files.library_text)
+      return taken(library);
+  return {};
+}
+
+}  // namespace ribbon

@@ -1,0 +1,28 @@
+#include "converter/still_life.h"
+
+#include "converter/encode_model.h"
+#include "converter/export/obj_text.h"
+#include "converter/output_names.h"
+#include "files/files.h"
+
+namespace ribbon {
+
+Result<ConversionReport> write_still_life(const ConversionRequest& request,
+                                          const ConversionJob& job) {
+  const std::filesystem::path output = request.output;
+  const std::string library = material_library_name(request.output);
+  const auto bytes = encode_model(job.format, job.model, library);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (job.format == OutputFormat::obj)
+    if (auto written = write_file(output.parent_path() / library, material_library_text(job.model));
+        !written)
+      return tl::unexpected(written.error());
+  return write_file(output, *bytes).map([&] {
+    ConversionReport report;
+    report.bytes_written = bytes->size();
+    report.first_file = report.last_file = output;
+    return report;
+  });
+}
+
+}  // namespace ribbon
