@@ -34,6 +34,7 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
   header.centre_axis = centre_axis(scene);
   header.limited_edges = limited_edges(scene);
   header.strain_limit = start.fastening.guaranteed_strain();
+  header.input_curve = ribbon.curve.cast<float>();
   return header;
 }
 

@@ -18,6 +18,7 @@ RibbonMesh generate_ribbon_mesh(const SpaceCurve& curve, const RibbonScene& ribb
   assert(curve.points.cols() == ribbon.along && ribbon.across >= 2);
   RibbonMesh mesh;
   mesh.grid = {ribbon.along, ribbon.across};
+  mesh.curve = curve.points;
   mesh.length_m = curve.length_m;
   mesh.width_m = ribbon.width_m;
   mesh.squeezed = curve.squeezed;

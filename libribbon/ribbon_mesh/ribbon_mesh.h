@@ -14,6 +14,7 @@ namespace ribbon {
 
 struct RibbonMesh {
   RibbonGrid grid;
+  Eigen::Matrix3Xd curve;      // 3 x along, metres: the centre line that it was put on
   Eigen::Matrix3Xd positions;  // 3 x particles, metres
   Eigen::Matrix2Xf uv;         // 2 x particles: u along, v across, both from 0 to 1
   double length_m = 0;         // of the flat band

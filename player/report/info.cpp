@@ -89,6 +89,10 @@ std::string obstacle_text(const RecordingInfo& info) {
          filled_in("{} vertices, {} triangles", mesh.vertices.cols(), mesh.triangles.cols());
 }
 
+std::string curve_text(const Eigen::Matrix3Xf& points) {
+  return points.cols() == 0 ? "none" : filled_in("{} points", points.cols());
+}
+
 std::string gap_text(const RecordingHeader& header) {
   if (header.stated_gap_m == 0) return "none stated";
   return filled_in("at least {:.6g} mm, as stated", 1000 * header.stated_gap_m);
@@ -224,6 +228,7 @@ std::string info_text(const RecordingInfo& info) {
          report_line("ribbon", filled_in("{} x {} particles, {:.6g} m wide, {:.6g} m long",
                                          header.grid.across, header.grid.along,
                                          header.ribbon_width_m, header.ribbon_length_m)) +
+         report_line("input curve", curve_text(header.input_curve)) +
          report_line("obstacle", obstacle_text(info)) +
          report_line("centre axis", axis_text(header.centre_axis)) +
          report_line("gap", gap_text(header)) +

@@ -23,6 +23,11 @@ Json vector_json(const Eigen::Vector3d& vector) {
   return Json::list({vector.x(), vector.y(), vector.z()});
 }
 
+Json curve_json(const Eigen::Matrix3Xf& points) {
+  if (points.cols() == 0) return nullptr;
+  return {{"points", points.cols()}};
+}
+
 Json axis_json(const std::optional<CentreAxis>& axis) {
   if (!axis) return nullptr;
   return {{"point_m", vector_json(axis->point_m)}, {"direction", vector_json(axis->direction)}};
@@ -99,6 +104,7 @@ std::string info_json(const RecordingInfo& info) {
                     {"across", header.grid.across},
                     {"length_m", header.ribbon_length_m},
                     {"width_m", header.ribbon_width_m}}},
+                  {"input_curve", curve_json(header.input_curve)},
                   {"obstacle", obstacle_json(header.obstacle)},
                   {"centre_axis", axis_json(header.centre_axis)},
                   {"stated_gap_m", header.stated_gap_m > 0 ? Json(header.stated_gap_m) : Json()},

@@ -95,6 +95,7 @@ RecordingHeader rich_header() {
   header.centre_axis = CentreAxis{{0, 0, 0}, {0, 0, 1}};
   header.limited_edges = {.along = true, .across = true, .diagonals = true};
   header.strain_limit = 0.1;
+  header.input_curve = Eigen::Matrix3Xf::Identity(3, 5);
   header.origin = Origin{1, "before", 2, "step = 0.01"};
   return header;
 }

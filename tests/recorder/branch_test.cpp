@@ -89,6 +89,7 @@ TEST_F(Branch, its_header_tells_where_it_came_from_and_holds_its_own_scene) {
   EXPECT_EQ(header.writer, "brancher");
   EXPECT_EQ(read_scene(target(), header.scene_text)->fastening->speed_m_s, 1);
   EXPECT_EQ(header.quantisation_step_m, before.header().quantisation_step_m);
+  EXPECT_EQ(header.input_curve, before.header().input_curve) << "of which [curve] still tells";
   EXPECT_FALSE(before.header().origin.has_value());
 }
 

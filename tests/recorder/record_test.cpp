@@ -11,6 +11,7 @@
 #include "recorder/small_scene.h"
 #include "recorder/test_runs.h"
 #include "result/refusal.h"
+#include "ribbon_mesh/ribbon_mesh.h"
 #include "verification/largest_strain.h"
 
 namespace ribbon::record_test {
@@ -58,6 +59,13 @@ TEST_F(Record, the_header_says_what_was_recorded) {
   EXPECT_NEAR(header.max_position_error_m, 1e-5 * header.ribbon_length_m, 1e-15);
   EXPECT_FALSE(header.obstacle.has_value());
   EXPECT_EQ(header.centre_axis, (CentreAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()}));
+}
+
+TEST_F(Record, the_header_tells_the_curve_that_the_ribbon_was_put_on) {
+  (void)record_all(folder_ / "knot.rbn");
+  const Eigen::Matrix3Xf drawn = draw_ribbon(scene_)->curve.cast<float>();
+  ASSERT_EQ(drawn.cols(), 60);
+  EXPECT_EQ(recorded().header().input_curve, drawn);
 }
 
 // Sixteen particles across are 2 mm apart; rounding by 2e-5 of the length may move the ends of such

@@ -20,7 +20,7 @@ std::filesystem::path golden(const std::string& version) {
   return std::filesystem::path(RIBBON_GOLDEN_RECORDINGS) / ("v" + version + ".rbn");
 }
 
-const std::string this_version = "2.1";
+const std::string this_version = "2.2";
 constexpr int frames = 40;
 constexpr RibbonGrid golden_grid{48, 6};
 
@@ -83,6 +83,10 @@ RecordingHeader golden_header() {
   header.centre_axis = CentreAxis{{0.5, -0.25, 2}, {0, 0, -1}};
   header.limited_edges = {.along = true, .across = true, .diagonals = true};
   header.strain_limit = 0x1p-3;
+  header.input_curve.resize(3, 3);
+  header.input_curve << 0, 0.75F, 1.5F,  //
+      0, 0.25F, 0,                       //
+      0.125F, 0.125F, -0.125F;
   header.origin = Origin{0x12345678, "golden mother", 17, "time.step = 0.5\n"};
   return header;
 }
@@ -145,6 +149,9 @@ TEST_P(GoldenVersions, it_is_read_as_it_was_written) {
   const bool tells_limit = GetParam() != "2.0";
   EXPECT_EQ(reader->header().limited_edges.any(), tells_limit);
   EXPECT_EQ(reader->header().strain_limit, tells_limit ? 0x1p-3 : 0);
+  const bool tells_curve = tells_limit && GetParam() != "2.1";
+  EXPECT_EQ(reader->header().input_curve,
+            tells_curve ? golden_header().input_curve : Eigen::Matrix3Xf());
   EXPECT_EQ(reader->checkpoints(), std::vector<std::uint32_t>{25});
   EXPECT_EQ(reader->read_checkpoint(25).value(), golden_checkpoint);
   EXPECT_EQ(reader->sessions(), std::vector<Session>{golden_session});
@@ -172,7 +179,7 @@ TEST_P(GoldenVersions, every_bit_of_its_positions_is_known) {
   EXPECT_EQ(checksum(bytes), 0xEEB48FBBU);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("2.0", "2.1"),
+INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("2.0", "2.1", "2.2"),
                          [](const auto& version) { return "v2_" + version.param.substr(2); });
 
 }  // namespace ribbon::golden_test

@@ -91,6 +91,8 @@ class Header:
         self.origin = self.take_origin(fields) if fields.take("B") == 1 else None
         edges, self.strain_limit = fields.take("Bd") if self.minor >= 1 else (0, 0.0)
         self.limited_edges = {name for bit, name in enumerate(EDGES) if edges >> bit & 1}
+        points = fields.take("I") if self.minor >= 2 else 0
+        self.input_curve = self.take_points(fields, points) if points else np.zeros((0, 3), "<f4")
 
     @property
     def particles(self):
@@ -100,9 +102,13 @@ class Header:
     def take_obstacle(fields):
         name = fields.text()
         vertices, triangles = fields.take("II")
-        positions = np.frombuffer(fields.block(), "<f4").reshape(vertices, 3)
+        positions = Header.take_points(fields, vertices)
         corners = np.frombuffer(fields.block(), "<u4").reshape(triangles, 3)
         return name, positions, corners
+
+    @staticmethod
+    def take_points(fields, count):
+        return np.frombuffer(fields.block(), "<f4").reshape(count, 3)
 
     @staticmethod
     def take_origin(fields):
@@ -314,6 +320,7 @@ def main():
     header = recording.header
     print(f"{header.scene_name}, {header.across}x{header.along}, {len(recording.frames)} frames")
     print(f"limited edges: {sorted(header.limited_edges)}, to {100 * header.strain_limit:g} %")
+    print(f"input curve: {len(header.input_curve)} points")
     for number in sorted(recording.frames):
         frame = recording.frames[number]
         positions = recording.positions(number)

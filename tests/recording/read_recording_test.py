@@ -28,6 +28,8 @@ def differences(recording_file, frames_file):
     header = recording.header
     if limits(header) != our_limits(frames_file.with_suffix(".limits")):
         yield "the limit of strain differs"
+    if header.input_curve.tobytes() != frames_file.with_suffix(".curve").read_bytes():
+        yield "the input curve differs"
     ours = our_frames(frames_file, header.particles)
     for number in sorted(ours.keys() | recording.frames.keys()):
         if recording.readable(number) != (number in ours):

@@ -1,7 +1,8 @@
 // recordings_for_readers FOLDER: writes small recordings of all kinds into the folder, and beside
 // each NAME.rbn the frames that our own reader decodes from it: NAME.frames, of each frame that is
 // readable its number, u32, and f32 x, y, z of each particle; and what strain is limited to:
-// NAME.limits, of each kind of edge a u8, then f64. recordings_for_readers FOLDER RECORDING...:
+// NAME.limits, of each kind of edge a u8, then f64; and the input curve: NAME.curve, f32 x, y, z of
+// each point. recordings_for_readers FOLDER RECORDING...:
 // does so for these.
 #include <cmath>
 #include <cstdio>
@@ -71,6 +72,7 @@ RecordingHeader header_of(const Kind& kind) {
   header.centre_axis = CentreAxis{{1, 2, 3}, {0, 0.6, 0.8}};
   header.limited_edges = {.along = true, .diagonals = true};
   header.strain_limit = 0.125;
+  header.input_curve.setRandom(3, 7);
   header.origin = Origin{77, "before", 2, "step = 0.01"};
   return header;
 }
@@ -148,6 +150,13 @@ void write_limits(const std::filesystem::path& recording, const std::filesystem:
   demanded(write_file(limits, bytes));
 }
 
+void write_curve(const std::filesystem::path& recording, const std::filesystem::path& curve) {
+  const RecordingHeader header = demanded(RecordingReader::open(recording)).header();
+  std::string bytes;
+  for (const float coordinate : header.input_curve.reshaped()) put<float>(bytes, coordinate);
+  demanded(write_file(curve, bytes));
+}
+
 void write_for_readers(const std::filesystem::path& folder,
                        std::vector<std::filesystem::path> recordings) {
   std::filesystem::create_directories(folder);
@@ -159,6 +168,7 @@ void write_for_readers(const std::filesystem::path& folder,
   for (const std::filesystem::path& recording : recordings) {
     write_frames(recording, folder / (recording.stem().string() + ".frames"));
     write_limits(recording, folder / (recording.stem().string() + ".limits"));
+    write_curve(recording, folder / (recording.stem().string() + ".curve"));
   }
 }
 

@@ -42,6 +42,10 @@ RecordingHeader sample_header() {
   header.centre_axis = CentreAxis{{0, 0.5, 0}, {0, 0.6, 0.8}};
   header.limited_edges = {.along = true, .across = true};
   header.strain_limit = 0.25;
+  header.input_curve.resize(3, 4);
+  header.input_curve << -0.5F, -0.125F, 0.25F, 0.5F,  //
+      0.25F, 0.375F, 0.375F, 0.25F,                   //
+      0, 0.125F, -0.125F, 0;
   return header;
 }
 

@@ -21,6 +21,7 @@ TEST(RibbonMesh, of_a_straight_curve_is_a_flat_band_about_it) {
   EXPECT_TRUE(at(2, 1).isApprox(Eigen::Vector3d(1, 0, 0)));
   EXPECT_TRUE(at(4, 2).isApprox(Eigen::Vector3d(2, 0.1, 0)));
   EXPECT_EQ(mesh.length_m, 2);
+  EXPECT_EQ(mesh.curve, straight_curve(5).points);
 }
 
 TEST(RibbonMesh, texture_coordinates_run_along_and_across_from_0_to_1) {

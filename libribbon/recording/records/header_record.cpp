@@ -13,14 +13,16 @@ namespace ribbon {
 namespace {
 
 constexpr std::uint16_t major_version = 2;
-constexpr std::uint16_t minor_version = 1;
+constexpr std::uint16_t minor_version = 2;
 constexpr std::uint16_t first_minor_with_limits = 1;
+constexpr std::uint16_t first_minor_with_curve = 2;
 constexpr std::uint32_t position_codec = 2;
 constexpr std::uint32_t most_entropy_tables = 64;
 constexpr std::int64_t most_particles = std::int64_t{1} << 24;
 // Columns have a border, so that many short ones take more memory than their particles.
 constexpr int most_columns = 1 << 20;
 constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;
+constexpr std::uint32_t most_curve_points = 1U << 20;
 
 // A matrix column by column, as little-endian numbers in one compressed block.
 template <class Stored, class Matrix>
@@ -145,6 +147,19 @@ LimitedEdges take_limited_edges(ByteTaker& taker) {
           .diagonals = (bits & diagonals_bit) != 0};
 }
 
+void put_curve(std::string& bytes, const Eigen::Matrix3Xf& points) {
+  assert(points.cols() != 1 && points.cols() <= most_curve_points);
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(points.cols()));
+  if (points.cols() > 0) put_matrix<float>(bytes, points);
+}
+
+bool take_curve(ByteTaker& taker, Eigen::Matrix3Xf& points) {
+  const auto count = taker.take<std::uint32_t>();
+  if (count == 0) return taker.complete();
+  return count >= 2 && count <= most_curve_points && take_matrix<float>(taker, count, points) &&
+         points.allFinite();
+}
+
 tl::unexpected<Error> damaged() {
   return failure("", "the header is not valid", "use a copy of the recording that is not damaged");
 }
@@ -204,6 +219,7 @@ std::string header_payload(const RecordingHeader& header) {
   put_origin(bytes, header.origin);
   put_limited_edges(bytes, header.limited_edges);
   put<double>(bytes, header.strain_limit);
+  put_curve(bytes, header.input_curve);
   return bytes;
 }
 
@@ -239,6 +255,7 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
     header.limited_edges = take_limited_edges(taker);
     header.strain_limit = taker.take<double>();
   }
+  if (minor >= first_minor_with_curve && !take_curve(taker, header.input_curve)) return damaged();
   const bool valid = taker.complete() && !header.scene_name.empty() &&
                      is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&
                      is_positive(header.frames_per_second) &&

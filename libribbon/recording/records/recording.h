@@ -52,6 +52,9 @@ struct RecordingHeader {
   // The writer guarantees that |length / rest length - 1| of none of them is larger, in frames as
   // they are decoded. 0: nothing is stated.
   double strain_limit = 0;
+  // 3 x points, metres: the drawing, pulled apart where it crosses itself, that the ribbon was put
+  // on. Empty: not told; else at least 2.
+  Eigen::Matrix3Xf input_curve;
 };
 
 inline CodecParameters codec_parameters(const RecordingHeader& header) {

@@ -38,6 +38,7 @@ TEST(InfoJson, what_is_not_known_is_null) {
   info.numbers.clear();
   info.header.obstacle.reset();
   const auto json = nlohmann::json::parse(info_json(info));
+  EXPECT_TRUE(json["input_curve"].is_null());
   EXPECT_TRUE(json["obstacle"].is_null());
   EXPECT_TRUE(json["centre_axis"].is_null());
   EXPECT_TRUE(json["stated_gap_m"].is_null());
@@ -53,8 +54,10 @@ TEST(InfoJson, what_the_writer_states_is_told) {
   info.header.limited_edges.diagonals = true;
   info.header.strain_limit = 0.125;
   info.header.centre_axis = CentreAxis{{0.5, 0, -1}, {0, 1, 0}};
+  info.header.input_curve.setZero(3, 400);
   const auto json = nlohmann::json::parse(info_json(info));
   EXPECT_EQ(json["stated_gap_m"], 0.25);
+  EXPECT_EQ(json["input_curve"]["points"], 400);
   EXPECT_EQ(json["strain_limit"], 0.125);
   EXPECT_EQ(json["limited_edges"], nlohmann::json::array({"diagonal"}));
   EXPECT_EQ(json["centre_axis"]["point_m"], nlohmann::json::array({0.5, 0.0, -1.0}));

@@ -55,6 +55,7 @@ TEST(RecordingInfo, the_text_is_readable) {
             "frames          3 in 0.08 s, 25 per second\n"
             "checkpoints     none\n"
             "ribbon          4 x 10 particles, 0.08 m wide, 2 m long\n"
+            "input curve     none\n"
             "obstacle        none\n"
             "centre axis     none\n"
             "gap             none stated\n"
@@ -72,9 +73,11 @@ TEST(RecordingInfo, what_the_writer_states_is_told) {
   info.header.stated_gap_m = 0.00025;
   info.header.limited_edges = {.along = true, .across = true};
   info.header.centre_axis = CentreAxis{{0.5, 0, -1}, {0, 1, 0}};
+  info.header.input_curve.setZero(3, 400);
   const std::string text = info_text(info);
   EXPECT_THAT(text, HasSubstr("gap             at least 0.25 mm, as stated\n"));
   EXPECT_THAT(text, HasSubstr("centre axis     through (0.5, 0, -1) m along (0, 1, 0)\n"));
+  EXPECT_THAT(text, HasSubstr("input curve     400 points\n"));
   EXPECT_THAT(text, HasSubstr("strain limit    none stated for edges along and across\n"));
   info.header.strain_limit = 0.1;
   EXPECT_THAT(info_text(info),

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "recording/coding/block.h"
 #include "recording/coding/bytes.h"
 #include "recording/sample_recording.h"
 #include "result/refusal.h"
@@ -34,6 +35,7 @@ TEST(HeaderRecord, everything_comes_back) {
   ASSERT_TRUE(read->centre_axis.has_value());
   EXPECT_EQ(read->centre_axis->point_m, Eigen::Vector3d(0, 0.5, 0));
   EXPECT_EQ(read->centre_axis->direction, Eigen::Vector3d(0, 0.6, 0.8));
+  EXPECT_EQ(read->input_curve, written.input_curve);
 }
 
 TEST(HeaderRecord, a_ribbon_needs_no_axis_and_no_obstacle) {
@@ -66,17 +68,67 @@ TEST(HeaderRecord, limited_edges_come_back_one_by_one) {
   }
 }
 
-// A byte and a number in double precision stand at the end.
+RecordingHeader without_curve() {
+  RecordingHeader header = sample_header();
+  header.input_curve.resize(3, 0);
+  return header;
+}
+
+// Without a curve the count of its points stands at the end, behind the limit of strain: a byte and
+// a number in double precision.
+constexpr std::size_t count_bytes = 4;
 constexpr std::size_t limit_bytes = 9;
 
 TEST(HeaderRecord, bits_of_edges_that_later_versions_limit_are_ignored) {
-  std::string payload = header_payload(sample_header());
-  payload[payload.size() - limit_bytes] = '\xFB';
+  std::string payload = header_payload(without_curve());
+  payload[payload.size() - count_bytes - limit_bytes] = '\xFB';
   EXPECT_EQ(parse_header_payload(payload)->limited_edges, sample_header().limited_edges);
 }
 
+TEST(HeaderRecord, a_recording_need_not_tell_its_curve) {
+  const auto read = parse_header_payload(header_payload(without_curve()));
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(read->input_curve.cols(), 0);
+}
+
+TEST(HeaderRecord, minor_version_1_tells_no_curve) {
+  std::string payload = header_payload(without_curve());
+  payload.resize(payload.size() - count_bytes);
+  EXPECT_FALSE(parse_header_payload(payload).has_value());
+  payload[2] = 1;
+  const auto read = parse_header_payload(payload);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(read->limited_edges, sample_header().limited_edges);
+  EXPECT_EQ(read->input_curve.cols(), 0);
+}
+
+// In the place of the count of no points, and what is behind it the last curve that was written.
+bool is_taken_with_curve_points(std::uint32_t count) {
+  const std::string with_curve = header_payload(sample_header());
+  const std::size_t count_at = header_payload(without_curve()).size() - count_bytes;
+  std::string bytes;
+  put<std::uint32_t>(bytes, count);
+  return parse_header_payload(std::string(with_curve).replace(count_at, count_bytes, bytes))
+      .has_value();
+}
+
+TEST(HeaderRecord, curve_points_that_are_not_there_are_refused) {
+  EXPECT_TRUE(is_taken_with_curve_points(4));
+  for (const std::uint32_t count : {1U, 3U, 5U, 1U << 20, (1U << 20) + 1, 0x80000000U, 0xFFFFFFFFU})
+    EXPECT_FALSE(is_taken_with_curve_points(count)) << count;
+}
+
+TEST(HeaderRecord, a_curve_of_a_single_point_is_none) {
+  std::string payload = header_payload(without_curve());
+  payload.resize(payload.size() - count_bytes);
+  put<std::uint32_t>(payload, 1);
+  put_block(payload, std::string(3 * sizeof(float), '\0'));
+  EXPECT_FALSE(parse_header_payload(payload).has_value());
+}
+
 TEST(HeaderRecord, minor_version_0_names_no_limited_edges) {
-  std::string payload = header_payload(sample_header());
+  std::string payload = header_payload(without_curve());
+  payload.resize(payload.size() - count_bytes);
   payload.resize(payload.size() - limit_bytes);
   EXPECT_FALSE(parse_header_payload(payload).has_value());
   payload[2] = 0;
@@ -103,12 +155,12 @@ TEST(HeaderRecord, entropy_tables_and_origin_come_back) {
 }
 
 TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
-  RecordingHeader header = sample_header();
+  RecordingHeader header = without_curve();
   header.entropy_tables.resize(64);
   std::string payload = header_payload(header);
   EXPECT_TRUE(parse_header_payload(payload).has_value());
-  // 64 empty tables, no origin and the limit of strain stand behind the count.
-  const std::size_t count_at = payload.size() - limit_bytes - 1 - std::size_t{64} * 4 - 4;
+  // 64 empty tables, no origin, the limit of strain and no curve stand behind the count.
+  const std::size_t count_at = payload.size() - count_bytes - limit_bytes - 1 - std::size_t{64} * 4 - 4;
   ASSERT_EQ(payload[count_at], 64);
   payload[count_at] = 65;
   EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
@@ -154,6 +206,7 @@ TEST(HeaderRecord, impossible_numbers_are_refused) {
     EXPECT_FALSE(is_taken_with([=](auto& header) { header.strain_limit = limit; })) << limit;
   EXPECT_FALSE(is_taken_with([](auto& header) { header.centre_axis->direction *= 1.01; }));
   EXPECT_FALSE(is_taken_with([](auto& header) { header.centre_axis->point_m[1] = nan; }));
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.input_curve(2, 3) = infinity; }));
 }
 
 }  // namespace ribbon::header_record_test
