@@ -160,7 +160,8 @@ TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
   std::string payload = header_payload(header);
   EXPECT_TRUE(parse_header_payload(payload).has_value());
   // 64 empty tables, no origin, the limit of strain and no curve stand behind the count.
-  const std::size_t count_at = payload.size() - count_bytes - limit_bytes - 1 - std::size_t{64} * 4 - 4;
+  const std::size_t count_at =
+      payload.size() - count_bytes - limit_bytes - 1 - std::size_t{64} * 4 - 4;
   ASSERT_EQ(payload[count_at], 64);
   payload[count_at] = 65;
   EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
