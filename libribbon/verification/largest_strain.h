@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "geometry/limited_edges.h"
 #include "geometry/ribbon_grid.h"
@@ -19,5 +20,10 @@ struct LargestStrain {
 // positions: 3 x particles.
 LargestStrain largest_strain(const RibbonGrid& grid, double length_m, double width_m,
                              const LimitedEdges& limited, const Eigen::Matrix3Xf& positions);
+
+// Of each particle: the strain of that of its limited edges which is strained most; 0 where none of
+// them is limited.
+std::vector<float> particle_strains(const RibbonGrid& grid, double length_m, double width_m,
+                                    const LimitedEdges& limited, const Eigen::Matrix3Xf& positions);
 
 }  // namespace ribbon

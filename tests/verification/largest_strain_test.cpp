@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace ribbon::largest_strain_test {
 
 // 3 x 3 particles, quads 3 along and 4 across: size at rest 6 x 8.
@@ -59,6 +62,32 @@ TEST(LargestStrain, names_the_particles) {
   EXPECT_EQ(largest.first, 7);
   EXPECT_EQ(largest.second, 8);
   EXPECT_DOUBLE_EQ(largest.strain, 1.5);
+}
+
+TEST(ParticleStrains, cloth_stretched_by_five_percent_shows_five_percent) {
+  for (const float strain : particle_strains(grid, 6, 8, {.along = true}, flat(3.15F, 4)))
+    EXPECT_NEAR(strain, 0.05, 1e-6);
+}
+
+TEST(ParticleStrains, of_the_edges_of_a_particle_the_worst_counts_and_only_limited_ones) {
+  Eigen::Matrix3Xf positions = flat(3, 4);
+  positions(0, 8) += 0.6F;  // the last particle, away from its neighbour along
+  const auto along = particle_strains(grid, 6, 8, {.along = true}, positions);
+  for (int p = 0; p < grid.particle_count(); ++p)
+    EXPECT_NEAR(along[p], p == 8 || p == 5 ? 0.2 : 0, 1e-6) << "particle " << p;
+  const auto across = particle_strains(grid, 6, 8, {.across = true}, positions);
+  EXPECT_NEAR(across[7], std::hypot(0.6, 4) / 4 - 1, 1e-6);
+  EXPECT_EQ(across[5], 0);
+}
+
+TEST(ParticleStrains, the_largest_is_the_largest_strain_of_the_frame) {
+  Eigen::Matrix3Xf positions = flat(3.1F, 3.9F);
+  positions.col(4) += Eigen::Vector3f(0.1F, -0.2F, 0.3F);
+  const LimitedEdges all{.along = true, .across = true, .diagonals = true};
+  const auto strains = particle_strains(grid, 6, 8, all, positions);
+  const LargestStrain largest = largest_strain(grid, 6, 8, all, positions);
+  EXPECT_EQ(*std::max_element(strains.begin(), strains.end()), static_cast<float>(largest.strain));
+  EXPECT_EQ(strains[largest.first], static_cast<float>(largest.strain));
 }
 
 }  // namespace ribbon::largest_strain_test
