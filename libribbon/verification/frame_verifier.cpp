@@ -42,6 +42,10 @@ TriangleSoup FrameVerifier::soup(const Eigen::Matrix3Xf& positions) const {
   return soup;
 }
 
+LayerGaps FrameVerifier::layer_gaps(const Eigen::Matrix3Xf& positions) const {
+  return {soup(positions), grid_, length_m_, width_m_, obstacle_};
+}
+
 FrameVerdict FrameVerifier::verify(const Eigen::Matrix3Xf& positions) const {
   assert(positions.cols() == grid_.particle_count());
   FrameVerdict verdict;

@@ -11,6 +11,7 @@
 #include "verification/feature_owners.h"
 #include "verification/intersecting_pairs.h"
 #include "verification/largest_strain.h"
+#include "verification/layer_gaps.h"
 #include "verification/smallest_gap.h"
 #include "verification/triangle_soup.h"
 
@@ -41,6 +42,9 @@ class FrameVerifier {
 
   // What is verified: the ribbon at `positions`, judged, and the obstacle.
   [[nodiscard]] TriangleSoup soup(const Eigen::Matrix3Xf& positions) const;
+
+  // Gaps of single particles at `positions`, which must be finite. This must outlive them.
+  [[nodiscard]] LayerGaps layer_gaps(const Eigen::Matrix3Xf& positions) const;
 
  private:
   RibbonGrid grid_;
