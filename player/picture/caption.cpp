@@ -36,12 +36,6 @@ char32_t take_character(std::string_view& text) {
   return character;
 }
 
-void blend(const std::array<std::uint8_t, 3>& ink, int coverage, std::uint8_t* rgb) {
-  for (std::size_t channel = 0; channel < 3; ++channel)
-    rgb[channel] = static_cast<std::uint8_t>(
-        (rgb[channel] * (255 - coverage) + ink[channel] * coverage + 127) / 255);
-}
-
 void draw_glyph(const FT_GlyphSlotRec* glyph, int left, int baseline,
                 const std::array<std::uint8_t, 3>& ink, Picture& picture) {
   const FT_Bitmap& bitmap = glyph->bitmap;
@@ -101,7 +95,7 @@ int CaptionPainter::width(std::string_view text, int height) const {
 
 void CaptionPainter::draw(std::string_view text, int left, int baseline, int height,
                           const Color& ink, Picture& picture) const {
-  const std::array<std::uint8_t, 3> bytes{srgb_byte(ink[0]), srgb_byte(ink[1]), srgb_byte(ink[2])};
+  const auto bytes = srgb_bytes(ink);
   state_->walk(text, height, [&](FT_GlyphSlot glyph, int pen) {
     draw_glyph(glyph, left + pen, baseline, bytes, picture);
   });

@@ -45,6 +45,10 @@ std::uint8_t srgb_byte(float linear) {
   return static_cast<std::uint8_t>(byte);
 }
 
+std::array<std::uint8_t, 3> srgb_bytes(const Color& color) {
+  return {srgb_byte(color[0]), srgb_byte(color[1]), srgb_byte(color[2])};
+}
+
 Color from_srgb(std::uint32_t rrggbb) {
   const auto channel = [rrggbb](int shift) {
     return linear_from_srgb(static_cast<float>((rrggbb >> shift) & 0xFFU) / 255.0F);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 
 namespace ribbon {
@@ -11,6 +12,7 @@ using Color = Eigen::Array3f;
 
 // The sRGB transfer function, rounded to 8 bits: 0.5 linear is 188. Clamps to what can be shown.
 std::uint8_t srgb_byte(float linear);
+std::array<std::uint8_t, 3> srgb_bytes(const Color& color);
 
 // Linear light of a colour that was picked on a screen, as in 0xRRGGBB.
 Color from_srgb(std::uint32_t rrggbb);

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "player/picture/caption.h"
+#include "player/picture/page_colors.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -17,10 +18,6 @@ constexpr int line_height = 21;
 constexpr int heading_height = sheet_margin + title_height + line_height + 20;
 constexpr int caption_height = 2 * line_height + sheet_margin;
 
-const Color paper = from_srgb(0xFFFFFF);
-const Color ink = from_srgb(0x222222);
-const Color pale_ink = from_srgb(0x666666);
-
 PictureSize sheet_size(int columns, int views) {
   return {2 * sheet_margin + columns * sheet_cell.width + (columns - 1) * cell_gap,
           heading_height + views * (sheet_cell.height + cell_gap) + caption_height};
@@ -34,7 +31,7 @@ void draw_column(const SheetColumn& column, int left, const CaptionPainter& pain
     top += sheet_cell.height + cell_gap;
   }
   for (const std::string& line : sheet_caption(column.frame_number, column.numbers)) {
-    painter.draw(line, left, top + text_height, text_height, ink, sheet);
+    painter.draw(line, left, top + text_height, text_height, page_ink, sheet);
     top += line_height;
   }
 }
@@ -54,16 +51,22 @@ Picture contact_sheet(const std::string& title, const std::string& subtitle,
   const CaptionPainter painter;
   Picture sheet = blank_picture(
       sheet_size(static_cast<int>(columns.size()), static_cast<int>(columns[0].views.size())),
-      paper);
-  painter.draw(title, sheet_margin, sheet_margin + title_height - 6, title_height, ink, sheet);
+      page_paper);
+  painter.draw(title, sheet_margin, sheet_margin + title_height - 6, title_height, page_ink, sheet);
   painter.draw(subtitle, sheet_margin, sheet_margin + title_height + line_height - 4, text_height,
-               pale_ink, sheet);
+               page_pale_ink, sheet);
   int left = sheet_margin;
   for (const SheetColumn& column : columns) {
     draw_column(column, left, painter, sheet);
     left += sheet_cell.width + cell_gap;
   }
   return sheet;
+}
+
+void draw_sheet_legend(const Legend& legend, Picture& sheet) {
+  const PictureSize size = legend_size(text_height);
+  draw_legend(legend, sheet.size.width - sheet_margin - size.width,
+              (heading_height - size.height) / 2, text_height, CaptionPainter(), sheet);
 }
 
 std::vector<int> spread_frames(const std::vector<int>& frames, int most) {

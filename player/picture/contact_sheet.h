@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "player/picture/legend.h"
 #include "player/picture/picture.h"
 #include "recording/records/recording.h"
 
@@ -21,6 +22,9 @@ inline constexpr PictureSize sheet_cell{520, 300};
 // All columns must have the same number of views, each of size sheet_cell; at least one column.
 Picture contact_sheet(const std::string& title, const std::string& subtitle,
                       const std::vector<SheetColumn>& columns);
+
+// Tells beside the title what the colours of the pictures stand for.
+void draw_sheet_legend(const Legend& legend, Picture& sheet);
 
 // What stands under a column: two lines.
 std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& numbers);

@@ -29,6 +29,20 @@ Picture encode_srgb(const LightPicture& light) {
   return picture;
 }
 
+void blend(const std::array<std::uint8_t, 3>& ink, int coverage, std::uint8_t* rgb) {
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    rgb[channel] = static_cast<std::uint8_t>(
+        (rgb[channel] * (255 - coverage) + ink[channel] * coverage + 127) / 255);
+}
+
+void fill(const PixelBox& box, const Color& color, float opacity, Picture& picture) {
+  const auto ink = srgb_bytes(color);
+  const int coverage = static_cast<int>(255 * opacity + 0.5F);
+  for (int y = std::max(box.top, 0); y < std::min(box.bottom, picture.size.height); ++y)
+    for (int x = std::max(box.left, 0); x < std::min(box.right, picture.size.width); ++x)
+      blend(ink, coverage, picture.pixel(x, y));
+}
+
 void paste(const Picture& source, int x, int y, Picture& target) {
   assert(x >= 0 && x + source.size.width <= target.size.width);
   assert(y >= 0 && y + source.size.height <= target.size.height);

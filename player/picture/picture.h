@@ -1,6 +1,7 @@
 // Pictures in memory: linear light while it is being gathered, 8-bit sRGB when it is done.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -41,6 +42,20 @@ Picture blank_picture(PictureSize size, const Color& color);
 
 // Encodes each pixel by the sRGB transfer function.
 Picture encode_srgb(const LightPicture& light);
+
+// Lays `ink` over one pixel, which it covers by `coverage` out of 255.
+void blend(const std::array<std::uint8_t, 3>& ink, int coverage, std::uint8_t* rgb);
+
+// From (left, top) to before (right, bottom), in pixels.
+struct PixelBox {
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+};
+
+// Lays a colour over a part of the picture, opacity 0 to 1; what falls outside is left out.
+void fill(const PixelBox& box, const Color& color, float opacity, Picture& picture);
 
 // Copies `source` into `target` with its top left corner at (x, y); it must fit.
 void paste(const Picture& source, int x, int y, Picture& target);

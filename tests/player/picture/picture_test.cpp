@@ -18,4 +18,12 @@ TEST(Picture, pasting_touches_only_its_place) {
       EXPECT_EQ(*target.pixel(x, y), y == 2 && (x == 1 || x == 2) ? 255 : 0) << x << "," << y;
 }
 
+TEST(Picture, filling_lays_a_colour_over_what_is_inside) {
+  Picture target = blank_picture({4, 3}, Color(0, 0, 0));
+  fill({2, -5, 9, 2}, Color(1, 1, 1), 0.4F, target);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 4; ++x)
+      EXPECT_EQ(*target.pixel(x, y), y < 2 && x >= 2 ? 102 : 0) << x << "," << y;
+}
+
 }  // namespace ribbon::picture_test
