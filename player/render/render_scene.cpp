@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "player/render/cloth_pattern.h"
 
@@ -55,8 +56,19 @@ void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions) {
   clearance_ = 1e-5F * std::max(obstacle_reach_, reach(positions));
 }
 
+void RenderScene::color_ribbon(std::vector<float> places, const ColorMap& map) {
+  assert(static_cast<int>(places.size()) == grid_.particle_count());
+  places_ = std::move(places);
+  map_ = map;
+}
+
 Color RenderScene::cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights, bool front,
                          float reach_m) const {
+  if (!places_.empty()) {
+    float place = 0;
+    for (int i = 0; i < 3; ++i) place += weights[i] * places_[corners[i]];
+    return map_->at(place);
+  }
   Eigen::Vector2f texture = Eigen::Vector2f::Zero();
   for (int i = 0; i < 3; ++i) texture += weights[i] * pattern_.col(corners[i]);
   const float blur = reach_m / ribbon_width_m_;

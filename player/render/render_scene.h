@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <vector>
 
 #include "player/picture/color.h"
+#include "player/picture/color_map.h"
 #include "player/render/ray_scene.h"
 #include "player/render/surface.h"
 #include "recording/records/recording.h"
@@ -29,6 +32,10 @@ class RenderScene {
   // positions: 3 x particles, in metres.
   void set_ribbon(const Eigen::Matrix3Xf& positions);
 
+  // Shows numbers on the ribbon, on both sides, instead of its cloth: where each particle is on the
+  // map, 0 to 1. In between places are interpolated, not colours, so that all are on the map.
+  void color_ribbon(std::vector<float> places, const ColorMap& map);
+
   [[nodiscard]] const Surface& ribbon() const { return ribbon_; }
   [[nodiscard]] const Surface& obstacle() const { return obstacle_; }  // empty if there is none
   [[nodiscard]] const RayScene& rays() const { return rays_; }
@@ -43,6 +50,8 @@ class RenderScene {
   RibbonGrid grid_;
   Eigen::Matrix2Xf pattern_;  // 2 x particles: along and across, in ribbon widths
   float ribbon_width_m_;
+  std::vector<float> places_;  // one per particle on the map; empty: cloth is shown
+  std::optional<ColorMap> map_;
   Surface ribbon_;
   Surface obstacle_;
   RayScene rays_;

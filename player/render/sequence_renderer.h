@@ -1,7 +1,11 @@
 // Renders the frames of a recording.
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "playback/recording_reader.h"
+#include "player/measure/value_colors.h"
 #include "player/picture/picture.h"
 #include "player/render/render.h"
 #include "player/render/render_scene.h"
@@ -14,15 +18,24 @@ class SequenceRenderer {
   // Keeps a reference to `reader`.
   SequenceRenderer(RecordingReader& reader, RenderSettings settings);
 
+  // From the next frame on the ribbon shows measured values instead of its cloth; `colors` must use
+  // the same reader.
+  void color_by(ValueColors colors) { colors_.emplace(std::move(colors)); }
+
   // Loads frame `index`. Fails when it cannot be read.
   Result<void> show(int index);
   // The frame that was shown last.
   Picture picture(const Camera& camera, PictureSize size);
 
+  [[nodiscard]] const RenderScene& scene() const { return scene_; }
+  // Of the colours that the ribbon shows instead of its cloth.
+  [[nodiscard]] std::optional<Legend> legend() const;
+
  private:
   RecordingReader& reader_;
   RenderScene scene_;
   Renderer renderer_;
+  std::optional<ValueColors> colors_;
   Eigen::Matrix3Xf positions_;
 };
 

@@ -103,6 +103,17 @@ TEST(Render, each_side_has_its_own_colours_at_their_places) {
     }
 }
 
+TEST(Render, numbers_are_shown_as_places_on_a_map_from_both_sides) {
+  RenderScene scene = flat_scene();
+  scene.color_ribbon({0, 0, 1, 1}, sequential_map());  // from the first row to the second
+  for (const float side : {1.0F, -1.0F})
+    for (const float x : {-1.9F, -0.77F, 0.31F, 1.5F}) {
+      const Lighting sun = only_sun({0, 0, side});
+      expect_color(radiance(scene, close_up(x, 0.2F, side), sun),
+                   sequential_map().at((x + 2) / 4) * sun.sun, 1e-3F);
+    }
+}
+
 TEST(Render, the_open_sky_gives_its_mean) {
   const Color above(0.9F, 0.6F, 0.3F);
   const Color below(0.1F, 0.2F, 0.3F);
