@@ -21,6 +21,8 @@ constexpr const char* examples = R"(Examples:
       the same frames from two cameras, the second framed on the knot and following it
   ribbon-play knot.rbn --sheet sheet.png --frames 1:-1:50
       puts frames on one sheet, seen from two sides, with their numbers
+  ribbon-play knot.rbn -o last.png --frames -1 --color-by strain --overlay wireframe,time
+      shows how far the cloth is stretched, its mesh and the time
   ribbon-play knot.rbn --info
       tells what the recording holds; --json tells it to programs
   ribbon-play knot.rbn --follow
@@ -56,6 +58,7 @@ struct Texts {
   std::string quality = "standard";
   int samples = 0;   // 0: as the quality says
   double noise = 0;  // likewise
+  AppearanceTexts appearance;
 };
 
 void add_quality_options(Arguments& arguments, Texts& texts) {
@@ -89,6 +92,22 @@ Quality quality_of(const Texts& texts) {
   return quality;
 }
 
+void add_appearance_options(Arguments& arguments, AppearanceTexts& texts) {
+  const auto color_by = arguments
+                            .add("--color-by", texts.color_by, "QUANTITY",
+                                 "colour the ribbon by strain, speed, contact or gap, with a "
+                                 "legend (default: its cloth)")
+                            .one_of({quantity_words.begin(), quantity_words.end()});
+  arguments
+      .add("--color-range", texts.color_range, "A:B",
+           "values of the first and the last colour, in the legend's unit (default: of the frames "
+           "asked for)")
+      .needs(color_by);
+  arguments.add("--overlay", texts.overlays, "WORDS",
+                "draw over the pictures: some of wireframe, obstacle-wireframe, frame, time, "
+                "numbers, with commas between them");
+}
+
 void add_view_options(Arguments& arguments, Options& options, Texts& texts, Argument sheet) {
   arguments.add("--view", texts.views, "VIEW",
                 "front, top, three-quarter (default), knot, or settings as in "
@@ -116,6 +135,7 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
                                    "contact sheet to write: several frames, two cameras, captions");
   add_quality_options(arguments, texts);
   add_view_options(arguments, options, texts, sheet);
+  add_appearance_options(arguments, texts.appearance);
   const auto info = arguments.flag("--info", options.info, "tell what the recording holds");
   const auto verify =
       arguments
@@ -162,6 +182,9 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   auto views = parse_views(texts.views);
   if (!views) return tl::unexpected(views.error());
   options.views = std::move(*views);
+  const auto appearance = parse_appearance(texts.appearance, options.follow);
+  if (!appearance) return tl::unexpected(appearance.error());
+  options.appearance = *appearance;
   return options;
 }
 

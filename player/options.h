@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "player/appearance.h"
 #include "player/picture/picture.h"
 #include "player/render/render.h"
 #include "player/view/view.h"
@@ -22,6 +23,7 @@ struct Options {
   std::vector<NamedView> views;       // empty: the three-quarter view
   double turns = 0;                   // of the cameras round the scene
   std::filesystem::path camera_path;  // keyframes; empty: none
+  Appearance appearance;
   RenderSettings render;
   int threads = 0;  // 0: all cores
   bool info = false;

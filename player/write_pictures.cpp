@@ -25,6 +25,9 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
   if (!shots) return tl::unexpected(shots.error());
   const CameraWork cameras(reader, *shots);
   SequenceRenderer renderer(reader, options.render);
+  if (auto colored = color_as_asked(options.appearance, reader, frames, renderer); !colored)
+    return tl::unexpected(colored.error());
+  const Annotations annotations(reader, options.appearance.overlays, renderer.legend());
   const auto pictures = static_cast<int>(frames.size() * shots->size());
   ProgressLine progress("picture", pictures, options.quiet);
   const Interrupt interrupt;
@@ -38,7 +41,9 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
     if (auto shown = renderer.show(index); !shown) return tl::unexpected(shown.error());
     const Moment moment{index, static_cast<double>(f) / static_cast<double>(frames.size())};
     for (std::size_t shot = 0; shot < shots->size(); ++shot) {
-      const Picture picture = renderer.picture(cameras.camera(shot, moment), options.size);
+      const Camera camera = cameras.camera(shot, moment);
+      Picture picture = renderer.picture(camera, options.size);
+      annotations.draw(index, renderer.scene(), camera, picture);
       if (auto written = write_png((*patterns)[shot].file(index + 1), picture); !written)
         return tl::unexpected(written.error());
       progress.update(++done);
@@ -60,6 +65,9 @@ Result<void> LivePictures::begin() {
   auto shots = shots_of(options_);
   if (!shots) return tl::unexpected(shots.error());
   shots_ = std::move(*shots);
+  const Appearance& appearance = options_.appearance;
+  if (auto colored = color_as_asked(appearance, reader_, {}, renderer_); !colored) return colored;
+  annotations_.emplace(reader_, appearance.overlays, renderer_.legend());
   return {};
 }
 
@@ -67,7 +75,9 @@ Result<void> LivePictures::show(int index) {
   if (!cameras_) cameras_.emplace(reader_, shots_);
   if (auto shown = renderer_.show(index); !shown) return shown;
   for (std::size_t shot = 0; shot < shots_.size(); ++shot) {
-    const Picture picture = renderer_.picture(cameras_->camera(shot, {index, 0}), options_.size);
+    const Camera camera = cameras_->camera(shot, {index, 0});
+    Picture picture = renderer_.picture(camera, options_.size);
+    annotations_->draw(index, renderer_.scene(), camera, picture);
     if (auto written = write_png(patterns_[shot].file(index + 1), picture); !written)
       return written;
   }

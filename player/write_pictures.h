@@ -7,6 +7,7 @@
 
 #include "commandline/frame_pattern.h"
 #include "playback/recording_reader.h"
+#include "player/annotations.h"
 #include "player/options.h"
 #include "player/render/sequence_renderer.h"
 #include "player/view/camera_work.h"
@@ -26,7 +27,7 @@ class LivePictures {
   // Keeps references to `reader` and `options`.
   LivePictures(RecordingReader& reader, const Options& options);
 
-  // Comes before all else. Fails when names or cameras make no sense.
+  // Comes before all else. Fails when names, cameras or colours make no sense.
   Result<void> begin();
   // Renders and writes frame `index`.
   Result<void> show(int index);
@@ -37,7 +38,8 @@ class LivePictures {
   std::vector<FramePattern> patterns_;  // of each shot
   std::vector<Shot> shots_;
   SequenceRenderer renderer_;
-  std::optional<CameraWork> cameras_;  // once there is a frame
+  std::optional<Annotations> annotations_;  // from begin() on
+  std::optional<CameraWork> cameras_;       // once there is a frame
 };
 
 }  // namespace ribbon

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "player/annotations.h"
 #include "player/picture/contact_sheet.h"
 #include "player/picture/png_encoder.h"
 #include "player/render/sequence_renderer.h"
@@ -21,6 +22,8 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   const std::vector<Shot> shots{{three_quarter_view, sheet_cell}, {knot_view, sheet_cell}};
   const CameraWork cameras(reader, shots);
   SequenceRenderer renderer(reader, options.render);
+  if (auto colored = color_as_asked(options.appearance, reader, frames, renderer); !colored)
+    return tl::unexpected(colored.error());
   std::vector<SheetColumn> columns;
   for (const int index : spread_frames(frames, sheet_columns)) {
     if (auto shown = renderer.show(index); !shown) return tl::unexpected(shown.error());
@@ -33,7 +36,9 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   std::string ribbon = filled_in("{} × {} particles, {} frames recorded", header.grid.across,
                                  header.grid.along, reader.frame_count());
   if (info.outcome) ribbon += " · " + outcome_text(*info.outcome);
-  return write_png(options.sheet, contact_sheet(header.scene_name, ribbon, columns)).map([&] {
+  Picture sheet = contact_sheet(header.scene_name, ribbon, columns);
+  if (const auto legend = renderer.legend()) draw_sheet_legend(*legend, sheet);
+  return write_png(options.sheet, sheet).map([&] {
     return "contact sheet: " + options.sheet.string();
   });
 }

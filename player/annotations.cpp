@@ -1,0 +1,53 @@
+#include "player/annotations.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "player/overlay/frame_caption.h"
+
+namespace ribbon {
+
+namespace {
+
+const Color dark_line = from_srgb(0x101418);
+const Color light_line = from_srgb(0xFFFFFF);
+
+// As thick in large pictures as in small ones.
+float line_width(PictureSize size) {
+  return std::max(0.8F, static_cast<float>(size.height) / 720);
+}
+
+}  // namespace
+
+Result<void> color_as_asked(const Appearance& appearance, RecordingReader& reader,
+                            const std::vector<int>& frames, SequenceRenderer& renderer) {
+  if (!appearance.color_by) return {};
+  auto colors = ValueColors::create(reader, *appearance.color_by, appearance.color_range, frames);
+  if (!colors) return tl::unexpected(colors.error());
+  renderer.color_by(std::move(*colors));
+  return {};
+}
+
+Annotations::Annotations(const RecordingReader& reader, const Overlays& overlays,
+                         std::optional<Legend> legend)
+    : reader_(reader), overlays_(overlays), legend_(std::move(legend)) {
+  if (overlays_.obstacle_wireframe && reader.header().obstacle)
+    obstacle_lines_ = mesh_lines(*reader.header().obstacle);
+}
+
+void Annotations::draw(int index, const RenderScene& scene, const Camera& camera,
+                       Picture& picture) const {
+  const float width = line_width(picture.size);
+  if (!obstacle_lines_.lines.empty())
+    draw_lines(obstacle_lines_, {dark_line, width, 0.4F}, scene, camera, picture);
+  if (overlays_.wireframe)
+    draw_lines(ribbon_lines(reader_.header().grid, scene.ribbon().vertices),
+               {legend_ ? dark_line : light_line, width, 0.6F}, scene, camera, picture);
+  if (overlays_.has_caption())
+    draw_caption(
+        frame_caption(overlays_, index + 1, reader_.numbers(index).value_or(FrameNumbers{})),
+        painter_, picture);
+  if (legend_) draw_corner_legend(*legend_, painter_, picture);
+}
+
+}  // namespace ribbon

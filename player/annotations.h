@@ -1,0 +1,36 @@
+// What is drawn over the pictures of one run.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "player/appearance.h"
+#include "player/overlay/mesh_lines.h"
+#include "player/picture/caption.h"
+#include "player/render/sequence_renderer.h"
+
+namespace ribbon {
+
+// Lets the renderer show what the ribbon is to be coloured by, if it is; `frames` as
+// ValueColors::create takes them. Fails when a frame cannot be read.
+Result<void> color_as_asked(const Appearance& appearance, RecordingReader& reader,
+                            const std::vector<int>& frames, SequenceRenderer& renderer);
+
+class Annotations {
+ public:
+  // Keeps a reference to `reader`. legend: nothing where the ribbon shows its cloth.
+  Annotations(const RecordingReader& reader, const Overlays& overlays,
+              std::optional<Legend> legend);
+
+  // Over a picture of frame `index` that `camera` took of `scene`.
+  void draw(int index, const RenderScene& scene, const Camera& camera, Picture& picture) const;
+
+ private:
+  const RecordingReader& reader_;
+  Overlays overlays_;
+  std::optional<Legend> legend_;
+  SpaceLines obstacle_lines_;  // none where they are not asked for
+  CaptionPainter painter_;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,39 @@
+#include "player/appearance.h"
+
+#include <algorithm>
+
+namespace ribbon {
+
+namespace {
+
+std::optional<Quantity> quantity_for(const std::string& word) {
+  const auto* const found = std::find(quantity_words.begin(), quantity_words.end(), word);
+  if (found == quantity_words.end()) return std::nullopt;
+  return static_cast<Quantity>(found - quantity_words.begin());
+}
+
+}  // namespace
+
+Result<Appearance> parse_appearance(const AppearanceTexts& texts, bool follows) {
+  Appearance appearance;
+  appearance.color_by = quantity_for(texts.color_by);
+  const bool needs_largest =
+      appearance.color_by == Quantity::strain || appearance.color_by == Quantity::speed;
+  if (!texts.color_range.empty()) {
+    const auto range = parse_color_range(texts.color_range, *appearance.color_by);
+    if (!range) return tl::unexpected(range.error());
+    appearance.color_range = *range;
+  } else if (follows && needs_largest) {
+    return failure("--color-by " + texts.color_by,
+                   "needs to know its largest value, and --follow does not know what is to come",
+                   "add --color-range A:B");
+  }
+  if (!texts.overlays.empty()) {
+    const auto overlays = parse_overlays(texts.overlays);
+    if (!overlays) return tl::unexpected(overlays.error());
+    appearance.overlays = *overlays;
+  }
+  return appearance;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,64 @@
+#include "player/overlay/frame_caption.h"
+
+#include <algorithm>
+
+#include "player/picture/legend.h"
+#include "player/picture/page_colors.h"
+#include "text/number_text.h"
+
+namespace ribbon {
+
+namespace {
+
+std::string where_line(const Overlays& overlays, int frame_number, double time_s) {
+  std::string text;
+  if (overlays.frame) text = filled_in("frame {}", frame_number);
+  if (overlays.time) text += (text.empty() ? "" : " · ") + filled_in("{:.2f} s", time_s);
+  return text;
+}
+
+std::string strain_line(const FrameNumbers& numbers) {
+  const std::string text = filled_in("strain {:.1f} %", 100 * numbers.worst_strain);
+  if (numbers.penetrating_edges == 0) return text;
+  return text + filled_in(" · {} {}", numbers.penetrating_edges,
+                          numbers.penetrating_edges == 1 ? "penetration" : "penetrations");
+}
+
+std::string tightness_line(const TightnessNumbers& tightness) {
+  return filled_in("progress {:.1f} % · pull {:.1f} % · in contact {:.1f} %",
+                   100 * tightness.progress, 100 * tightness.pull, 100 * tightness.contact);
+}
+
+}  // namespace
+
+std::vector<std::string> frame_caption(const Overlays& overlays, int frame_number,
+                                       const FrameNumbers& numbers) {
+  std::vector<std::string> lines;
+  if (overlays.frame || overlays.time)
+    lines.push_back(where_line(overlays, frame_number, numbers.time_s));
+  if (!overlays.numbers) return lines;
+  lines.push_back(strain_line(numbers));
+  if (numbers.tightness) lines.push_back(tightness_line(*numbers.tightness));
+  return lines;
+}
+
+void draw_caption(const std::vector<std::string>& lines, const CaptionPainter& painter,
+                  Picture& picture) {
+  if (lines.empty()) return;
+  const int text = picture_text_height(picture.size);
+  const int line_height = (3 * text) / 2;
+  const int padding = (3 * text) / 4;
+  int width = 0;
+  for (const std::string& line : lines) width = std::max(width, painter.width(line, text));
+  const auto count = static_cast<int>(lines.size());
+  fill({text, text, text + width + 2 * padding,
+        text + count * line_height - (line_height - text) + 2 * padding},
+       page_paper, 0.75F, picture);
+  int baseline = text + padding + (7 * text) / 8;
+  for (const std::string& line : lines) {
+    painter.draw(line, text + padding, baseline, text, page_ink, picture);
+    baseline += line_height;
+  }
+}
+
+}  // namespace ribbon
