@@ -13,6 +13,7 @@
 #include "player/report/info.h"
 #include "player/report/verification_report.h"
 #include "player/write_pictures.h"
+#include "player/write_plot.h"
 #include "player/write_sheet.h"
 #include "text/number_text.h"
 
@@ -42,11 +43,21 @@ std::vector<int> readable_frames(const RecordingInfo& info, const std::vector<in
   return readable;
 }
 
+ExitCode intact(const RecordingInfo& info) {
+  return info.missing.empty() && info.damage.empty() ? ExitCode::done : ExitCode::answer_is_no;
+}
+
 Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
                         const Options& options) {
   const auto frames = parse_frame_range(options.frames, info.frame_count());
   if (!frames) return tl::unexpected(frames.error());
   if (frames->empty()) return failure(info.file.string(), "holds no frames", "record some first");
+  if (!options.plot.empty()) {
+    const auto done = write_plot(info, *frames, options);
+    if (!done) return tl::unexpected(done.error());
+    tell(options, *done);
+  }
+  if (options.pictures.empty() && options.sheet.empty()) return intact(info);
   const std::vector<int> readable = readable_frames(info, *frames);
   const ExitCode answer =
       readable.size() == frames->size() ? ExitCode::done : ExitCode::answer_is_no;
@@ -97,17 +108,18 @@ Result<ExitCode> play(const Options& options) {
   set_thread_limit(options.threads);
   auto reader = RecordingReader::open(options.recording);
   if (!reader) return tl::unexpected(reader.error());
-  if (options.pictures.empty() && options.sheet.empty() && !options.info && !options.json &&
-      !options.verify && !options.follow)
+  if (options.pictures.empty() && options.sheet.empty() && options.plot.empty() && !options.info &&
+      !options.json && !options.verify && !options.follow)
     return failure("", "nothing to do",
-                   "ask for pictures (-o), a --sheet, --info, --follow or --verify");
+                   "ask for pictures (-o), a --sheet, a --plot, --info, --follow or --verify");
   if (options.verify) return verify(*reader, options);
   if (options.follow) return follow_recording(*reader, options);
   const RecordingInfo info = recording_info(options.recording, *reader);
   if (options.info || options.json)
     std::fputs((options.json ? info_json(info) : info_text(info)).c_str(), stdout);
-  if (!options.pictures.empty() || !options.sheet.empty()) return render(*reader, info, options);
-  return info.missing.empty() && info.damage.empty() ? ExitCode::done : ExitCode::answer_is_no;
+  if (!options.pictures.empty() || !options.sheet.empty() || !options.plot.empty())
+    return render(*reader, info, options);
+  return intact(info);
 }
 
 }  // namespace

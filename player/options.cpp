@@ -23,6 +23,8 @@ constexpr const char* examples = R"(Examples:
       puts frames on one sheet, seen from two sides, with their numbers
   ribbon-play knot.rbn -o last.png --frames -1 --color-by strain --overlay wireframe,time
       shows how far the cloth is stretched, its mesh and the time
+  ribbon-play knot.rbn --plot knot.svg
+      draws charts over time: strain, tightness, pull, contact
   ribbon-play knot.rbn --info
       tells what the recording holds; --json tells it to programs
   ribbon-play knot.rbn --follow
@@ -123,6 +125,12 @@ void add_view_options(Arguments& arguments, Options& options, Texts& texts, Argu
       .excludes(sheet);
 }
 
+Result<void> check_plot(const std::filesystem::path& file) {
+  if (file.empty() || file.extension() == ".svg" || file.extension() == ".png") return {};
+  return failure("--plot " + file.string(), "is neither .svg nor .png",
+                 "let the name end in one of them");
+}
+
 void add_options(Arguments& arguments, Options& options, Texts& texts) {
   arguments.add("RECORDING", options.recording, "FILE", "the recording (.rbn)").required();
   const auto pictures = arguments.add(
@@ -136,6 +144,9 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
   add_quality_options(arguments, texts);
   add_view_options(arguments, options, texts, sheet);
   add_appearance_options(arguments, texts.appearance);
+  const auto plot = arguments.add("--plot", options.plot, "FILE",
+                                  "charts over time to write, as .svg or .png: strain, tightness, "
+                                  "pull, contact, penetrations");
   const auto info = arguments.flag("--info", options.info, "tell what the recording holds");
   const auto verify =
       arguments
@@ -144,12 +155,14 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
                 "that the knot stays the knot")
           .excludes(pictures)
           .excludes(sheet)
+          .excludes(plot)
           .excludes(info);
   const auto follow = arguments
                           .flag("--follow", options.follow,
                                 "go on with what is recorded meanwhile, until the recorder ends")
                           .excludes(frames)
                           .excludes(sheet)
+                          .excludes(plot)
                           .excludes(verify);
   arguments
       .add("--certify-every", options.certify_every, {1, 1'000'000'000}, "N",
@@ -185,6 +198,7 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   const auto appearance = parse_appearance(texts.appearance, options.follow);
   if (!appearance) return tl::unexpected(appearance.error());
   options.appearance = *appearance;
+  if (const auto plot = check_plot(options.plot); !plot) return tl::unexpected(plot.error());
   return options;
 }
 

@@ -18,6 +18,7 @@ struct Options {
   std::filesystem::path recording;
   std::string pictures;         // file pattern of the pictures; empty: none
   std::filesystem::path sheet;  // file of the contact sheet; empty: none
+  std::filesystem::path plot;   // file of the charts, .svg or .png; empty: none
   std::string frames;           // as parse_frame_range reads it; empty: all
   PictureSize size;
   std::vector<NamedView> views;       // empty: the three-quarter view

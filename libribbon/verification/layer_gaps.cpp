@@ -65,8 +65,9 @@ void LayerGaps::approach(const BoxTree& tree, const BoxTree::Node& node, int par
   }
   for (const int triangle : tree.triangles(node)) {
     if (!counts(triangle, 0) || is_farther(ClosedBox::around(soup_, triangle))) continue;
-    const double distance_m = certain_point_triangle_distance(
-        point, soup_.corner(triangle, 0), soup_.corner(triangle, 1), soup_.corner(triangle, 2));
+    const double distance_m =
+        certain_point_triangle_distance(point, soup_.corner(triangle, 0), soup_.corner(triangle, 1),
+                                        soup_.corner(triangle, 2), nearest_m);
     if (distance_m < nearest_m && counts(triangle, distance_m)) nearest_m = distance_m;
   }
 }

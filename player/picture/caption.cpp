@@ -8,6 +8,7 @@
 #include <string>
 
 #include "player/picture/caption_font.h"
+#include "player/picture/characters.h"
 
 namespace ribbon {
 
@@ -16,24 +17,6 @@ namespace {
 // The font is ours and in memory; only a lack of memory is left to go wrong.
 void check(FT_Error error) {
   if (error != 0) throw std::runtime_error("FreeType reports error " + std::to_string(error));
-}
-
-// Takes the first character off `text`.
-char32_t take_character(std::string_view& text) {
-  constexpr char32_t broken = 0xFFFD;
-  const auto first = static_cast<unsigned char>(text[0]);
-  text.remove_prefix(1);
-  if (first < 0x80) return first;
-  const std::size_t more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : 1;
-  if (first < 0xC2 || first > 0xF4 || text.size() < more) return broken;
-  char32_t character = first & (0x3FU >> more);
-  for (std::size_t i = 0; i < more; ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if ((byte & 0xC0U) != 0x80) return broken;
-    character = character << 6U | (byte & 0x3FU);
-  }
-  text.remove_prefix(more);
-  return character;
 }
 
 void draw_glyph(const FT_GlyphSlotRec* glyph, int left, int baseline,

@@ -53,7 +53,7 @@ TEST_F(RibbonPlay, every_frame_becomes_a_picture) {
 TEST_F(RibbonPlay, frames_are_chosen_by_range_and_step) {
   EXPECT_EQ(play_small("-o 'a/{frame:04}.png' --frames 2:-1:2 --quiet").exit_code, 0);
   EXPECT_THAT(names("a"), ElementsAre("0002.png", "0004.png", "0006.png"));
-  expect_refusal(play_small("-o 'b/{frame}.png' --frames 8"), "7 frames");
+  expect_refusal(play_small("-o 'b/{frame:01}.png' --frames 8"), "7 frames");
 }
 
 TEST_F(RibbonPlay, a_single_picture_needs_no_place_for_its_number) {
@@ -73,6 +73,65 @@ TEST_F(RibbonPlay, a_frame_is_the_same_whatever_else_is_rendered_and_by_how_many
 TEST_F(RibbonPlay, a_contact_sheet_is_one_file) {
   EXPECT_EQ(play_small("--sheet out/sheet.png").exit_code, 0);
   EXPECT_GT(png_size(bytes("out/sheet.png")).width, 5 * 520);
+}
+
+TEST_F(RibbonPlay, a_ribbon_is_coloured_by_what_is_measured) {
+  ASSERT_EQ(play_small("-o cloth.png --frames 5").exit_code, 0);
+  std::set<std::string> pictures = {bytes("cloth.png")};
+  for (const std::string quantity : {"strain", "speed", "contact", "gap"}) {
+    ASSERT_EQ(play_small("-o c.png --frames 5 --color-by " + quantity).exit_code, 0) << quantity;
+    EXPECT_TRUE(pictures.insert(bytes("c.png")).second) << quantity;
+    EXPECT_EQ(play_small("--sheet sheet.png --color-by " + quantity).exit_code, 0) << quantity;
+  }
+  ASSERT_EQ(play_small("-o c.png --frames 5 --color-by strain --color-range 0:90").exit_code, 0);
+  EXPECT_TRUE(pictures.insert(bytes("c.png")).second);
+}
+
+TEST_F(RibbonPlay, colours_and_overlays_do_not_depend_on_threads) {
+  const std::string arguments =
+      "--frames 3:5 --color-by gap --overlay wireframe,obstacle-wireframe,frame,time,numbers "
+      "--threads ";
+  ASSERT_EQ(play_small("-o 'a/{frame:01}.png' " + arguments + "1").exit_code, 0);
+  ASSERT_EQ(play_small("-o 'b/{frame:01}.png' " + arguments + "3").exit_code, 0);
+  for (const std::string file : {"3.png", "4.png", "5.png"}) {
+    ASSERT_FALSE(bytes("a/" + file).empty());
+    EXPECT_EQ(bytes("a/" + file), bytes("b/" + file));
+  }
+}
+
+TEST_F(RibbonPlay, what_colours_and_overlays_cannot_be_is_told) {
+  expect_refusal(play_small("-o c.png --frames 1 --color-by mood"), "--color-by");
+  expect_refusal(play_small("-o c.png --frames 1 --color-range 0:1"), "--color-by");
+  expect_refusal(play_small("-o c.png --frames 1 --color-by gap --color-range 3"),
+                 "--color-range 3: is not a range; write A:B");
+  expect_refusal(play_small("-o c.png --frames 1 --overlay frames"), "does not know 'frames'");
+  expect_refusal(play_small("-o '{frame}.png' --follow --color-by speed"), "add --color-range");
+}
+
+TEST_F(RibbonPlay, followed_pictures_have_colours_and_overlays) {
+  const std::string arguments = " --color-by speed --color-range 0:1 --overlay frame,wireframe";
+  ASSERT_EQ(play_small("-o 'a/{frame:01}.png' --follow --quiet" + arguments).exit_code, 0);
+  ASSERT_EQ(play_small("-o 'b/{frame:01}.png'" + arguments).exit_code, 0);
+  for (const std::string file : {"1.png", "7.png"}) {
+    ASSERT_FALSE(bytes("a/" + file).empty());
+    EXPECT_EQ(bytes("a/" + file), bytes("b/" + file));
+  }
+}
+
+TEST_F(RibbonPlay, charts_are_svg_or_png_as_the_name_says) {
+  EXPECT_THAT(output_of(run("knot.rbn --plot out/knot.svg")), HasSubstr("charts: out/knot.svg"));
+  EXPECT_THAT(bytes("out/knot.svg"), HasSubstr("recovery iterations"));
+  EXPECT_EQ(run("knot.rbn --plot knot.png").exit_code, 0);
+  EXPECT_GT(png_size(bytes("knot.png")).width, 800);
+  expect_refusal(run("knot.rbn --plot knot.pdf"), "is neither .svg nor .png");
+  expect_refusal(run("knot.rbn --plot knot.rbn/knot.svg"), "knot.rbn");
+}
+
+TEST_F(RibbonPlay, charts_of_a_damaged_recording_have_gaps_and_say_so) {
+  damage();
+  const ToolRun plot = run("knot.rbn --plot knot.svg");
+  EXPECT_EQ(plot.exit_code, 1);
+  EXPECT_THAT(bytes("knot.svg"), HasSubstr("lost to damage"));
 }
 
 TEST_F(RibbonPlay, quiet_says_nothing) {
