@@ -1,6 +1,8 @@
 #include "player/options.h"
 
 #include <charconv>
+#include <memory>
+#include <utility>
 
 #include "commandline/arguments.h"
 #include "text/number_text.h"
@@ -60,6 +62,8 @@ struct Texts {
   std::string quality = "standard";
   int samples = 0;   // 0: as the quality says
   double noise = 0;  // likewise
+  std::filesystem::path texture;
+  std::filesystem::path texture_back;
   AppearanceTexts appearance;
 };
 
@@ -78,6 +82,29 @@ void add_quality_options(Arguments& arguments, Texts& texts) {
           "--noise", texts.noise, {0.01, 100}, "X",
           "samples until the estimated error of each region is below X levels of 255; no smoothing")
       .excludes(samples);
+}
+
+void add_look_options(Arguments& arguments, Options& options, Texts& texts) {
+  const auto texture = arguments.add(
+      "--texture", texts.texture, "FILE",
+      "PNG on the cloth instead of the built-in pattern: as high as the ribbon is wide, repeated");
+  arguments.add("--texture-back", texts.texture_back, "FILE", "PNG on its back (default: the same)")
+      .needs(texture);
+  arguments.flag("--ground", options.render.ground, "a floor that shows the shadows");
+}
+
+Result<std::shared_ptr<const Texture>> texture_of(const std::filesystem::path& file) {
+  if (file.empty()) return nullptr;
+  return Texture::read(file).map(
+      [](Texture&& texture) { return std::make_shared<const Texture>(std::move(texture)); });
+}
+
+Result<Cloth> cloth_of(const Texts& texts) {
+  auto front = texture_of(texts.texture);
+  if (!front) return tl::unexpected(front.error());
+  auto back = texture_of(texts.texture_back);
+  if (!back) return tl::unexpected(back.error());
+  return Cloth{std::move(*front), std::move(*back)};
 }
 
 constexpr int most_samples_for_noise = 4096;
@@ -142,6 +169,7 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
   const auto sheet = arguments.add("--sheet", options.sheet, "FILE",
                                    "contact sheet to write: several frames, two cameras, captions");
   add_quality_options(arguments, texts);
+  add_look_options(arguments, options, texts);
   add_view_options(arguments, options, texts, sheet);
   add_appearance_options(arguments, texts.appearance);
   const auto plot = arguments.add("--plot", options.plot, "FILE",
@@ -192,6 +220,9 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   if (!size) return tl::unexpected(size.error());
   options.size = *size;
   options.render.quality = quality_of(texts);
+  auto cloth = cloth_of(texts);
+  if (!cloth) return tl::unexpected(cloth.error());
+  options.render.cloth = std::move(*cloth);
   auto views = parse_views(texts.views);
   if (!views) return tl::unexpected(views.error());
   options.views = std::move(*views);

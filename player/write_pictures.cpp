@@ -25,6 +25,7 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
   if (!shots) return tl::unexpected(shots.error());
   const CameraWork cameras(reader, *shots);
   SequenceRenderer renderer(reader, options.render);
+  renderer.set_lowest(cameras.lowest_m());
   if (auto colored = color_as_asked(options.appearance, reader, frames, renderer); !colored)
     return tl::unexpected(colored.error());
   const Annotations annotations(reader, options.appearance.overlays, renderer.legend());
@@ -72,7 +73,10 @@ Result<void> LivePictures::begin() {
 }
 
 Result<void> LivePictures::show(int index) {
-  if (!cameras_) cameras_.emplace(reader_, shots_);
+  if (!cameras_) {
+    cameras_.emplace(reader_, shots_);
+    renderer_.set_lowest(cameras_->lowest_m());
+  }
   if (auto shown = renderer_.show(index); !shown) return shown;
   for (std::size_t shot = 0; shot < shots_.size(); ++shot) {
     const Camera camera = cameras_->camera(shot, {index, 0});

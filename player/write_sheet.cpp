@@ -22,6 +22,7 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   const std::vector<Shot> shots{{three_quarter_view, sheet_cell}, {knot_view, sheet_cell}};
   const CameraWork cameras(reader, shots);
   SequenceRenderer renderer(reader, options.render);
+  renderer.set_lowest(cameras.lowest_m());
   if (auto colored = color_as_asked(options.appearance, reader, frames, renderer); !colored)
     return tl::unexpected(colored.error());
   std::vector<SheetColumn> columns;

@@ -26,7 +26,7 @@ void TileCoverage::mark(const Surface& surface) {
   for (Eigen::Index v = 0; v < count; ++v) {
     const Eigen::Vector3f seen = camera_.project(surface.vertices.col(v));
     if (seen.z() <= 0) {  // beside or behind the eye, where projection says nothing
-      std::fill(covered_.begin(), covered_.end(), std::uint8_t{1});
+      mark_all();
       return;
     }
     pixels.col(v) << (seen.x() + 1) / 2 * static_cast<float>(size_.width),
@@ -38,6 +38,10 @@ void TileCoverage::mark(const Surface& surface) {
     const Eigen::Vector2f c = pixels.col(triangle[2]);
     mark_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
   }
+}
+
+void TileCoverage::mark_all() {
+  std::fill(covered_.begin(), covered_.end(), std::uint8_t{1});
 }
 
 void TileCoverage::mark_box(const Eigen::Vector2f& low, const Eigen::Vector2f& high) {

@@ -17,6 +17,7 @@ class TileCoverage {
 
   // Marks every tile that a sample of `surface` can fall into, and perhaps some more.
   void mark(const Surface& surface);
+  void mark_all();
 
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }

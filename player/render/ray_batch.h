@@ -48,7 +48,7 @@ struct RayBatch {
 };
 
 struct Hit {
-  enum class Body : std::uint8_t { none, ribbon, obstacle };
+  enum class Body : std::uint8_t { none, ribbon, obstacle, ground };
   Body body = Body::none;
   std::uint32_t triangle = 0;
   float u = 0;  // weight of the triangle's second corner

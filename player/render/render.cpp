@@ -36,6 +36,7 @@ class PicturePainter {
         counts_(static_cast<std::size_t>(tiles_.columns()) * tiles_.rows()) {
     tiles_.mark(scene.ribbon());
     tiles_.mark(scene.obstacle());
+    if (scene.has_ground()) tiles_.mark_all();
   }
 
   // Calls take(x, y, sums) for every pixel of a covered tile and leave(x, y, backdrop) for the
@@ -119,7 +120,8 @@ void fill_pixel(const PixelSums& sums, std::size_t pixel, PixelPlanes& planes) {
   set_planes(planes.position, pixel, sums.position / samples);
   const float length = sums.normal.matrix().head<3>().norm();
   set_planes(planes.normal, pixel, sums.normal / std::max(length, 1e-20F));
-  const bool one_body = sums.albedo[3] == samples || sums.sky[3] == samples;
+  const bool one_body =
+      sums.direct[3] == samples || sums.albedo[3] == samples || sums.sky[3] == samples;
   planes.evenness[pixel] = one_body ? samples : 0;
 }
 

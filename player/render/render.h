@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "player/picture/picture.h"
+#include "player/render/cloth.h"
 #include "player/render/lighting.h"
 #include "player/render/pixel_planes.h"
 #include "player/render/quality.h"
@@ -14,9 +15,11 @@
 namespace ribbon {
 
 struct RenderSettings {
-  Quality quality;
-  Lighting lighting;
-  Backdrop backdrop;
+  Quality quality = {};
+  Lighting lighting = {};
+  Backdrop backdrop = {};
+  Cloth cloth = {};
+  bool ground = false;  // a floor in the backdrop's colours that shows the shadows
 };
 
 // What the estimate of noise reached.
@@ -36,6 +39,7 @@ struct Rendered {
 class Renderer {
  public:
   explicit Renderer(RenderSettings settings);
+  [[nodiscard]] const RenderSettings& settings() const { return settings_; }
 
   // The pixels are the same for any number of threads, and whatever was rendered before.
   Rendered render(const RenderScene& scene, const Camera& camera, PictureSize size);

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "player/render/cloth_pattern.h"
-
 namespace ribbon {
 
 namespace {
@@ -62,8 +60,8 @@ void RenderScene::color_ribbon(std::vector<float> places, const ColorMap& map) {
   map_ = map;
 }
 
-Color RenderScene::cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights, bool front,
-                         float reach_m) const {
+Color RenderScene::ribbon_color(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
+                                bool front, float reach_m) const {
   if (!places_.empty()) {
     float place = 0;
     for (int i = 0; i < 3; ++i) place += weights[i] * places_[corners[i]];
@@ -71,9 +69,20 @@ Color RenderScene::cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& 
   }
   Eigen::Vector2f texture = Eigen::Vector2f::Zero();
   for (int i = 0; i < 3; ++i) texture += weights[i] * pattern_.col(corners[i]);
-  const float blur = reach_m / ribbon_width_m_;
-  return front ? cloth_front(texture.x(), texture.y(), blur)
-               : cloth_back(texture.x(), texture.y(), blur);
+  return cloth_.color(texture.x(), texture.y(), front, reach_m / ribbon_width_m_);
+}
+
+bool RenderScene::add_ground(const RayBatch& rays, std::size_t lane, SurfaceBatch& batch) const {
+  const Eigen::Vector3f origin = rays.origin.at(lane);
+  const Eigen::Vector3f direction = rays.direction.at(lane);
+  if (!ground_m_ || direction.y() >= 0 || origin.y() <= *ground_m_) return false;
+  const Eigen::Vector3f position = origin + (*ground_m_ - origin.y()) / direction.y() * direction;
+  const std::size_t to = batch.count++;
+  batch.position.set(to, position);
+  batch.normal.set(to, Eigen::Vector3f::UnitY());
+  batch.start.set(to, position + clearance_ * Eigen::Vector3f::UnitY());
+  batch.body[to] = Hit::Body::ground;
+  return true;
 }
 
 void RenderScene::add_point(const RayBatch& rays, std::size_t lane, const Hit& hit,
@@ -106,7 +115,7 @@ void RenderScene::add_point(const RayBatch& rays, std::size_t lane, const Hit& h
   batch.normal.set(to, smooth.dot(facet) > 0.1F * length ? smooth / length : facet);
   batch.start.set(to, lifted(position, corners, normals, weights) + clearance_ * facet);
   const Color albedo = hit.body == Hit::Body::ribbon
-                           ? cloth(corner, weights, front, rays.spread * distance)
+                           ? ribbon_color(corner, weights, front, rays.spread * distance)
                            : obstacle_color;
   batch.albedo.set(to, albedo.matrix());
   batch.body[to] = hit.body;

@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "player/picture/color.h"
 #include "player/picture/color_map.h"
+#include "player/render/cloth.h"
 #include "player/render/ray_scene.h"
 #include "player/render/surface.h"
 #include "recording/records/recording.h"
@@ -29,6 +31,10 @@ class RenderScene {
   // The obstacle, if there is one, is there; the ribbon is not yet.
   explicit RenderScene(const RecordingHeader& header);
 
+  void set_cloth(Cloth cloth) { cloth_ = std::move(cloth); }
+  // An endless floor at that height, which must be below everything.
+  void set_ground(float height_m) { ground_m_ = height_m; }
+
   // positions: 3 x particles, in metres.
   void set_ribbon(const Eigen::Matrix3Xf& positions);
 
@@ -39,19 +45,25 @@ class RenderScene {
   [[nodiscard]] const Surface& ribbon() const { return ribbon_; }
   [[nodiscard]] const Surface& obstacle() const { return obstacle_; }  // empty if there is none
   [[nodiscard]] const RayScene& rays() const { return rays_; }
+  [[nodiscard]] bool has_ground() const { return ground_m_.has_value(); }
+  // Adds the place of the floor that ray `lane`, which met nothing else, leads to; false where it
+  // leads to none. Its albedo is left open.
+  bool add_ground(const RayBatch& rays, std::size_t lane, SurfaceBatch& batch) const;
   // Adds what ray `lane` met to `batch`. hit.body must not be none.
   void add_point(const RayBatch& rays, std::size_t lane, const Hit& hit, SurfaceBatch& batch) const;
 
  private:
   // reach_m: how wide the look at it is.
-  [[nodiscard]] Color cloth(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
-                            bool front, float reach_m) const;
+  [[nodiscard]] Color ribbon_color(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
+                                   bool front, float reach_m) const;
 
   RibbonGrid grid_;
   Eigen::Matrix2Xf pattern_;  // 2 x particles: along and across, in ribbon widths
   float ribbon_width_m_;
+  Cloth cloth_;
   std::vector<float> places_;  // one per particle on the map; empty: cloth is shown
   std::optional<ColorMap> map_;
+  std::optional<float> ground_m_;
   Surface ribbon_;
   Surface obstacle_;
   RayScene rays_;

@@ -5,7 +5,13 @@
 namespace ribbon {
 
 SequenceRenderer::SequenceRenderer(RecordingReader& reader, RenderSettings settings)
-    : reader_(reader), scene_(reader.header()), renderer_(std::move(settings)) {}
+    : reader_(reader), scene_(reader.header()), renderer_(std::move(settings)) {
+  scene_.set_cloth(renderer_.settings().cloth);
+}
+
+void SequenceRenderer::set_lowest(float height_m) {
+  if (renderer_.settings().ground) scene_.set_ground(height_m);
+}
 
 Result<void> SequenceRenderer::show(int index) {
   if (auto read = reader_.read(index, positions_); !read) return read;

@@ -22,6 +22,9 @@ class SequenceRenderer {
   // the same reader.
   void color_by(ValueColors colors) { colors_.emplace(std::move(colors)); }
 
+  // Where the ground lies, if there is to be one: below everything in any frame.
+  void set_lowest(float height_m);
+
   // Loads frame `index`. Fails when it cannot be read.
   Result<void> show(int index);
   // The frame that was shown last.

@@ -24,10 +24,20 @@ float luminance(const Eigen::Array4f& light) {
   return 0.2126F * light[0] + 0.7152F * light[1] + 0.0722F * light[2];
 }
 
+Color full_light_on_ground(const Lighting& lighting) {
+  return lighting.sun * std::max(0.0F, lighting.sun_direction.y()) +
+         lighting.mean_sky(Eigen::Vector3f::UnitY());
+}
+
 void add_to(VectorLanes& lanes, std::size_t lane, const Color& light) {
   lanes.x[lane] += light[0];
   lanes.y[lane] += light[1];
   lanes.z[lane] += light[2];
+}
+
+float& samples_of_body(Hit::Body body, PixelSums& sums) {
+  if (body == Hit::Body::ribbon) return sums.albedo[3];
+  return body == Hit::Body::obstacle ? sums.sky[3] : sums.direct[3];
 }
 
 }  // namespace
@@ -112,11 +122,10 @@ void TilePainter::finish_batch() {
     const Eigen::Array4f sky(skylight_.x[i], skylight_.y[i], skylight_.z[i], 0);
     const Eigen::Array4f direct =
         albedo * Eigen::Array4f(sunlight_.x[i], sunlight_.y[i], sunlight_.z[i], 0);
-    const bool ribbon = seen_.body[i] == Hit::Body::ribbon;
     sums.direct += direct;
     sums.albedo += albedo;
     sums.sky += sky;
-    (ribbon ? sums.albedo : sums.sky)[3] += 1;
+    samples_of_body(seen_.body[i], sums) += 1;
     count_in(seen_samples_[i], direct + albedo * sky);
     if (!s_.quality.smooth_sky) continue;
     sums.normal.head<3>() += seen_.normal.at(i).array();
@@ -128,15 +137,19 @@ void TilePainter::finish_batch() {
 void TilePainter::sort_hits() {
   seen_.count = 0;
   for (std::size_t i = 0; i < rays_.count; ++i) {
-    if (hits_[i].body == Hit::Body::none) {
-      const Eigen::Array4f backdrop =
-          four(s_.backdrop.at(top_ + samples_[i].pixel / tile_side, s_.size.height));
-      sums_[samples_[i].pixel].direct += backdrop;
-      count_in(samples_[i], backdrop);
-    } else {
-      seen_samples_[seen_.count] = samples_[i];
+    seen_samples_[seen_.count] = samples_[i];
+    if (hits_[i].body != Hit::Body::none) {
       s_.scene.add_point(rays_, i, hits_[i], seen_);
+      continue;
     }
+    const Color backdrop = s_.backdrop.at(top_ + samples_[i].pixel / tile_side, s_.size.height);
+    if (s_.scene.add_ground(rays_, i, seen_)) {
+      // In full light the floor cannot be told from the backdrop.
+      seen_.albedo.set(seen_.count - 1, (backdrop / full_light_on_ground(s_.lighting)).matrix());
+      continue;
+    }
+    sums_[samples_[i].pixel].direct += four(backdrop);
+    count_in(samples_[i], four(backdrop));
   }
 }
 

@@ -20,7 +20,8 @@ inline constexpr int tile_pixels = tile_side * tile_side;
 
 // Sums over the samples of a pixel, and what they are good for.
 struct PixelSums {
-  Eigen::Array4f direct = Eigen::Array4f::Zero();    // backdrop, and the sun's light returned
+  Eigen::Array4f direct = Eigen::Array4f::Zero();    // backdrop, and the sun's light returned; the
+                                                     // fourth: samples that saw the ground
   Eigen::Array4f albedo = Eigen::Array4f::Zero();    // the fourth: samples that saw the ribbon
   Eigen::Array4f sky = Eigen::Array4f::Zero();       // the fourth: samples that saw the obstacle
   Eigen::Array4f shown = Eigen::Array4f::Zero();     // the fourth: all samples

@@ -80,6 +80,7 @@ CameraWork::CameraWork(RecordingReader& reader, std::vector<Shot> shots)
                                  static_cast<float>(header.ribbon_length_m), positions);
   }
   everything_ = extent.sphere();
+  lowest_m_ = extent.low.y();
   for (const auto& directions : framings) {
     still_.push_back(directions.front().camera());
     float distance_m = 0;

@@ -34,6 +34,8 @@ class CameraWork {
   CameraWork(RecordingReader& reader, std::vector<Shot> shots);
 
   [[nodiscard]] Camera camera(std::size_t shot, const Moment& moment) const;
+  // Of everything in any frame.
+  [[nodiscard]] float lowest_m() const { return lowest_m_; }
 
  private:
   [[nodiscard]] CameraPose pose(const Shot& shot, const Moment& moment) const;
@@ -44,6 +46,7 @@ class CameraWork {
   std::vector<float> distances_;  // of each shot: from the middle of everything, that holds it
   double frames_per_second_;
   Sphere everything_;
+  float lowest_m_ = 0;
   std::vector<Sphere> knots_;  // of all frames; empty: no shot looks at the knot
 };
 

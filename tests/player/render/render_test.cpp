@@ -225,8 +225,8 @@ TEST(Render, tiles_left_out_would_have_shown_nothing_else) {
 }
 
 TEST(Render, light_from_cloth_to_cloth_is_the_light_that_it_received) {
-  // A wall hides half of an even sky. It sees between a half of the sky itself, at its foot, and all
-  // of it high up, and returns about half of that.
+  // A wall hides half of an even sky. It sees between a half of the sky itself, at its foot, and
+  // all of it high up, and returns about half of that.
   const RenderScene scene = flat_scene(
       quad_mesh({0.02F, -900, 0}, {0.02F, -900, -900}, {0.02F, 900, -900}, {0.02F, 900, 0}));
   RenderSettings settings{with_samples(4096), only_sky(Color::Ones(), Color::Ones()), {}};
@@ -243,6 +243,23 @@ double mean_square(const Picture& a, const Picture& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::pow(a.rgb[i] - b.rgb[i], 2);
   return sum / static_cast<double>(a.rgb.size());
+}
+
+TEST(Render, the_ground_is_the_backdrop_where_it_is_lit_and_darker_where_it_is_not) {
+  RenderScene scene = flat_scene();  // upright, from y = -0.5 to 0.5, in the plane z = 0
+  scene.set_ground(-1);
+  const Backdrop backdrop{{0.5F, 0.6F, 0.7F}, {0.5F, 0.6F, 0.7F}};
+  Camera camera;  // looks straight down past the cloth
+  camera.world_from_camera << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  camera.half_width = camera.half_height = 1e-3F;
+  const auto shown = [&](float z) {
+    camera.eye = {0, 5, z};
+    RenderSettings settings{with_samples(16), only_sun({0, 1, -1}), backdrop};
+    return Renderer(settings).render(scene, camera, {1, 1}).light.pixels[0];
+  };
+  expect_color(shown(-2), backdrop.top);  // on the sun's side
+  expect_color(shown(1), Color::Zero());  // the cloth is in the way
+  expect_color(shown(3), backdrop.top);   // beyond its shadow
 }
 
 TEST(Render, noise_is_sampled_away_until_it_is_below_what_was_asked_for) {

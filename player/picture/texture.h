@@ -1,0 +1,39 @@
+// A picture that is laid on cloth.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "player/picture/color.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+// Linear light of a PNG file, and the same in ever coarser steps, so that a look that spans many of
+// its pixels sees their mean.
+class Texture {
+ public:
+  // Transparent pixels become white. Fails when the file is no PNG, is damaged, or is larger than
+  // 16384 x 16384.
+  static Result<Texture> read(const std::filesystem::path& file);
+
+  // Width over height of the file's picture.
+  [[nodiscard]] float aspect() const;
+  // At x from the left, y from the bottom, each 0 to 1 and repeated beyond; `reach` is how wide the
+  // look is, where the picture's height is 1.
+  [[nodiscard]] Color at(float x, float y, float reach) const;
+
+ private:
+  struct Level {
+    int width;
+    int height;
+    std::vector<Color> pixels;  // row by row from the top left
+  };
+  explicit Texture(Level finest);
+  static Level halved(const Level& level);
+  static Color interpolated(const Level& level, float x, float y);
+
+  std::vector<Level> levels_;  // each half of the one before, down to a single pixel
+};
+
+}  // namespace ribbon

@@ -1,0 +1,22 @@
+// What the ribbon's cloth looks like.
+#pragma once
+
+#include <memory>
+
+#include "player/picture/color.h"
+#include "player/picture/texture.h"
+
+namespace ribbon {
+
+// Without textures the built-in pattern. A texture is as high as the ribbon is wide and is repeated
+// along it; a back without one of its own shows the front's.
+struct Cloth {
+  std::shared_ptr<const Texture> front;
+  std::shared_ptr<const Texture> back;
+
+  // What fraction of the light it returns: `along` and `across` in ribbon widths, as is `reach`,
+  // how wide the look is.
+  [[nodiscard]] Color color(float along, float across, bool shows_front, float reach) const;
+};
+
+}  // namespace ribbon
