@@ -62,6 +62,7 @@ struct Texts {
   std::string quality = "standard";
   int samples = 0;   // 0: as the quality says
   double noise = 0;  // likewise
+  double thickness_mm = 0;
   std::filesystem::path texture;
   std::filesystem::path texture_back;
   AppearanceTexts appearance;
@@ -90,6 +91,9 @@ void add_look_options(Arguments& arguments, Options& options, Texts& texts) {
       "PNG on the cloth instead of the built-in pattern: as high as the ribbon is wide, repeated");
   arguments.add("--texture-back", texts.texture_back, "FILE", "PNG on its back (default: the same)")
       .needs(texture);
+  arguments.add("--thickness", texts.thickness_mm, {0, 1000}, "MM",
+                "of the cloth, as it is seen at the selvages; layers that are pressed together get "
+                "less (default: 0)");
   arguments.flag("--ground", options.render.ground, "a floor that shows the shadows");
 }
 
@@ -223,6 +227,7 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   auto cloth = cloth_of(texts);
   if (!cloth) return tl::unexpected(cloth.error());
   options.render.cloth = std::move(*cloth);
+  options.render.thickness_m = static_cast<float>(texts.thickness_mm / 1000);
   auto views = parse_views(texts.views);
   if (!views) return tl::unexpected(views.error());
   options.views = std::move(*views);

@@ -19,7 +19,8 @@ struct RenderSettings {
   Lighting lighting = {};
   Backdrop backdrop = {};
   Cloth cloth = {};
-  bool ground = false;  // a floor in the backdrop's colours that shows the shadows
+  float thickness_m = 0;  // of the cloth, as it is seen at the selvages
+  bool ground = false;    // a floor in the backdrop's colours that shows the shadows
 };
 
 // What the estimate of noise reached.

@@ -32,12 +32,14 @@ Eigen::Vector3f lifted(const Eigen::Vector3f& point, const Eigen::Matrix3f& corn
 
 }  // namespace
 
-RenderScene::RenderScene(const RecordingHeader& header)
+RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages)
     : grid_(header.grid),
+      with_selvages_(with_selvages),
       pattern_(header.uv),
       ribbon_width_m_(static_cast<float>(header.ribbon_width_m)),
       ribbon_(ribbon_surface(header.grid)) {
   assert(header.uv.cols() == grid_.particle_count());
+  if (with_selvages) add_selvages(grid_, ribbon_);
   pattern_.row(0) *= static_cast<float>(header.ribbon_length_m / header.ribbon_width_m);
   if (!header.obstacle || header.obstacle->triangles.cols() == 0) return;
   obstacle_ = creased_surface(*header.obstacle);
@@ -45,9 +47,11 @@ RenderScene::RenderScene(const RecordingHeader& header)
   rays_.set_obstacle(obstacle_);
 }
 
-void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions) {
+void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions,
+                             const std::vector<float>& half_thickness_m) {
   assert(positions.cols() == grid_.particle_count());
   update_ribbon(grid_, positions, ribbon_);
+  if (with_selvages_) update_selvages(grid_, half_thickness_m, ribbon_);
   rays_.set_ribbon(ribbon_);
   // Some hundred times what single precision loses in a coordinate, and far less than cloth is
   // thick.
@@ -64,11 +68,11 @@ Color RenderScene::ribbon_color(const Eigen::Vector3i& corners, const Eigen::Vec
                                 bool front, float reach_m) const {
   if (!places_.empty()) {
     float place = 0;
-    for (int i = 0; i < 3; ++i) place += weights[i] * places_[corners[i]];
+    for (int i = 0; i < 3; ++i) place += weights[i] * places_[particle_of(grid_, corners[i])];
     return map_->at(place);
   }
   Eigen::Vector2f texture = Eigen::Vector2f::Zero();
-  for (int i = 0; i < 3; ++i) texture += weights[i] * pattern_.col(corners[i]);
+  for (int i = 0; i < 3; ++i) texture += weights[i] * pattern_.col(particle_of(grid_, corners[i]));
   return cloth_.color(texture.x(), texture.y(), front, reach_m / ribbon_width_m_);
 }
 
@@ -114,8 +118,10 @@ void RenderScene::add_point(const RayBatch& rays, std::size_t lane, const Hit& h
   batch.position.set(to, position);
   batch.normal.set(to, smooth.dot(facet) > 0.1F * length ? smooth / length : facet);
   batch.start.set(to, lifted(position, corners, normals, weights) + clearance_ * facet);
+  // A selvage has neither front nor back.
+  const bool shows_front = front || static_cast<int>(hit.triangle) >= grid_.triangle_count();
   const Color albedo = hit.body == Hit::Body::ribbon
-                           ? ribbon_color(corner, weights, front, rays.spread * distance)
+                           ? ribbon_color(corner, weights, shows_front, rays.spread * distance)
                            : obstacle_color;
   batch.albedo.set(to, albedo.matrix());
   batch.body[to] = hit.body;

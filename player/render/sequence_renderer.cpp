@@ -1,12 +1,27 @@
 #include "player/render/sequence_renderer.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ribbon {
 
 SequenceRenderer::SequenceRenderer(RecordingReader& reader, RenderSettings settings)
-    : reader_(reader), scene_(reader.header()), renderer_(std::move(settings)) {
+    : reader_(reader),
+      scene_(reader.header(), settings.thickness_m > 0),
+      renderer_(std::move(settings)) {
   scene_.set_cloth(renderer_.settings().cloth);
+  if (renderer_.settings().thickness_m > 0)
+    gaps_.emplace(reader, Quantity::gap, renderer_.settings().thickness_m);
+}
+
+// Half of the gap to the next layer at most, less what rounding takes: the selvages of layers that
+// are pressed together must not show through each other.
+std::vector<float> SequenceRenderer::half_thickness(int index) {
+  if (!gaps_) return {};
+  constexpr float share = 0.45F;
+  std::vector<float> half = gaps_->values(index, positions_);
+  for (float& gap_m : half) gap_m = std::min(share * gap_m, renderer_.settings().thickness_m / 2);
+  return half;
 }
 
 void SequenceRenderer::set_lowest(float height_m) {
@@ -15,7 +30,7 @@ void SequenceRenderer::set_lowest(float height_m) {
 
 Result<void> SequenceRenderer::show(int index) {
   if (auto read = reader_.read(index, positions_); !read) return read;
-  scene_.set_ribbon(positions_);
+  scene_.set_ribbon(positions_, half_thickness(index));
   if (colors_) scene_.color_ribbon(colors_->places(index, positions_), colors_->map());
   return {};
 }

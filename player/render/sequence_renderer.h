@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "playback/recording_reader.h"
+#include "player/measure/particle_measure.h"
 #include "player/measure/value_colors.h"
 #include "player/picture/picture.h"
 #include "player/render/render.h"
@@ -35,10 +37,13 @@ class SequenceRenderer {
   [[nodiscard]] std::optional<Legend> legend() const;
 
  private:
+  std::vector<float> half_thickness(int index);
+
   RecordingReader& reader_;
   RenderScene scene_;
   Renderer renderer_;
   std::optional<ValueColors> colors_;
+  std::optional<ParticleMeasure> gaps_;  // where the cloth is to be seen to be thick
   Eigen::Matrix3Xf positions_;
 };
 

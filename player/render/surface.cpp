@@ -51,7 +51,7 @@ Surface ribbon_surface(const RibbonGrid& grid) {
 }
 
 void update_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Surface& ribbon) {
-  ribbon.vertices = positions;
+  ribbon.vertices.leftCols(positions.cols()) = positions;
   ribbon.normals.setZero();
   // The cross product of a quad's diagonals does not know which way the quad is split.
   for (int q = 0; q < grid.quad_count(); ++q) {
@@ -62,8 +62,54 @@ void update_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Su
     for (const int corner : c) ribbon.normals.col(corner) += normal;
   }
   for (auto normal : ribbon.normals.colwise()) normal = unit_or_zero(normal);
-  for (Eigen::Index t = 0; t < ribbon.triangles.cols(); ++t)
+  for (Eigen::Index t = 0; t < grid.triangle_count(); ++t)
     ribbon.facets.col(t) = unit_or_zero(area_vector(positions, ribbon.triangles.col(t)));
+}
+
+void add_selvages(const RibbonGrid& grid, Surface& ribbon) {
+  const int first = grid.particle_count();
+  const int triangles = grid.triangle_count();
+  ribbon.vertices.conservativeResize(Eigen::NoChange, first + 4 * grid.along);
+  ribbon.normals.conservativeResize(Eigen::NoChange, first + 4 * grid.along);
+  ribbon.triangles.conservativeResize(Eigen::NoChange, triangles + 4 * (grid.along - 1));
+  ribbon.facets.conservativeResize(Eigen::NoChange, triangles + 4 * (grid.along - 1));
+  for (int i = 0; i + 1 < grid.along; ++i)
+    for (int side = 0; side < 2; ++side) {
+      const int back = first + 4 * i + 2 * side;
+      const int t = triangles + 4 * i + 2 * side;
+      ribbon.triangles.col(t) << back, back + 4, back + 5;
+      ribbon.triangles.col(t + 1) << back, back + 5, back + 1;
+    }
+}
+
+void update_selvages(const RibbonGrid& grid, const std::vector<float>& half_thickness_m,
+                     Surface& ribbon) {
+  const int first = grid.particle_count();
+  for (int i = 0; i < grid.along; ++i)
+    for (int side = 0; side < 2; ++side) {
+      const int selvage = grid.particle(i, side == 0 ? 0 : grid.across - 1);
+      const int inside = grid.particle(i, side == 0 ? 1 : grid.across - 2);
+      const Eigen::Vector3f up = half_thickness_m[selvage] * ribbon.normals.col(selvage);
+      const Eigen::Vector3f outward =
+          unit_or_zero(ribbon.vertices.col(selvage) - ribbon.vertices.col(inside));
+      for (int front = 0; front < 2; ++front) {
+        const int vertex = first + 4 * i + 2 * side + front;
+        ribbon.vertices.col(vertex) = ribbon.vertices.col(selvage) + (front == 0 ? -up : up);
+        ribbon.normals.col(vertex) = outward;
+      }
+    }
+  for (Eigen::Index t = grid.triangle_count(); t < ribbon.triangles.cols(); ++t) {
+    const Eigen::Vector3f facet =
+        unit_or_zero(area_vector(ribbon.vertices, ribbon.triangles.col(t)));
+    const bool outward = facet.dot(ribbon.normals.col(ribbon.triangles(0, t))) >= 0;
+    ribbon.facets.col(t) = outward ? facet : Eigen::Vector3f(-facet);
+  }
+}
+
+int particle_of(const RibbonGrid& grid, int vertex) {
+  const int beyond = vertex - grid.particle_count();
+  if (beyond < 0) return vertex;
+  return grid.particle(beyond / 4, beyond % 4 < 2 ? 0 : grid.across - 1);
 }
 
 Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {

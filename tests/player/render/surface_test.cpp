@@ -67,4 +67,24 @@ TEST(RibbonSurface, a_ribbon_crumpled_into_a_point_has_no_normals) {
   EXPECT_TRUE(test::quad_surface(Eigen::Matrix3Xf::Ones(3, 4)).normals.isZero());
 }
 
+TEST(Selvages, stand_upright_along_the_sides_as_high_as_the_cloth_is_thick) {
+  const RibbonGrid grid{2, 2};
+  Surface ribbon = ribbon_surface(grid);
+  add_selvages(grid, ribbon);
+  update_ribbon(grid, test::flat_quad(), ribbon);
+  update_selvages(grid, {0.1F, 0.2F, 0.1F, 0.2F}, ribbon);
+  ASSERT_EQ(ribbon.vertices.cols(), 4 + 8);
+  ASSERT_EQ(ribbon.triangles.cols(), 2 + 4);
+  for (int vertex = 4; vertex < 12; ++vertex) {
+    const int particle = particle_of(grid, vertex);
+    const Eigen::Vector3f away = ribbon.vertices.col(vertex) - ribbon.vertices.col(particle);
+    const float half = particle % 2 == 0 ? 0.1F : 0.2F;
+    EXPECT_LT((away.cwiseAbs() - Eigen::Vector3f(0, 0, half)).norm(), 1e-6F) << vertex;
+    const float side = particle % 2 == 0 ? -1 : 1;
+    EXPECT_LT((ribbon.normals.col(vertex) - Eigen::Vector3f(0, side, 0)).norm(), 1e-6F);
+  }
+  for (Eigen::Index t = 2; t < 6; ++t)
+    EXPECT_NEAR(std::abs(ribbon.facets(1, t)), 1, 1e-6F) << "upright";
+}
+
 }  // namespace ribbon::surface_test
