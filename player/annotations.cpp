@@ -11,6 +11,7 @@ namespace {
 
 const Color dark_line = from_srgb(0x101418);
 const Color light_line = from_srgb(0xFFFFFF);
+const Color curve_ink = from_srgb(0xF2542D);
 
 // As thick in large pictures as in small ones.
 float line_width(PictureSize size) {
@@ -33,6 +34,7 @@ Annotations::Annotations(const RecordingReader& reader, const Overlays& overlays
     : reader_(reader), overlays_(overlays), legend_(std::move(legend)) {
   if (overlays_.obstacle_wireframe && reader.header().obstacle)
     obstacle_lines_ = mesh_lines(*reader.header().obstacle);
+  if (overlays_.curve) curve_ = polyline(reader.header().input_curve);
 }
 
 void Annotations::draw(int index, const RenderScene& scene, const Camera& camera,
@@ -43,6 +45,8 @@ void Annotations::draw(int index, const RenderScene& scene, const Camera& camera
   if (overlays_.wireframe)
     draw_lines(ribbon_lines(reader_.header().grid, scene.ribbon().vertices),
                {legend_ ? dark_line : light_line, width, 0.6F}, scene, camera, picture);
+  if (!curve_.lines.empty())
+    draw_lines(curve_, {curve_ink, 2.5F * width, 1}, scene, camera, picture);
   if (overlays_.has_caption())
     draw_caption(
         frame_caption(overlays_, index + 1, reader_.numbers(index).value_or(FrameNumbers{})),

@@ -30,6 +30,7 @@ class Annotations {
   Overlays overlays_;
   std::optional<Legend> legend_;
   SpaceLines obstacle_lines_;  // none where they are not asked for
+  SpaceLines curve_;           // likewise
   CaptionPainter painter_;
 };
 

@@ -137,8 +137,8 @@ void add_appearance_options(Arguments& arguments, AppearanceTexts& texts) {
            "asked for)")
       .needs(color_by);
   arguments.add("--overlay", texts.overlays, "WORDS",
-                "draw over the pictures: some of wireframe, obstacle-wireframe, frame, time, "
-                "numbers, with commas between them");
+                "draw over the pictures: some of wireframe, obstacle-wireframe, curve, frame, "
+                "time, numbers, with commas between them");
 }
 
 void add_view_options(Arguments& arguments, Options& options, Texts& texts, Argument sheet) {

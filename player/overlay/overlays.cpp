@@ -11,9 +11,10 @@ struct OverlayWord {
   std::string_view word;
   bool Overlays::*is_asked;
 };
-constexpr std::array<OverlayWord, 5> overlay_words = {
+constexpr std::array<OverlayWord, 6> overlay_words = {
     {{"wireframe", &Overlays::wireframe},
      {"obstacle-wireframe", &Overlays::obstacle_wireframe},
+     {"curve", &Overlays::curve},
      {"frame", &Overlays::frame},
      {"time", &Overlays::time},
      {"numbers", &Overlays::numbers}}};

@@ -10,6 +10,7 @@ namespace ribbon {
 struct Overlays {
   bool wireframe = false;  // of the ribbon
   bool obstacle_wireframe = false;
+  bool curve = false;  // that the ribbon was put on, where the recording tells it
   bool frame = false;  // its number
   bool time = false;
   bool numbers = false;  // strain, and how tight the ribbon is

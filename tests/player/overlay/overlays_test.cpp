@@ -14,15 +14,18 @@ using testing::IsEmpty;
 TEST(Overlays, words_stand_in_any_order) {
   const Overlays overlays = parse_overlays("time,wireframe").value();
   EXPECT_TRUE(overlays.time && overlays.wireframe);
-  EXPECT_FALSE(overlays.frame || overlays.numbers || overlays.obstacle_wireframe);
-  const Overlays all = parse_overlays("numbers,frame,obstacle-wireframe,time,wireframe").value();
-  EXPECT_TRUE(all.time && all.wireframe && all.frame && all.numbers && all.obstacle_wireframe);
+  EXPECT_FALSE(overlays.frame || overlays.numbers || overlays.obstacle_wireframe || overlays.curve);
+  const Overlays all =
+      parse_overlays("numbers,frame,obstacle-wireframe,time,wireframe,curve").value();
+  EXPECT_TRUE(all.time && all.wireframe && all.frame && all.numbers && all.obstacle_wireframe &&
+              all.curve);
 }
 
 TEST(Overlays, an_unknown_word_is_told_with_those_that_there_are) {
   for (const char* text : {"", "time,", ",", "wire", "Time", "time wireframe"})
-    EXPECT_THAT(parse_overlays(text).error().sentence(),
-                HasSubstr("write some of wireframe, obstacle-wireframe, frame, time, numbers"))
+    EXPECT_THAT(
+        parse_overlays(text).error().sentence(),
+        HasSubstr("write some of wireframe, obstacle-wireframe, curve, frame, time, numbers"))
         << text;
 }
 

@@ -95,6 +95,11 @@ TEST(SpaceLines, the_same_for_any_number_of_threads) {
   same_for_any_threads([&] { return drawn(lines, cloth).rgb; });
 }
 
+TEST(SpaceLines, a_polyline_goes_through_its_points_in_their_order) {
+  EXPECT_EQ(polyline(Eigen::Matrix3Xf::Zero(3, 4)).lines.size(), 3U);
+  EXPECT_TRUE(polyline(Eigen::Matrix3Xf()).lines.empty());
+}
+
 TEST(MeshLines, a_ribbon_has_its_edges_along_and_across) {
   const RibbonGrid grid{5, 3};
   const SpaceLines lines = ribbon_lines(grid, Eigen::Matrix3Xf::Zero(3, 15));
