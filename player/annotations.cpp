@@ -11,7 +11,7 @@ namespace {
 
 const Color dark_line = from_srgb(0x101418);
 const Color light_line = from_srgb(0xFFFFFF);
-const Color curve_ink = from_srgb(0xF2542D);
+const Color curve_ink = from_srgb(0xE8178A);
 
 // As thick in large pictures as in small ones.
 float line_width(PictureSize size) {
