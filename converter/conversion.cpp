@@ -1,9 +1,11 @@
 #include "converter/conversion.h"
 
+#include <memory>
 #include <utility>
 
 #include "converter/cached_animation.h"
 #include "converter/conversion_job.h"
+#include "converter/export/solid_ribbon.h"
 #include "converter/frame_sequence.h"
 #include "converter/planned_files.h"
 #include "converter/still_life.h"
@@ -28,7 +30,12 @@ Result<ConversionReport> convert(const ConversionRequest& request) {
   if (!files) return tl::unexpected(files.error());
   if (!request.force && !request.resume)
     if (auto free = check_places(*files); !free) return tl::unexpected(free.error());
-  return write_job(request, std::move(*job));
+  const std::shared_ptr<const SolidRibbon> solid = job->model.solid;
+  const double factor = request.model.placement.factor();
+  return write_job(request, std::move(*job)).map([&](ConversionReport report) {
+    if (solid) report.least_thickness_m = solid->least_thickness() / factor;
+    return report;
+  });
 }
 
 }  // namespace ribbon

@@ -32,6 +32,7 @@ struct ConversionReport {
   std::uint64_t bytes_written = 0;
   std::filesystem::path first_file;
   std::filesystem::path last_file;
+  std::optional<double> least_thickness_m;  // of a solid ribbon in the frames written now
   std::vector<int> missing;    // numbers (from 1) of asked frames that the damaged recording lost
   std::vector<Damage> damage;  // of the recording
 };

@@ -43,11 +43,12 @@ std::string job_text(const ConversionRequest& request, const RecordingReader& re
   return filled_in("ribbon-convert {} writes {} frames '{}' from {}\n", RIBBON_VERSION,
                    request.output, request.frames, request.start_frame.value_or(0)) +
          filled_in("of recording {} with {} bytes\n", reader.recording_id(), reader.file_bytes()) +
-         filled_in("as {}, obstacle {}, normals {}, {} up, {:.17g} m a unit, scaled by {:.17g}, ",
-                   model.faces == RibbonFaces::quads ? "quads" : "triangles",
-                   model.with_obstacle ? "too" : "left out", model.with_normals ? "yes" : "no",
-                   placement.up == UpAxis::z ? "z" : "y", placement.metres_per_unit,
-                   placement.scale) +
+         filled_in(
+             "as {}, {:.17g} m thick, obstacle {}, normals {}, {} up, {:.17g} m a unit, scaled by "
+             "{:.17g}, ",
+             model.faces == RibbonFaces::quads ? "quads" : "triangles", model.thickness_m,
+             model.with_obstacle ? "too" : "left out", model.with_normals ? "yes" : "no",
+             placement.up == UpAxis::z ? "z" : "y", placement.metres_per_unit, placement.scale) +
          (model.frames_per_second > 0
               ? filled_in("{:.17g} frames a second stated\n", model.frames_per_second)
               : "frames a second as recorded\n");

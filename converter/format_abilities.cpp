@@ -33,9 +33,9 @@ Result<void> check_still(const ConversionRequest& request, const Abilities& form
   if (request.output.find('{') != std::string::npos)
     return failure(request.output, "the obstacle does not move, so one file holds it",
                    "leave {frame} out");
-  if (!request.frames.empty() || request.start_frame)
-    return failure("", "the obstacle is the same in all frames",
-                   "leave --frames and --start-frame out");
+  if (!request.frames.empty() || request.start_frame || request.model.thickness_m > 0)
+    return failure("", "the obstacle is the same in all frames, and solid as it is",
+                   "leave --frames, --start-frame and --thickness out");
   return {};
 }
 

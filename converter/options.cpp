@@ -41,6 +41,8 @@ void add_what(Arguments& arguments, ConversionRequest& request, Words& words) {
            "Of the ribbon: triangles, which the recording certifies, or quads")
       .one_of({"triangles", "quads"})
       .with_default_shown();
+  arguments.add("--thickness", request.model.thickness_m, {1e-6, 1}, "M",
+                "Makes the ribbon a closed solid, so many recorded metres thick");
   arguments.flag("--normals", request.model.with_normals,
                  "Smooth normals at the vertices; without, readers compute their own");
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "converter/export/normals.h"
+#include "converter/export/solid_ribbon.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -27,26 +28,15 @@ std::string object_name(std::string name, std::string_view otherwise) {
   return name.empty() ? std::string(otherwise) : name;
 }
 
-Eigen::MatrixXi ribbon_quads(const RibbonGrid& grid) {
-  Eigen::MatrixXi quads(4, grid.quad_count());
-  for (int q = 0; q < grid.quad_count(); ++q) {
-    const auto corners = grid.fan(q);
-    quads.col(q) << corners[0], corners[1], corners[2], corners[3];
-  }
-  return quads;
-}
-
-Eigen::MatrixXi ribbon_faces(const RibbonGrid& grid, RibbonFaces faces) {
-  if (faces == RibbonFaces::quads) return ribbon_quads(grid);
-  return grid.triangles();
-}
-
-ModelObject ribbon_object(const RecordingHeader& header, RibbonFaces faces) {
+ModelObject ribbon_object(const RecordingHeader& header, const ModelSettings& settings) {
+  const bool solid = settings.thickness_m > 0;
+  const int sides = solid ? 2 : 1;
   return {.name = object_name(header.scene_name, "ribbon"),
           .material = {"ribbon", {0.61F, 0.03F, 0.05F}},
-          .positions = Eigen::Matrix3Xf::Zero(3, header.grid.particle_count()),
-          .uv = header.uv,
-          .faces = ribbon_faces(header.grid, faces),
+          .positions = Eigen::Matrix3Xf::Zero(3, sides * header.grid.particle_count()),
+          .uv = header.uv.replicate(1, sides),
+          .faces = solid ? solid_faces(header.grid, settings.faces)
+                         : surface_faces(header.grid, settings.faces),
           .moves = true};
 }
 
@@ -74,6 +64,15 @@ bool faces_fit(const ModelObject& object) {
 
 tl::unexpected<Error> contradiction(const std::string& problem) {
   return failure("", "the recording's header contradicts itself: " + problem, "record it again");
+}
+
+std::shared_ptr<const SolidRibbon> solid_of(const RecordingHeader& header,
+                                            const ModelSettings& settings) {
+  if (settings.thickness_m == 0) return nullptr;
+  const Placement& placement = settings.placement;
+  const TriangleMesh obstacle = header.obstacle.value_or(TriangleMesh{});
+  return std::make_shared<SolidRibbon>(header.grid, placement.factor() * settings.thickness_m,
+                                       placement.place(obstacle.vertices), obstacle.triangles);
 }
 
 Result<void> check_ribbon(const RecordingHeader& header) {
@@ -110,18 +109,19 @@ Result<void> check_obstacle(const ModelObject& obstacle) {
 Result<Model> model_of_recording(const RecordingHeader& header, const ModelSettings& settings) {
   if (auto checked = check_ribbon(header); !checked) return tl::unexpected(checked.error());
   const bool own_rate = settings.frames_per_second > 0;
-  Model model{.objects = {ribbon_object(header, settings.faces)},
+  Model model{.objects = {ribbon_object(header, settings)},
               .frames_per_second = own_rate ? settings.frames_per_second : header.frames_per_second,
               .placement = settings.placement,
               .stated_gap_m = header.stated_gap_m};
-  if (settings.with_obstacle && header.obstacle) {
+  if ((settings.with_obstacle || settings.thickness_m > 0) && header.obstacle) {
     ModelObject obstacle =
         obstacle_object(*header.obstacle, model.objects.front().name, settings.placement);
     if (auto checked = check_obstacle(obstacle); !checked) return tl::unexpected(checked.error());
     if (auto checked = check_rounding(model, header.obstacle->vertices); !checked)
       return tl::unexpected(checked.error());
-    model.objects.push_back(std::move(obstacle));
+    if (settings.with_obstacle) model.objects.push_back(std::move(obstacle));
   }
+  model.solid = solid_of(header, settings);
   if (!settings.with_ribbon) model.objects.erase(model.objects.begin());
   if (model.objects.empty())
     return failure("", "the recording has no obstacle", "export the ribbon");
@@ -130,25 +130,39 @@ Result<Model> model_of_recording(const RecordingHeader& header, const ModelSetti
   return model;
 }
 
+namespace {
+
+Result<void> check_positions(const Eigen::Matrix3Xf& placed, Eigen::Index particles) {
+  if (placed.cols() != particles)
+    return failure(
+        "", filled_in("holds {} particles where the ribbon has {}", placed.cols(), particles),
+        "leave it out with --frames");
+  for (Eigen::Index particle = 0; particle < placed.cols(); ++particle)
+    if (!placed.col(particle).allFinite())
+      return failure("", filled_in("particle {} is not at a finite position", particle),
+                     "leave it out with --frames");
+  return {};
+}
+
+}  // namespace
+
 Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number) {
   assert(!model.objects.empty() && model.objects.front().moves);
   ModelObject& ribbon = model.objects.front();
-  const std::string place = filled_in("frame {}", number);
-  if (positions.cols() != ribbon.positions.cols())
-    return failure(place,
-                   filled_in("holds {} particles where the ribbon has {}", positions.cols(),
-                             ribbon.positions.cols()),
-                   "leave it out with --frames");
   const Eigen::Matrix3Xf placed = model.placement.place(positions);
-  for (Eigen::Index particle = 0; particle < placed.cols(); ++particle)
-    if (!placed.col(particle).allFinite())
-      return failure(place, filled_in("particle {} is not at a finite position", particle),
-                     "leave it out with --frames");
-  if (auto checked = check_rounding(model, positions); !checked)
-    return failure(place, checked.error().problem, checked.error().remedy);
-  ribbon.positions = placed;
-  if (ribbon.normals.cols() > 0) set_normals(ribbon, model.placement);
-  return {};
+  return check_positions(placed, ribbon.positions.cols() / (model.solid ? 2 : 1))
+      .and_then([&] { return check_rounding(model, positions); })
+      .and_then([&] {
+        return model.solid ? model.solid->raise(placed) : Result<Eigen::Matrix3Xf>(placed);
+      })
+      .map([&](const Eigen::Matrix3Xf& vertices) {
+        ribbon.positions = vertices;
+        if (ribbon.normals.cols() > 0) set_normals(ribbon, model.placement);
+      })
+      .map_error([&](Error error) {
+        error.place = filled_in("frame {}", number);
+        return error;
+      });
 }
 
 }  // namespace ribbon

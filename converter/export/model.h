@@ -2,14 +2,18 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "converter/export/placement.h"
+#include "converter/export/ribbon_faces.h"
 #include "recording/records/recording.h"
 #include "result/result.h"
 
 namespace ribbon {
+
+class SolidRibbon;
 
 struct Material {
   std::string name;
@@ -33,11 +37,8 @@ struct Model {
   Placement placement = {};
   // The recording guarantees that nothing comes nearer (RecordingHeader); 0: nothing is guaranteed.
   double stated_gap_m = 0;
+  std::shared_ptr<const SolidRibbon> solid = nullptr;  // what makes the ribbon one; null: a surface
 };
-
-// How the ribbon is divided. A recording certifies its triangles. Quads begin at the corner from
-// which a fan splits them into the same triangles, but a reader may split them otherwise.
-enum class RibbonFaces { triangles, quads };
 
 // What of a recording is exported, and how.
 struct ModelSettings {
@@ -46,6 +47,7 @@ struct ModelSettings {
   bool with_obstacle = true;
   bool with_normals = false;
   double frames_per_second = 0;  // that the files state; 0: the recording's
+  double thickness_m = 0;        // of the ribbon, before it is scaled; 0: a surface
   Placement placement = {};
 };
 
@@ -55,9 +57,10 @@ struct ModelSettings {
 Result<Model> model_of_recording(const RecordingHeader& header, const ModelSettings& settings);
 
 // Puts one frame's ribbon, as it is recorded (3 x particles, metres), into `model`, whose first
-// object it is. Fails, naming the frame (`number` from 1), when the number of particles differs
-// from the recording's, when a position is not finite, before or after it is placed, or when the
-// placement rounds so coarsely that layers could meet which the recording keeps apart.
+// object it is: as a surface, or as the front and then the back of a solid. Fails, naming the frame
+// (`number` from 1), when the number of particles differs from the recording's, when a position is
+// not finite, before or after it is placed, or when the placement rounds so coarsely that layers
+// could meet which the recording keeps apart, or when it cannot be made a solid.
 Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number);
 
 }  // namespace ribbon

@@ -141,6 +141,7 @@ def main():
     for name in ("knot.{frame:04}.obj", "knot.pc2"):
         check.accept(name, ["--faces", "quads"])
         check.refuse_spoiled(name)
+    check.accept("knot.{frame:04}.obj", ["--thickness", "0.003"])
     check.accept("knot.pc2", ["--up", "z", "--unit", "cm", "--scale", "0.3"])
     if check.failed:
         raise SystemExit(f"{check.failed} comparisons went wrong")

@@ -1,0 +1,50 @@
+// The ribbon as a closed solid.
+#pragma once
+
+#include <Eigen/Core>
+#include <atomic>
+
+#include "geometry/ribbon_grid.h"
+#include "result/result.h"
+#include "verification/box_tree.h"
+#include "verification/feature_owners.h"
+#include "verification/triangle_soup.h"
+
+namespace ribbon {
+
+// Its vertices are the front's, in the order of the particles, then the back's likewise. Front and
+// back lie half the thickness away from the recorded surface, along normals that look away from all
+// triangles around a particle; where other features are nearer, half the way to them at most.
+class SolidRibbon {
+ public:
+  // obstacle: 3 x vertices and 3 x triangles, none where there is none; in the ribbon's unit, as is
+  // the thickness.
+  SolidRibbon(const RibbonGrid& grid, double thickness, const Eigen::Matrix3Xf& obstacle_vertices,
+              const Eigen::Matrix3Xi& obstacle_triangles);
+
+  // 3 x 2 particles, of a surface that is 3 x particles. Certain: of the solid's triangles and the
+  // obstacle's no two meet, but for two of the obstacle (exact predicates judge the positions as
+  // they are rounded). Fails where that cannot be had: the surface intersects, or there is no
+  // direction that looks away from all triangles around a particle. May be called from several
+  // threads at a time.
+  [[nodiscard]] Result<Eigen::Matrix3Xf> raise(const Eigen::Matrix3Xf& surface) const;
+
+  // At any particle of all that was raised so far; the thickness asked for where nothing was.
+  [[nodiscard]] double least_thickness() const { return least_thickness_; }
+
+ private:
+  [[nodiscard]] TriangleSoup surface_soup(const Eigen::Matrix3Xf& surface) const;
+  [[nodiscard]] Eigen::ArrayXd heights_between_layers(const TriangleSoup& surface) const;
+  void note(double thickness) const;
+
+  RibbonGrid grid_;
+  double thickness_;
+  TriangleSoup surface_;  // the ribbon's points are still to be filled in
+  TriangleSoup solid_;    // likewise
+  FeatureOwners owners_;
+  BoxTree surface_rest_;
+  BoxTree solid_rest_;
+  mutable std::atomic<double> least_thickness_;
+};
+
+}  // namespace ribbon
