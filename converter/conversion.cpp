@@ -5,6 +5,7 @@
 
 #include "converter/cached_animation.h"
 #include "converter/conversion_job.h"
+#include "converter/excerpt.h"
 #include "converter/export/solid_ribbon.h"
 #include "converter/frame_sequence.h"
 #include "converter/planned_files.h"
@@ -15,6 +16,7 @@ namespace ribbon {
 namespace {
 
 Result<ConversionReport> write_job(const ConversionRequest& request, ConversionJob job) {
+  if (job.format == OutputFormat::recording) return write_excerpt(request, std::move(job));
   if (!request.model.with_ribbon) return write_still_life(request, job);
   if (job.format == OutputFormat::pc2)
     return write_cached_animation(request, std::move(job.reader), std::move(job.model), job.frames);

@@ -20,6 +20,7 @@ struct ConversionRequest {
   std::string frames;  // "A:B:STEP"; empty: all
   ModelSettings model;
   std::optional<int> start_frame;  // number of the first file of a sequence; otherwise as recorded
+  double max_error_m = 0;          // of positions in a recording; 0: as they were recorded
   bool force = false;              // what exists may be replaced
   bool resume = false;             // goes on with a sequence that was stopped
   bool quiet = false;              // no progress line
@@ -32,6 +33,7 @@ struct ConversionReport {
   std::uint64_t bytes_written = 0;
   std::filesystem::path first_file;
   std::filesystem::path last_file;
+  int thinned_by = 1;                       // of a recording: one of so many frames was kept
   std::optional<double> least_thickness_m;  // of a solid ribbon in the frames written now
   std::vector<int> missing;    // numbers (from 1) of asked frames that the damaged recording lost
   std::vector<Damage> damage;  // of the recording

@@ -33,7 +33,9 @@ Result<Cost> cost_of_one(ConversionJob& job, bool moves) {
   if (moves)
     if (auto posed = pose_at_first(job); !posed) return tl::unexpected(posed.error());
   std::uint64_t bytes = job.model.objects.front().positions.size() * sizeof(float);
-  if (job.format != OutputFormat::pc2) {
+  if (job.format == OutputFormat::recording) {
+    bytes = job.reader.file_bytes() / static_cast<std::uint64_t>(job.reader.frame_count());
+  } else if (job.format != OutputFormat::pc2) {
     const auto encoded = encode_model(job.format, job.model, "name.mtl");
     if (!encoded) return tl::unexpected(encoded.error());
     bytes = encoded->size();

@@ -22,6 +22,8 @@ Abilities abilities_of(OutputFormat format) {
       return {".fbx", true, true, false, true};
     case OutputFormat::pc2:
       return {".pc2", false, false, false, false};
+    case OutputFormat::recording:
+      return {".rbn", false, false, false, false};
   }
   return {};
 }
@@ -37,6 +39,17 @@ Result<void> check_still(const ConversionRequest& request, const Abilities& form
     return failure("", "the obstacle is the same in all frames, and solid as it is",
                    "leave --frames, --start-frame and --thickness out");
   return {};
+}
+
+// A recording is in metres and y up, and holds both ribbon and obstacle.
+Result<void> check_recording(const ConversionRequest& request) {
+  const ModelSettings& model = request.model;
+  const bool as_recorded = model.placement.up == UpAxis::y && model.placement.factor() == 1;
+  const bool whole = model.with_ribbon && model.with_obstacle && model.thickness_m == 0 &&
+                     model.faces == RibbonFaces::triangles;
+  if (as_recorded && whole) return {};
+  return failure(request.output, "a recording stays in metres, y up, with all that it shows",
+                 "leave --up, --unit, --scale, --object, --faces and --thickness out");
 }
 
 }  // namespace
@@ -56,6 +69,9 @@ Result<void> check_abilities(const ConversionRequest& request, OutputFormat outp
     return lacks("does not number its frames", "--start-frame");
   if (request.model.with_normals && !format.normals)
     return lacks("is written without normals", "--normals");
+  if (request.max_error_m > 0 && output != OutputFormat::recording)
+    return lacks("holds positions as they were recorded", "--max-error");
+  if (output == OutputFormat::recording) return check_recording(request);
   if (!request.model.with_ribbon) return check_still(request, format);
   return {};
 }

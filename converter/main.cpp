@@ -20,6 +20,11 @@ void print_summary(const ribbon::ConversionReport& report, double seconds) {
   std::printf("%.1f MB in %.1f s: %s%s%s\n", static_cast<double>(report.bytes_written) / 1e6,
               seconds, report.first_file.c_str(), several ? " ... " : "",
               several ? report.last_file.c_str() : "");
+  if (report.thinned_by > 1)
+    std::printf(
+        "one of %d frames is kept: straight ways between them, by which the knot is followed, may "
+        "now pass through cloth; ribbon-play --verify tells whether they do\n",
+        report.thinned_by);
   if (report.least_thickness_m)
     std::printf("the ribbon is at least %s thick\n",
                 ribbon::metres(*report.least_thickness_m).c_str());

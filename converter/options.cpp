@@ -13,6 +13,7 @@ constexpr const char* examples = R"(Examples:
                                                          as the mesh that it deforms
   ribbon-convert knot.rbn -o last.obj --frames -1        the last frame alone
   ribbon-convert knot.rbn -o 'few.{frame}.fbx' --frames 1:-1:10
+  ribbon-convert knot.rbn -o part.rbn --frames 100:200   a recording of these frames
   ribbon-convert knot.rbn -o rock.obj --object obstacle  what does not move, once
   ribbon-convert knot.rbn -o 'max.{frame:04}.fbx' --up z --unit cm
 
@@ -47,7 +48,8 @@ void add_what(Arguments& arguments, ConversionRequest& request, Words& words) {
                  "Smooth normals at the vertices; without, readers compute their own");
 }
 
-void add_how(Arguments& arguments, ModelSettings& model, Words& words) {
+void add_how(Arguments& arguments, ConversionRequest& request, Words& words) {
+  ModelSettings& model = request.model;
   arguments.add("--up", words.up, "AXIS", "Which axis points up: y or z")
       .one_of({"y", "z"})
       .with_default_shown();
@@ -56,6 +58,8 @@ void add_how(Arguments& arguments, ModelSettings& model, Words& words) {
       .with_default_shown();
   arguments.add("--scale", model.placement.scale, {1e-6, 1e6}, "X",
                 "Makes everything X times as large");
+  arguments.add("--max-error", request.max_error_m, {1e-9, 1}, "M",
+                "Of a recording: how far coordinates may be from the truth, in metres");
   arguments.add("--fps", model.frames_per_second, {1e-3, 1e6}, "RATE",
                 "Frames a second that the files state, whatever the recording's were");
 }
@@ -85,10 +89,10 @@ Argument add_options(Arguments& arguments, CommandLine& line, Words& words) {
       .required();
   arguments
       .add("-o,--output", request.output, "FILE",
-           "Where to: .obj or .fbx with {frame} or {frame:04} for the number, or .pc2")
+           "Where to: .obj or .fbx with {frame} or {frame:04} for the number, .pc2 or .rbn")
       .required();
   add_what(arguments, request, words);
-  add_how(arguments, request.model, words);
+  add_how(arguments, request, words);
   return add_files(arguments, line, words);
 }
 

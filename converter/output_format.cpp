@@ -12,7 +12,7 @@ namespace ribbon {
 namespace {
 
 constexpr const char* supported =
-    "choose .obj or .fbx (one file a frame) or .pc2 (all frames in one file)";
+    "choose .obj or .fbx (one file a frame), .pc2 (all frames in one file) or .rbn (a recording)";
 
 // What assimp 5.2.5 does to a ribbon in the formats that it says it writes; measured.
 constexpr std::array<std::pair<std::string_view, const char*>, 8> refused{{
@@ -48,6 +48,7 @@ Result<OutputFormat> output_format(const std::string& output) {
   if (extension == ".obj") return OutputFormat::obj;
   if (extension == ".fbx") return OutputFormat::fbx;
   if (extension == ".pc2") return OutputFormat::pc2;
+  if (extension == ".rbn") return OutputFormat::recording;
   return failure(output, problem_of(extension), supported);
 }
 

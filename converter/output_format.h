@@ -7,7 +7,7 @@
 
 namespace ribbon {
 
-enum class OutputFormat { obj, fbx, pc2 };
+enum class OutputFormat { obj, fbx, pc2, recording };
 
 // Told by the extension, in upper or lower case. Fails for any other with what is written instead,
 // and with the reason where the format is one that users ask for.

@@ -18,7 +18,8 @@ PlannedFiles files_of_one(const std::filesystem::path& output, OutputFormat form
   files.own = {output};
   if (format == OutputFormat::pc2)
     files.own.push_back(std::filesystem::path(output).replace_extension(".obj"));
-  if (format != OutputFormat::fbx) files.libraries = {library_beside(output)};
+  if (format == OutputFormat::obj || format == OutputFormat::pc2)
+    files.libraries = {library_beside(output)};
   return files;
 }
 
@@ -35,7 +36,8 @@ PlannedFiles files_of_sequence(const SequenceNames& names, OutputFormat format) 
 
 Result<PlannedFiles> planned_files(const ConversionRequest& request, const ConversionJob& job) {
   PlannedFiles files;
-  if (job.format == OutputFormat::pc2 || !request.model.with_ribbon) {
+  if (job.format == OutputFormat::pc2 || job.format == OutputFormat::recording ||
+      !request.model.with_ribbon) {
     files = files_of_one(request.output, job.format);
   } else {
     const auto names = SequenceNames::of(request, job.frames);

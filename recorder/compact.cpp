@@ -1,7 +1,5 @@
 #include "recorder/compact.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "files/files.h"
+#include "files/part_file.h"
 #include "playback/recording_reader.h"
 #include "recorder/copied_frames.h"
 #include "recording/records/header_record.h"
@@ -24,23 +23,6 @@ namespace ribbon {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A file that goes unless it has taken the place of another one. A kill may leave it behind.
-class PartFile {
- public:
-  explicit PartFile(const fs::path& whole)
-      : path_(filled_in("{}.part{}", whole.string(), ::getpid())) {}
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  ~PartFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // Writes the frames of one recording into another, in the order of compaction_plan().
 class Compactor {

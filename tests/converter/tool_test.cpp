@@ -232,8 +232,8 @@ TEST_F(Tool, an_unknown_extension_is_one_sentence_that_lists_the_known) {
   expect_refusal(
       run("knot.rbn -o 'knot.{frame}.glb'"),
       "knot.{frame}.glb: is not written as .glb (assimp splits the quads and "
-      "joins vertices); choose .obj or .fbx (one file a frame) or .pc2 (all frames in one "
-      "file)");
+      "joins vertices); choose .obj or .fbx (one file a frame), .pc2 (all frames in one file) "
+      "or .rbn (a recording)");
 }
 
 TEST_F(Tool, a_frame_that_is_not_there_is_refused) {

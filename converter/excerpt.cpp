@@ -1,0 +1,145 @@
+#include "converter/excerpt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "commandline/progress.h"
+#include "files/files.h"
+#include "files/part_file.h"
+#include "recording/writer/recording_writer.h"
+#include "text/number_text.h"
+
+namespace ribbon {
+
+namespace {
+
+// Of the distance between two points whose coordinates each move by so much.
+double largest_change_m(double coordinate_error_m) {
+  return 2 * std::sqrt(3.0) * (1 + 1e-12) * coordinate_error_m;
+}
+
+double shortest_edge_m(const RecordingHeader& header) {
+  return std::min(header.ribbon_length_m / (header.grid.along - 1),
+                  header.ribbon_width_m / (header.grid.across - 1));
+}
+
+// One of how many frames is kept?
+int thinned_by(const std::vector<int>& kept) {
+  return kept.size() < 2 ? 1 : kept[1] - kept[0];
+}
+
+Result<void> coarsen(RecordingHeader& header, double max_error_m, float reach_m) {
+  const double added_m = max_error_m - header.max_position_error_m;
+  if (added_m <= 0)
+    return failure("",
+                   "its positions are within " + metres(header.max_position_error_m) +
+                       " of the truth, so they cannot come to be within " + metres(max_error_m),
+                   "leave --max-error out, or choose more");
+  const double change_m = largest_change_m(added_m);
+  if (header.stated_gap_m > 0 && change_m >= header.stated_gap_m)
+    return failure(
+        "", "layers could meet that it keeps " + metres(header.stated_gap_m) + " apart",
+        "choose less than " +
+            metres(header.max_position_error_m + header.stated_gap_m / largest_change_m(1)) +
+            " for --max-error");
+  header.stated_gap_m -= std::min(change_m, header.stated_gap_m);
+  if (header.strain_limit > 0) header.strain_limit += change_m / shortest_edge_m(header);
+  header.max_position_error_m = max_error_m;
+  header.quantisation_step_m = quantisation_step_m(added_m, reach_m);
+  return {};
+}
+
+// The largest coordinate, in magnitude.
+float reach_of(RecordingReader& reader, const std::vector<int>& frames) {
+  float reach_m = 0;
+  Eigen::Matrix3Xf positions;
+  for (const int index : frames)
+    if (reader.read(index, positions)) reach_m = std::max(reach_m, positions.cwiseAbs().maxCoeff());
+  return reach_m;
+}
+
+class Excerpt {
+ public:
+  Excerpt(RecordingReader& reader, RecordingWriter& writer, bool same_step)
+      : reader_(reader), writer_(writer), same_step_(same_step) {}
+
+  // False where the recording has lost the frame.
+  Result<bool> take(int index) {
+    const auto numbers = reader_.numbers(index);
+    if (!numbers || !reader_.readable(index)) return false;
+    return same_step_ ? take_as_it_is(index, *numbers) : take_rounded(index, *numbers);
+  }
+
+ private:
+  Result<bool> take_as_it_is(int index, const FrameNumbers& numbers) {
+    const auto quantised = reader_.read_quantised(index);
+    if (!quantised) return false;
+    return writer_.append(numbers, **quantised).map([] { return true; });
+  }
+
+  Result<bool> take_rounded(int index, const FrameNumbers& numbers) {
+    Eigen::Matrix3Xf positions;
+    if (!reader_.read(index, positions)) return false;
+    return writer_.append(numbers, positions.cast<double>()).map([] { return true; });
+  }
+
+  RecordingReader& reader_;
+  RecordingWriter& writer_;
+  bool same_step_;
+};
+
+Result<ConversionReport> copy_frames(const ConversionRequest& request, ConversionJob& job,
+                                     RecordingWriter& writer) {
+  Excerpt excerpt(job.reader, writer, request.max_error_m == 0);
+  ProgressLine progress("frame", static_cast<int>(job.frames.size()), request.quiet);
+  ConversionReport report;
+  report.thinned_by = thinned_by(job.frames);
+  for (const int index : job.frames) {
+    if (request.interrupted()) return failure("", "interrupted", "start again");
+    const Result<bool> taken = excerpt.take(index);
+    if (!taken) return tl::unexpected(taken.error());
+    if (!*taken) report.missing.push_back(index + 1);
+    report.frames_written += *taken ? 1 : 0;
+    progress.update(report.frames_written + static_cast<int>(report.missing.size()));
+  }
+  if (report.frames_written == 0)
+    return failure("", "none of the frames can be read", "record it again");
+  const bool to_the_end = job.frames.back() + 1 == job.reader.frame_count();
+  return writer.finish(to_the_end ? job.reader.ending() : RunEnding::unknown).map([&] {
+    report.bytes_written = writer.bytes_written();
+    report.damage = job.reader.damage();
+    report.first_file = report.last_file = request.output;
+    return report;
+  });
+}
+
+}  // namespace
+
+Result<RecordingHeader> excerpt_header(const RecordingHeader& source, const std::vector<int>& kept,
+                                       double max_error_m, float reach_m) {
+  RecordingHeader header = source;
+  header.writer = std::string("ribbon-convert ") + RIBBON_VERSION;
+  header.frames_per_second = source.frames_per_second / thinned_by(kept);
+  if (max_error_m > 0)
+    if (auto coarsened = coarsen(header, max_error_m, reach_m); !coarsened)
+      return tl::unexpected(coarsened.error());
+  return header;
+}
+
+Result<ConversionReport> write_excerpt(const ConversionRequest& request, ConversionJob job) {
+  if (!std::is_sorted(job.frames.begin(), job.frames.end()))
+    return failure("", "a recording runs forwards", "give --frames a positive step");
+  const float reach_m = request.max_error_m > 0 ? reach_of(job.reader, job.frames) : 0;
+  const auto header = excerpt_header(job.reader.header(), job.frames, request.max_error_m, reach_m);
+  if (!header)
+    return failure(request.recording.string(), header.error().problem, header.error().remedy);
+  const PartFile part(request.output);
+  auto writer = RecordingWriter::create(part.path(), *header);
+  if (!writer) return tl::unexpected(writer.error());
+  return copy_frames(request, job, *writer).and_then([&](ConversionReport report) {
+    return replace_file(request.output, part.path()).map([&] { return report; });
+  });
+}
+
+}  // namespace ribbon

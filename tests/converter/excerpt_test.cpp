@@ -1,0 +1,115 @@
+#include "converter/excerpt.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "playback/recording_reader.h"
+#include "recording/sample_recording.h"
+#include "result/refusal.h"
+#include "verification/frame_verifier.h"
+
+namespace ribbon::excerpt_test {
+
+class Excerpts : public TestInFolder {
+ protected:
+  Excerpts() { write_sample_recording(source_, 12); }
+
+  Result<ConversionReport> write(const std::string& frames, double max_error_m = 0) {
+    ConversionRequest request;
+    request.recording = source_;
+    request.output = target_;
+    request.frames = frames;
+    request.max_error_m = max_error_m;
+    request.quiet = request.force = true;
+    return convert(request);
+  }
+
+  static Eigen::Matrix3Xf frame(RecordingReader& reader, int index) {
+    Eigen::Matrix3Xf positions;
+    EXPECT_TRUE(reader.read(index, positions));
+    return positions;
+  }
+
+  std::filesystem::path source_ = folder_ / "source.rbn";
+  std::filesystem::path target_ = folder_ / "target.rbn";
+};
+
+TEST_F(Excerpts, keep_their_frames_bit_for_bit) {
+  ASSERT_EQ(write("3:11:4").value().frames_written, 3);
+  auto source = RecordingReader::open(source_).value();
+  auto target = RecordingReader::open(target_).value();
+  ASSERT_EQ(target.frame_count(), 3);
+  EXPECT_TRUE(target.finished());
+  for (int kept = 0; kept < 3; ++kept) {
+    EXPECT_EQ(frame(target, kept), frame(source, 2 + 4 * kept));
+    EXPECT_EQ(target.numbers(kept), source.numbers(2 + 4 * kept));
+  }
+  EXPECT_EQ(target.header().stated_gap_m, source.header().stated_gap_m);
+  EXPECT_EQ(target.header().frames_per_second, source.header().frames_per_second / 4);
+}
+
+TEST_F(Excerpts, are_other_recordings) {
+  ASSERT_TRUE(write(""));
+  EXPECT_NE(RecordingReader::open(source_).value().recording_id(),
+            RecordingReader::open(target_).value().recording_id());
+}
+
+double smallest_gap_m(RecordingReader& reader) {
+  const RecordingHeader& header = reader.header();
+  const FrameVerifier verifier(header.grid, header.ribbon_length_m, header.ribbon_width_m,
+                               header.obstacle);
+  double smallest_m = 1;
+  Eigen::Matrix3Xf positions;
+  for (int index = 0; index < reader.frame_count(); ++index)
+    if (reader.read(index, positions))
+      smallest_m = std::min(smallest_m, verifier.verify(positions).gap.certain_m);
+  return smallest_m;
+}
+
+TEST_F(Excerpts, coarsened_ones_lose_no_more_of_the_gap_than_they_state) {
+  auto source = RecordingReader::open(source_).value();
+  const double added_m = 2e-5;
+  const double before_m = source.header().max_position_error_m;
+  ASSERT_TRUE(write("", before_m + added_m));
+  auto target = RecordingReader::open(target_).value();
+  EXPECT_LT(target.file_bytes(), source.file_bytes());
+  EXPECT_DOUBLE_EQ(target.header().max_position_error_m, before_m + added_m);
+  const double lost_m = source.header().stated_gap_m - target.header().stated_gap_m;
+  EXPECT_NEAR(lost_m, 2 * std::sqrt(3) * added_m, 1e-12);
+  EXPECT_GE(smallest_gap_m(target), smallest_gap_m(source) - lost_m);
+  float largest = 0;
+  for (int index = 0; index < 12; ++index)
+    largest =
+        std::max(largest, (frame(target, index) - frame(source, index)).cwiseAbs().maxCoeff());
+  EXPECT_LE(largest, added_m);
+  EXPECT_GT(largest, added_m / 2);
+}
+
+TEST_F(Excerpts, a_coarsening_that_closes_the_gap_is_refused_with_the_limit) {
+  const double before_m = RecordingReader::open(source_).value().header().max_position_error_m;
+  const double limit_m = before_m + 1e-4 / (2 * std::sqrt(3));
+  EXPECT_THAT(refusal_of(write("", 1.001 * limit_m)), HasSubstr("layers could meet"));
+  EXPECT_TRUE(write("", 0.999 * limit_m));
+  EXPECT_THAT(refusal_of(write("", before_m / 2)), HasSubstr("leave --max-error out"));
+}
+
+TEST_F(Excerpts, leave_nothing_behind_where_they_fail) {
+  EXPECT_THAT(refusal_of(write("5:2:-1")), HasSubstr("forwards"));
+  EXPECT_FALSE(std::filesystem::exists(target_));
+  EXPECT_FALSE(write("", 1));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_),
+                          std::filesystem::directory_iterator()),
+            1);
+}
+
+TEST_F(Excerpts, what_a_recording_does_not_hold_is_refused) {
+  ConversionRequest request;
+  request.recording = source_;
+  request.output = target_;
+  request.model.placement.up = UpAxis::z;
+  EXPECT_THAT(refusal_of(convert(request)), HasSubstr("--up"));
+}
+
+}  // namespace ribbon::excerpt_test
