@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(
   g++ cmake ninja-build pkg-config
   libassimp-dev libboost-dev libcli11-dev libdeflate-dev libeigen3-dev libembree-dev libexpected-dev
-  libfmt-dev libfreetype-dev libpng-dev libpugixml-dev libsvgpp-dev libtbb-dev libtomlplusplus-dev
+  libfmt-dev libfreetype-dev libosmesa6-dev libpng-dev libpugixml-dev libsvgpp-dev libtbb-dev libtomlplusplus-dev
   libzstd-dev nlohmann-json3-dev fonts-dejavu-core
 )
 test_packages=(

@@ -1,0 +1,67 @@
+// The functions of OpenGL that the preview calls.
+#pragma once
+
+#include <GL/glcorearb.h>
+
+#include "player/preview/offscreen_context.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+// Named as in OpenGL's manual, without "gl".
+struct Gl {
+  PFNGLATTACHSHADERPROC AttachShader;
+  PFNGLBINDATTRIBLOCATIONPROC BindAttribLocation;
+  PFNGLBINDBUFFERPROC BindBuffer;
+  PFNGLBINDFRAMEBUFFERPROC BindFramebuffer;
+  PFNGLBINDRENDERBUFFERPROC BindRenderbuffer;
+  PFNGLBINDTEXTUREPROC BindTexture;
+  PFNGLBINDVERTEXARRAYPROC BindVertexArray;
+  PFNGLBLENDFUNCPROC BlendFunc;
+  PFNGLBLITFRAMEBUFFERPROC BlitFramebuffer;
+  PFNGLBUFFERDATAPROC BufferData;
+  PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus;
+  PFNGLCLEARPROC Clear;
+  PFNGLCOMPILESHADERPROC CompileShader;
+  PFNGLCREATEPROGRAMPROC CreateProgram;
+  PFNGLCREATESHADERPROC CreateShader;
+  PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers;
+  PFNGLDELETERENDERBUFFERSPROC DeleteRenderbuffers;
+  PFNGLDELETESHADERPROC DeleteShader;
+  PFNGLDEPTHFUNCPROC DepthFunc;
+  PFNGLDEPTHMASKPROC DepthMask;
+  PFNGLDISABLEPROC Disable;
+  PFNGLDRAWELEMENTSPROC DrawElements;
+  PFNGLENABLEPROC Enable;
+  PFNGLENABLEVERTEXATTRIBARRAYPROC EnableVertexAttribArray;
+  PFNGLFRAMEBUFFERRENDERBUFFERPROC FramebufferRenderbuffer;
+  PFNGLGENBUFFERSPROC GenBuffers;
+  PFNGLGENERATEMIPMAPPROC GenerateMipmap;
+  PFNGLGENFRAMEBUFFERSPROC GenFramebuffers;
+  PFNGLGENRENDERBUFFERSPROC GenRenderbuffers;
+  PFNGLGENTEXTURESPROC GenTextures;
+  PFNGLGENVERTEXARRAYSPROC GenVertexArrays;
+  PFNGLGETERRORPROC GetError;
+  PFNGLGETPROGRAMIVPROC GetProgramiv;
+  PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation;
+  PFNGLLINKPROGRAMPROC LinkProgram;
+  PFNGLPIXELSTOREIPROC PixelStorei;
+  PFNGLREADPIXELSPROC ReadPixels;
+  PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC RenderbufferStorageMultisample;
+  PFNGLSHADERSOURCEPROC ShaderSource;
+  PFNGLTEXIMAGE3DPROC TexImage3D;
+  PFNGLTEXPARAMETERIPROC TexParameteri;
+  PFNGLUNIFORM1FPROC Uniform1f;
+  PFNGLUNIFORM2FPROC Uniform2f;
+  PFNGLUNIFORM3FVPROC Uniform3fv;
+  PFNGLUNIFORM4FVPROC Uniform4fv;
+  PFNGLUNIFORMMATRIX4FVPROC UniformMatrix4fv;
+  PFNGLUSEPROGRAMPROC UseProgram;
+  PFNGLVERTEXATTRIBPOINTERPROC VertexAttribPointer;
+  PFNGLVIEWPORTPROC Viewport;
+};
+
+// Fails where the context lacks one of them.
+Result<Gl> load_gl(const OffscreenContext& context);
+
+}  // namespace ribbon
