@@ -8,9 +8,9 @@ namespace ribbon {
 
 namespace {
 
-using Cloth = Color (*)(float along, float across, float blur);
+using SideColor = Color (*)(float along, float across, float blur);
 
-void append_side(Cloth cloth, std::vector<std::uint8_t>& texels) {
+void append_side(SideColor cloth, std::vector<std::uint8_t>& texels) {
   for (int j = 0; j < texels_across; ++j)
     for (int i = 0; i < texels_along; ++i) {
       const float along = (static_cast<float>(i) + 0.5F) / texels_along * pattern_period;
