@@ -30,7 +30,7 @@ std::string object_name(std::string name, std::string_view otherwise) {
 
 ModelObject ribbon_object(const RecordingHeader& header, const ModelSettings& settings) {
   const bool solid = settings.thickness_m > 0;
-  const int sides = solid ? 2 : 1;
+  const Eigen::Index sides = solid ? 2 : 1;
   return {.name = object_name(header.scene_name, "ribbon"),
           .material = {"ribbon", {0.61F, 0.03F, 0.05F}},
           .positions = Eigen::Matrix3Xf::Zero(3, sides * header.grid.particle_count()),

@@ -19,6 +19,7 @@ Eigen::MatrixXi quads_of(const RibbonGrid& grid) {
 // All particles at the rim, in the direction in which the front's faces run round it.
 std::vector<int> rim_of(const RibbonGrid& grid) {
   std::vector<int> rim;
+  rim.reserve(2 * (static_cast<std::size_t>(grid.along) + grid.across));
   for (int i = 0; i < grid.along - 1; ++i) rim.push_back(grid.particle(i, 0));
   for (int j = 0; j < grid.across - 1; ++j) rim.push_back(grid.particle(grid.along - 1, j));
   for (int i = grid.along - 1; i > 0; --i) rim.push_back(grid.particle(i, grid.across - 1));
