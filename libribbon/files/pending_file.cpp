@@ -9,6 +9,12 @@
 
 namespace ribbon {
 
+namespace {
+
+constexpr std::size_t worth_a_write = 1 << 16;
+
+}  // namespace
+
 Result<PendingFile> PendingFile::create(const std::filesystem::path& path) {
   if (auto created = create_folder_of(path); !created) return tl::unexpected(created.error());
   std::filesystem::path temporary = path.string() + ".part" + std::to_string(::getpid());
@@ -27,20 +33,33 @@ PendingFile::PendingFile(PendingFile&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_(std::exchange(other.temporary_, {})),
       file_(std::move(other.file_)),
-      size_(other.size_) {}
+      size_(other.size_),
+      waiting_(std::move(other.waiting_)) {}
 
 PendingFile::~PendingFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
 Result<void> PendingFile::append(std::string_view bytes) {
-  if (!write_all(file_, bytes)) return unwritable(last_error_text());
   size_ += bytes.size();
+  if (waiting_.size() + bytes.size() < worth_a_write) {
+    waiting_ += bytes;
+    return {};
+  }
+  if (auto written = write_waiting(); !written) return written;
+  if (!write_all(file_, bytes)) return unwritable(last_error_text());
+  return {};
+}
+
+Result<void> PendingFile::write_waiting() {
+  if (!write_all(file_, waiting_)) return unwritable(last_error_text());
+  waiting_.clear();
   return {};
 }
 
 Result<void> PendingFile::overwrite(std::uint64_t offset, std::string_view bytes) {
   assert(offset + bytes.size() <= size_);
+  if (auto written = write_waiting(); !written) return written;
   while (!bytes.empty()) {
     const ssize_t written =
         ::pwrite(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
@@ -53,6 +72,7 @@ Result<void> PendingFile::overwrite(std::uint64_t offset, std::string_view bytes
 }
 
 Result<void> PendingFile::finish() {
+  if (auto written = write_waiting(); !written) return written;
   // Forced to the disk before the rename: a power cut must not leave an empty file under the name.
   if (::fsync(file_.number()) != 0) return unwritable(last_error_text());
   if (!file_.close()) return unwritable(last_error_text());

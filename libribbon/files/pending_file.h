@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "files/descriptor.h"
@@ -22,11 +23,12 @@ class PendingFile {
   PendingFile& operator=(PendingFile&&) = delete;
   ~PendingFile();
 
-  // Unbuffered: pieces of some kilobytes and more are fast.
+  // Small pieces wait in memory until they are worth a write, and may fail only then.
   Result<void> append(std::string_view bytes);
   // Replaces bytes that were appended before: what is known only later, as a length in a header.
   // offset: in bytes from the beginning; all of `bytes` must fall on what is there.
   Result<void> overwrite(std::uint64_t offset, std::string_view bytes);
+  // Of all that was appended.
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
   // Forces everything to the disk and renames. Nothing may be written afterwards.
@@ -34,12 +36,14 @@ class PendingFile {
 
  private:
   PendingFile(std::filesystem::path path, std::filesystem::path temporary, FileDescriptor file);
+  Result<void> write_waiting();
   [[nodiscard]] tl::unexpected<Error> unwritable(const std::string& problem) const;
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;  // empty: renamed, or moved from
   FileDescriptor file_;
   std::uint64_t size_ = 0;
+  std::string waiting_;  // the last of these bytes, not yet in the file
 };
 
 }  // namespace ribbon

@@ -22,6 +22,21 @@ TEST(PendingFile, pieces_and_corrections_make_the_file) {
   EXPECT_EQ(read_file(path).value(), "length 0013, then the rest");
 }
 
+// Some wait in memory, and some are too large for that.
+TEST(PendingFile, pieces_of_any_size_stay_in_their_order) {
+  const auto path = temporary_file("pending") / "sizes.bin";
+  auto file = PendingFile::create(path).value();
+  std::string expected;
+  for (const std::size_t size : {1U, 70'000U, 3U, 65'530U, 5U, 6U, 65'536U, 2U}) {
+    const std::string piece(size, static_cast<char>('a' + expected.size() % 26));
+    ASSERT_TRUE(file.append(piece));
+    expected += piece;
+    ASSERT_EQ(file.size(), expected.size());
+  }
+  ASSERT_TRUE(file.finish());
+  EXPECT_TRUE(read_file(path).value() == expected);
+}
+
 TEST(PendingFile, what_is_not_finished_leaves_nothing_behind) {
   const auto path = temporary_file("given up") / "never.bin";
   {
