@@ -3,13 +3,14 @@
 #include <memory>
 #include <utility>
 
-#include "converter/cached_animation.h"
 #include "converter/conversion_job.h"
 #include "converter/excerpt.h"
 #include "converter/export/solid_ribbon.h"
 #include "converter/frame_sequence.h"
+#include "converter/number_table.h"
 #include "converter/planned_files.h"
 #include "converter/still_life.h"
+#include "converter/whole_motion.h"
 
 namespace ribbon {
 
@@ -18,8 +19,9 @@ namespace {
 Result<ConversionReport> write_job(const ConversionRequest& request, ConversionJob job) {
   if (job.format == OutputFormat::recording) return write_excerpt(request, std::move(job));
   if (!request.model.with_ribbon) return write_still_life(request, job);
-  if (job.format == OutputFormat::pc2)
-    return write_cached_animation(request, std::move(job.reader), std::move(job.model), job.frames);
+  if (job.format == OutputFormat::numbers)
+    return write_number_table(request, job.reader, job.frames);
+  if (job.format == OutputFormat::whole_motion) return write_whole_motion(request, std::move(job));
   return write_frame_sequence(request, std::move(job));
 }
 

@@ -16,7 +16,7 @@ namespace ribbon {
 
 struct ConversionRequest {
   std::filesystem::path recording;
-  std::string output;  // "out/knot.{frame:04}.obj", ".fbx" or "out/knot.pc2"
+  std::string output;  // "out/knot.{frame:04}.obj", "out/knot.abc"
   std::string frames;  // "A:B:STEP"; empty: all
   ModelSettings model;
   std::optional<int> start_frame;  // number of the first file of a sequence; otherwise as recorded

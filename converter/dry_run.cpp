@@ -4,6 +4,7 @@
 
 #include "converter/conversion_job.h"
 #include "converter/encode_model.h"
+#include "converter/motion_format.h"
 #include "converter/planned_files.h"
 #include "text/number_text.h"
 
@@ -12,6 +13,8 @@ namespace ribbon {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t bytes_of_numbers = 80;  // a line of CSV, about
 
 // Poses the model at the first frame that can be read.
 Result<void> pose_at_first(ConversionJob& job) {
@@ -27,20 +30,26 @@ struct Cost {
   double seconds = 0;
 };
 
-// Of reading and encoding one frame, or the obstacle alone. A cache takes positions alone.
-Result<Cost> cost_of_one(ConversionJob& job, bool moves) {
+// Of one frame in the file, or the obstacle alone.
+Result<std::uint64_t> encoded_bytes(const ConversionJob& job, const std::string& output) {
+  if (job.format == OutputFormat::numbers) return bytes_of_numbers;
+  if (job.format == OutputFormat::recording)
+    return job.reader.file_bytes() / static_cast<std::uint64_t>(job.reader.frame_count());
+  if (job.format == OutputFormat::whole_motion)
+    return motion_format(output)->bytes_of_pose(job.model);
+  return encode_model(job.format, job.model, "name.mtl").map([](const std::string& bytes) {
+    return static_cast<std::uint64_t>(bytes.size());
+  });
+}
+
+// Of reading and encoding one frame, or the obstacle alone.
+Result<Cost> cost_of_one(ConversionJob& job, const ConversionRequest& request) {
   const auto start = Clock::now();
-  if (moves)
+  if (request.model.with_ribbon && job.format != OutputFormat::numbers)
     if (auto posed = pose_at_first(job); !posed) return tl::unexpected(posed.error());
-  std::uint64_t bytes = job.model.objects.front().positions.size() * sizeof(float);
-  if (job.format == OutputFormat::recording) {
-    bytes = job.reader.file_bytes() / static_cast<std::uint64_t>(job.reader.frame_count());
-  } else if (job.format != OutputFormat::pc2) {
-    const auto encoded = encode_model(job.format, job.model, "name.mtl");
-    if (!encoded) return tl::unexpected(encoded.error());
-    bytes = encoded->size();
-  }
-  return Cost{bytes, std::chrono::duration<double>(Clock::now() - start).count()};
+  return encoded_bytes(job, request.output).map([&](std::uint64_t bytes) {
+    return Cost{bytes, std::chrono::duration<double>(Clock::now() - start).count()};
+  });
 }
 
 }  // namespace
@@ -51,12 +60,12 @@ Result<ConversionPlan> plan_conversion(const ConversionRequest& request) {
   const auto files = planned_files(request, *job);
   if (!files) return tl::unexpected(files.error());
   const bool moves = request.model.with_ribbon;
-  const auto one = cost_of_one(*job, moves);
+  const auto one = cost_of_one(*job, request);
   if (!one) return tl::unexpected(one.error());
   const std::size_t frames = moves ? job->frames.size() : 1;
   ConversionPlan plan;
   plan.first_file = files->own.front();
-  plan.last_file = job->format == OutputFormat::pc2 ? plan.first_file : files->own.back();
+  plan.last_file = is_one_file(job->format) ? plan.first_file : files->own.back();
   plan.files = static_cast<int>(files->own.size() + files->libraries.size());
   plan.existing = existing_count(files->own);
   plan.bytes = frames * one->bytes;

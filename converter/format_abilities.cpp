@@ -2,35 +2,40 @@
 
 #include <string>
 
+#include "converter/motion_format.h"
+
 namespace ribbon {
 
 namespace {
 
 struct Abilities {
-  const char* extension;
+  std::string extension;
   bool frame_rate;  // it says how many frames a second
   bool numbers;     // its files are numbered
   bool normals;
   bool still;  // it can hold what does not move
 };
 
-Abilities abilities_of(OutputFormat format) {
+Abilities abilities_of(OutputFormat format, const std::string& output) {
   switch (format) {
     case OutputFormat::obj:
       return {".obj", false, true, true, true};
     case OutputFormat::fbx:
       return {".fbx", true, true, false, true};
-    case OutputFormat::pc2:
-      return {".pc2", false, false, false, false};
+    case OutputFormat::numbers:
+      return {".csv", false, false, false, false};
     case OutputFormat::recording:
       return {".rbn", false, false, false, false};
+    case OutputFormat::whole_motion:
+      break;
   }
-  return {};
+  const MotionFormat& motion = *motion_format(output);
+  return {std::string(motion.extension), motion.states_rate, false, false, false};
 }
 
 Result<void> check_still(const ConversionRequest& request, const Abilities& format) {
   if (!format.still)
-    return failure(request.output, std::string("a ") + format.extension + " file holds motion",
+    return failure(request.output, "a " + format.extension + " file holds motion",
                    "write the obstacle as .obj or .fbx");
   if (request.output.find('{') != std::string::npos)
     return failure(request.output, "the obstacle does not move, so one file holds it",
@@ -55,9 +60,9 @@ Result<void> check_recording(const ConversionRequest& request) {
 }  // namespace
 
 Result<void> check_abilities(const ConversionRequest& request, OutputFormat output) {
-  const Abilities format = abilities_of(output);
+  const Abilities format = abilities_of(output, request.output);
   const auto lacks = [&](const char* what, const char* option) {
-    return failure(request.output, std::string("a ") + format.extension + " file " + what,
+    return failure(request.output, "a " + format.extension + " file " + what,
                    std::string("leave ") + option + " out");
   };
   if (request.model.frames_per_second > 0 && !format.frame_rate)

@@ -9,8 +9,11 @@ namespace {
 constexpr const char* examples = R"(Examples:
   ribbon-convert knot.rbn -o 'out/knot.{frame:04}.obj'   one OBJ a frame, one material library
   ribbon-convert knot.rbn -o 'out/knot.{frame:04}.fbx'   one FBX a frame
-  ribbon-convert knot.rbn -o out/knot.pc2                all frames in one point cache, and out/knot.obj
-                                                         as the mesh that it deforms
+  ribbon-convert knot.rbn -o out/knot.abc                all frames in one file: Alembic, or USD as .usda
+  ribbon-convert knot.rbn -o out/knot.mdd                all frames in one point cache (or .pc2), and
+                                                         out/knot.obj as the mesh that it deforms
+  ribbon-convert knot.rbn -o out/knot.npy                positions as an array for NumPy
+  ribbon-convert knot.rbn -o out/knot.csv                the numbers of each frame as a table
   ribbon-convert knot.rbn -o last.obj --frames -1        the last frame alone
   ribbon-convert knot.rbn -o 'few.{frame}.fbx' --frames 1:-1:10
   ribbon-convert knot.rbn -o part.rbn --frames 100:200   a recording of these frames
@@ -89,7 +92,8 @@ Argument add_options(Arguments& arguments, CommandLine& line, Words& words) {
       .required();
   arguments
       .add("-o,--output", request.output, "FILE",
-           "Where to: .obj or .fbx with {frame} or {frame:04} for the number, .pc2 or .rbn")
+           "Where to: .obj or .fbx with {frame} or {frame:04} for the number; all frames as .abc, "
+           ".usda, .mdd, .pc2 or .npy; their numbers as .csv; or .rbn")
       .required();
   add_what(arguments, request, words);
   add_how(arguments, request, words);

@@ -2,35 +2,25 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <filesystem>
 #include <string_view>
 #include <utility>
+
+#include "converter/motion_format.h"
 
 namespace ribbon {
 
 namespace {
 
-constexpr const char* supported =
-    "choose .obj or .fbx (one file a frame), .pc2 (all frames in one file) or .rbn (a recording)";
-
 // What assimp 5.2.5 does to a ribbon in the formats that it says it writes; measured.
-constexpr std::array<std::pair<std::string_view, const char*>, 8> refused{{
+constexpr std::array<std::pair<std::string_view, const char*>, 7> refused{{
     {".glb", "assimp splits the quads and joins vertices"},
     {".gltf", "assimp splits the quads and joins vertices"},
     {".ply", "assimp merges ribbon and obstacle, and the format does not say which way is up"},
     {".stl", "the format has no uv and no shared vertices"},
     {".3mf", "assimp loses the fourth corner of every quad"},
     {".x3d", "Blender finds no mesh in assimp's file"},
-    {".abc", "assimp does not write it"},
-    {".usd", "assimp does not write it"},
+    {".usd", "its text form is .usda"},
 }};
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 std::string problem_of(const std::string& extension) {
   if (extension.empty()) return "has no extension that tells the format";
@@ -41,15 +31,26 @@ std::string problem_of(const std::string& extension) {
          (found == refused.end() ? "" : std::string(" (") + found->second + ")");
 }
 
+std::string supported() {
+  std::string motions;
+  for (const MotionFormat& format : motion_formats())
+    motions += std::string(format.extension) + ", ";
+  return "choose .obj or .fbx (one file a frame), " + motions +
+         "(all frames in one file), .csv (the numbers of each frame) or .rbn (a recording)";
+}
+
 }  // namespace
 
 Result<OutputFormat> output_format(const std::string& output) {
-  const std::string extension = lower_case(std::filesystem::path(output).extension().string());
+  const std::string extension = extension_of(output);
   if (extension == ".obj") return OutputFormat::obj;
   if (extension == ".fbx") return OutputFormat::fbx;
-  if (extension == ".pc2") return OutputFormat::pc2;
-  if (extension == ".rbn") return OutputFormat::recording;
-  return failure(output, problem_of(extension), supported);
+  if (extension != ".csv" && extension != ".rbn" && motion_format(output) == nullptr)
+    return failure(output, problem_of(extension), supported());
+  if (output.find('{') != std::string::npos)
+    return failure(output, "a " + extension + " file holds all frames", "leave {frame} out");
+  if (extension == ".csv") return OutputFormat::numbers;
+  return extension == ".rbn" ? OutputFormat::recording : OutputFormat::whole_motion;
 }
 
 }  // namespace ribbon

@@ -7,7 +7,12 @@
 
 namespace ribbon {
 
-enum class OutputFormat { obj, fbx, pc2, recording };
+// OBJ and FBX hold one frame a file; the others hold all frames in one.
+enum class OutputFormat { obj, fbx, whole_motion, numbers, recording };
+
+inline bool is_one_file(OutputFormat format) {
+  return format != OutputFormat::obj && format != OutputFormat::fbx;
+}
 
 // Told by the extension, in upper or lower case. Fails for any other with what is written instead,
 // and with the reason where the format is one that users ask for.

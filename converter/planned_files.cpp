@@ -1,6 +1,7 @@
 #include "converter/planned_files.h"
 
 #include "converter/export/obj_text.h"
+#include "converter/motion_format.h"
 #include "converter/output_names.h"
 #include "converter/sequence_names.h"
 
@@ -12,14 +13,13 @@ std::filesystem::path library_beside(const std::filesystem::path& output) {
   return output.parent_path() / material_library_name(output.string());
 }
 
-// The obstacle alone, or positions with the mesh that they deform.
+// The obstacle alone, numbers, or a whole motion, perhaps with the mesh that it deforms.
 PlannedFiles files_of_one(const std::filesystem::path& output, OutputFormat format) {
   PlannedFiles files;
   files.own = {output};
-  if (format == OutputFormat::pc2)
-    files.own.push_back(std::filesystem::path(output).replace_extension(".obj"));
-  if (format == OutputFormat::obj || format == OutputFormat::pc2)
-    files.libraries = {library_beside(output)};
+  const bool has_base = format == OutputFormat::whole_motion && motion_format(output)->deforms_base;
+  if (has_base) files.own.push_back(std::filesystem::path(output).replace_extension(".obj"));
+  if (has_base || format == OutputFormat::obj) files.libraries = {library_beside(output)};
   return files;
 }
 
@@ -36,8 +36,7 @@ PlannedFiles files_of_sequence(const SequenceNames& names, OutputFormat format) 
 
 Result<PlannedFiles> planned_files(const ConversionRequest& request, const ConversionJob& job) {
   PlannedFiles files;
-  if (job.format == OutputFormat::pc2 || job.format == OutputFormat::recording ||
-      !request.model.with_ribbon) {
+  if (is_one_file(job.format) || !request.model.with_ribbon) {
     files = files_of_one(request.output, job.format);
   } else {
     const auto names = SequenceNames::of(request, job.frames);

@@ -111,6 +111,7 @@ Result<Model> model_of_recording(const RecordingHeader& header, const ModelSetti
   const bool own_rate = settings.frames_per_second > 0;
   Model model{.objects = {ribbon_object(header, settings)},
               .frames_per_second = own_rate ? settings.frames_per_second : header.frames_per_second,
+              .grid = header.grid,
               .placement = settings.placement,
               .stated_gap_m = header.stated_gap_m};
   if ((settings.with_obstacle || settings.thickness_m > 0) && header.obstacle) {

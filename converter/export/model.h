@@ -34,6 +34,7 @@ struct ModelObject {
 struct Model {
   std::vector<ModelObject> objects;  // the ribbon first
   double frames_per_second = 0;
+  RibbonGrid grid = {};  // of the ribbon's particles, which are its vertices row by row
   Placement placement = {};
   // The recording guarantees that nothing comes nearer (RecordingHeader); 0: nothing is guaranteed.
   double stated_gap_m = 0;

@@ -1,8 +1,6 @@
 #include "converter/export/obj_text.h"
 
-#include <array>
-#include <charconv>
-
+#include "converter/export/number_digits.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -11,10 +9,8 @@ namespace {
 
 template <class Number>
 void append_number(std::string& text, char before, Number number) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
   text += before;
-  text.append(digits.data(), end);
+  append_digits(text, number);
 }
 
 template <class Columns>

@@ -1,5 +1,5 @@
-// Writes what blender_import.py compares: sample recordings, what they hold as JSON, and spoiled
-// exports that its comparison must refuse.
+// Writes what blender_import.py and motion_files_test.py compare: sample recordings, what they hold
+// as JSON, and spoiled exports that their comparisons must refuse.
 //
 //   blender_samples FOLDER
 #include <cstdio>
@@ -12,7 +12,7 @@
 #include "converter/export/fbx_export.h"
 #include "converter/export/fbx_records.h"
 #include "converter/export/obj_text.h"
-#include "converter/export/pc2_writer.h"
+#include "converter/motion_format.h"
 #include "converter/sample_knot.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"
@@ -54,9 +54,10 @@ void write_reference(const Folder& recording, const Folder& file) {
   auto reader = demanded(ribbon::RecordingReader::open(recording));
   const ribbon::RecordingHeader& header = reader.header();
   std::ofstream json(file);
-  json << std::setprecision(std::numeric_limits<float>::max_digits10);
+  json << std::setprecision(std::numeric_limits<double>::max_digits10);
   json << R"({"ribbon": ")" << header.scene_name << R"(", "obstacle": ")" << header.obstacle->name
-       << R"(", "length": )" << header.ribbon_length_m << R"(, "uv": )";
+       << R"(", "length": )" << header.ribbon_length_m << R"(, "frames_per_second": )"
+       << header.frames_per_second << R"(, "uv": )";
   write_columns(json, header.uv);
   json << R"(, "quads": )" << header.grid.quad_count() << R"(, "obstacle_vertices": )";
   write_columns(json, header.obstacle->vertices);
@@ -104,22 +105,68 @@ std::string with_wrong_unit(std::string fbx) {
   return fbx;
 }
 
-void write_spoiled_cache(const Folder& file, const ribbon::SampleKnot& knot,
-                         const std::function<void(std::vector<Eigen::Matrix3Xd>&)>& spoil) {
-  std::vector<Eigen::Matrix3Xd> frames = knot.frames;
-  spoil(frames);
-  Model model = model_of(knot, frames.front());
-  const auto cache = demanded(ribbon::new_pc2_writer(file, model, static_cast<int>(frames.size())));
-  for (const auto& frame : frames) {
-    model.objects.front().positions = frame.cast<float>();
-    demanded(cache->append(model));
+using Motion = std::vector<Eigen::Matrix3Xf>;
+
+void write_motion(const Folder& file, const ribbon::MotionFormat& format, Model model,
+                  const Motion& motion) {
+  model.objects.front().positions = motion.front();
+  const auto writer = demanded(format.new_writer(file, model, static_cast<int>(motion.size())));
+  for (const auto& positions : motion) {
+    model.objects.front().positions = positions;
+    demanded(writer->append(model));
   }
-  demanded(cache->finish());
+  demanded(writer->finish());
+}
+
+// A recording as it is decoded.
+struct Recorded {
+  Model model;  // in the pose of the first frame
+  Motion motion;
+};
+
+Recorded recorded(const Folder& recording) {
+  auto reader = demanded(ribbon::RecordingReader::open(recording));
+  Recorded recorded{ribbon::model_of_recording(reader.header(), {}).value(),
+                    Motion(static_cast<std::size_t>(reader.frame_count()))};
+  for (int frame = 0; frame < reader.frame_count(); ++frame)
+    demanded(reader.read(frame, recorded.motion[static_cast<std::size_t>(frame)]));
+  return recorded;
+}
+
+// In every format that holds a whole motion.
+void write_spoiled_motion(const Folder& folder, Recorded recorded, const std::string& fault,
+                          const std::function<void(Recorded&)>& spoil) {
+  spoil(recorded);
+  for (const ribbon::MotionFormat& format : ribbon::motion_formats())
+    write_motion(folder / (fault + std::string(format.extension)), format, recorded.model,
+                 recorded.motion);
+}
+
+void write_all_spoiled_motions(const Folder& folder, const Folder& recording) {
+  const Recorded right = recorded(recording);
+  const float visible = 1e-4F * right.motion.front().row(0).maxCoeff();
+  const auto write = [&](const std::string& fault, const std::function<void(Recorded&)>& spoil) {
+    write_spoiled_motion(folder, right, fault, spoil);
+  };
+  write("right", [](auto&) {});
+  write("moved_vertex", [&](Recorded& r) { r.motion[1](1, 17) += visible; });
+  write("swapped_frames", [](Recorded& r) { r.motion[1].swap(r.motion[2]); });
+  write("frozen", [](Recorded& r) { r.motion[1] = r.motion[2] = r.motion[4] = r.motion[0]; });
+  write("wrong_rate", [](Recorded& r) { r.model.frames_per_second = 49; });
+  write("moved_obstacle", [&](Recorded& r) { r.model.objects[1].positions(1, 3) += visible; });
+  write("swapped_uv", [](Recorded& r) {
+    auto& uv = r.model.objects[0].uv;
+    uv.row(0).swap(uv.row(1));
+  });
+  write("inside_out", [](Recorded& r) {
+    auto& faces = r.model.objects[0].faces;
+    faces = faces.colwise().reverse().eval();
+  });
+  write("other_name", [](Recorded& r) { r.model.objects[0].name = "Mesh"; });
 }
 
 void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
   const double visible = 1e-4 * knot.header.ribbon_length_m;
-  const auto move_one = [=](auto& positions) { positions(1, 17) += visible; };
   write_spoiled(folder, knot, "right", [](Model&) {});
   write_spoiled(folder, knot, "moved_vertex",
                 [&](Model& m) { m.objects[0].positions(1, 17) += static_cast<float>(visible); });
@@ -141,10 +188,16 @@ void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
     demanded(ribbon::write_file(folder / "unrepaired.fbx", unrepaired));
   demanded(ribbon::write_file(folder / "wrong_unit.fbx",
                               with_wrong_unit(ribbon::fbx_bytes(right).value())));
-  write_spoiled_cache(folder / "right.pc2", knot, [](auto&) {});
-  write_spoiled_cache(folder / "moved_vertex.pc2", knot, [&](auto& f) { move_one(f[1]); });
-  write_spoiled_cache(folder / "swapped_frames.pc2", knot, [](auto& f) { f[1].swap(f[2]); });
-  write_spoiled_cache(folder / "frozen.pc2", knot, [](auto& f) { f[1] = f[2] = f[4] = f[0]; });
+}
+
+// The narrowest ribbon, for more frames than a byte can count, at the rate of American television.
+ribbon::SampleKnot long_knot() {
+  ribbon::SampleKnot knot = ribbon::sample_knot({.along = 12, .across = 2});
+  knot.header.frames_per_second = 30000.0 / 1001;
+  while (knot.frames.size() < 300)
+    knot.frames.push_back(
+        ribbon::sample_wave(knot.header.grid, 0.01 * static_cast<double>(knot.frames.size())));
+  return knot;
 }
 
 void write_sample(const Folder& folder, const std::string& name, const ribbon::SampleKnot& knot) {
@@ -160,5 +213,7 @@ int main(int argc, char** argv) {
   const ribbon::RibbonGrid grid{.along = 12, .across = 4};
   write_sample(folder, "near", ribbon::sample_knot(grid));
   write_sample(folder, "far", ribbon::sample_knot(grid, {1000, 2000, -3000}));
+  write_sample(folder, "long", long_knot());
   write_all_spoiled(folder / "spoiled", ribbon::sample_knot(grid));
+  write_all_spoiled_motions(folder / "spoiled_motions", folder / "near.rbn");
 }

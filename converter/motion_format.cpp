@@ -1,0 +1,47 @@
+#include "converter/motion_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+#include "converter/export/mdd_writer.h"
+#include "converter/export/npy_writer.h"
+#include "converter/export/pc2_writer.h"
+
+namespace ribbon {
+
+namespace {
+
+std::size_t position_bytes(const Model& model) {
+  return static_cast<std::size_t>(model.objects.front().positions.size()) * sizeof(float);
+}
+
+constexpr std::array<MotionFormat, 3> formats{{
+    {".mdd", new_mdd_writer, position_bytes, true, true},
+    {".npy", new_npy_writer, position_bytes, false, false},
+    {".pc2", new_pc2_writer, position_bytes, true, false},
+}};
+
+}  // namespace
+
+std::span<const MotionFormat> motion_formats() {
+  return formats;
+}
+
+std::string extension_of(const std::filesystem::path& output) {
+  std::string extension = output.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+const MotionFormat* motion_format(const std::filesystem::path& output) {
+  const std::string extension = extension_of(output);
+  const auto* found = std::find_if(formats.begin(), formats.end(), [&](const MotionFormat& format) {
+    return format.extension == extension;
+  });
+  return found == formats.end() ? nullptr : found;
+}
+
+}  // namespace ribbon

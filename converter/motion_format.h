@@ -1,0 +1,31 @@
+// The formats that hold a whole motion in one file.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "converter/export/motion_writer.h"
+
+namespace ribbon {
+
+struct MotionFormat {
+  std::string_view extension;
+  Result<std::unique_ptr<MotionWriter>> (*new_writer)(const std::filesystem::path& path,
+                                                      const Model& first_pose, int frames);
+  // What a pose of the ribbon takes in the file, about.
+  std::size_t (*bytes_of_pose)(const Model& model);
+  bool deforms_base;  // it holds positions alone, for the mesh of an OBJ beside it
+  bool states_rate;   // it says how many frames a second
+};
+
+std::span<const MotionFormat> motion_formats();
+
+// The one that the extension of `output` names, in upper or lower case; null: none.
+const MotionFormat* motion_format(const std::filesystem::path& output);
+
+// ".OBJ" of "a/knot.OBJ" in lower case; empty where there is none.
+std::string extension_of(const std::filesystem::path& output);
+
+}  // namespace ribbon

@@ -1,0 +1,76 @@
+#include "converter/number_table.h"
+
+#include <string>
+
+#include "converter/export/number_digits.h"
+#include "files/pending_file.h"
+
+namespace ribbon {
+
+namespace {
+
+std::string title_line() {
+  std::string line =
+      "frame,time [s],worst_strain [1],penetrating_edges [1],recovery_iterations [1]";
+  for (const TightnessColumn& column : tightness_columns) {
+    const bool is_length = column.value == &TightnessNumbers::rope_length;
+    line += std::string(",") + column.name + (is_length ? " [ribbon widths]" : " [1]");
+  }
+  return line + '\n';
+}
+
+void append_cell(std::string& line, auto number) {
+  line += ',';
+  append_digits(line, number);
+}
+
+std::string line_of(int frame, const std::optional<FrameNumbers>& numbers) {
+  std::string line = std::to_string(frame);
+  if (!numbers) return line + std::string(4 + tightness_columns.size(), ',') + '\n';
+  append_cell(line, numbers->time_s);
+  append_cell(line, numbers->worst_strain);
+  append_cell(line, numbers->penetrating_edges);
+  append_cell(line, numbers->recovery_iterations);
+  for (const TightnessColumn& column : tightness_columns)
+    if (numbers->tightness)
+      append_cell(line, (*numbers->tightness).*column.value);
+    else
+      line += ',';
+  return line + '\n';
+}
+
+Result<void> append_lines(PendingFile& file, const ConversionRequest& request,
+                          const RecordingReader& reader, const std::vector<int>& frames,
+                          ConversionReport& report) {
+  if (auto appended = file.append(title_line()); !appended) return appended;
+  for (const int index : frames) {
+    if (request.interrupted()) return failure("", "interrupted", "start again");
+    const auto numbers = reader.numbers(index);
+    if (!numbers) report.missing.push_back(index + 1);
+    report.frames_written += numbers ? 1 : 0;
+    if (auto appended = file.append(line_of(index + 1, numbers)); !appended) return appended;
+  }
+  if (report.frames_written == 0)
+    return failure("", "none of the frames has numbers that can be read", "record it again");
+  return {};
+}
+
+}  // namespace
+
+Result<ConversionReport> write_number_table(const ConversionRequest& request,
+                                            const RecordingReader& reader,
+                                            const std::vector<int>& frames) {
+  auto file = PendingFile::create(request.output);
+  if (!file) return tl::unexpected(file.error());
+  ConversionReport report;
+  report.first_file = report.last_file = request.output;
+  return append_lines(*file, request, reader, frames, report)
+      .and_then([&] { return file->finish(); })
+      .map([&] {
+        report.bytes_written = file->size();
+        report.damage = reader.damage();
+        return report;
+      });
+}
+
+}  // namespace ribbon

@@ -1,0 +1,18 @@
+// The numbers that a recording keeps with each frame, as a table.
+#pragma once
+
+#include <vector>
+
+#include "converter/conversion.h"
+
+namespace ribbon {
+
+// Writes the numbers of `frames` (indices from 0) to request.output as CSV: a line of names with
+// their units in brackets, then a line a frame. Cells are empty where the recording lost the
+// numbers or has none (tightness, where nothing fastens the ribbon). Decimals read back as the same
+// number.
+Result<ConversionReport> write_number_table(const ConversionRequest& request,
+                                            const RecordingReader& reader,
+                                            const std::vector<int>& frames);
+
+}  // namespace ribbon
