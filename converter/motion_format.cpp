@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string>
 
+#include "converter/export/alembic_writer.h"
 #include "converter/export/mdd_writer.h"
 #include "converter/export/npy_writer.h"
 #include "converter/export/pc2_writer.h"
@@ -17,7 +18,8 @@ std::size_t position_bytes(const Model& model) {
   return static_cast<std::size_t>(model.objects.front().positions.size()) * sizeof(float);
 }
 
-constexpr std::array<MotionFormat, 3> formats{{
+constexpr std::array<MotionFormat, 4> formats{{
+    {".abc", new_alembic_writer, position_bytes, false, true},
     {".mdd", new_mdd_writer, position_bytes, true, true},
     {".npy", new_npy_writer, position_bytes, false, false},
     {".pc2", new_pc2_writer, position_bytes, true, false},
