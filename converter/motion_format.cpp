@@ -9,6 +9,7 @@
 #include "converter/export/mdd_writer.h"
 #include "converter/export/npy_writer.h"
 #include "converter/export/pc2_writer.h"
+#include "converter/export/usd_writer.h"
 
 namespace ribbon {
 
@@ -18,11 +19,12 @@ std::size_t position_bytes(const Model& model) {
   return static_cast<std::size_t>(model.objects.front().positions.size()) * sizeof(float);
 }
 
-constexpr std::array<MotionFormat, 4> formats{{
+constexpr std::array<MotionFormat, 5> formats{{
     {".abc", new_alembic_writer, position_bytes, false, true},
     {".mdd", new_mdd_writer, position_bytes, true, true},
     {".npy", new_npy_writer, position_bytes, false, false},
     {".pc2", new_pc2_writer, position_bytes, true, false},
+    {".usda", new_usd_writer, usd_pose_bytes, false, true},
 }};
 
 }  // namespace

@@ -1,0 +1,187 @@
+#include "converter/export/usd_writer.h"
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "converter/export/number_digits.h"
+#include "converter/export/unique_names.h"
+#include "converter/export/usd_text.h"
+#include "files/pending_file.h"
+#include "text/number_text.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr const char* materials_scope = "Materials";
+
+// The names of the model's objects as prims beside the scope of materials.
+std::vector<std::string> prim_names(const Model& model) {
+  std::vector<std::string> names{materials_scope};
+  for (const ModelObject& object : model.objects) names.push_back(usd_identifier(object.name));
+  names = unique_names(names);
+  names.erase(names.begin());
+  return names;
+}
+
+std::vector<std::string> material_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const ModelObject& object : model.objects)
+    names.push_back(usd_identifier(object.material.name));
+  return unique_names(names);
+}
+
+std::string path_of_material(const std::string& name) {
+  return std::string("/World/") + materials_scope + "/" + name;
+}
+
+std::string layer_text(const Model& model, int frames) {
+  std::string rate;
+  append_digits(rate, model.frames_per_second);
+  std::string unit;
+  append_digits(unit, model.placement.metres_per_unit);
+  return filled_in(R"(#usda 1.0
+(
+    defaultPrim = "World"
+    doc = "ribbon-convert"
+    endTimeCode = {}
+    framesPerSecond = {}
+    metersPerUnit = {}
+    startTimeCode = 0
+    timeCodesPerSecond = {}
+    upAxis = "{}"
+)
+
+def Xform "World"
+)",
+                   frames - 1, rate, unit, rate, model.placement.up == UpAxis::z ? "Z" : "Y") +
+         "{\n";
+}
+
+Eigen::Matrix<float, 3, 2> extent_of(const Eigen::Matrix3Xf& positions) {
+  Eigen::Matrix<float, 3, 2> extent = Eigen::Matrix<float, 3, 2>::Zero();
+  if (positions.cols() > 0)
+    extent << positions.rowwise().minCoeff(), positions.rowwise().maxCoeff();
+  return extent;
+}
+
+// Everything about a mesh before its points, which come last.
+std::string mesh_text(const ModelObject& object, const std::string& name,
+                      const std::string& material) {
+  std::string text =
+      "    def Mesh \"" + name + "\" (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n";
+  if (name != object.name) text += "        displayName = " + usd_string(object.name) + "\n";
+  text += "    )\n    {\n        uniform bool doubleSided = 1\n";
+  const Eigen::VectorXi counts =
+      Eigen::VectorXi::Constant(object.faces.cols(), static_cast<int>(object.faces.rows()));
+  text += "        int[] faceVertexCounts = " + usd_array(counts) + "\n";
+  text += "        int[] faceVertexIndices = " + usd_array(object.faces.reshaped()) + "\n";
+  text += "        rel material:binding = <" + path_of_material(material) + ">\n";
+  if (object.uv.cols() > 0)
+    text += "        texCoord2f[] primvars:st = " + usd_array_of_tuples(object.uv) +
+            " (\n            interpolation = \"vertex\"\n        )\n";
+  return text + "        uniform token subdivisionScheme = \"none\"\n";
+}
+
+std::string static_points_text(const ModelObject& object) {
+  return "        float3[] extent = " + usd_array_of_tuples(extent_of(object.positions)) +
+         "\n        point3f[] points = " + usd_array_of_tuples(object.positions) + "\n    }\n\n";
+}
+
+std::string material_text(const Material& material, const std::string& name) {
+  const std::string tuple = usd_array_of_tuples(material.color);
+  const std::string color = tuple.substr(1, tuple.size() - 2);
+  return "        def Material \"" + name + R"("
+        {
+            token outputs:surface.connect = <)" +
+         path_of_material(name) + R"(/surface.outputs:surface>
+
+            def Shader "surface"
+            {
+                uniform token info:id = "UsdPreviewSurface"
+                color3f inputs:diffuseColor = )" +
+         color + R"(
+                token outputs:surface
+            }
+        }
+)";
+}
+
+class UsdWriter : public MotionWriter {
+ public:
+  UsdWriter(PendingFile file, Model model, int frames)
+      : file_(std::move(file)), model_(std::move(model)), frames_(frames) {}
+
+  // The layer, and the moving mesh as far as its points.
+  Result<void> begin() {
+    return file_.append(layer_text(model_, frames_) +
+                        mesh_text(model_.objects.front(), prim_names(model_).front(),
+                                  material_names(model_).front()) +
+                        "        point3f[] points.timeSamples = {\n");
+  }
+
+  Result<void> append(const Model& model) override {
+    assert(static_cast<int>(extents_.size()) < frames_);
+    const Eigen::Matrix3Xf& positions = model.objects.front().positions;
+    extents_.push_back(extent_of(positions));
+    return append_sample(extents_.size() - 1, positions);
+  }
+
+  Result<void> finish() override {
+    assert(static_cast<int>(extents_.size()) == frames_);
+    return file_.append("        }\n        float3[] extent.timeSamples = {\n")
+        .and_then([&] { return append_extents(); })
+        .and_then([&] { return file_.append("        }\n    }\n\n" + rest_text()); })
+        .and_then([&] { return file_.finish(); });
+  }
+
+ private:
+  Result<void> append_extents() {
+    for (std::size_t frame = 0; frame < extents_.size(); ++frame)
+      if (auto appended = append_sample(frame, extents_[frame]); !appended) return appended;
+    return {};
+  }
+
+  Result<void> append_sample(std::size_t frame, const Eigen::Ref<const Eigen::MatrixXf>& tuples) {
+    return file_.append("            " + std::to_string(frame) + ": " +
+                        usd_array_of_tuples(tuples) + ",\n");
+  }
+
+  // The meshes that do not move, and the materials of all.
+  [[nodiscard]] std::string rest_text() const {
+    const auto names = prim_names(model_);
+    const auto materials = material_names(model_);
+    std::string text;
+    for (std::size_t i = 1; i < model_.objects.size(); ++i)
+      text += mesh_text(model_.objects[i], names[i], materials[i]) +
+              static_points_text(model_.objects[i]);
+    text += std::string("    def Scope \"") + materials_scope + "\"\n    {\n";
+    for (std::size_t i = 0; i < model_.objects.size(); ++i)
+      text += material_text(model_.objects[i].material, materials[i]);
+    return text + "    }\n}\n";
+  }
+
+  PendingFile file_;
+  Model model_;  // in the pose of the first frame
+  int frames_;
+  std::vector<Eigen::Matrix<float, 3, 2>> extents_;  // of the frames so far
+};
+
+}  // namespace
+
+std::size_t usd_pose_bytes(const Model& model) {
+  return usd_array_of_tuples(model.objects.front().positions).size();
+}
+
+Result<std::unique_ptr<MotionWriter>> new_usd_writer(const std::filesystem::path& path,
+                                                     const Model& model, int frames) {
+  auto file = PendingFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  auto writer = std::make_unique<UsdWriter>(std::move(*file), model, frames);
+  if (auto begun = writer->begin(); !begun) return tl::unexpected(begun.error());
+  return writer;
+}
+
+}  // namespace ribbon
