@@ -8,6 +8,7 @@
 #include "commandline/progress.h"
 #include "commandline/tool.h"
 #include "parallel/parallel.h"
+#include "player/bench.h"
 #include "player/follow_recording.h"
 #include "player/options.h"
 #include "player/report/info.h"
@@ -104,15 +105,23 @@ Result<ExitCode> verify(RecordingReader& reader, const Options& options) {
   return verification->complaints().empty() ? ExitCode::done : ExitCode::answer_is_no;
 }
 
+Result<ExitCode> print_bench(RecordingReader& reader, const Options& options) {
+  const auto table = bench(reader, options);
+  if (!table) return tl::unexpected(table.error());
+  std::fputs(table->c_str(), stdout);
+  return ExitCode::done;
+}
+
 Result<ExitCode> play(const Options& options) {
   set_thread_limit(options.threads);
   auto reader = RecordingReader::open(options.recording);
   if (!reader) return tl::unexpected(reader.error());
   if (options.pictures.empty() && options.sheet.empty() && options.plot.empty() && !options.info &&
-      !options.json && !options.verify && !options.follow)
+      !options.json && !options.verify && !options.follow && !options.bench)
     return failure("", "nothing to do",
                    "ask for pictures (-o), a --sheet, a --plot, --info, --follow or --verify");
   if (options.verify) return verify(*reader, options);
+  if (options.bench) return print_bench(*reader, options);
   if (options.follow) return follow_recording(*reader, options);
   const RecordingInfo info = recording_info(options.recording, *reader);
   if (options.info || options.json)

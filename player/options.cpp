@@ -180,6 +180,12 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
                                   "charts over time to write, as .svg or .png: strain, tightness, "
                                   "pull, contact, penetrations");
   const auto info = arguments.flag("--info", options.info, "tell what the recording holds");
+  arguments
+      .flag("--bench", options.bench,
+            "measure how fast frames are read and the last one is rendered, stage by stage")
+      .excludes(pictures)
+      .excludes(sheet)
+      .excludes(frames);
   const auto verify =
       arguments
           .flag("--verify", options.verify,

@@ -28,6 +28,7 @@ struct Options {
   RenderSettings render;
   int threads = 0;  // 0: all cores
   bool info = false;
+  bool bench = false;
   bool follow = false;
   bool verify = false;
   int certify_every = 10;  // frames between certificates of the knot

@@ -7,8 +7,13 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "parallel/parallel.h"
+#include "player/render/thread_timer.h"
 
 namespace ribbon {
 
@@ -99,6 +104,46 @@ void collect(const RTCHit16& found, Hit::Body body, std::size_t count, Hit* hits
       hits[i] = {body, found.primID[i], found.u[i], found.v[i]};
 }
 
+RayQuestion first_hit_question(Coherence coherence) {
+  return coherence == Coherence::similar ? RayQuestion::first_hit_similar
+                                         : RayQuestion::first_hit_mixed;
+}
+
+RayQuestion free_question(Coherence coherence) {
+  return coherence == Coherence::similar ? RayQuestion::free_similar : RayQuestion::free_mixed;
+}
+
+// Filled packets of a batch.
+class PlainPackets {
+ public:
+  explicit PlainPackets(const LoggedRays& logged) : question_(logged.question) {
+    for (std::size_t begin = 0; begin < logged.rays.count; begin += packet_size) {
+      fill(logged.rays, begin, packets_[count_].ray, valid_[count_]);
+      clear_hits(packets_[count_++].hit);
+    }
+  }
+
+  void trace(RTCScene scene) {
+    const bool similar =
+        question_ == RayQuestion::first_hit_similar || question_ == RayQuestion::free_similar;
+    const bool first_hit =
+        question_ == RayQuestion::first_hit_similar || question_ == RayQuestion::first_hit_mixed;
+    RTCIntersectContext context = new_context(similar ? Coherence::similar : Coherence::mixed);
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (first_hit)
+        rtcIntersect16(valid_[i].data(), scene, &context, &packets_[i]);
+      else
+        rtcOccluded16(valid_[i].data(), scene, &context, &packets_[i].ray);
+    }
+  }
+
+ private:
+  RayQuestion question_;
+  std::size_t count_ = 0;
+  std::array<RTCRayHit16, batch_size / packet_size> packets_;
+  alignas(64) std::array<Valid, batch_size / packet_size> valid_;
+};
+
 }  // namespace
 
 // Two scenes that are traced one after the other: the obstacle's is never touched again, and of the
@@ -138,6 +183,7 @@ void RayScene::set_ribbon(const Surface& ribbon) {
 }
 
 void RayScene::first_hits(const RayBatch& rays, Coherence coherence, Lanes<Hit>& hits) const {
+  if (log_ != nullptr) log_->add(first_hit_question(coherence), rays);
   RTCIntersectContext context = new_context(coherence);
   RTCRayHit16 packet;
   alignas(64) Valid valid;
@@ -158,6 +204,7 @@ void RayScene::first_hits(const RayBatch& rays, Coherence coherence, Lanes<Hit>&
 }
 
 void RayScene::unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>& free) const {
+  if (log_ != nullptr) log_->add(free_question(coherence), rays);
   RTCIntersectContext context = new_context(coherence);
   RTCRay16 packet;
   alignas(64) Valid valid;
@@ -171,6 +218,27 @@ void RayScene::unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>
     if (state_->obstacle) rtcOccluded16(valid.data(), state_->obstacle.get(), &context, &packet);
     for (std::size_t i = 0; i < count; ++i) free[begin + i] = packet.tfar[i] < 0 ? 0.0F : 1.0F;
   }
+}
+
+double RayScene::plain_seconds(const RayLog& log) const {
+  // One scene with all that there is, as Embree is used plainly.
+  Scene scene = new_scene(state_->device.get());
+  for (const Scene* part : {&state_->ribbon, &state_->obstacle})
+    if (*part) rtcAttachGeometry(scene.get(), rtcGetGeometry(part->get(), 0));
+  rtcCommitScene(scene.get());
+  std::mutex mutex;
+  double seconds = 0;
+  parallel_ranges(log.batches().size(), 16, [&](std::size_t begin, std::size_t end) {
+    const FlushDenormals fast;
+    std::vector<PlainPackets> packets(log.batches().begin() + static_cast<std::ptrdiff_t>(begin),
+                                      log.batches().begin() + static_cast<std::ptrdiff_t>(end));
+    const ThreadTimer timer;
+    for (PlainPackets& batch : packets) batch.trace(scene.get());
+    const double own = timer.seconds();
+    const std::lock_guard lock(mutex);
+    seconds += own;
+  });
+  return seconds;
 }
 
 FlushDenormals::FlushDenormals() : before_(_mm_getcsr()) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "player/render/ray_batch.h"
+#include "player/render/ray_log.h"
 #include "player/render/surface.h"
 
 namespace ribbon {
@@ -30,9 +31,16 @@ class RayScene {
   // Sets free[i] to 1 where ray i meets nothing, however far, and to 0 elsewhere.
   void unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>& free) const;
 
+  // From now on all rays are logged, until `log` is null. For measurements.
+  void log_to(RayLog* log) { log_ = log; }
+  // How long Embree itself takes for these rays: packets are filled and answers left lying outside
+  // of the time. Seconds of all threads together.
+  [[nodiscard]] double plain_seconds(const RayLog& log) const;
+
  private:
   struct State;
   std::unique_ptr<State> state_;
+  RayLog* log_ = nullptr;
 };
 
 // While one lives, this thread's tiniest numbers count as zero, as Embree recommends; afterwards

@@ -10,6 +10,7 @@
 #include "player/render/coverage.h"
 #include "player/render/pixel_planes.h"
 #include "player/render/sky_filter.h"
+#include "player/render/thread_timer.h"
 #include "player/render/tile_painter.h"
 
 namespace ribbon {
@@ -20,6 +21,7 @@ namespace {
 struct TileCount {
   double samples = 0;
   double squared_error = 0;
+  double paint_s = 0;
   int pixels = 0;
   int wanting = 0;
 };
@@ -50,7 +52,11 @@ class PicturePainter {
         const int column = static_cast<int>(tile) % tiles_.columns();
         const int row = static_cast<int>(tile) / tiles_.columns();
         const bool covered = tiles_.covered(column, row);
-        if (covered) painter.paint(column * tile_side, row * tile_side);
+        if (covered) {
+          const ThreadTimer timer;
+          painter.paint(column * tile_side, row * tile_side);
+          counts_[tile].paint_s = timer.seconds();
+        }
         for_pixels(column * tile_side, row * tile_side, [&](int x, int y) {
           if (!covered) return leave(x, y);
           const int tile_x = x - column * tile_side;
@@ -69,12 +75,13 @@ class PicturePainter {
     for (const TileCount& tile : counts_) {
       all.samples += tile.samples;
       all.squared_error += tile.squared_error;
+      all.paint_s += tile.paint_s;
       all.pixels += tile.pixels;
       all.wanting += tile.wanting;
     }
     const auto pixels = static_cast<double>(size_.pixel_count());
     return {all.samples / std::max(all.pixels, 1), std::sqrt(all.squared_error / pixels),
-            all.wanting / pixels};
+            all.paint_s, all.wanting / pixels};
   }
 
  private:

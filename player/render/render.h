@@ -28,6 +28,7 @@ struct RenderReport {
   double samples = 0;  // per pixel that may show anything but the backdrop, mean
   double error = 0;    // of the picture, in 8-bit levels: root of the mean square over its pixels;
                        // 0 where pixels have one sample
+  double paint_s = 0;  // tracing and shading, of all threads together
   double wanting = 0;  // share of the pixels whose region is still above Quality::noise
 };
 

@@ -48,6 +48,7 @@ class RenderScene {
   [[nodiscard]] const Surface& ribbon() const { return ribbon_; }
   [[nodiscard]] const Surface& obstacle() const { return obstacle_; }  // empty if there is none
   [[nodiscard]] const RayScene& rays() const { return rays_; }
+  void log_rays_to(RayLog* log) { rays_.log_to(log); }
   [[nodiscard]] bool has_ground() const { return ground_m_.has_value(); }
   // Adds the place of the floor that ray `lane`, which met nothing else, leads to; false where it
   // leads to none. Its albedo is left open.

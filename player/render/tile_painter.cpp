@@ -252,7 +252,11 @@ float TilePainter::error(int column, int row) const {
 
 // Each pixel has patterns of its own.
 void TilePainter::set_keys() {
-  for (std::size_t pattern = 0; pattern < pattern_count; ++pattern)
+  const bool bounces = s_.quality.sky == SkyLight::bounced;
+  const bool asks_sky = s_.quality.sky != SkyLight::open;
+  const Pattern last = bounces ? Pattern::sky_on_bounce : asks_sky ? Pattern::sky : Pattern::sun;
+  for (auto pattern = static_cast<std::size_t>(Pattern::sun);
+       pattern <= static_cast<std::size_t>(last); ++pattern)
     for (int row = 0; row < height_; ++row)
       for (int column = 0; column < width_; ++column) {
         const auto pixel =

@@ -307,4 +307,21 @@ TEST_F(RibbonPlay, help_has_examples_and_version_is_a_line) {
   EXPECT_EQ(output_of(run("--version")), "ribbon-play " RIBBON_VERSION "\n");
 }
 
+TEST_F(RibbonPlay, several_views_go_to_files_of_their_own) {
+  EXPECT_EQ(
+      play_small("-o '{view}/{frame}.png' --frames 1 --view top --view lens=85 --quiet").exit_code,
+      0);
+  EXPECT_THAT(names("top"), ElementsAre("0001.png"));
+  EXPECT_THAT(names("camera1"), ElementsAre("0001.png"));
+  EXPECT_NE(bytes("top/0001.png"), bytes("camera1/0001.png"));
+  expect_refusal(play_small("-o '{frame}.png' --view top --view knot"), "{view}");
+  expect_refusal(play_small("-o '{frame}.png' --view sideways"), "sideways");
+}
+
+TEST_F(RibbonPlay, bench_tells_each_stage_and_how_much_of_embree_is_kept) {
+  const std::string table = output_of(play_small("--bench"));
+  for (const char* stage : {"replay ", "seek ", "ribbon's BVH", "PNG", "rays ", "plain Embree "})
+    EXPECT_THAT(table, HasSubstr(stage));
+}
+
 }  // namespace ribbon::command_line_test
