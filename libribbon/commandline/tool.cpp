@@ -8,9 +8,13 @@ namespace ribbon {
 
 namespace {
 
-int could_not(const std::string& tool_name, const std::string& sentence) {
+int told(ExitCode code, const std::string& tool_name, const std::string& sentence) {
   std::fprintf(stderr, "%s: %s\n", tool_name.c_str(), sentence.c_str());
-  return static_cast<int>(ExitCode::could_not);
+  return static_cast<int>(code);
+}
+
+int could_not(const std::string& tool_name, const std::string& sentence) {
+  return told(ExitCode::could_not, tool_name, sentence);
 }
 
 }  // namespace
@@ -20,7 +24,9 @@ int run_tool(const std::string& tool_name, const std::function<Result<ExitCode>(
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     const Result<ExitCode> answer = body();
-    if (!answer) return could_not(tool_name, answer.error().sentence());
+    if (!answer)
+      return told(answer.error().may_pass ? ExitCode::try_again : ExitCode::could_not, tool_name,
+                  answer.error().sentence());
     return static_cast<int>(*answer);
   } catch (const std::bad_alloc&) {
     return could_not(tool_name, "not enough memory; close other programs or ask for less at once");

@@ -8,8 +8,9 @@
 
 namespace ribbon {
 
-// 0: done. 1: checked, and the answer is no. 2: could not.
-enum class ExitCode { done = 0, answer_is_no = 1, could_not = 2 };
+// 0: done. 1: checked, and the answer is no. 2: could not, and will not. 3: was interrupted or
+// found the disk full: the same may work another time.
+enum class ExitCode { done = 0, answer_is_no = 1, could_not = 2, try_again = 3 };
 
 // Runs `body`, with files that grow too large as write errors instead of a signal, and turns its
 // answer into the process's exit code; an error goes to standard error as one sentence after the

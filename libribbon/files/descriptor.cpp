@@ -26,6 +26,12 @@ std::string last_error_text() {
   return std::error_code(errno, std::generic_category()).message();
 }
 
+tl::unexpected<Error> cannot_be_written(const std::filesystem::path& path) {
+  const bool no_room = errno == ENOSPC || errno == EDQUOT;
+  return tl::unexpected<Error>(Error{path.string(), "cannot be written (" + last_error_text() + ")",
+                                     "free some space or choose another place", no_room});
+}
+
 Result<void> create_folder_of(const std::filesystem::path& path) {
   std::error_code code;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);

@@ -42,6 +42,10 @@ bool write_all(const FileDescriptor& file, std::string_view bytes);
 // The system's words for what went wrong last in this thread ("No space left on device").
 std::string last_error_text();
 
+// That `path` cannot be written because of what went wrong last in this thread; may pass where
+// there is no room.
+tl::unexpected<Error> cannot_be_written(const std::filesystem::path& path);
+
 // Creates the folder that `path` lies in, and those that this one lies in.
 Result<void> create_folder_of(const std::filesystem::path& path);
 

@@ -17,11 +17,10 @@ constexpr std::size_t worth_a_write = 1 << 16;
 
 Result<PendingFile> PendingFile::create(const std::filesystem::path& path) {
   if (auto created = create_folder_of(path); !created) return tl::unexpected(created.error());
-  std::filesystem::path temporary = path.string() + ".part" + std::to_string(::getpid());
+  std::filesystem::path temporary =
+      path.string() + std::string(temporary_mark) + std::to_string(::getpid());
   FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (!file.is_open())
-    return failure(path.string(), "cannot be written (" + last_error_text() + ")",
-                   "choose a folder that you may write to");
+  if (!file.is_open()) return cannot_be_written(path);
   return PendingFile(path, std::move(temporary), std::move(file));
 }
 
@@ -47,12 +46,12 @@ Result<void> PendingFile::append(std::string_view bytes) {
     return {};
   }
   if (auto written = write_waiting(); !written) return written;
-  if (!write_all(file_, bytes)) return unwritable(last_error_text());
+  if (!write_all(file_, bytes)) return cannot_be_written(path_);
   return {};
 }
 
 Result<void> PendingFile::write_waiting() {
-  if (!write_all(file_, waiting_)) return unwritable(last_error_text());
+  if (!write_all(file_, waiting_)) return cannot_be_written(path_);
   waiting_.clear();
   return {};
 }
@@ -64,7 +63,7 @@ Result<void> PendingFile::overwrite(std::uint64_t offset, std::string_view bytes
     const ssize_t written =
         ::pwrite(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return unwritable(last_error_text());
+    if (written <= 0) return cannot_be_written(path_);
     offset += static_cast<std::uint64_t>(written);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -74,16 +73,11 @@ Result<void> PendingFile::overwrite(std::uint64_t offset, std::string_view bytes
 Result<void> PendingFile::finish() {
   if (auto written = write_waiting(); !written) return written;
   // Forced to the disk before the rename: a power cut must not leave an empty file under the name.
-  if (::fsync(file_.number()) != 0) return unwritable(last_error_text());
-  if (!file_.close()) return unwritable(last_error_text());
-  if (::rename(temporary_.c_str(), path_.c_str()) != 0) return unwritable(last_error_text());
+  if (::fsync(file_.number()) != 0) return cannot_be_written(path_);
+  if (!file_.close()) return cannot_be_written(path_);
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) return cannot_be_written(path_);
   temporary_.clear();
   return {};
-}
-
-tl::unexpected<Error> PendingFile::unwritable(const std::string& problem) const {
-  return failure(path_.string(), "cannot be written (" + problem + ")",
-                 "free some space or choose another place");
 }
 
 }  // namespace ribbon

@@ -11,6 +11,9 @@
 
 namespace ribbon {
 
+// What stands in a temporary name behind the final one, before a number.
+constexpr std::string_view temporary_mark = ".part";
+
 // Stands beside its final name under a temporary one until finish() renames it. Destroyed earlier,
 // it leaves nothing behind, and an older file under the name is untouched. Errors name the file
 // as the user did.
@@ -37,7 +40,6 @@ class PendingFile {
  private:
   PendingFile(std::filesystem::path path, std::filesystem::path temporary, FileDescriptor file);
   Result<void> write_waiting();
-  [[nodiscard]] tl::unexpected<Error> unwritable(const std::string& problem) const;
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;  // empty: renamed, or moved from

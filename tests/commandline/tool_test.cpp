@@ -22,6 +22,7 @@ TEST(RunTool, answers_become_exit_codes) {
   EXPECT_EQ(outcome([] { return ExitCode::done; }).code, 0);
   EXPECT_EQ(outcome([] { return ExitCode::answer_is_no; }).code, 1);
   EXPECT_EQ(outcome([] { return ExitCode::could_not; }).code, 2);
+  EXPECT_EQ(outcome([] { return ExitCode::try_again; }).code, 3);
 }
 
 TEST(RunTool, an_answer_is_no_reason_to_write_to_standard_error) {
@@ -34,6 +35,13 @@ TEST(RunTool, an_error_is_one_sentence_after_the_tools_name) {
   });
   EXPECT_EQ(code, 2);
   EXPECT_EQ(standard_error, "ribbon-test: knot.toml:3:1: unknown key 'widht'; write 'width'\n");
+}
+
+TEST(RunTool, an_error_that_may_pass_asks_for_another_try) {
+  const auto [code, standard_error] = outcome(
+      []() -> Result<ExitCode> { return passing_failure("", "interrupted", "start again"); });
+  EXPECT_EQ(code, 3);
+  EXPECT_EQ(standard_error, "ribbon-test: interrupted; start again\n");
 }
 
 TEST(RunTool, a_lack_of_memory_is_reported) {

@@ -50,7 +50,7 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path, Overwri
   auto file = open(path, overwrite == Overwrite::no && is_file ? O_CREAT | O_EXCL : O_CREAT);
   // Emptied only now that nobody else writes it. Pipes and devices are empty anyway.
   if (file && ::ftruncate(file->file_.number(), 0) != 0 && errno != EINVAL)
-    return file->cannot_be_written(last_error_text());
+    return cannot_be_written(path);
   return file;
 }
 
@@ -58,8 +58,7 @@ Result<RecordFile> RecordFile::open(const std::filesystem::path& path) {
   auto file = open(path, 0);
   struct stat status {};
   if (!file) return file;
-  if (::fstat(file->file_.number(), &status) != 0)
-    return file->cannot_be_written(last_error_text());
+  if (::fstat(file->file_.number(), &status) != 0) return cannot_be_written(path);
   file->size_ = static_cast<std::uint64_t>(status.st_size);
   ::lseek(file->file_.number(), 0, SEEK_END);
   return file;
@@ -71,15 +70,15 @@ Result<void> RecordFile::append(std::string_view records) {
     size_ += records.size();
     return {};
   }
-  const std::string reason = last_error_text();
+  const auto problem = cannot_be_written(path_);
   (void)cut(size_);
-  return cannot_be_written(reason);
+  return problem;
 }
 
 Result<void> RecordFile::cut(std::uint64_t size) {
   if (::ftruncate(file_.number(), static_cast<off_t>(size)) != 0 ||
       ::lseek(file_.number(), static_cast<off_t>(size), SEEK_SET) < 0)
-    return cannot_be_written(last_error_text());
+    return cannot_be_written(path_);
   size_ = size;
   return {};
 }
@@ -93,11 +92,6 @@ Result<void> RecordFile::sync() {
 Result<void> RecordFile::close() {
   if (!file_.close()) return may_be_lost(last_error_text());
   return {};
-}
-
-tl::unexpected<Error> RecordFile::cannot_be_written(const std::string& reason) const {
-  return failure(path_.string(), "cannot be written (" + reason + ")",
-                 "free some space or choose another place");
 }
 
 tl::unexpected<Error> RecordFile::may_be_lost(const std::string& reason) const {
