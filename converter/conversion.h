@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "commandline/progress.h"
 #include "converter/export/model.h"
 #include "playback/recording_reader.h"
 #include "result/result.h"
@@ -23,7 +24,7 @@ struct ConversionRequest {
   double max_error_m = 0;          // of positions in a recording; 0: as they were recorded
   bool force = false;              // what exists may be replaced
   bool resume = false;             // goes on with a sequence that was stopped
-  bool quiet = false;              // no progress line
+  ProgressStyle progress = ProgressStyle::line;
   std::function<bool()> interrupted = [] { return false; };  // asked before each frame; any thread
 };
 

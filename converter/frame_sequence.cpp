@@ -39,7 +39,7 @@ class Sequence {
         model_(std::move(job.model)),
         frames_(std::move(job.frames)),
         readers_(request.recording, std::move(job.reader)),
-        progress_("frame", static_cast<int>(frames_.size()), request.quiet),
+        progress_("frame", static_cast<int>(frames_.size()), request.progress),
         outcomes_(frames_.size()) {}
 
   Result<ConversionReport> write() {
@@ -77,7 +77,7 @@ class Sequence {
 
   void write_frame(RecordingReader& reader, Model& model, std::size_t slot) {
     Outcome& outcome = outcomes_[slot];
-    if (interrupted_()) return stop(outcome, {"", "interrupted", "go on with --resume"});
+    if (interrupted_()) return stop(outcome, {"", "interrupted", "go on with --resume", true});
     outcome.bytes = log_.complete_bytes(names_.number(slot), names_.frame(slot));
     outcome.kept = outcome.bytes > 0;
     if (outcome.kept) return;

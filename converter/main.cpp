@@ -56,7 +56,7 @@ ribbon::Result<ribbon::ExitCode> run(int argc, const char* const* argv) {
   const auto report = ribbon::convert((*line)->request);
   if (!report) return tl::unexpected(report.error());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (!(*line)->request.quiet) print_summary(*report, elapsed.count());
+  if (!(*line)->quiet) print_summary(*report, elapsed.count());
   print_damage(*report);
   const bool whole = report->missing.empty() && report->damage.empty();
   return whole ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;

@@ -23,7 +23,7 @@ constexpr const char* examples = R"(Examples:
 Metres and y up unless told otherwise; vertices in the recorded order, and the triangles that the
 recording certifies, in every frame.
 Exit code: 0 done; 1 the recording is damaged (what can be read is written, what is missing is listed);
-2 could not.)";
+2 could not; 3 interrupted, or the disk was full: --resume goes on.)";
 
 // What is chosen by words, and numbers that may be left out.
 struct Words {
@@ -32,11 +32,12 @@ struct Words {
   std::string up = "y";
   std::string unit = "m";
   int start_frame = 0;
+  std::string progress = "line";
 };
 
 void add_what(Arguments& arguments, ConversionRequest& request, Words& words) {
-  arguments.add("--frames", request.frames, "A:B:STEP",
-                "Frames from 1, both ends included; -1 is the last (default: all)");
+  arguments.add("--frames", request.frames, "1,5,A:B:STEP",
+                "Frames by number and from A to B, every STEP-th; -1 is the last (default: all)");
   arguments.add("--object", words.objects, "NAME", "What to write: ribbon, obstacle or both")
       .one_of({"both", "ribbon", "obstacle"})
       .with_default_shown();
@@ -81,7 +82,8 @@ Argument add_files(Arguments& arguments, CommandLine& line, Words& words) {
   arguments.flag("--dry-run", line.dry_run, "Tell files, size and time, and write nothing");
   arguments.add("--threads", line.threads, {1, 1024}, "N",
                 "How many threads to use (default: all cores)");
-  arguments.flag("--quiet", line.request.quiet, "No progress and no summary");
+  arguments.add_progress(words.progress);
+  arguments.flag("--quiet", line.quiet, "No progress and no summary");
   return start;
 }
 
@@ -120,6 +122,7 @@ Result<std::optional<CommandLine>> parse_command_line(int argc, const char* cons
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
   apply(words, line.request.model);
+  line.request.progress = progress_style(words.progress, line.quiet);
   if (start.is_given()) line.request.start_frame = words.start_frame;
   return line;
 }

@@ -12,6 +12,7 @@ struct CommandLine {
   ConversionRequest request;
   int threads = 0;  // 0: all cores
   bool dry_run = false;
+  bool quiet = false;  // no progress and no summary
 };
 
 // Nothing when help or the version was asked for, which this prints. Fails when it makes no sense.

@@ -30,9 +30,9 @@ Result<void> pose_at_start(RecordingReader& reader, const std::vector<int>& fram
 Result<void> append_frames(RecordingReader& reader, const std::vector<int>& frames, Model& model,
                            MotionWriter& writer, const ConversionRequest& request,
                            ConversionReport& report) {
-  ProgressLine progress("frame", static_cast<int>(frames.size()), request.quiet);
+  ProgressLine progress("frame", static_cast<int>(frames.size()), request.progress);
   for (const int index : frames) {
-    if (request.interrupted()) return failure("", "interrupted", "start again");
+    if (request.interrupted()) return passing_failure("", "interrupted", "start again");
     const Result<bool> posed = pose_at(reader, index, model);
     if (!posed) return tl::unexpected(posed.error());
     if (!*posed) report.missing.push_back(index + 1);

@@ -32,7 +32,7 @@ std::string remark_on(const FrameNumbers& numbers) {
 // the start is looked for, there is nothing to save and Ctrl-C ends the program as usual.
 class Watch {
  public:
-  explicit Watch(bool quiet) : quiet_(quiet) {}
+  explicit Watch(ProgressStyle style) : style_(style) {}
 
   RunObserver observer() {
     return {[this](int done, int total, const FrameNumbers& numbers) {
@@ -58,12 +58,13 @@ class Watch {
   void clear() {
     if (line_) line_->clear();
   }
+  [[nodiscard]] bool is_interrupted() const { return interrupt_ && interrupt_->requested(); }
 
  private:
   ProgressLine& line(int total, const std::string& unit) {
     if (!line_ || unit != unit_) {
       clear();
-      line_.emplace(unit, total, quiet_);
+      line_.emplace(unit, total, style_);
       unit_ = unit;
     }
     return *line_;
@@ -78,7 +79,7 @@ class Watch {
     return !interrupt_->requested();
   }
 
-  bool quiet_;
+  ProgressStyle style_;
   std::string unit_;
   std::optional<ProgressLine> line_;
   std::optional<Interrupt> interrupt_;
@@ -137,18 +138,25 @@ Result<std::optional<Compaction>> do_compaction(const RecorderOptions& options, 
   return compaction;
 }
 
+// Not where a limit or the run itself ended it, nor where nothing was left to do.
+bool is_interrupted(const std::optional<RunStatistics>& run, const Watch& watch) {
+  if (!run) return watch.is_interrupted();
+  return run->ending == RunEnding::stopped && !run->limit_reached;
+}
+
 Result<ExitCode> do_task(const RecorderOptions& options) {
   set_thread_limit(options.threads);
-  Watch watch(options.quiet);
+  Watch watch(options.progress);
   if (options.task == RecorderTask::compact) {
     const auto compaction = do_compaction(options, watch);
     if (!compaction) return tl::unexpected(compaction.error());
-    return ExitCode::done;
+    return *compaction ? ExitCode::done : ExitCode::try_again;
   }
   auto statistics = run_task(options, watch.observer());
   watch.clear();
   if (!statistics) return tl::unexpected(statistics.error());
   std::optional<RunStatistics>& run = *statistics;
+  bool interrupted = is_interrupted(run, watch);
   if (run)
     if (auto reader = RecordingReader::open(options.recording)) run->outcome = outcome(*reader);
   if (!options.quiet)
@@ -159,12 +167,13 @@ Result<ExitCode> do_task(const RecorderOptions& options) {
     const auto compaction = do_compaction(options, watch);
     if (!compaction) return tl::unexpected(compaction.error());
     if (run && *compaction) run->bytes = (*compaction)->bytes_after;
+    interrupted = interrupted || !*compaction;
   }
   if (run && options.profile) std::fputs(profile_text(*run).c_str(), stdout);
   if (run && !options.statistics.empty())
     if (auto written = write_file(options.statistics, statistics_json(*run)); !written)
       return tl::unexpected(written.error());
-  return ExitCode::done;
+  return interrupted ? ExitCode::try_again : ExitCode::done;
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ constexpr const char* examples = R"(Examples:
       rewrites a recording to be smaller, every frame bit for bit as it was
 Ctrl-C ends the run early and leaves a valid recording of what was done; --resume goes on with it.
 
-Exit codes: 0 done (also when ended by Ctrl-C), 2 could not.)";
+Exit codes: 0 done, 2 could not, 3 ended early (by Ctrl-C, a signal, or because the disk was full):
+--resume goes on with it.)";
 
 // The words of the command line that were used.
 struct Given {
@@ -105,6 +106,8 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
                 "use at most this many threads (default: all cores); the recording is the same");
   const auto profile =
       arguments.flag("--profile", options.profile, "print where the time of the run went");
+  std::string progress = "line";
+  arguments.add_progress(progress);
   arguments.flag("--quiet", options.quiet, "no progress and no summary");
   const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
@@ -113,6 +116,7 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
       until.is_given() || frames.is_given() || statistics.is_given() || profile.is_given();
   const Given given{input.is_given(), output.is_given(), resume.is_given(),  from.is_given(),
                     set.is_given(),   force.is_given(),  compact.is_given(), is_of_runs};
+  options.progress = progress_style(progress, options.quiet);
   if (until.is_given()) options.limit.until_s = until_s;
   if (frames.is_given()) options.limit.frames = frame_count;
   if (auto together = goes_together(given); !together) return tl::unexpected(together.error());

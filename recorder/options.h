@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "commandline/progress.h"
 #include "recorder/run/run_plan.h"
 #include "result/result.h"
 
@@ -31,6 +32,7 @@ struct RecorderOptions {
   bool compact = false;              // also at the end of a run
   bool profile = false;
   bool quiet = false;
+  ProgressStyle progress = ProgressStyle::line;
 };
 
 // Nothing when --help or --version was asked for: that has been printed to standard output. Fails

@@ -81,6 +81,13 @@ Argument Arguments::flag(const std::string& names, bool& is_set, const std::stri
   return Argument(*app_->add_flag(names, is_set, help));
 }
 
+Argument Arguments::add_progress(std::string& word) {
+  return add("--progress", word, "STYLE",
+             "how far it is: 'line' for people at a terminal, 'json' lines on standard error for "
+             "programs")
+      .one_of({"line", "json"});
+}
+
 Result<bool> Arguments::parse(int argc, const char* const* argv) {
   try {
     app_->parse(argc, argv);
@@ -91,6 +98,13 @@ Result<bool> Arguments::parse(int argc, const char* const* argv) {
     return failure("", problem.what(), "see " + app_->get_name() + " --help");
   }
   return true;
+}
+
+std::vector<GivenArgument> Arguments::given() const {
+  std::vector<GivenArgument> given;
+  for (const CLI::Option* option : app_->get_options())
+    if (option->count() > 0) given.push_back({option->get_name(), option->results()});
+  return given;
 }
 
 }  // namespace ribbon

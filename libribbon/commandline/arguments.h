@@ -40,6 +40,13 @@ struct Limits {
   Number least, most;
 };
 
+// What a user wrote of an option: its first long name, or that of what stands alone, and the
+// values.
+struct GivenArgument {
+  std::string name;  // "--size"
+  std::vector<std::string> values;
+};
+
 // What a tool can be told. `names` as in "-o,--output", or without dashes for what stands alone;
 // `kind` is what --help calls the value, as in "FILE"; `help` one line. Values that are not given
 // stay as they were; all must outlive the parsing.
@@ -65,9 +72,15 @@ class Arguments {
                const std::string& kind, const std::string& help);
   Argument flag(const std::string& names, bool& is_set, const std::string& help);
 
+  // --progress, whose word progress_style() understands.
+  Argument add_progress(std::string& word);
+
   // False when --help or --version was asked for: that has been printed to standard output. Fails
   // when the command line cannot be understood.
   Result<bool> parse(int argc, const char* const* argv);
+
+  // What was given, in the order in which the options were added. To be asked after parsing.
+  [[nodiscard]] std::vector<GivenArgument> given() const;
 
  private:
   std::unique_ptr<CLI::App> app_;

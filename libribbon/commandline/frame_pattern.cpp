@@ -51,6 +51,10 @@ Result<FramePattern> FramePattern::parse(const std::string& text, int frame_coun
   return name;
 }
 
+std::filesystem::path FramePattern::file(const std::string& word) const {
+  return before_ + (digits_ == 0 ? "." : "") + word + after_;
+}
+
 std::filesystem::path FramePattern::file(int number) const {
   assert(number >= 0);
   if (digits_ == 0) return before_;

@@ -17,6 +17,10 @@ class FramePattern {
   // Likewise for so many frames: a single one may also be named without a place for its number.
   static Result<FramePattern> parse(const std::string& text, int frame_count);
 
+  // A file beside those of the frames, with `word` in the place of the number (or behind the name
+  // where there is no place).
+  [[nodiscard]] std::filesystem::path file(const std::string& word) const;
+
   // The file of frame `number`, at least 0.
   [[nodiscard]] std::filesystem::path file(int number) const;
 

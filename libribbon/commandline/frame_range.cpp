@@ -24,11 +24,11 @@ tl::unexpected<Error> bad(const std::string& text, const std::string& problem,
   return failure("frames '" + text + "'", problem, remedy);
 }
 
-std::vector<std::string_view> split_at_colons(std::string_view text) {
+std::vector<std::string_view> split_at(char separator, std::string_view text) {
   std::vector<std::string_view> parts;
-  for (std::size_t colon = 0; (colon = text.find(':')) != std::string_view::npos;
-       text.remove_prefix(colon + 1))
-    parts.push_back(text.substr(0, colon));
+  for (std::size_t end = 0; (end = text.find(separator)) != std::string_view::npos;
+       text.remove_prefix(end + 1))
+    parts.push_back(text.substr(0, end));
   parts.push_back(text);
   return parts;
 }
@@ -42,13 +42,14 @@ bool read_number(std::string_view text, std::optional<int>& number) {
 }
 
 Result<Written> read_written(const std::string& text) {
-  const std::vector<std::string_view> parts = split_at_colons(text);
+  const std::vector<std::string_view> parts = split_at(':', text);
   Written written;
   const bool readable = parts.size() <= 3 && read_number(parts[0], written.first) &&
                         (parts.size() < 2 || read_number(parts[1], written.last)) &&
                         (parts.size() < 3 || read_number(parts[2], written.step));
   if (!readable)
-    return bad(text, "cannot be read", "write a number, FIRST:LAST or FIRST:LAST:STEP");
+    return bad(text, "cannot be read",
+               "write numbers, FIRST:LAST or FIRST:LAST:STEP, with commas between");
   if (written.step == 0) return bad(text, "have a step of 0", "write a step of 1 or more");
   if (parts.size() == 1) written.last = written.first;
   return written;
@@ -72,9 +73,7 @@ std::vector<int> counted(std::int64_t first, std::int64_t last, std::int64_t ste
   return indices;
 }
 
-}  // namespace
-
-Result<std::vector<int>> parse_frame_range(const std::string& text, int frame_count) {
+Result<std::vector<int>> parse_range(const std::string& text, int frame_count) {
   const auto written = read_written(text);
   if (!written) return tl::unexpected(written.error());
   if (frame_count == 0 && !written->first && !written->last) return std::vector<int>{};
@@ -88,6 +87,25 @@ Result<std::vector<int>> parse_frame_range(const std::string& text, int frame_co
                step > 0 ? "write a negative step, or the smaller number first"
                         : "write a positive step, or the larger number first");
   return counted(*first, *last, step);
+}
+
+}  // namespace
+
+Result<std::vector<int>> parse_frame_range(const std::string& text, int frame_count) {
+  std::vector<int> frames;
+  std::vector<bool> named(static_cast<std::size_t>(frame_count));
+  const std::vector<std::string_view> parts = split_at(',', text);
+  for (const std::string_view part : parts) {
+    if (part.empty() && parts.size() > 1)
+      return bad(text, "have nothing between two commas", "write numbers and ranges: 1,5,9:20");
+    const auto range = parse_range(std::string(part), frame_count);
+    if (!range) return range;
+    for (const int index : *range) {
+      if (!named[static_cast<std::size_t>(index)]) frames.push_back(index);
+      named[static_cast<std::size_t>(index)] = true;
+    }
+  }
+  return frames;
 }
 
 }  // namespace ribbon

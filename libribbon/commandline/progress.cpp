@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "text/json.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -16,7 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto shortest_pause = std::chrono::milliseconds(100);
+constexpr auto draw_pause = std::chrono::milliseconds(100);
+constexpr auto json_pause = std::chrono::milliseconds(1000);
 constexpr int bar_cells = 16;
 constexpr const char* erase_line = "\r\x1b[K";
 
@@ -44,21 +46,45 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-std::string progress_text(const std::string& unit, int done, int total, double elapsed_s,
-                          const std::string& remark, int columns) {
-  const double share = total > 0 ? std::clamp(static_cast<double>(done) / total, 0.0, 1.0) : 1.0;
+std::optional<double> JobState::left_s() const {
+  if (done <= done_before) return std::nullopt;
+  return elapsed_s / (done - done_before) * (total - done);
+}
+
+std::string progress_text(const std::string& unit, const JobState& job, const std::string& remark,
+                          int columns) {
+  const int total = job.total;
+  const double share =
+      total > 0 ? std::clamp(static_cast<double>(job.done) / total, 0.0, 1.0) : 1.0;
   std::string text =
-      filled_in("{} {}/{} {}{}", bar(share), done, total, unit, total == 1 ? "" : "s");
-  if (done > 0 && done < total) text += ", ETA " + clock_text(elapsed_s / done * (total - done));
+      filled_in("{} {}/{} {}{}", bar(share), job.done, total, unit, total == 1 ? "" : "s");
+  if (const auto left_s = job.left_s(); left_s && job.done < total)
+    text += ", ETA " + clock_text(*left_s);
   if (!remark.empty()) text += ", " + remark;
   // A line that fills the last column would wrap on some terminals and could not be erased.
   return text.substr(0, std::max(0, columns - 1));
 }
 
-ProgressLine::ProgressLine(std::string unit, int total, bool quiet)
+std::string progress_json(const std::string& unit, const JobState& job, const std::string& remark) {
+  Json told{{"unit", unit},
+            {"done", job.done},
+            {"total", job.total},
+            {"seconds", job.elapsed_s},
+            {"eta_seconds", job.left_s()}};
+  if (!remark.empty()) told.set("remark", remark);
+  return told.line();
+}
+
+ProgressStyle progress_style(const std::string& word, bool quiet) {
+  if (quiet) return ProgressStyle::none;
+  return word == "json" ? ProgressStyle::json : ProgressStyle::line;
+}
+
+ProgressLine::ProgressLine(std::string unit, int total, ProgressStyle style)
     : unit_(std::move(unit)),
-      total_(total),
-      draws_(!quiet && ::isatty(STDERR_FILENO) == 1),
+      job_{.total = total},
+      style_(style == ProgressStyle::line && ::isatty(STDERR_FILENO) != 1 ? ProgressStyle::none
+                                                                          : style),
       start_(Clock::now()) {}
 
 ProgressLine::~ProgressLine() {
@@ -66,15 +92,22 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::update(int done, const std::string& remark) {
-  if (!draws_) return;
+  if (style_ == ProgressStyle::none) return;
+  if (job_.done == 0) job_.done_before = std::max(0, done - 1);
+  job_.done = done;
+  const bool json = style_ == ProgressStyle::json;
   const Clock::time_point now = Clock::now();
-  if (drawn_ && now - last_draw_ < shortest_pause) return;
+  if (told_ && !(json && done >= job_.total) && now - last_told_ < (json ? json_pause : draw_pause))
+    return;
+  job_.elapsed_s = seconds_since(start_);
   const std::string text =
-      progress_text(unit_, done, total_, seconds_since(start_), remark, terminal_columns());
-  std::fprintf(stderr, "%s%s", erase_line, text.c_str());
+      json ? progress_json(unit_, job_, remark) + "\n"
+           : erase_line + progress_text(unit_, job_, remark, terminal_columns());
+  std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
-  drawn_ = true;
-  last_draw_ = now;
+  told_ = true;
+  drawn_ = !json;
+  last_told_ = now;
 }
 
 void ProgressLine::clear() {

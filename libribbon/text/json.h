@@ -49,6 +49,8 @@ class Json {
   // Two spaces a level, a line feed at the end. What is not UTF-8, as names of files need not be,
   // is replaced.
   [[nodiscard]] std::string text() const;
+  // The same in one line, without its end.
+  [[nodiscard]] std::string line() const;
 
  private:
   struct Integer {

@@ -55,4 +55,9 @@ TEST(FramePattern, malformed_places_are_an_error) {
     EXPECT_FALSE(FramePattern::parse(text).has_value()) << text;
 }
 
+TEST(FramePattern, a_word_may_stand_in_the_place_of_the_number) {
+  EXPECT_EQ(FramePattern::parse("out/knot.{frame:04}.png")->file("list"), "out/knot.list.png");
+  EXPECT_EQ(FramePattern::parse("last.png", 1)->file("list"), "last.png.list");
+}
+
 }  // namespace ribbon::frame_pattern_test

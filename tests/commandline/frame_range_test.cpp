@@ -54,6 +54,23 @@ TEST(FrameRange, a_negative_step_runs_backwards) {
   EXPECT_EQ(of_ten("2:1:-2147483648"), Indices{1});
 }
 
+TEST(FrameRange, a_list_has_commas_between_and_keeps_its_order) {
+  EXPECT_EQ(of_ten("1,5,8:10"), (Indices{0, 4, 7, 8, 9}));
+  EXPECT_EQ(of_ten("-1,3:1:-1"), (Indices{9, 2, 1, 0}));
+}
+
+TEST(FrameRange, a_frame_that_is_named_again_comes_once) {
+  EXPECT_EQ(of_ten("4,2:5,4,1"), (Indices{3, 1, 2, 4, 0}));
+}
+
+TEST(FrameRange, a_list_with_nothing_between_two_commas_is_an_error) {
+  for (const char* text : {",", "1,", ",1", "1,,2"})
+    EXPECT_EQ(complaint(text), "frames '" + std::string(text) +
+                                   "': have nothing between two commas; write numbers and ranges: "
+                                   "1,5,9:20");
+  EXPECT_NE(complaint("1,11"), "");
+}
+
 TEST(FrameRange, frames_that_are_not_there_are_an_error) {
   EXPECT_EQ(complaint("11"),
             "frames '11': name frame 11 of a recording with 10 frames; "

@@ -68,7 +68,7 @@ TEST_F(RibbonRecord, ctrl_c_and_a_closed_terminal_leave_a_valid_recording) {
                      "' && exec '" RIBBON_RECORD "' long.toml --force -o knot.rbn > output.txt"});
     wait_until_written(folder_ / "knot.rbn", 3);
     ::kill(recorder, signal);
-    EXPECT_EQ(waited_for(recorder), 0);
+    EXPECT_EQ(waited_for(recorder), 3);
     EXPECT_THAT(bytes("output.txt"), HasSubstr("ended early by the user"));
     EXPECT_TRUE(RecordingReader::open(folder_ / "knot.rbn")->finished());
     fs::remove(folder_ / "knot.rbn");
