@@ -1,9 +1,12 @@
 #include "player/picture/png_encoder.h"
 
-#include <png.h>
+#include <libdeflate.h>
 
 #include <cassert>
-#include <stdexcept>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string_view>
 
 #include "files/files.h"
 
@@ -11,53 +14,88 @@ namespace ribbon {
 
 namespace {
 
-void append_bytes(png_structp png, png_bytep data, png_size_t length) {
-  static_cast<std::string*>(png_get_io_ptr(png))
-      ->append(reinterpret_cast<const char*>(data), length);
+constexpr std::string_view signature = "\x89PNG\r\n\x1A\n";
+
+// Measured at 1280x720 on rendered frames: level 1 without filters takes a seventh of the time of
+// libpng's default (4.6 ms) and gives files of 96 to 104 % of its size. Each filter takes twice as
+// long for at most 3 % less; level 2 takes 6.4 ms.
+constexpr int compression_level = 1;
+constexpr char no_filter = 0;
+
+void append_number(std::string& bytes, std::uint32_t number) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift);
 }
 
-// Nothing but a lack of memory can go wrong while writing into memory.
-[[noreturn]] void give_up(png_structp /*png*/, png_const_charp message) {
-  throw std::runtime_error(std::string("libpng: ") + message);
+// Length, type, data, and the checksum of the last two.
+void append_chunk(std::string& bytes, std::string_view type, std::string_view data) {
+  append_number(bytes, static_cast<std::uint32_t>(data.size()));
+  const std::size_t checked = bytes.size();
+  bytes += type;
+  bytes += data;
+  append_number(bytes, libdeflate_crc32(0, bytes.data() + checked, bytes.size() - checked));
 }
 
-class PngWriter {
- public:
-  explicit PngWriter(std::string& bytes)
-      : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, give_up, nullptr)),
-        info_(png_ == nullptr ? nullptr : png_create_info_struct(png_)) {
-    if (info_ == nullptr) throw std::runtime_error("libpng: no memory");
-    png_set_write_fn(png_, &bytes, append_bytes, nullptr);
-  }
-  ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
-  PngWriter(const PngWriter&) = delete;
-  PngWriter& operator=(const PngWriter&) = delete;
+// 8 bits of red, green and blue a pixel, not interlaced.
+std::string header(PictureSize size) {
+  std::string data;
+  append_number(data, static_cast<std::uint32_t>(size.width));
+  append_number(data, static_cast<std::uint32_t>(size.height));
+  return data + std::string("\x08\x02\0\0\0", 5);
+}
 
-  void write(const Picture& picture) {
-    png_set_IHDR(png_, info_, static_cast<png_uint_32>(picture.size.width),
-                 static_cast<png_uint_32>(picture.size.height), 8, PNG_COLOR_TYPE_RGB,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
-    // Measured on rendered frames: no filter at level 1 takes a third of the default filters' time
-    // and gives smaller files.
-    png_set_compression_level(png_, 1);
-    png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-    png_write_info(png_, info_);
-    for (int y = 0; y < picture.size.height; ++y) png_write_row(png_, picture.pixel(0, y));
-    png_write_end(png_, info_);
-  }
+// What those want that do not know the chunk sRGB: white point and primaries, red to blue.
+std::string chromaticities() {
+  std::string data;
+  for (const std::uint32_t value : {31270U, 32900U, 64000U, 33000U, 30000U, 60000U, 15000U, 6000U})
+    append_number(data, value);
+  return data;
+}
 
- private:
-  png_structp png_;
-  png_infop info_;
+std::string gamma() {
+  std::string data;
+  append_number(data, 45455);  // 1 / 2.2
+  return data;
+}
+
+// Each row behind the number of its filter.
+std::string unfiltered_rows(const Picture& picture) {
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(picture.size.width);
+  std::string rows((row_bytes + 1) * static_cast<std::size_t>(picture.size.height), no_filter);
+  char* row = rows.data();
+  for (int y = 0; y < picture.size.height; ++y, row += row_bytes + 1)
+    std::memcpy(row + 1, picture.pixel(0, y), row_bytes);
+  return rows;
+}
+
+struct CompressorRelease {
+  void operator()(libdeflate_compressor* compressor) const {
+    libdeflate_free_compressor(compressor);
+  }
 };
+
+std::string compressed(std::string_view data) {
+  const std::unique_ptr<libdeflate_compressor, CompressorRelease> compressor(
+      libdeflate_alloc_compressor(compression_level));
+  if (!compressor) throw std::bad_alloc();
+  std::string bytes(libdeflate_zlib_compress_bound(compressor.get(), data.size()), '\0');
+  bytes.resize(libdeflate_zlib_compress(compressor.get(), data.data(), data.size(), bytes.data(),
+                                        bytes.size()));
+  return bytes;
+}
 
 }  // namespace
 
 std::string png_bytes(const Picture& picture) {
   assert(picture.size.width > 0 && picture.size.height > 0);
-  std::string bytes;
-  PngWriter(bytes).write(picture);
+  const std::string pixels = compressed(unfiltered_rows(picture));
+  std::string bytes(signature);
+  bytes.reserve(pixels.size() + 256);
+  append_chunk(bytes, "IHDR", header(picture.size));
+  append_chunk(bytes, "sRGB", std::string(1, '\0'));  // perceptual rendering intent
+  append_chunk(bytes, "gAMA", gamma());
+  append_chunk(bytes, "cHRM", chromaticities());
+  append_chunk(bytes, "IDAT", pixels);
+  append_chunk(bytes, "IEND", "");
   return bytes;
 }
 

@@ -9,8 +9,8 @@
 
 namespace ribbon {
 
-// The bytes of an 8-bit RGB PNG that says that it is sRGB, packed for speed rather than size. The
-// picture must have at least one pixel.
+// The bytes of an 8-bit RGB PNG that says that it is sRGB, packed for speed rather than size: the
+// same for the same pixels. The picture must have at least one pixel, and less than 2 GB.
 std::string png_bytes(const Picture& picture);
 
 // Those bytes as a file, complete or not at all.

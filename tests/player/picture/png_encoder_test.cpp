@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include "player/render/sequence_renderer.h"
+#include "player/view/camera_work.h"
+#include "recording/sample_recording.h"
+
 namespace ribbon::png_encoder_test {
 
 Picture read_back(const std::string& bytes) {
@@ -32,6 +36,33 @@ TEST(PngEncoder, pictures_come_back_equal) {
     EXPECT_EQ(back.size, size);
     EXPECT_EQ(back.rgb, picture.rgb);
   }
+}
+
+// What libpng's own writer makes of it at its default level, 6.
+std::string default_png(const Picture& picture) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(picture.size.width);
+  image.height = static_cast<png_uint_32>(picture.size.height);
+  image.format = PNG_FORMAT_RGB;
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
+  png_alloc_size_t size = bytes.size();
+  EXPECT_NE(
+      png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.rgb.data(), 0, nullptr), 0);
+  bytes.resize(size);
+  return bytes;
+}
+
+TEST(PngEncoder, rendered_frames_take_at_most_a_tenth_more_than_with_libpngs_default) {
+  write_sample_recording(temporary_file("png.rbn"), 1);
+  auto reader = RecordingReader::open(temporary_file("png.rbn")).value();
+  const PictureSize size{640, 360};
+  const Camera camera = CameraWork(reader, {{three_quarter_view, size}}).camera(0, {});
+  SequenceRenderer renderer(reader, RenderSettings{});
+  ASSERT_TRUE(renderer.show(0));
+  const Picture picture = renderer.picture(camera, size);
+  EXPECT_LT(static_cast<double>(png_bytes(picture).size()),
+            1.1 * static_cast<double>(default_png(picture).size()));
 }
 
 TEST(PngEncoder, files_say_that_they_are_srgb) {
