@@ -7,6 +7,7 @@
 #include "commandline/interrupt.h"
 #include "commandline/progress.h"
 #include "commandline/tool.h"
+#include "parallel/instruction_set.h"
 #include "parallel/parallel.h"
 #include "player/bench.h"
 #include "player/follow_recording.h"
@@ -22,26 +23,25 @@ namespace ribbon {
 
 namespace {
 
-// One line when all is done; JSON stays alone on standard output.
+// One line when all is done; JSON and raw frames stay alone on standard output.
 void tell(const Options& options, const std::string& summary) {
-  if (!options.quiet && !options.json) std::printf("%s\n", summary.c_str());
+  if (!options.quiet && !options.json)
+    std::fprintf(options.pictures == "-" ? stderr : stdout, "%s\n", summary.c_str());
 }
 
-// Leaves out what is lost and tells the user about it.
-std::vector<int> readable_frames(const RecordingInfo& info, const std::vector<int>& frames) {
-  std::vector<int> readable;
+// Those of the recording that are lost, as indices from 0; tells the user about those that were
+// asked for.
+std::vector<int> lost_frames(const RecordingInfo& info, const std::vector<int>& asked) {
   std::vector<int> lost;
-  for (const int index : frames) {
-    if (std::binary_search(info.missing.begin(), info.missing.end(), index + 1))
-      lost.push_back(index + 1);
-    else
-      readable.push_back(index);
+  std::vector<int> told;
+  for (const int number : info.missing) {
+    lost.push_back(number - 1);
+    if (std::find(asked.begin(), asked.end(), number - 1) != asked.end()) told.push_back(number);
   }
-  std::sort(lost.begin(), lost.end());
-  if (!lost.empty())
+  if (!told.empty())
     std::fprintf(stderr, "ribbon-play: %s: lost to damage and not rendered: frames %s\n",
-                 info.file.c_str(), number_list(lost).c_str());
-  return readable;
+                 info.file.c_str(), number_list(told).c_str());
+  return lost;
 }
 
 ExitCode intact(const RecordingInfo& info) {
@@ -59,12 +59,13 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
     tell(options, *done);
   }
   if (options.pictures.empty() && options.sheet.empty()) return intact(info);
-  const std::vector<int> readable = readable_frames(info, *frames);
+  const std::vector<int> lost = lost_frames(info, *frames);
+  const std::vector<int> readable = readable_frames(*frames, lost);
   const ExitCode answer =
       readable.size() == frames->size() ? ExitCode::done : ExitCode::answer_is_no;
   if (readable.empty()) return answer;
   if (!options.pictures.empty()) {
-    const auto done = write_pictures(reader, readable, options);
+    const auto done = write_pictures(reader, *frames, lost, options);
     if (!done) return tl::unexpected(done.error());
     tell(options, *done);
   }
@@ -89,7 +90,7 @@ Result<std::vector<int>> frames_to_verify(const RecordingReader& reader, const O
 Result<ExitCode> verify(RecordingReader& reader, const Options& options) {
   const auto frames = frames_to_verify(reader, options);
   if (!frames) return tl::unexpected(frames.error());
-  ProgressLine progress("frame", frames->back() - frames->front() + 1, options.quiet);
+  ProgressLine progress("frame", frames->back() - frames->front() + 1, options.progress);
   const Interrupt interrupt;
   const auto verification = verify_recording(reader, *frames, options.certify_every, [&](int done) {
     progress.update(done);
@@ -112,8 +113,21 @@ Result<ExitCode> print_bench(RecordingReader& reader, const Options& options) {
   return ExitCode::done;
 }
 
+Result<void> pin_instruction_set(const std::string& isa) {
+  if (isa.empty()) return {};
+  const InstructionSet set = isa == "avx512" ? InstructionSet::avx512
+                             : isa == "avx2" ? InstructionSet::avx2
+                                             : InstructionSet::baseline;
+  if (!is_available(set))
+    return failure("--isa " + isa, "is not what this processor has", "pin one that all have");
+  choose_instruction_set(set);
+  return {};
+}
+
 Result<ExitCode> play(const Options& options) {
   set_thread_limit(options.threads);
+  if (auto pinned = pin_instruction_set(options.isa); !pinned)
+    return tl::unexpected(pinned.error());
   auto reader = RecordingReader::open(options.recording);
   if (!reader) return tl::unexpected(reader.error());
   if (options.pictures.empty() && options.sheet.empty() && options.plot.empty() && !options.info &&

@@ -21,6 +21,10 @@ constexpr const char* examples = R"(Examples:
       renders the last frame, large and smooth
   ribbon-play knot.rbn -o '{view}/{frame:04}.png' --view front --view knot
       the same frames from two cameras, the second framed on the knot and following it
+  ribbon-play knot.rbn -o knot.mp4 --fps 30
+      a video, by ffmpeg; also .webm and .gif
+  ribbon-play knot.rbn -o 'frames/{frame:04}.png' --resume --shard 2/8 --isa avx2
+      the second of eight machines; run again, it renders what is missing
   ribbon-play knot.rbn --sheet sheet.png --frames 1:-1:50
       puts frames on one sheet, seen from two sides, with their numbers
   ribbon-play knot.rbn -o last.png --frames -1 --color-by strain --overlay wireframe,time
@@ -62,6 +66,9 @@ struct Texts {
   std::string quality = "standard";
   int samples = 0;   // 0: as the quality says
   double noise = 0;  // likewise
+  std::string progress = "line";
+  std::string shard;
+  double frames_per_second = 0;  // 0: as recorded
   double thickness_mm = 0;
   std::filesystem::path texture;
   std::filesystem::path texture_back;
@@ -162,13 +169,45 @@ Result<void> check_plot(const std::filesystem::path& file) {
                  "let the name end in one of them");
 }
 
+void add_order_options(Arguments& arguments, Options& options, Texts& texts, Argument pictures,
+                       Argument follow) {
+  arguments.flag("--reverse", options.order.reverse, "play backwards")
+      .needs(pictures)
+      .excludes(follow);
+  arguments.flag("--ping-pong", options.order.ping_pong, "play there and back, to be repeated")
+      .needs(pictures)
+      .excludes(follow);
+  arguments
+      .add("--fps", texts.frames_per_second, {1e-3, 1e4}, "RATE",
+           "so many pictures a second, each of the nearest recorded frame; also of a video "
+           "(default: as recorded)")
+      .needs(pictures)
+      .excludes(follow);
+}
+
+void add_job_options(Arguments& arguments, Options& options, Texts& texts, Argument follow) {
+  arguments.flag("--force", options.force, "replace files that are there");
+  arguments
+      .flag("--resume", options.resume, "keep pictures that are complete and were made of the same")
+      .excludes(follow);
+  arguments.add("--shard", texts.shard, "I/N", "part I of N of the pictures, for N machines")
+      .excludes(follow);
+  arguments
+      .add("--isa", options.isa, "SET",
+           "vector instructions of the ray tracer, sse2, avx2 or avx512: pixels depend on them "
+           "(default: the best)")
+      .one_of({"sse2", "avx2", "avx512"});
+}
+
 void add_options(Arguments& arguments, Options& options, Texts& texts) {
   arguments.add("RECORDING", options.recording, "FILE", "the recording (.rbn)").required();
   const auto pictures = arguments.add(
       "-o,--output", options.pictures, "PATTERN",
-      "PNG files to write, with {frame} or {frame:04} for the number; one frame needs none");
-  const auto frames = arguments.add("--frames", options.frames, "A:B:STEP",
-                                    "frames A to B, every STEP-th; -1 is the last (default: all)");
+      "what to write: .png or .exr files, with {frame} or {frame:04} for the number (one frame "
+      "needs none); a .mp4, .webm or .gif; or '-', raw frames on standard output");
+  const auto frames = arguments.add(
+      "--frames", options.frames, "1,5,A:B:STEP",
+      "frames by number and from A to B, every STEP-th; -1 is the last (default: all)");
   arguments.add("--size", texts.size, "WxH", "size of the pictures in pixels").with_default_shown();
   const auto sheet = arguments.add("--sheet", options.sheet, "FILE",
                                    "contact sheet to write: several frames, two cameras, captions");
@@ -211,7 +250,10 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
       .excludes(follow);
   arguments.add("--threads", options.threads, {1, 1024}, "N",
                 "use at most this many threads (default: all cores)");
+  arguments.add_progress(texts.progress);
   arguments.flag("--quiet", options.quiet, "no progress and no summary");
+  add_order_options(arguments, options, texts, pictures, follow);
+  add_job_options(arguments, options, texts, follow);
 }
 
 }  // namespace
@@ -237,6 +279,17 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   auto views = parse_views(texts.views);
   if (!views) return tl::unexpected(views.error());
   options.views = std::move(*views);
+  if (!texts.shard.empty()) {
+    const auto shard = parse_shard(texts.shard);
+    if (!shard) return tl::unexpected(shard.error());
+    options.shard = *shard;
+    if (options.isa.empty() && shard->parts > 1)
+      return failure("--shard " + texts.shard, "leaves open which pixels the machines make",
+                     "add --isa avx2, or --isa sse2 where one of them has no AVX2");
+  }
+  if (texts.frames_per_second > 0) options.order.frames_per_second = texts.frames_per_second;
+  options.progress = progress_style(texts.progress, options.quiet);
+  options.given = arguments.given();
   const auto appearance = parse_appearance(texts.appearance, options.follow);
   if (!appearance) return tl::unexpected(appearance.error());
   options.appearance = *appearance;

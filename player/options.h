@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "commandline/arguments.h"
+#include "commandline/progress.h"
 #include "player/appearance.h"
+#include "player/output/play_order.h"
 #include "player/picture/picture.h"
 #include "player/render/render.h"
 #include "player/view/view.h"
@@ -34,6 +37,13 @@ struct Options {
   int certify_every = 10;  // frames between certificates of the knot
   bool json = false;
   bool quiet = false;
+  PlayOrder order;
+  Shard shard;
+  bool resume = false;  // keep pictures that are complete
+  bool force = false;   // replace files
+  std::string isa;      // vector instructions of the ray tracer; empty: the best there are
+  std::vector<GivenArgument> given;  // all that was given, as it was written
+  ProgressStyle progress = ProgressStyle::line;
 };
 
 // Nothing when --help or --version was asked for: that has been printed to standard output. Fails

@@ -36,18 +36,14 @@ Result<std::vector<Shot>> shots_of(const Options& options) {
   return shots;
 }
 
-Result<std::vector<FramePattern>> patterns_of(const Options& options, int frame_count) {
+Result<std::vector<std::string>> output_names(const Options& options) {
   const auto views = views_of(options);
   if (views.size() > 1 && options.pictures.find(place_of_view) == std::string::npos)
     return failure("", "several views would write the same files",
                    "put {view} into the name, as in '{view}/{frame:04}.png'");
-  std::vector<FramePattern> patterns;
-  for (const NamedView& view : views) {
-    auto pattern = FramePattern::parse(with_view(options.pictures, view.name), frame_count);
-    if (!pattern) return tl::unexpected(pattern.error());
-    patterns.push_back(std::move(*pattern));
-  }
-  return patterns;
+  std::vector<std::string> names;
+  for (const NamedView& view : views) names.push_back(with_view(options.pictures, view.name));
+  return names;
 }
 
 }  // namespace ribbon

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "commandline/frame_pattern.h"
 #include "player/options.h"
 #include "player/view/camera_work.h"
 #include "result/result.h"
@@ -15,8 +14,8 @@ namespace ribbon {
 // be read.
 Result<std::vector<Shot>> shots_of(const Options& options);
 
-// One for each shot: options.pictures with the view's name where {view} stands. For so many frames.
-// Fails as FramePattern does, and when several views would write the same files.
-Result<std::vector<FramePattern>> patterns_of(const Options& options, int frame_count);
+// One for each shot: options.pictures with the view's name where {view} stands. Fails when several
+// views would write the same files.
+Result<std::vector<std::string>> output_names(const Options& options);
 
 }  // namespace ribbon

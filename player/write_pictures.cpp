@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "commandline/interrupt.h"
-#include "commandline/progress.h"
-#include "player/picture/png_encoder.h"
+#include "player/film_renderer.h"
+#include "player/made_of.h"
 #include "player/shots.h"
 #include "text/number_text.h"
 
@@ -13,56 +13,103 @@ namespace ribbon {
 
 namespace {
 
-constexpr int any_number = 2;  // of frames: all but a single one need a place for it
+OutputRequest request_of(const RecordingReader& reader, const Options& options, std::string name) {
+  return {.name = std::move(name),
+          .size = options.size,
+          .frames_per_second =
+              options.order.frames_per_second.value_or(reader.header().frames_per_second),
+          .made_of = {},
+          .shard = options.shard,
+          .resumes = options.resume,
+          .replaces = options.force};
+}
+
+// What is to be done for each shot.
+Result<std::vector<Output>> open_outputs(const RecordingReader& reader, const Options& options,
+                                         const std::vector<PlayedFrame>& film) {
+  const auto names = output_names(options);
+  if (!names) return tl::unexpected(names.error());
+  std::vector<Output> outputs;
+  for (std::size_t shot = 0; shot < names->size(); ++shot) {
+    OutputRequest request = request_of(reader, options, (*names)[shot]);
+    auto made = made_of(reader, options, shot);
+    if (!made) return tl::unexpected(made.error());
+    request.made_of = *std::move(made);
+    auto output = open_output(request, film);
+    if (!output) return tl::unexpected(output.error());
+    outputs.push_back(*std::move(output));
+  }
+  return outputs;
+}
+
+// A stream keeps its time where frames are lost; files of the others keep their numbers.
+Result<std::vector<PlayedFrame>> film_of(const RecordingReader& reader,
+                                         const std::vector<int>& frames,
+                                         const std::vector<int>& lost, const Options& options) {
+  const auto format = picture_format(options.pictures);
+  if (!format) return tl::unexpected(format.error());
+  auto film = played_frames(frames, reader.header().frames_per_second, options.order);
+  if (!film) return film;
+  return is_one_file_each(*format) ? without(*std::move(film), lost)
+                                   : held_over(*std::move(film), lost);
+}
+
+Result<void> finish(std::vector<Output>& outputs) {
+  for (Output& output : outputs)
+    if (auto finished = output.sink->finish(); !finished) return finished;
+  return {};
+}
+
+std::string pictures_text(std::size_t count) {
+  return filled_in("{} {}", count, count == 1 ? "picture" : "pictures");
+}
+
+std::string summary(int done, double elapsed_s, const std::vector<Output>& outputs) {
+  std::size_t complete = 0;
+  for (const Output& output : outputs) complete += output.complete;
+  const std::string kept = complete == 0 ? "" : filled_in(", {} were complete", complete);
+  if (done == 0) return pictures_text(0) + kept;
+  return pictures_text(done) + kept +
+         filled_in(", {:.2f} s each, last: {}", elapsed_s / done, outputs.back().last);
+}
 
 }  // namespace
 
 Result<std::string> write_pictures(RecordingReader& reader, const std::vector<int>& frames,
-                                   const Options& options) {
-  const auto patterns = patterns_of(options, static_cast<int>(frames.size()));
-  if (!patterns) return tl::unexpected(patterns.error());
+                                   const std::vector<int>& lost, const Options& options) {
+  const auto film = film_of(reader, frames, lost, options);
+  if (!film) return tl::unexpected(film.error());
   const auto shots = shots_of(options);
   if (!shots) return tl::unexpected(shots.error());
-  const CameraWork cameras(reader, *shots);
-  SequenceRenderer renderer(reader, options.render);
-  renderer.set_lowest(cameras.lowest_m());
-  if (auto colored = color_as_asked(options.appearance, reader, frames, renderer); !colored)
-    return tl::unexpected(colored.error());
-  const Annotations annotations(reader, options.appearance.overlays, renderer.legend());
-  const auto pictures = static_cast<int>(frames.size() * shots->size());
-  ProgressLine progress("picture", pictures, options.quiet);
+  auto outputs = open_outputs(reader, options, *film);
+  if (!outputs) return tl::unexpected(outputs.error());
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
-  int done = 0;
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    const int index = frames[f];
+  FilmRenderer renderer(reader, options, *shots, *outputs);
+  if (auto prepared = renderer.prepare(readable_frames(frames, lost)); !prepared)
+    return tl::unexpected(prepared.error());
+  for (const PlayedFrame& frame : *film) {
     if (interrupt.requested())
-      return failure("", filled_in("interrupted before frame {}", index + 1),
-                     "run it again with --frames to go on");
-    if (auto shown = renderer.show(index); !shown) return tl::unexpected(shown.error());
-    const Moment moment{index, static_cast<double>(f) / static_cast<double>(frames.size())};
-    for (std::size_t shot = 0; shot < shots->size(); ++shot) {
-      const Camera camera = cameras.camera(shot, moment);
-      Picture picture = renderer.picture(camera, options.size);
-      annotations.draw(index, renderer.scene(), camera, picture);
-      if (auto written = write_png((*patterns)[shot].file(index + 1), picture); !written)
-        return tl::unexpected(written.error());
-      progress.update(++done);
-    }
+      return passing_failure("", filled_in("interrupted before frame {}", frame.index + 1),
+                             "run it again, with --resume where pictures are files");
+    if (auto done = renderer.render(frame); !done) return tl::unexpected(done.error());
   }
-  progress.clear();
+  if (auto finished = finish(*outputs); !finished) return tl::unexpected(finished.error());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return filled_in("{} {}, {:.2f} s each, last: {}", done, done == 1 ? "picture" : "pictures",
-                   elapsed.count() / done, patterns->back().file(frames.back() + 1).string());
+  return summary(renderer.done(), elapsed.count(), *outputs);
 }
 
 LivePictures::LivePictures(RecordingReader& reader, const Options& options)
     : reader_(reader), options_(options), renderer_(reader, options.render) {}
 
 Result<void> LivePictures::begin() {
-  auto patterns = patterns_of(options_, any_number);
-  if (!patterns) return tl::unexpected(patterns.error());
-  patterns_ = std::move(*patterns);
+  const auto names = output_names(options_);
+  if (!names) return tl::unexpected(names.error());
+  for (const std::string& name : *names) {
+    auto output = open_live_output(request_of(reader_, options_, name));
+    if (!output) return tl::unexpected(output.error());
+    outputs_.push_back(*std::move(output));
+  }
   auto shots = shots_of(options_);
   if (!shots) return tl::unexpected(shots.error());
   shots_ = std::move(*shots);
@@ -80,12 +127,17 @@ Result<void> LivePictures::show(int index) {
   if (auto shown = renderer_.show(index); !shown) return shown;
   for (std::size_t shot = 0; shot < shots_.size(); ++shot) {
     const Camera camera = cameras_->camera(shot, {index, 0});
-    Picture picture = renderer_.picture(camera, options_.size);
-    annotations_->draw(index, renderer_.scene(), camera, picture);
-    if (auto written = write_png(patterns_[shot].file(index + 1), picture); !written)
-      return written;
+    const PlayedFrame frame{.index = index, .number = index + 1};
+    if (auto taken = outputs_[shot].sink->put(rendered(
+            renderer_, *annotations_, camera, options_.size, outputs_[shot].format, frame));
+        !taken)
+      return taken;
   }
   return {};
+}
+
+Result<void> LivePictures::finish() {
+  return ribbon::finish(outputs_);
 }
 
 }  // namespace ribbon

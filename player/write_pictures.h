@@ -1,25 +1,26 @@
-// Frames of a recording become picture files.
+// Frames of a recording become pictures, and these files, a video or a stream.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "commandline/frame_pattern.h"
 #include "playback/recording_reader.h"
 #include "player/annotations.h"
 #include "player/options.h"
+#include "player/output/open_output.h"
 #include "player/render/sequence_renderer.h"
 #include "player/view/camera_work.h"
 #include "result/result.h"
 
 namespace ribbon {
 
-// Renders `frames` (indices from 0, all readable) in their order. Returns one line
-// about it. Fails when a file cannot be written or the user interrupts; what is written is
-// complete.
+// Renders `frames` (indices from 0; lost: those of the recording, ascending, that cannot be read)
+// in the order of options.order. Each is encoded and written while the next one is rendered.
+// Returns one line about it. Fails when something cannot be written or the user interrupts; files
+// that are there are complete.
 Result<std::string> write_pictures(RecordingReader& reader, const std::vector<int>& frames,
-                                   const Options& options);
+                                   const std::vector<int>& lost, const Options& options);
 
 // Renders frames as they come; cameras stand where the frames of the first look put them.
 class LivePictures {
@@ -29,14 +30,16 @@ class LivePictures {
 
   // Comes before all else. Fails when names, cameras or colours make no sense.
   Result<void> begin();
-  // Renders and writes frame `index`.
+  // Renders frame `index` and has it written.
   Result<void> show(int index);
+  // After the last one.
+  Result<void> finish();
 
  private:
   RecordingReader& reader_;
   const Options& options_;
-  std::vector<FramePattern> patterns_;  // of each shot
   std::vector<Shot> shots_;
+  std::vector<Output> outputs_;  // of each shot
   SequenceRenderer renderer_;
   std::optional<Annotations> annotations_;  // from begin() on
   std::optional<CameraWork> cameras_;       // once there is a frame

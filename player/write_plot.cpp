@@ -4,6 +4,7 @@
 
 #include "files/files.h"
 #include "player/chart/chart_page.h"
+#include "player/output/existing_file.h"
 #include "player/picture/png_encoder.h"
 #include "text/number_text.h"
 
@@ -27,6 +28,8 @@ std::string subtitle(const RecordingInfo& info, std::size_t frames, std::size_t 
 
 Result<std::string> write_plot(const RecordingInfo& info, std::vector<int> frames,
                                const Options& options) {
+  if (auto free = check_place(options.plot, options.force); !free)
+    return tl::unexpected(free.error());
   std::sort(frames.begin(), frames.end());
   std::vector<std::optional<FrameNumbers>> numbers;
   for (const int index : frames) numbers.push_back(info.numbers[index]);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "player/annotations.h"
+#include "player/output/existing_file.h"
 #include "player/picture/contact_sheet.h"
 #include "player/picture/png_encoder.h"
 #include "player/render/sequence_renderer.h"
@@ -21,6 +22,8 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
                                 const std::vector<int>& frames, const Options& options) {
   const std::vector<Shot> shots{{three_quarter_view, sheet_cell}, {knot_view, sheet_cell}};
   const CameraWork cameras(reader, shots);
+  if (auto free = check_place(options.sheet, options.force); !free)
+    return tl::unexpected(free.error());
   SequenceRenderer renderer(reader, options.render);
   renderer.set_lowest(cameras.lowest_m());
   if (auto colored = color_as_asked(options.appearance, reader, frames, renderer); !colored)

@@ -15,7 +15,7 @@ InstructionSet best_instruction_set();
 // The one to use: the best, or the one chosen last.
 InstructionSet instruction_set();
 
-// For tests and measurements, while no loop runs. It must be available.
+// While no loop runs. It must be available.
 void choose_instruction_set(InstructionSet set);
 
 }  // namespace ribbon

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "parallel/instruction_set.h"
 #include "parallel/parallel.h"
 #include "player/render/thread_timer.h"
 
@@ -31,6 +32,19 @@ struct SceneRelease {
 };
 using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
 using Scene = std::unique_ptr<RTCSceneTy, SceneRelease>;
+
+// Told, as different ones round differently: SSE and AVX alike, AVX2 and AVX-512 each on its own.
+const char* configuration() {
+  switch (instruction_set()) {
+    case InstructionSet::avx512:
+      return "isa=avx512";
+    case InstructionSet::avx2:
+      return "isa=avx2";
+    case InstructionSet::baseline:
+      break;
+  }
+  return "isa=sse2";
+}
 
 // Only a lack of memory is left to go wrong once the arguments are right.
 void check(RTCDevice device) {
@@ -67,10 +81,13 @@ void* attach(const Surface& surface, RTCDevice device, RTCScene scene) {
   return vertices;
 }
 
-// Lanes without a ray keep whatever they hold: `valid` switches them off.
+// Lanes without a ray are switched off by `valid`, and repeat another one: where packets of 16 are
+// not native, Embree looks at what it does not trace, and gives up where that is no ray.
 void fill(const RayBatch& rays, std::size_t begin, RTCRay16& packet, Valid& valid) {
-  const auto copy = [begin](const Lanes<float>& lanes, float* to) {
-    std::copy_n(lanes.begin() + static_cast<std::ptrdiff_t>(begin), packet_size, to);
+  const std::size_t used = std::min(packet_size, rays.count - begin);
+  const auto copy = [begin, used](const Lanes<float>& lanes, float* to) {
+    std::copy_n(lanes.begin() + static_cast<std::ptrdiff_t>(begin), used, to);
+    std::fill_n(to + used, packet_size - used, lanes[begin]);
   };
   for (std::size_t i = 0; i < packet_size; ++i) valid[i] = begin + i < rays.count ? -1 : 0;
   copy(rays.origin.x, packet.org_x);
@@ -149,7 +166,7 @@ class PlainPackets {
 // Two scenes that are traced one after the other: the obstacle's is never touched again, and of the
 // ribbon's nothing needs to be translated into another scene's coordinates.
 struct RayScene::State {
-  Device device{rtcNewDevice(nullptr)};
+  Device device{rtcNewDevice(configuration())};
   Scene obstacle;
   Scene ribbon;
   void* ribbon_vertices = nullptr;
@@ -239,6 +256,17 @@ double RayScene::plain_seconds(const RayLog& log) const {
     seconds += own;
   });
   return seconds;
+}
+
+std::string ray_tracer_name() {
+  const Device device{rtcNewDevice(configuration())};
+  const auto version = [&](RTCDeviceProperty part) {
+    return std::to_string(rtcGetDeviceProperty(device.get(), part));
+  };
+  return "Embree " + version(RTC_DEVICE_PROPERTY_VERSION_MAJOR) + "." +
+         version(RTC_DEVICE_PROPERTY_VERSION_MINOR) + "." +
+         version(RTC_DEVICE_PROPERTY_VERSION_PATCH) + " with " +
+         std::string(configuration()).substr(4);
 }
 
 FlushDenormals::FlushDenormals() : before_(_mm_getcsr()) {

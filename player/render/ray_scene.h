@@ -11,6 +11,10 @@
 
 namespace ribbon {
 
+// What the results of rays depend on, to the last bit: the library, its version and the vector
+// instructions that it is told to use ("Embree 3.13.5 with avx2"): those of instruction_set().
+std::string ray_tracer_name();
+
 // Rays that start near each other in similar directions are traced faster when this is said.
 enum class Coherence { similar, mixed };
 

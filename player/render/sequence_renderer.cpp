@@ -35,8 +35,12 @@ Result<void> SequenceRenderer::show(int index) {
   return {};
 }
 
+LightPicture SequenceRenderer::light(const Camera& camera, PictureSize size) {
+  return renderer_.render(scene_, camera, size).light;
+}
+
 Picture SequenceRenderer::picture(const Camera& camera, PictureSize size) {
-  return encode_srgb(renderer_.render(scene_, camera, size).light);
+  return encode_srgb(light(camera, size));
 }
 
 std::optional<Legend> SequenceRenderer::legend() const {

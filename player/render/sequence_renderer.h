@@ -29,7 +29,8 @@ class SequenceRenderer {
 
   // Loads frame `index`. Fails when it cannot be read.
   Result<void> show(int index);
-  // The frame that was shown last.
+  // The frame that was shown last: as linear light, and as it is shown on a screen.
+  LightPicture light(const Camera& camera, PictureSize size);
   Picture picture(const Camera& camera, PictureSize size);
 
   [[nodiscard]] const RenderScene& scene() const { return scene_; }

@@ -1,0 +1,54 @@
+// Renders what the outputs of several cameras want.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "commandline/progress.h"
+#include "player/annotations.h"
+#include "player/options.h"
+#include "player/output/open_output.h"
+#include "player/render/sequence_renderer.h"
+#include "player/view/camera_work.h"
+#include "result/result.h"
+
+namespace ribbon {
+
+// The frame that `renderer` shows, as this format stores it: linear light has nothing drawn over
+// it.
+OutputPicture rendered(SequenceRenderer& renderer, const Annotations& annotations,
+                       const Camera& camera, PictureSize size, PictureFormat format,
+                       const PlayedFrame& frame);
+
+class FilmRenderer {
+ public:
+  // Keeps references to all but the shots, of which each has its output.
+  FilmRenderer(RecordingReader& reader, const Options& options, std::vector<Shot> shots,
+               std::vector<Output>& outputs);
+
+  // Comes before all else. asked: the frames that the user asked for, by which colours are chosen;
+  // whichever of them this machine renders. Fails when one cannot be read.
+  Result<void> prepare(const std::vector<int>& asked);
+
+  // Hands the pictures of this frame to those outputs that want them. Frames come in the order of
+  // the film. Fails when the frame cannot be read, or a picture before could not be written.
+  Result<void> render(const PlayedFrame& frame);
+
+  // How many pictures have been rendered.
+  [[nodiscard]] int done() const { return done_; }
+
+ private:
+  bool is_wanted(std::size_t shot, const PlayedFrame& frame);
+
+  RecordingReader& reader_;
+  const Options& options_;
+  std::vector<Output>& outputs_;
+  CameraWork cameras_;
+  SequenceRenderer renderer_;
+  std::optional<Annotations> annotations_;
+  std::vector<std::size_t> next_;  // of each output's frames
+  ProgressLine progress_;
+  int done_ = 0;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,82 @@
+#include "player/output/picture_files.h"
+
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "files/files.h"
+#include "files/pending_file.h"
+#include "player/output/existing_file.h"
+#include "player/picture/exr_encoder.h"
+#include "player/picture/png_encoder.h"
+
+namespace ribbon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string encoded(const OutputPicture& picture) {
+  if (const auto* light = std::get_if<LightPicture>(&picture.image)) return exr_bytes(*light);
+  return png_bytes(std::get<Picture>(picture.image));
+}
+
+// The manifest knows what may be replaced.
+Result<void> check_place_of(const fs::path& file, int number,
+                            const std::optional<Manifest>& manifest) {
+  return check_place(file, manifest && manifest->is_known(number));
+}
+
+// What a kill has left under temporary names.
+void remove_leftovers(const std::vector<PlayedFrame>& frames, const FramePattern& pattern) {
+  std::set<fs::path> pictures;
+  std::set<fs::path> folders;
+  for (const PlayedFrame& frame : frames) {
+    const fs::path picture = pattern.file(frame.number);
+    pictures.insert(picture);
+    folders.insert(picture.has_parent_path() ? picture.parent_path() : fs::path("."));
+  }
+  std::error_code code;
+  for (const fs::path& folder : folders)
+    for (const auto& entry : fs::directory_iterator(folder, code)) {
+      const std::string name = entry.path();
+      const std::size_t mark = name.rfind(temporary_mark);
+      if (mark != std::string::npos && pictures.contains(name.substr(0, mark)))
+        fs::remove(entry.path(), code);
+    }
+}
+
+}  // namespace
+
+PictureFiles::PictureFiles(FramePattern pattern, std::optional<Manifest> manifest, bool replaces)
+    : pattern_(std::move(pattern)), manifest_(std::move(manifest)), replaces_(replaces) {}
+
+Result<void> PictureFiles::put(OutputPicture picture) {
+  const fs::path file = pattern_.file(picture.number);
+  if (!replaces_)
+    if (auto free = check_place_of(file, picture.number, manifest_); !free) return free;
+  const std::string bytes = encoded(picture);
+  if (manifest_)
+    if (auto noted = manifest_->note(picture.number, picture.frame, bytes); !noted) return noted;
+  return write_file(file, bytes);
+}
+
+std::vector<PlayedFrame> still_to_render(std::vector<PlayedFrame> frames,
+                                         const FramePattern& pattern, const Manifest& manifest) {
+  remove_leftovers(frames, pattern);
+  std::erase_if(frames, [&](const PlayedFrame& frame) {
+    return manifest.is_complete(frame.number, frame.index + 1);
+  });
+  return frames;
+}
+
+Result<void> check_places(const std::vector<PlayedFrame>& frames, const FramePattern& pattern,
+                          const std::optional<Manifest>& manifest) {
+  for (const PlayedFrame& frame : frames)
+    if (auto free = check_place_of(pattern.file(frame.number), frame.number, manifest); !free)
+      return free;
+  return {};
+}
+
+}  // namespace ribbon

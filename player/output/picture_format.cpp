@@ -1,0 +1,28 @@
+#include "player/output/picture_format.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace ribbon {
+
+std::string lower_case_extension(const std::string& output) {
+  std::string extension = std::filesystem::path(output).extension();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  });
+  return extension;
+}
+
+Result<PictureFormat> picture_format(const std::string& output) {
+  if (output == "-") return PictureFormat::raw;
+  const std::string extension = lower_case_extension(output);
+  if (extension == ".png") return PictureFormat::png;
+  if (extension == ".exr") return PictureFormat::exr;
+  if (extension == ".mp4" || extension == ".webm" || extension == ".gif")
+    return PictureFormat::video;
+  return failure(output, extension.empty() ? "has no extension" : "is not written as " + extension,
+                 "choose .png or .exr (a file a picture), .mp4, .webm or .gif (by ffmpeg), or '-' "
+                 "for raw frames on standard output");
+}
+
+}  // namespace ribbon

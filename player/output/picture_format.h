@@ -1,0 +1,28 @@
+// What is written, told by the name of the output.
+#pragma once
+
+#include <string>
+
+#include "result/result.h"
+
+namespace ribbon {
+
+enum class PictureFormat {
+  png,
+  exr,
+  video,  // .mp4, .webm or .gif
+  raw     // "-": to standard output
+};
+
+// By the extension, in upper or lower case. Fails for any other with what can be written instead.
+Result<PictureFormat> picture_format(const std::string& output);
+
+// Does each picture get a file of its own?
+constexpr bool is_one_file_each(PictureFormat format) {
+  return format == PictureFormat::png || format == PictureFormat::exr;
+}
+
+// ".mp4" of "Knot.MP4".
+std::string lower_case_extension(const std::string& output);
+
+}  // namespace ribbon

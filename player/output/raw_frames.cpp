@@ -1,0 +1,35 @@
+#include "player/output/raw_frames.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <string_view>
+
+namespace ribbon {
+
+Result<std::unique_ptr<PictureSink>> RawFrames::open() {
+  if (::isatty(STDOUT_FILENO) == 1)
+    return failure("standard output", "is a terminal, and raw frames are for programs",
+                   "pipe them into one, or name a file to write");
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes is an error with a sentence
+  return std::unique_ptr<PictureSink>(
+      new RawFrames(FileDescriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0))));
+}
+
+Result<void> RawFrames::put(OutputPicture picture) {
+  const auto& rgb = std::get<Picture>(picture.image).rgb;
+  if (write_all(output_, {reinterpret_cast<const char*>(rgb.data()), rgb.size()})) return {};
+  if (errno == EPIPE)
+    return failure("standard output", "was closed by the program that reads it",
+                   "look at what that says");
+  return cannot_be_written("standard output");
+}
+
+Result<void> RawFrames::finish() {
+  if (output_.close()) return {};
+  return cannot_be_written("standard output");
+}
+
+}  // namespace ribbon

@@ -1,0 +1,204 @@
+// Sequences that are interrupted, go on, and are shared by several machines.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <thread>
+
+#include "parallel/instruction_set.h"
+#include "player/ribbon_play.h"
+#include "recorder/process.h"
+
+namespace ribbon::long_job_test {
+
+namespace fs = std::filesystem;
+
+class LongJob : public RibbonPlay {
+ protected:
+  [[nodiscard]] ToolRun render_into(const std::string& below, const std::string& more = "") const {
+    return play_small("-o '" + below + "/{frame:02}.png' --resume " + more);
+  }
+
+  // All pictures of a folder by name.
+  [[nodiscard]] std::map<std::string, std::string> all(const std::string& below) const {
+    std::map<std::string, std::string> all;
+    for (const std::string& name : pictures(below)) all[name] = bytes(below + "/" + name);
+    return all;
+  }
+};
+
+TEST_F(LongJob, what_is_complete_is_not_rendered_again) {
+  EXPECT_THAT(output_of(render_into("a")), StartsWith("7 pictures, "));
+  const auto before = fs::last_write_time(folder_ / "a/05.png");
+  EXPECT_EQ(output_of(render_into("a")), "0 pictures, 7 were complete\n");
+  EXPECT_EQ(fs::last_write_time(folder_ / "a/05.png"), before);
+}
+
+TEST_F(LongJob, what_is_missing_or_not_as_it_was_is_rendered_again) {
+  ASSERT_EQ(render_into("a").exit_code, 0);
+  const auto before = all("a");
+  fs::remove(folder_ / "a/02.png");
+  ASSERT_TRUE(write_file(folder_ / "a/05.png", bytes("a/05.png").substr(0, 100)));
+  EXPECT_THAT(output_of(render_into("a")), StartsWith("2 pictures, 5 were complete, "));
+  EXPECT_TRUE(all("a") == before);
+}
+
+TEST_F(LongJob, goes_on_with_one_that_was_not_begun_with_resume) {
+  ASSERT_EQ(play_small("-o 'a/{frame:02}.png'").exit_code, 0);
+  EXPECT_EQ(output_of(render_into("a")), "0 pictures, 7 were complete\n");
+  expect_refusal(play_small("-o 'a/{frame:02}.png'"), "go on with a sequence by --resume");
+}
+
+TEST_F(LongJob, a_changed_setting_renders_all_anew_and_threads_are_none) {
+  ASSERT_EQ(render_into("a").exit_code, 0);
+  EXPECT_EQ(output_of(render_into("a", "--threads 1")), "0 pictures, 7 were complete\n");
+  EXPECT_THAT(output_of(run("knot.rbn --size 32x24 --samples 1 --resume -o 'a/{frame:02}.png'")),
+              StartsWith("7 pictures, "));
+  EXPECT_THAT(output_of(render_into("a", "--view top")), StartsWith("7 pictures, "));
+}
+
+TEST_F(LongJob, another_recording_renders_all_anew) {
+  ASSERT_EQ(render_into("a").exit_code, 0);
+  write_sample_recording(recording_, 8);
+  EXPECT_THAT(output_of(render_into("a")), StartsWith("8 pictures, "));
+}
+
+TEST_F(LongJob, another_order_is_told_by_the_frame_that_a_picture_shows) {
+  ASSERT_EQ(render_into("a").exit_code, 0);
+  EXPECT_THAT(output_of(render_into("a", "--reverse")), StartsWith("6 pictures, 1 were complete"));
+}
+
+TEST_F(LongJob, a_file_that_an_option_names_counts_by_what_is_in_it) {
+  const std::string path = "--camera-path keys.txt";
+  ASSERT_TRUE(write_file(folder_ / "keys.txt", "time,azimuth\n0,10\n1,20\n"));
+  ASSERT_EQ(render_into("a", path).exit_code, 0);
+  EXPECT_EQ(output_of(render_into("a", path)), "0 pictures, 7 were complete\n");
+  ASSERT_TRUE(write_file(folder_ / "keys.txt", "time,azimuth\n0,10\n1,80\n"));
+  EXPECT_THAT(output_of(render_into("a", path)), StartsWith("7 pictures, "));
+}
+
+TEST_F(LongJob, each_of_several_views_goes_on_by_itself) {
+  const std::string views = "-o '{view}/{frame:02}.png' --view front --view top --resume";
+  ASSERT_EQ(play_small(views).exit_code, 0);
+  fs::remove(folder_ / "top/03.png");
+  EXPECT_THAT(output_of(play_small(views)), StartsWith("1 picture, 13 were complete, "));
+}
+
+TEST_F(LongJob, shards_together_are_one_run_byte_for_byte) {
+  ASSERT_EQ(render_into("one", "--isa sse2 --threads 1").exit_code, 0);
+  for (const std::string shard : {"3/3", "1/3", "2/3"})
+    EXPECT_EQ(render_into("three", "--isa sse2 --shard " + shard).exit_code, 0);
+  EXPECT_TRUE(all("one") == all("three"));
+  EXPECT_EQ(output_of(render_into("three", "--isa sse2 --shard 2/2")),
+            "0 pictures, 3 were complete\n");
+  EXPECT_EQ(output_of(render_into("three", "--isa sse2")), "0 pictures, 7 were complete\n");
+}
+
+TEST_F(LongJob, a_turning_camera_turns_alike_in_all_shards) {
+  ASSERT_EQ(render_into("one", "--turns 1 --isa sse2").exit_code, 0);
+  for (const std::string shard : {"1/2", "2/2"})
+    ASSERT_EQ(render_into("two", "--turns 1 --isa sse2 --shard " + shard).exit_code, 0);
+  EXPECT_TRUE(all("one") == all("two"));
+  EXPECT_THAT(output_of(render_into("one", "--turns 1 --isa sse2 --frames 1:4")),
+              StartsWith("4 pictures, "));
+}
+
+TEST_F(LongJob, colours_are_those_of_all_frames_in_all_shards) {
+  ASSERT_EQ(render_into("one", "--color-by strain --isa sse2").exit_code, 0);
+  for (const std::string shard : {"1/2", "2/2"})
+    ASSERT_EQ(render_into("two", "--color-by strain --isa sse2 --shard " + shard).exit_code, 0);
+  EXPECT_TRUE(all("one") == all("two"));
+  EXPECT_THAT(output_of(render_into("one", "--color-by strain --isa sse2 --frames 1:4")),
+              StartsWith("4 pictures, "));
+}
+
+TEST_F(LongJob, shards_that_have_nothing_to_do_are_done) {
+  EXPECT_EQ(output_of(render_into("a", "--isa sse2 --shard 9/9")), "0 pictures\n");
+}
+
+TEST_F(LongJob, instruction_sets_do_not_mix) {
+  if (!is_available(InstructionSet::avx2)) GTEST_SKIP() << "this processor has no AVX2";
+  ASSERT_EQ(render_into("a", "--isa avx2").exit_code, 0);
+  EXPECT_EQ(output_of(render_into("a", "--isa avx2")), "0 pictures, 7 were complete\n");
+  EXPECT_THAT(bytes("a/manifest.png.txt"), HasSubstr(" with avx2; "));
+  EXPECT_THAT(output_of(render_into("a", "--isa sse2")), StartsWith("7 pictures, "));
+  expect_refusal(render_into("a", "--isa mmx"), "--isa");
+}
+
+TEST_F(LongJob, shards_say_which_instructions_so_that_two_kinds_of_machine_never_mix) {
+  expect_refusal(render_into("a", "--shard 1/2"), "add --isa avx2");
+  EXPECT_EQ(render_into("a", "--shard 1/1").exit_code, 0);
+}
+
+TEST_F(LongJob, kill_at_any_moment_then_a_rerun_gives_identical_files) {
+  write_sample_recording(recording_, 30);
+  ASSERT_EQ(render_into("whole").exit_code, 0);
+  std::mt19937 random(7);
+  std::size_t most_seen = 0;
+  for (int kill = 0; kill < 12; ++kill) {
+    const pid_t tool = spawned({RIBBON_PLAY, recording_, "--size", "64x48", "--samples", "1",
+                                "--resume", "--quiet", "-o", folder_ / "killed/{frame:02}.png"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 60));
+    ::kill(tool, SIGKILL);
+    (void)waited_for(tool);
+    if (!fs::exists(folder_ / "killed")) continue;
+    for (const auto& [name, content] : all("killed")) {
+      if (!name.ends_with(".png")) continue;
+      EXPECT_TRUE(content == bytes("whole/" + name)) << name;
+    }
+    most_seen = std::max(most_seen, all("killed").size());
+  }
+  ASSERT_EQ(render_into("killed").exit_code, 0);
+  EXPECT_TRUE(all("killed") == all("whole"));
+  EXPECT_GT(most_seen, 0U);
+}
+
+TEST_F(LongJob, an_interruption_asks_for_another_try) {
+  write_sample_recording(recording_, 200);
+  const pid_t tool = spawned({RIBBON_PLAY, recording_, "--size", "640x480", "--samples", "4",
+                              "--quiet", "-o", folder_ / "a/{frame:03}.png"});
+  while (!fs::exists(folder_ / "a/001.png"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ::kill(tool, SIGTERM);
+  EXPECT_EQ(waited_for(tool), 3);
+  EXPECT_LT(pictures("a").size(), 200U);
+  for (const std::string& name : pictures("a")) EXPECT_TRUE(name.ends_with(".png")) << name;
+}
+
+TEST_F(LongJob, a_full_disk_asks_for_another_try_and_the_next_one_goes_on) {
+  // In a namespace of our own, where everybody may mount.
+  const std::string full =
+      "unshare --user --map-root-user --mount sh -c 'mkdir -p disk copy && "
+      "mount -t tmpfs -o size=48k none disk && cd disk && \"" RIBBON_PLAY
+      "\" ../knot.rbn --size 64x48 --samples 1 --resume -o {frame}.png; code=$?; "
+      "cp *.png manifest* ../copy; exit $code'";
+  const auto shell = [&](const std::string& command) {
+    return waited_for(spawned({"/bin/sh", "-c", "cd '" + folder_.string() + "' && " + command}));
+  };
+  if (shell("unshare --user --map-root-user --mount true") != 0)
+    GTEST_SKIP() << "this machine lets nobody mount a small disk";
+  write_sample_recording(recording_, 30);
+  EXPECT_EQ(shell(full + " 2> errors.txt"), 3);
+  EXPECT_THAT(bytes("errors.txt"), HasSubstr("cannot be written (No space left on device)"));
+  const std::size_t complete = pictures("copy").size();
+  EXPECT_GT(complete, 0U);
+  EXPECT_LT(complete, 30U);
+  EXPECT_THAT(output_of(play_small("--resume -o 'copy/{frame}.png'")),
+              HasSubstr(std::to_string(complete) + " were complete"));
+}
+
+TEST_F(LongJob, a_limit_on_the_size_of_files_will_not_pass) {
+  const ToolRun limited = play_small("-o '{frame}.png'", "ulimit -f 1;");
+  EXPECT_EQ(limited.exit_code, 2);
+  EXPECT_THAT(limited.errors, HasSubstr("cannot be written (File too large)"));
+  for (const std::string& name : names(".")) EXPECT_THAT(name, Not(HasSubstr(".part")));
+}
+
+TEST_F(LongJob, damage_is_told_and_the_rest_is_rendered) {
+  damage();
+  EXPECT_EQ(render_into("a", "--isa sse2 --shard 1/2").exit_code, 1);
+  EXPECT_EQ(render_into("a", "--isa sse2 --shard 2/2").exit_code, 1);
+  EXPECT_FALSE(pictures("a").empty());
+}
+
+}  // namespace ribbon::long_job_test

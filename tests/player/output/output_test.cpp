@@ -1,0 +1,191 @@
+// What ribbon-play writes, as its users and other programs meet it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <numeric>
+
+#include "player/ribbon_play.h"
+#include "recorder/process.h"
+
+namespace ribbon::output_test {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t frame_bytes = std::size_t{64} * 48 * 3;
+
+class Output : public RibbonPlay {
+ protected:
+  // What a shell does in the folder; its exit code.
+  [[nodiscard]] int shell(const std::string& command) const {
+    return waited_for(spawned({"/bin/sh", "-c", "cd '" + folder_.string() + "' && " + command}));
+  }
+  [[nodiscard]] bool has_ffmpeg() const { return shell("ffmpeg -version > version.txt") == 0; }
+
+  // A program called ffmpeg that does this.
+  [[nodiscard]] std::string with_ffmpeg_that(const std::string& does) const {
+    fs::create_directory(folder_ / "bin");
+    EXPECT_TRUE(write_file(folder_ / "bin/ffmpeg", "#!/bin/sh\n" + does + "\n"));
+    fs::permissions(folder_ / "bin/ffmpeg", fs::perms::owner_all);
+    return "PATH=\"$PWD/bin:$PATH\"";
+  }
+
+  // The frames of a video as other programs see them.
+  [[nodiscard]] std::string decoded(const std::string& video) const {
+    EXPECT_EQ(
+        shell("ffmpeg -loglevel error -y -i " + video + " -f rawvideo -pix_fmt rgb24 decoded.rgb"),
+        0);
+    return bytes("decoded.rgb");
+  }
+};
+
+double mean_difference(const std::string& a, const std::string& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    sum += std::abs(static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i]));
+  return sum / static_cast<double>(a.size());
+}
+
+TEST_F(Output, raw_frames_are_alone_on_standard_output) {
+  const ToolRun raw = play_small("-o -");
+  EXPECT_EQ(raw.exit_code, 0);
+  EXPECT_EQ(raw.output.size(), 7 * frame_bytes);
+  EXPECT_THAT(raw.errors, HasSubstr("7 pictures"));
+  EXPECT_EQ(output_of(play_small("-o - --frames 3 --quiet")),
+            raw.output.substr(2 * frame_bytes, frame_bytes));
+}
+
+TEST_F(Output, raw_frames_come_in_any_order) {
+  const std::string all = output_of(play_small("-o - --quiet"));
+  const auto frames = [&](const std::vector<int>& numbers) {
+    std::string bytes;
+    for (const int number : numbers) bytes += all.substr((number - 1) * frame_bytes, frame_bytes);
+    return bytes;
+  };
+  EXPECT_TRUE(output_of(play_small("-o - --quiet --frames 1,5,3:4")) == frames({1, 5, 3, 4}));
+  EXPECT_TRUE(output_of(play_small("-o - --quiet --ping-pong --frames 5:7")) ==
+              frames({5, 6, 7, 6}));
+  EXPECT_TRUE(output_of(play_small("-o - --quiet --reverse --fps 25")) == frames({7, 5, 3, 1}));
+}
+
+TEST_F(Output, a_lost_frame_is_held_in_a_stream) {
+  damage();
+  const ToolRun raw = play_small("-o - --quiet");
+  EXPECT_EQ(raw.exit_code, 1);
+  EXPECT_EQ(raw.output.size(), 7 * frame_bytes);
+}
+
+TEST_F(Output, a_reader_that_goes_is_an_error_with_a_sentence) {
+  const std::string command = "('" RIBBON_PLAY
+                              "' knot.rbn --size 640x480 --samples 1 -o - 2> errors.txt; "
+                              "echo $? > code.txt) | head -c 10 > head.txt";
+  EXPECT_EQ(shell(command), 0);
+  EXPECT_EQ(bytes("code.txt"), "2\n");
+  EXPECT_THAT(bytes("errors.txt"), HasSubstr("was closed by the program that reads it"));
+}
+
+TEST_F(Output, a_full_disk_may_pass) {
+  EXPECT_EQ(shell("'" RIBBON_PLAY "' knot.rbn --samples 1 -o - > /dev/full 2> errors.txt"), 3);
+  EXPECT_THAT(bytes("errors.txt"), HasSubstr("standard output: cannot be written (No space left"));
+}
+
+TEST_F(Output, pictures_that_are_counted_anew_have_numbers_in_the_order_of_playing) {
+  ASSERT_EQ(play_small("-o 'a/{frame:01}.png'").exit_code, 0);
+  ASSERT_EQ(play_small("-o 'b/{frame:01}.png' --frames 2:4 --ping-pong").exit_code, 0);
+  EXPECT_THAT(pictures("b"), ElementsAre("1.png", "2.png", "3.png", "4.png"));
+  EXPECT_TRUE(bytes("b/1.png") == bytes("a/2.png"));
+  EXPECT_TRUE(bytes("b/4.png") == bytes("a/3.png"));
+}
+
+TEST_F(Output, a_video_shows_what_raw_frames_show) {
+  if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+  const std::string raw = output_of(play_small("-o - --quiet"));
+  for (const std::string video : {"knot.mp4", "knot.webm"}) {
+    EXPECT_EQ(output_of(play_small("--quiet -o " + video)), "");
+    EXPECT_LT(mean_difference(decoded(video), raw), 4) << video;
+  }
+  EXPECT_EQ(output_of(play_small("--quiet -o knot.gif --fps 25")), "");
+  EXPECT_EQ(decoded("knot.gif").size(), 4 * frame_bytes);
+  EXPECT_THAT(names("."), ElementsAre("decoded.rgb", "knot.gif", "knot.mp4", "knot.rbn",
+                                      "knot.webm", "version.txt"));
+}
+
+TEST_F(Output, a_video_is_the_same_bytes_each_time) {
+  if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+  ASSERT_EQ(play_small("-o one.mp4 --threads 1").exit_code, 0);
+  ASSERT_EQ(play_small("-o two.mp4 --threads 2").exit_code, 0);
+  EXPECT_TRUE(bytes("one.mp4") == bytes("two.mp4"));
+}
+
+TEST_F(Output, a_video_of_odd_size_is_padded) {
+  if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+  ASSERT_EQ(run("knot.rbn --samples 1 --size 63x47 -o odd.mp4").exit_code, 0);
+  EXPECT_EQ(decoded("odd.mp4").size(), 7 * frame_bytes);
+}
+
+TEST_F(Output, without_ffmpeg_there_is_no_video_and_a_sentence_says_so) {
+  expect_refusal(play_small("-o knot.mp4", "PATH=/nowhere"),
+                 "knot.mp4: needs ffmpeg, which is not installed; install it, or write pictures");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
+}
+
+TEST_F(Output, what_ffmpeg_complains_of_is_told_and_nothing_stays) {
+  const std::string failing = with_ffmpeg_that(
+      "head -c 100 > /dev/null; echo 'first' >&2; echo 'no such coder' >&2; exit 1");
+  expect_refusal(play_small("-o knot.mp4", failing), "knot.mp4: ffmpeg gave up (no such coder)");
+  fs::remove_all(folder_ / "bin");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
+}
+
+TEST_F(Output, a_disk_that_is_too_full_for_ffmpeg_may_pass) {
+  const std::string failing =
+      with_ffmpeg_that("cat > /dev/null; echo 'out: No space left on device' >&2; exit 1");
+  const ToolRun full = play_small("-o knot.mp4", failing);
+  EXPECT_EQ(full.exit_code, 3);
+  EXPECT_THAT(full.errors, EndsWith("; free some space\n"));
+}
+
+TEST_F(Output, what_cannot_be_is_refused_before_anything_is_written) {
+  expect_refusal(play_small("-o 'frames/{frame}.bmp'"), "is not written as .bmp; choose .png");
+  expect_refusal(play_small("-o 'frames/{frame}'"), "has no extension");
+  expect_refusal(play_small("-o 'knot{frame}.mp4'"), "holds all frames; leave {frame} out");
+  expect_refusal(play_small("-o knot.gif --fps 60"), "a GIF has at most 50; choose fewer by --fps");
+  expect_refusal(play_small("-o knot.mp4 --isa sse2 --shard 1/2"), "cannot be written in parts");
+  expect_refusal(play_small("-o - --resume"), "cannot be written in parts");
+  expect_refusal(play_small("-o 'frames/{frame}.png' --shard 3/2"), "--shard 3/2");
+  expect_refusal(play_small("-o 'frames/{frame}.png' --fps 0"), "--fps");
+  expect_refusal(run("knot.rbn --info --reverse"), "--output");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
+}
+
+TEST_F(Output, an_exr_holds_more_light_than_a_screen_shows) {
+  ASSERT_EQ(play_small("-o last.exr --frames -1").exit_code, 0);
+  EXPECT_THAT(bytes("last.exr"), StartsWith("\x76\x2f\x31\x01"));
+}
+
+TEST_F(Output, what_is_there_is_not_replaced_unless_asked) {
+  ASSERT_TRUE(write_file(folder_ / "last.png", "a photograph"));
+  ASSERT_TRUE(write_file(folder_ / "a/3.png", "a photograph"));
+  ASSERT_TRUE(write_file(folder_ / "knot.mp4", "a film"));
+  expect_refusal(play_small("-o last.png --frames -1"), "last.png: exists already");
+  expect_refusal(play_small("-o 'a/{frame:01}.png'"), "a/3.png: exists already");
+  expect_refusal(play_small("-o 'a/{frame:01}.png' --resume"), "a/3.png: exists already");
+  expect_refusal(play_small("-o knot.mp4"), "knot.mp4: exists already");
+  expect_refusal(play_small("--sheet last.png"), "last.png: exists already");
+  EXPECT_THAT(pictures("a"), ElementsAre("3.png"));
+  EXPECT_EQ(bytes("last.png") + bytes("a/3.png") + bytes("knot.mp4"),
+            "a photographa photographa film");
+  EXPECT_EQ(play_small("-o last.png --frames -1 --force").exit_code, 0);
+  EXPECT_EQ(play_small("-o 'a/{frame:01}.png' --force").exit_code, 0);
+  EXPECT_EQ(play_small("--sheet last.png --force").exit_code, 0);
+  EXPECT_THAT(bytes("a/3.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(Output, progress_is_told_to_programs) {
+  const ToolRun json = play_small("-o 'a/{frame}.png' --progress json");
+  EXPECT_EQ(json.exit_code, 0);
+  EXPECT_THAT(json.errors, StartsWith(R"({"unit":"picture","done":1,"total":7,"seconds":)"));
+  EXPECT_THAT(json.errors, HasSubstr(R"({"unit":"picture","done":7,"total":7,"seconds":)"));
+}
+
+}  // namespace ribbon::output_test
