@@ -7,14 +7,18 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(
   g++ cmake ninja-build pkg-config
   libassimp-dev libboost-dev libcli11-dev libdeflate-dev libeigen3-dev libembree-dev libexpected-dev
-  libfmt-dev libfreetype-dev libosmesa6-dev libpng-dev libpugixml-dev libsvgpp-dev libtbb-dev libtomlplusplus-dev
+  libfmt-dev libfreetype-dev libopenexr-dev libosmesa6-dev libpng-dev libpugixml-dev libsvgpp-dev
+  libtbb-dev libtomlplusplus-dev
   libzstd-dev nlohmann-json3-dev fonts-dejavu-core
 )
 test_packages=(
-  blender clang clang-format clang-tidy libcgal-dev libclang-14-dev libclang-rt-dev libdraco-dev
+  blender clang clang-format clang-tidy ffmpeg libcgal-dev libclang-14-dev libclang-rt-dev libdraco-dev
   libgmp-dev libgmock-dev libmeshoptimizer-dev libmpfr-dev libzfp-dev llvm-14-dev python3
   python3-numpy regina-normal-dev shellcheck
 )
+
+# For tests/run.sh --all alone.
+farm_packages=(slurm-wlm)
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]

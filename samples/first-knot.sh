@@ -16,8 +16,8 @@ tools=$root/build/release
 echo "== Recording"
 "$tools/recorder/ribbon-record" "$scene" --force -o "$out/knot.rbn"
 echo "== Drawing"
-"$tools/player/ribbon-play" "$out/knot.rbn" -o "$out/frames/{frame:04}.png" --frames "$every_tenth"
-"$tools/player/ribbon-play" "$out/knot.rbn" --sheet "$out/sheet.png"
+"$tools/player/ribbon-play" "$out/knot.rbn" -o "$out/frames/{frame:04}.png" --frames "$every_tenth" --force
+"$tools/player/ribbon-play" "$out/knot.rbn" --sheet "$out/sheet.png" --force
 echo "== Exporting"
 for format in obj fbx; do
   "$tools/converter/ribbon-convert" "$out/knot.rbn" --force -o "$out/$format/knot.{frame:04}.$format" \

@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# samples/farm on a real Slurm of one node, which is started and stopped here and lives in FOLDER:
+# tasks of an array that are killed are queued again, and the array ends with the pictures and recordings
+# of one machine, byte for byte. Needs no rights; exit code 77 where Slurm is not installed.
+#   slurm.sh BUILD FOLDER      BUILD: where the tools were built
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build=$(realpath "$1")
+rm -rf "$2" && mkdir -p "$2"
+here=$(realpath "$2")
+export PATH=$build/recorder:$build/player:/usr/sbin:$PATH
+export SLURM_CONF=$here/slurm.conf
+# Shorter names: a socket's has at most 107 characters.
+sockets=$(mktemp -d)
+processes=()
+
+stop() {
+  [[ ${#processes[@]} -eq 0 ]] || kill "${processes[@]}" 2>/dev/null || true
+  wait 2>/dev/null || true
+  rm -rf "$sockets"
+}
+trap stop EXIT
+
+fail() {
+  echo "FAILED: $*"
+  tail -n 5 "$here"/*.log
+  exit 1
+}
+
+for program in slurmctld slurmd munged sbatch; do
+  command -v "$program" >/dev/null || {
+    echo "SKIPPED: $program is not installed (slurm-wlm)"
+    exit 77
+  }
+done
+
+# free_port FIRST: the first one at which nobody listens.
+free_port() {
+  local port=$1
+  while (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null; do port=$((port + 1)); done
+  echo "$port"
+}
+
+# wait_until SECONDS COMMAND...
+wait_until() {
+  local end=$((SECONDS + $1))
+  until "${@:2}"; do
+    [[ $SECONDS -lt $end ]] || return 1
+    sleep 0.2
+  done
+}
+
+start_slurm() {
+  mkdir -p "$here"/{state,spool}
+  (umask 077 && head -c 1024 /dev/urandom >"$here/munge.key")
+  cat >"$here/slurm.conf" <<CONF
+ClusterName=test
+SlurmctldHost=localhost
+SlurmUser=$(id -un)
+SlurmdUser=$(id -un)
+AuthType=auth/munge
+CredType=cred/munge
+AuthInfo=socket=$sockets/munge,cred_expire=5
+SlurmctldPort=$(free_port 17817)
+SlurmdPort=$(free_port 18818)
+StateSaveLocation=$here/state
+SlurmdSpoolDir=$here/spool
+SlurmctldPidFile=$here/slurmctld.pid
+SlurmdPidFile=$here/slurmd.pid
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+MpiDefault=none
+SchedulerType=sched/backfill
+SelectType=select/cons_tres
+SchedulerParameters=sched_interval=2
+ReturnToService=2
+NodeName=localhost CPUs=2 State=UNKNOWN
+PartitionName=all Nodes=localhost Default=YES MaxTime=INFINITE State=UP
+CONF
+  munged --foreground --force --key-file="$here/munge.key" --socket="$sockets/munge" \
+    --pid-file="$here/munged.pid" --log-file="$here/munged.log" --seed-file="$here/munge.seed" &
+  processes+=($!)
+  wait_until 10 test -S "$sockets/munge" || fail "munged does not start"
+  slurmctld -D >"$here/slurmctld.log" 2>&1 &
+  processes+=($!)
+  slurmd -D -N localhost >"$here/slurmd.log" 2>&1 &
+  processes+=($!)
+  wait_until 60 node_is_idle || fail "the node does not come up"
+}
+
+node_is_idle() { [[ $(sinfo --noheader --format=%T 2>/dev/null) == idle ]]; }
+is_over() { [[ -z $(squeue --noheader --jobs="$1" 2>/dev/null) ]]; }
+# Of the command that tasks run, never of anybody else's.
+tool_of_task() { pgrep --full --newest "^$1 .*$here" | head -n 1; }
+runs() { [[ -n $(tool_of_task "$1") ]]; }
+
+# kill_one TOOL: a task's tool dies as if the machine had run out of memory.
+kill_one() {
+  wait_until 60 runs "$1" || fail "no task runs $1"
+  sleep 0.5
+  kill -KILL "$(tool_of_task "$1")" || fail "$1 was too fast to be killed"
+}
+
+same() {
+  diff --recursive --brief --exclude='*manifest.png*' "$1" "$2" || fail "$1 and $2 differ"
+}
+
+start_slurm
+cd "$here"
+
+echo "== Pictures of one recording, by four tasks"
+ribbon-record "$root/samples/overhand-cylinder-8x400.toml" -o knot.rbn --until 2 --quiet
+picture=(--isa avx2 --size 640x360)
+grep --quiet avx2 /proc/cpuinfo || picture=(--isa sse2 --size 640x360)
+ribbon-play knot.rbn -o 'one/{frame:04}.png' "${picture[@]}" --quiet
+job=$("$root/samples/farm/pictures.sh" 4 "$here/knot.rbn" "$here/array/{frame:04}.png" "${picture[@]}")
+kill_one ribbon-play
+wait_until 300 is_over "$job" || fail "the array does not end"
+grep --quiet "asks to be queued again" ribbon-"$job"_*.log || fail "nobody asked to be queued again"
+same one array
+[[ -z $(find array -name '*.part*') ]] || fail "something temporary is left"
+
+echo "== A sweep of recordings"
+cat >sweep.txt <<'SWEEP'
+# a comment, and an empty line
+
+slow fastening.speed=0.1 time.duration=3
+fast fastening.speed=0.5 time.duration=3
+SWEEP
+mkdir alone
+for line in "slow fastening.speed=0.1" "fast fastening.speed=0.5"; do
+  read -r name setting <<<"$line"
+  ribbon-record "$root/samples/overhand-cylinder-8x400.toml" --set "$setting" --set time.duration=3 \
+    -o "alone/$name.rbn" --quiet
+done
+job=$("$root/samples/farm/sweep.sh" "$root/samples/overhand-cylinder-8x400.toml" "$here/sweep.txt" \
+  "$here/sweep")
+wait_until 60 runs ribbon-record || fail "no task records"
+scancel --batch --signal=TERM "$job" # as when the time is nearly up
+wait_until 300 is_over "$job" || fail "the array does not end"
+grep --quiet "asks to be queued again" ribbon-"$job"_*.log || fail "nobody asked to be queued again"
+# A recording that was taken up again says so; its pictures are the same.
+for name in slow fast; do
+  for place in alone sweep; do
+    ribbon-play "$place/$name.rbn" -o "frames-$place/$name.{frame:04}.png" --size 160x90 --samples 1 --quiet
+  done
+done
+same frames-alone frames-sweep
+echo "The array's pictures and recordings are those of one machine"
