@@ -187,9 +187,11 @@ Drawing chart_page(const std::string& title, const std::string& subtitle,
       {Look::margin, 55}, subtitle, Look::text_height, TextAnchor::start, Look::pale_ink});
   PagePainter painter(page, times(charts));
   for (std::size_t k = 0; k < charts.size(); ++k) {
-    const auto column = static_cast<float>(k / rows);
-    const auto row = static_cast<float>(k % rows);
-    const bool is_lowest = k % rows == rows - 1 || k + 1 == charts.size();
+    const std::size_t before = k / rows;  // columns
+    const std::size_t above = k % rows;
+    const auto column = static_cast<float>(before);
+    const auto row = static_cast<float>(above);
+    const bool is_lowest = above == rows - 1 || k + 1 == charts.size();
     painter.add(charts[k],
                 {Look::margin + column * Look::panel_width + Look::left_of_plot,
                  Look::heading + row * Look::panel_height + Look::above_plot},

@@ -68,7 +68,8 @@ ColorMap::ColorMap(std::span<const LabColor> stations) {
     const float wanted = gone.back() * static_cast<float>(step) / map_steps;
     const auto there = std::lower_bound(gone.begin(), gone.end() - 1, wanted);
     const Lab lab = fine(static_cast<int>(there - gone.begin()));
-    colors_.push_back(linear_light({lab[0], lab[1], lab[2]}).max(0.0F).min(1.0F));
+    const Color color = linear_light({lab[0], lab[1], lab[2]});
+    colors_.emplace_back(color.max(0.0F).min(1.0F));
   }
 }
 

@@ -17,7 +17,7 @@ struct LegendLayout {
   int gap = text / 2;
   int line = (5 * text) / 4;
 
-  [[nodiscard]] int width() const { return bar_width + 4 * padding; }
+  [[nodiscard]] int width() const { return bar_width + 5 * padding; }
   [[nodiscard]] int height() const { return 2 * padding + 2 * line + gap + bar_height; }
 };
 
