@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "player/chart/drawing.h"
@@ -59,7 +60,9 @@ class DrawingPainter {
   void add_dashes(const Eigen::Vector2f& begin, const Eigen::Vector2f& end, float width,
                   Strokes& strokes) const {
     const float length = (end - begin).norm();
-    for (float from = 0; from < length; from += 2 * dash) {
+    const int count = static_cast<int>(std::ceil(length / (2 * dash)));
+    for (int k = 0; k < count; ++k) {
+      const float from = 2 * dash * static_cast<float>(k);
       const float to = std::min(from + dash, length);
       strokes.add(pixel(begin + (end - begin) * (from / length)),
                   pixel(begin + (end - begin) * (to / length)), width);

@@ -1,5 +1,6 @@
 #include "player/measure/particle_measure.h"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 
@@ -10,7 +11,7 @@ namespace ribbon {
 namespace {
 
 constexpr LimitedEdges all_edges{.along = true, .across = true, .diagonals = true};
-constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr double nothing_m = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -69,7 +70,7 @@ std::vector<float> ParticleMeasure::speeds(int index, const Eigen::Matrix3Xf& po
 }
 
 std::vector<float> ParticleMeasure::gaps(const Eigen::Matrix3Xf& positions) const {
-  std::vector<float> told_gaps(positions.cols(), told({infinite, infinite}));
+  std::vector<float> told_gaps(positions.cols(), told({nothing_m, nothing_m}));
   if (!positions.allFinite()) return told_gaps;
   const LayerGaps gaps = verifier_->layer_gaps(positions);
   parallel_ranges(told_gaps.size(), 64, [&](std::size_t begin, std::size_t end) {

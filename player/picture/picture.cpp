@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "parallel/parallel.h"
 
@@ -37,7 +38,7 @@ void blend(const std::array<std::uint8_t, 3>& ink, int coverage, std::uint8_t* r
 
 void fill(const PixelBox& box, const Color& color, float opacity, Picture& picture) {
   const auto ink = srgb_bytes(color);
-  const int coverage = static_cast<int>(255 * opacity + 0.5F);
+  const int coverage = static_cast<int>(std::lround(255 * opacity));
   for (int y = std::max(box.top, 0); y < std::min(box.bottom, picture.size.height); ++y)
     for (int x = std::max(box.left, 0); x < std::min(box.right, picture.size.width); ++x)
       blend(ink, coverage, picture.pixel(x, y));

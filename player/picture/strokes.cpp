@@ -47,7 +47,7 @@ void Strokes::add(const Eigen::Vector2f& begin, const Eigen::Vector2f& end, floa
       if (squared >= reach * reach) continue;
       const float covered = ink * std::min(reach - std::sqrt(squared), 1.0F);
       auto& pixel = coverage_[static_cast<std::size_t>(y) * size_.width + x];
-      pixel = std::max(pixel, static_cast<std::uint8_t>(255 * covered + 0.5F));
+      pixel = std::max(pixel, static_cast<std::uint8_t>(std::lround(255 * covered)));
     }
 }
 
