@@ -32,6 +32,7 @@ Result<std::string> write_plot(const RecordingInfo& info, std::vector<int> frame
     return tl::unexpected(free.error());
   std::sort(frames.begin(), frames.end());
   std::vector<std::optional<FrameNumbers>> numbers;
+  numbers.reserve(frames.size());
   for (const int index : frames) numbers.push_back(info.numbers[index]);
   const auto lost =
       static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), std::nullopt));

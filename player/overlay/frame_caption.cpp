@@ -18,7 +18,7 @@ std::string where_line(const Overlays& overlays, int frame_number, double time_s
 }
 
 std::string strain_line(const FrameNumbers& numbers) {
-  const std::string text = filled_in("strain {:.1f} %", 100 * numbers.worst_strain);
+  std::string text = filled_in("strain {:.1f} %", 100 * numbers.worst_strain);
   if (numbers.penetrating_edges == 0) return text;
   return text + filled_in(" · {} {}", numbers.penetrating_edges,
                           numbers.penetrating_edges == 1 ? "penetration" : "penetrations");
