@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
 #include "text/number_text.h"
 
@@ -26,10 +24,15 @@ struct Step {
 // Ends that are multiples but for rounding count.
 constexpr double slack = 1e-9;
 
-// Which multiples of the step lie between low and high.
-std::pair<double, double> multiples(double low, double high, const Step& step) {
-  return {std::ceil(low / step.size() - slack), std::floor(high / step.size() + slack)};
-}
+// Which multiples of a step lie between low and high.
+struct Multiples {
+  double first;
+  double last;
+
+  Multiples(double low, double high, const Step& step)
+      : first(std::ceil(low / step.size() - slack)), last(std::floor(high / step.size() + slack)) {}
+  [[nodiscard]] double count() const { return last - first + 1; }
+};
 
 }  // namespace
 
@@ -45,12 +48,10 @@ Ticks round_ticks(double low, double high, int most) {
       range < 1e-300)
     return ticks;
   Step step{1, static_cast<int>(std::floor(std::log10(range / most)))};
-  auto [first, last] = multiples(low, high, step);
-  while (last - first + 1 > most) {
-    step = step.next();
-    std::tie(first, last) = multiples(low, high, step);
-  }
-  for (double k = first; k <= last; ++k) ticks.values.push_back(k == 0 ? 0.0 : k * step.size());
+  while (Multiples(low, high, step).count() > most) step = step.next();
+  const Multiples multiples(low, high, step);
+  for (int k = 0; k < multiples.count(); ++k)
+    ticks.values.push_back((multiples.first + k) * step.size() + 0.0);  // no minus before 0
   ticks.digits = std::max(0, -step.power);
   return ticks;
 }
