@@ -11,6 +11,7 @@
 #include "parallel/parallel.h"
 #include "player/bench.h"
 #include "player/follow_recording.h"
+#include "player/memory_forecast.h"
 #include "player/options.h"
 #include "player/report/info.h"
 #include "player/report/verification_report.h"
@@ -137,7 +138,8 @@ Result<ExitCode> play(const Options& options) {
   if (options.verify) return verify(*reader, options);
   if (options.bench) return print_bench(*reader, options);
   if (options.follow) return follow_recording(*reader, options);
-  const RecordingInfo info = recording_info(options.recording, *reader);
+  RecordingInfo info = recording_info(options.recording, *reader);
+  info.memory_bytes = memory_forecast(info.header, options);
   if (options.info || options.json)
     std::fputs((options.json ? info_json(info) : info_text(info)).c_str(), stdout);
   if (!options.pictures.empty() || !options.sheet.empty() || !options.plot.empty())

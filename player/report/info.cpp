@@ -150,6 +150,12 @@ std::string tightness_text(const RecordingInfo& info) {
                                    100 * tightness->contact, tightness->rope_length));
 }
 
+std::string memory_text(const RecordingInfo& info) {
+  if (!info.memory_bytes) return "";
+  return report_line("memory", filled_in("at most {:.0f} MB for pictures as asked for",
+                                         static_cast<double>(*info.memory_bytes) / 1e6));
+}
+
 std::string damage_text(const RecordingInfo& info) {
   std::string text;
   for (const Damage& damage : info.damage)
@@ -237,7 +243,7 @@ std::string info_text(const RecordingInfo& info) {
          report_line("position error", error_text(header.max_position_error_m)) +
          report_line("size", filled_in("{} bytes, {:.2f} per vertex and frame", info.file_bytes,
                                        info.bytes_per_vertex_and_frame())) +
-         damage_text(info);
+         memory_text(info) + damage_text(info);
 }
 
 }  // namespace ribbon

@@ -32,6 +32,7 @@ struct RecordingInfo {
   std::vector<int> checkpoints;  // numbers, from 1, of the frames that have one
   std::vector<Session> sessions;
   std::optional<Outcome> outcome;
+  std::optional<std::uint64_t> memory_bytes;  // that pictures will take; nothing: nobody asked
 
   [[nodiscard]] int frame_count() const { return static_cast<int>(numbers.size()); }
   // From the first to the last frame whose numbers are known; 0 without any.

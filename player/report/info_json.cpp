@@ -116,6 +116,7 @@ std::string info_json(const RecordingInfo& info) {
                   {"max_position_error_m", header.max_position_error_m},
                   {"worst_strain", worst_json(info.worst_strain())},
                   {"penetrating_edges", penetrations_json(info)},
+                  {"memory_bytes", info.memory_bytes},
                   {"checkpoints", info.checkpoints},
                   {"missing_frames", info.missing},
                   {"damage", damage_json(info.damage)},

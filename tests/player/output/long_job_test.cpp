@@ -1,7 +1,11 @@
 // Sequences that are interrupted, go on, and are shared by several machines.
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+
 #include <map>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
 
@@ -192,6 +196,30 @@ TEST_F(LongJob, a_limit_on_the_size_of_files_will_not_pass) {
   EXPECT_EQ(limited.exit_code, 2);
   EXPECT_THAT(limited.errors, HasSubstr("cannot be written (File too large)"));
   for (const std::string& name : names(".")) EXPECT_THAT(name, Not(HasSubstr(".part")));
+}
+
+// The most that a process has had in memory, in bytes.
+double peak_of(const std::vector<std::string>& words) {
+  rusage usage{};
+  int status = -1;
+  EXPECT_GT(::wait4(spawned(words), &status, 0, &usage), 0);
+  EXPECT_EQ(status, 0);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+TEST_F(LongJob, info_tells_how_much_memory_pictures_take) {
+  for (const std::string name : {"{frame}.png", "{frame}.exr"})
+    for (const std::string size : {"64x48", "1280x720"}) {
+      const std::vector<std::string> words{RIBBON_PLAY, recording_, "--quality", "draft",
+                                           "--size",    size,       "--frames",  "2:5",
+                                           "--force",   "--quiet",  "-o",        folder_ / name};
+      const double peak = peak_of(words);
+      const auto json = nlohmann::json::parse(output_of(run(
+          "knot.rbn --json --force --quality draft --frames 2 --size " + size + " -o " + name)));
+      const double forecast = json["memory_bytes"];
+      EXPECT_LT(peak, forecast) << name << " " << size;
+      EXPECT_GT(2.5 * peak, forecast) << name << " " << size;
+    }
 }
 
 TEST_F(LongJob, damage_is_told_and_the_rest_is_rendered) {

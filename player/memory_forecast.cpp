@@ -1,0 +1,38 @@
+#include "player/memory_forecast.h"
+
+#include <algorithm>
+
+#include "player/output/picture_format.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr double reserve = 1.25;
+// The program, its libraries and threads.
+constexpr double program_bytes = 24e6;
+// Positions, normals, triangles and their bounding volumes.
+constexpr double bytes_of_a_vertex = 600;
+// Of a pixel: light as it is gathered, and the pictures that wait and are encoded.
+constexpr double bytes_of_a_pixel = 25;
+constexpr double bytes_of_an_exr_pixel = 50;
+// What smoothing looks at besides.
+constexpr double bytes_of_a_smoothed_pixel = 60;
+
+}  // namespace
+
+std::uint64_t memory_forecast(const RecordingHeader& header, const Options& options) {
+  double vertices = header.grid.particle_count();
+  if (header.obstacle) vertices += static_cast<double>(header.obstacle->vertices.cols());
+  const auto format = picture_format(options.pictures);
+  const bool is_exr = format && *format == PictureFormat::exr;
+  double pixel_bytes = is_exr ? bytes_of_an_exr_pixel : bytes_of_a_pixel;
+  if (options.render.quality.smooth_sky) pixel_bytes += bytes_of_a_smoothed_pixel;
+  // Each view has pictures that wait; light is gathered for one at a time.
+  const double views = std::max<double>(1, static_cast<double>(options.views.size()));
+  return static_cast<std::uint64_t>(
+      reserve * (program_bytes + bytes_of_a_vertex * vertices +
+                 pixel_bytes * views * static_cast<double>(options.size.pixel_count())));
+}
+
+}  // namespace ribbon
