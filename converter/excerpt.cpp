@@ -92,7 +92,7 @@ class Excerpt {
 Result<ConversionReport> copy_frames(const ConversionRequest& request, ConversionJob& job,
                                      RecordingWriter& writer) {
   Excerpt excerpt(job.reader, writer, request.max_error_m == 0);
-  ProgressLine progress("frame", static_cast<int>(job.frames.size()), request.quiet);
+  ProgressLine progress("frame", static_cast<int>(job.frames.size()), request.progress);
   ConversionReport report;
   report.thinned_by = thinned_by(job.frames);
   for (const int index : job.frames) {
