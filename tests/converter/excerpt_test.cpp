@@ -22,7 +22,8 @@ class Excerpts : public TestInFolder {
     request.output = target_;
     request.frames = frames;
     request.max_error_m = max_error_m;
-    request.quiet = request.force = true;
+    request.progress = ProgressStyle::none;
+    request.force = true;
     return convert(request);
   }
 
