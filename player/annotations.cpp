@@ -37,8 +37,8 @@ Annotations::Annotations(const RecordingReader& reader, const Overlays& overlays
   if (overlays_.curve) curve_ = polyline(reader.header().input_curve);
 }
 
-void Annotations::draw(int index, const RenderScene& scene, const Camera& camera,
-                       Picture& picture) const {
+void Annotations::draw_lines_of(const RenderScene& scene, const Camera& camera,
+                                Picture& picture) const {
   const float width = line_width(picture.size);
   if (!obstacle_lines_.lines.empty())
     draw_lines(obstacle_lines_, {dark_line, width, 0.4F}, scene, camera, picture);
@@ -47,6 +47,9 @@ void Annotations::draw(int index, const RenderScene& scene, const Camera& camera
                {legend_ ? dark_line : light_line, width, 0.6F}, scene, camera, picture);
   if (!curve_.lines.empty())
     draw_lines(curve_, {curve_ink, 2.5F * width, 1}, scene, camera, picture);
+}
+
+void Annotations::draw_words(int index, Picture& picture) const {
   if (overlays_.has_caption())
     draw_caption(
         frame_caption(overlays_, index + 1, reader_.numbers(index).value_or(FrameNumbers{})),

@@ -22,8 +22,10 @@ class Annotations {
   Annotations(const RecordingReader& reader, const Overlays& overlays,
               std::optional<Legend> legend);
 
-  // Over a picture of frame `index` that `camera` took of `scene`.
-  void draw(int index, const RenderScene& scene, const Camera& camera, Picture& picture) const;
+  // Lines in space, over a picture that `camera` took of `scene`.
+  void draw_lines_of(const RenderScene& scene, const Camera& camera, Picture& picture) const;
+  // Caption and legend, over any picture of frame `index`.
+  void draw_words(int index, Picture& picture) const;
 
  private:
   const RecordingReader& reader_;

@@ -14,17 +14,19 @@ int wanted(const std::vector<Output>& outputs) {
 
 }  // namespace
 
-OutputPicture rendered(SequenceRenderer& renderer, const Annotations& annotations,
-                       const Camera& camera, PictureSize size, PictureFormat format,
-                       const PlayedFrame& frame) {
+Result<OutputPicture> rendered(FramePainter& painter, const Camera& camera, PictureSize size,
+                               PictureFormat format, const PlayedFrame& frame) {
   OutputPicture output{frame.number, frame.index + 1};
   if (format == PictureFormat::exr) {
-    output.image = renderer.light(camera, size);
+    auto light = painter.light(camera, size);
+    if (!light) return tl::unexpected(light.error());
+    output.image = *std::move(light);
     return output;
   }
-  Picture picture = renderer.picture(camera, size);
-  annotations.draw(frame.index, renderer.scene(), camera, picture);
-  output.image = std::move(picture);
+  auto picture = painter.picture(camera, size);
+  if (!picture) return tl::unexpected(picture.error());
+  painter.annotate(camera, *picture);
+  output.image = *std::move(picture);
   return output;
 }
 
@@ -34,16 +36,14 @@ FilmRenderer::FilmRenderer(RecordingReader& reader, const Options& options, std:
       options_(options),
       outputs_(outputs),
       cameras_(reader, std::move(shots)),
-      renderer_(reader, options.render),
       next_(outputs.size()),
       progress_("picture", wanted(outputs), options.progress) {}
 
 Result<void> FilmRenderer::prepare(const std::vector<int>& asked) {
-  const Appearance& appearance = options_.appearance;
-  renderer_.set_lowest(cameras_.lowest_m());
-  if (auto colored = color_as_asked(appearance, reader_, asked, renderer_); !colored)
-    return colored;
-  annotations_.emplace(reader_, appearance.overlays, renderer_.legend());
+  auto painter = FramePainter::create(reader_, options_, asked);
+  if (!painter) return tl::unexpected(painter.error());
+  painter_.emplace(*std::move(painter));
+  painter_->set_lowest(cameras_.lowest_m());
   return {};
 }
 
@@ -52,12 +52,12 @@ Result<void> FilmRenderer::render(const PlayedFrame& frame) {
   for (std::size_t shot = 0; shot < outputs_.size(); ++shot) {
     if (!is_wanted(shot, frame)) continue;
     if (!std::exchange(is_shown, true))
-      if (auto shown = renderer_.show(frame.index); !shown) return shown;
+      if (auto shown = painter_->show(frame.index); !shown) return shown;
     const Output& output = outputs_[shot];
     const Camera camera = cameras_.camera(shot, {frame.index, frame.progress});
-    auto taken = output.sink->put(
-        rendered(renderer_, *annotations_, camera, options_.size, output.format, frame));
-    if (!taken) return taken;
+    auto picture = rendered(*painter_, camera, options_.size, output.format, frame);
+    if (!picture) return tl::unexpected(picture.error());
+    if (auto taken = output.sink->put(*std::move(picture)); !taken) return taken;
     progress_.update(++done_);
   }
   return {};

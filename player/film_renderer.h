@@ -5,20 +5,18 @@
 #include <vector>
 
 #include "commandline/progress.h"
-#include "player/annotations.h"
+#include "player/frame_painter.h"
 #include "player/options.h"
 #include "player/output/open_output.h"
-#include "player/render/sequence_renderer.h"
 #include "player/view/camera_work.h"
 #include "result/result.h"
 
 namespace ribbon {
 
-// The frame that `renderer` shows, as this format stores it: linear light has nothing drawn over
-// it.
-OutputPicture rendered(SequenceRenderer& renderer, const Annotations& annotations,
-                       const Camera& camera, PictureSize size, PictureFormat format,
-                       const PlayedFrame& frame);
+// The frame that `painter` shows, as this format stores it: linear light has nothing drawn over it.
+// Fails as the painter does.
+Result<OutputPicture> rendered(FramePainter& painter, const Camera& camera, PictureSize size,
+                               PictureFormat format, const PlayedFrame& frame);
 
 class FilmRenderer {
  public:
@@ -27,7 +25,8 @@ class FilmRenderer {
                std::vector<Output>& outputs);
 
   // Comes before all else. asked: the frames that the user asked for, by which colours are chosen;
-  // whichever of them this machine renders. Fails when one cannot be read.
+  // whichever of them this machine renders. Fails when one cannot be read, or a preview cannot be
+  // drawn.
   Result<void> prepare(const std::vector<int>& asked);
 
   // Hands the pictures of this frame to those outputs that want them. Frames come in the order of
@@ -44,9 +43,8 @@ class FilmRenderer {
   const Options& options_;
   std::vector<Output>& outputs_;
   CameraWork cameras_;
-  SequenceRenderer renderer_;
-  std::optional<Annotations> annotations_;
-  std::vector<std::size_t> next_;  // of each output's frames
+  std::optional<FramePainter> painter_;  // from prepare() on
+  std::vector<std::size_t> next_;        // of each output's frames
   ProgressLine progress_;
   int done_ = 0;
 };

@@ -1,5 +1,7 @@
 #include "player/options.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <memory>
 #include <utility>
@@ -25,6 +27,8 @@ constexpr const char* examples = R"(Examples:
       a video, by ffmpeg; also .webm and .gif
   ribbon-play knot.rbn -o 'frames/{frame:04}.png' --resume --shard 2/8 --isa avx2
       the second of eight machines; run again, it renders what is missing
+  ribbon-play knot.rbn -o 'preview/{frame:04}.png' --preview
+      draws every frame at the speed of replay
   ribbon-play knot.rbn --sheet sheet.png --frames 1:-1:50
       puts frames on one sheet, seen from two sides, with their numbers
   ribbon-play knot.rbn -o last.png --frames -1 --color-by strain --overlay wireframe,time
@@ -73,6 +77,7 @@ struct Texts {
   std::filesystem::path texture;
   std::filesystem::path texture_back;
   AppearanceTexts appearance;
+  bool preview = false;
 };
 
 void add_quality_options(Arguments& arguments, Texts& texts) {
@@ -82,9 +87,10 @@ void add_quality_options(Arguments& arguments, Texts& texts) {
            "from cloth to cloth)")
       .one_of({"draft", "standard", "final"})
       .with_default_shown();
-  const auto samples =
-      arguments.add("--samples", texts.samples, {1, 4096}, "N",
-                    "samples in every pixel, whatever the quality says; no smoothing");
+  const auto samples = arguments.add(
+      "--samples", texts.samples, {1, 4096}, "N",
+      "samples in every pixel, whatever the quality says; no smoothing (of a preview 1, or "
+      "with more than 1 always 4)");
   arguments
       .add(
           "--noise", texts.noise, {0.01, 100}, "X",
@@ -169,6 +175,23 @@ Result<void> check_plot(const std::filesystem::path& file) {
                  "let the name end in one of them");
 }
 
+// What only the ray tracer does; machines of different makers may draw previews differently.
+constexpr std::array without_preview{"--quality",   "--noise",  "--texture",  "--texture-back",
+                                     "--thickness", "--ground", "--color-by", "--shard",
+                                     "--isa",       "--bench"};
+
+Result<void> check_preview(const std::vector<GivenArgument>& given, const Overlays& overlays) {
+  const auto refuse = [](const std::string& other) {
+    return failure("--preview", "does not go with " + other, "leave one of them out");
+  };
+  for (const GivenArgument& argument : given)
+    if (std::find(without_preview.begin(), without_preview.end(), argument.name) !=
+        without_preview.end())
+      return refuse(argument.name);
+  if (overlays.wireframe || overlays.obstacle_wireframe) return refuse("wireframe overlays");
+  return {};
+}
+
 void add_order_options(Arguments& arguments, Options& options, Texts& texts, Argument pictures,
                        Argument follow) {
   arguments.flag("--reverse", options.order.reverse, "play backwards")
@@ -211,6 +234,9 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
   arguments.add("--size", texts.size, "WxH", "size of the pictures in pixels").with_default_shown();
   const auto sheet = arguments.add("--sheet", options.sheet, "FILE",
                                    "contact sheet to write: several frames, two cameras, captions");
+  arguments.flag("--preview", texts.preview,
+                 "draw instead of ray tracing: fast, no shadows, the object as a wireframe, the "
+                 "drawn curve");
   add_quality_options(arguments, texts);
   add_look_options(arguments, options, texts);
   add_view_options(arguments, options, texts, sheet);
@@ -293,6 +319,11 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   const auto appearance = parse_appearance(texts.appearance, options.follow);
   if (!appearance) return tl::unexpected(appearance.error());
   options.appearance = *appearance;
+  if (texts.preview) {
+    const auto checked = check_preview(options.given, options.appearance.overlays);
+    if (!checked) return tl::unexpected(checked.error());
+    options.preview = {texts.samples > 1, options.threads};
+  }
   if (const auto plot = check_plot(options.plot); !plot) return tl::unexpected(plot.error());
   return options;
 }

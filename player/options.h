@@ -11,6 +11,7 @@
 #include "player/appearance.h"
 #include "player/output/play_order.h"
 #include "player/picture/picture.h"
+#include "player/preview/preview_settings.h"
 #include "player/render/render.h"
 #include "player/view/view.h"
 #include "result/result.h"
@@ -29,7 +30,8 @@ struct Options {
   std::filesystem::path camera_path;  // keyframes; empty: none
   Appearance appearance;
   RenderSettings render;
-  int threads = 0;  // 0: all cores
+  std::optional<PreviewSettings> preview;  // instead of ray tracing
+  int threads = 0;                         // 0: all cores
   bool info = false;
   bool bench = false;
   bool follow = false;

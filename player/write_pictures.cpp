@@ -100,7 +100,7 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
 }
 
 LivePictures::LivePictures(RecordingReader& reader, const Options& options)
-    : reader_(reader), options_(options), renderer_(reader, options.render) {}
+    : reader_(reader), options_(options) {}
 
 Result<void> LivePictures::begin() {
   const auto names = output_names(options_);
@@ -113,25 +113,24 @@ Result<void> LivePictures::begin() {
   auto shots = shots_of(options_);
   if (!shots) return tl::unexpected(shots.error());
   shots_ = std::move(*shots);
-  const Appearance& appearance = options_.appearance;
-  if (auto colored = color_as_asked(appearance, reader_, {}, renderer_); !colored) return colored;
-  annotations_.emplace(reader_, appearance.overlays, renderer_.legend());
+  auto painter = FramePainter::create(reader_, options_, {});
+  if (!painter) return tl::unexpected(painter.error());
+  painter_.emplace(*std::move(painter));
   return {};
 }
 
 Result<void> LivePictures::show(int index) {
   if (!cameras_) {
     cameras_.emplace(reader_, shots_);
-    renderer_.set_lowest(cameras_->lowest_m());
+    painter_->set_lowest(cameras_->lowest_m());
   }
-  if (auto shown = renderer_.show(index); !shown) return shown;
+  if (auto shown = painter_->show(index); !shown) return shown;
   for (std::size_t shot = 0; shot < shots_.size(); ++shot) {
     const Camera camera = cameras_->camera(shot, {index, 0});
     const PlayedFrame frame{.index = index, .number = index + 1};
-    if (auto taken = outputs_[shot].sink->put(rendered(
-            renderer_, *annotations_, camera, options_.size, outputs_[shot].format, frame));
-        !taken)
-      return taken;
+    auto picture = rendered(*painter_, camera, options_.size, outputs_[shot].format, frame);
+    if (!picture) return tl::unexpected(picture.error());
+    if (auto taken = outputs_[shot].sink->put(*std::move(picture)); !taken) return taken;
   }
   return {};
 }

@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "playback/recording_reader.h"
-#include "player/annotations.h"
+#include "player/frame_painter.h"
 #include "player/options.h"
 #include "player/output/open_output.h"
-#include "player/render/sequence_renderer.h"
 #include "player/view/camera_work.h"
 #include "result/result.h"
 
@@ -28,7 +27,8 @@ class LivePictures {
   // Keeps references to `reader` and `options`.
   LivePictures(RecordingReader& reader, const Options& options);
 
-  // Comes before all else. Fails when names, cameras or colours make no sense.
+  // Comes before all else. Fails when names, cameras or colours make no sense, or
+  // a preview cannot be drawn.
   Result<void> begin();
   // Renders frame `index` and has it written.
   Result<void> show(int index);
@@ -39,10 +39,9 @@ class LivePictures {
   RecordingReader& reader_;
   const Options& options_;
   std::vector<Shot> shots_;
-  std::vector<Output> outputs_;  // of each shot
-  SequenceRenderer renderer_;
-  std::optional<Annotations> annotations_;  // from begin() on
-  std::optional<CameraWork> cameras_;       // once there is a frame
+  std::vector<Output> outputs_;          // of each shot
+  std::optional<FramePainter> painter_;  // from begin() on
+  std::optional<CameraWork> cameras_;    // once there is a frame
 };
 
 }  // namespace ribbon

@@ -2,11 +2,10 @@
 
 #include <utility>
 
-#include "player/annotations.h"
+#include "player/frame_painter.h"
 #include "player/output/existing_file.h"
 #include "player/picture/contact_sheet.h"
 #include "player/picture/png_encoder.h"
-#include "player/render/sequence_renderer.h"
 #include "player/view/camera_work.h"
 #include "text/number_text.h"
 
@@ -24,16 +23,18 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   const CameraWork cameras(reader, shots);
   if (auto free = check_place(options.sheet, options.force); !free)
     return tl::unexpected(free.error());
-  SequenceRenderer renderer(reader, options.render);
-  renderer.set_lowest(cameras.lowest_m());
-  if (auto colored = color_as_asked(options.appearance, reader, frames, renderer); !colored)
-    return tl::unexpected(colored.error());
+  auto painter = FramePainter::create(reader, options, frames);
+  if (!painter) return tl::unexpected(painter.error());
+  painter->set_lowest(cameras.lowest_m());
   std::vector<SheetColumn> columns;
   for (const int index : spread_frames(frames, sheet_columns)) {
-    if (auto shown = renderer.show(index); !shown) return tl::unexpected(shown.error());
+    if (auto shown = painter->show(index); !shown) return tl::unexpected(shown.error());
     SheetColumn column{index + 1, reader.numbers(index).value_or(FrameNumbers{}), {}};
-    for (std::size_t shot = 0; shot < shots.size(); ++shot)
-      column.views.push_back(renderer.picture(cameras.camera(shot, {index}), sheet_cell));
+    for (std::size_t shot = 0; shot < shots.size(); ++shot) {
+      auto picture = painter->picture(cameras.camera(shot, {index}), sheet_cell);
+      if (!picture) return tl::unexpected(picture.error());
+      column.views.push_back(*std::move(picture));
+    }
     columns.push_back(std::move(column));
   }
   const RecordingHeader& header = reader.header();
@@ -41,7 +42,7 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
                                  header.grid.along, reader.frame_count());
   if (info.outcome) ribbon += " · " + outcome_text(*info.outcome);
   Picture sheet = contact_sheet(header.scene_name, ribbon, columns);
-  if (const auto legend = renderer.legend()) draw_sheet_legend(*legend, sheet);
+  if (const auto legend = painter->legend()) draw_sheet_legend(*legend, sheet);
   return write_png(options.sheet, sheet).map([&] {
     return "contact sheet: " + options.sheet.string();
   });

@@ -54,6 +54,63 @@ TEST_F(RibbonPlay, a_frame_is_the_same_whatever_else_is_rendered_and_by_how_many
   EXPECT_NE(bytes("all/5.png"), bytes("all/6.png"));
 }
 
+TEST_F(RibbonPlay, a_preview_needs_no_display_and_is_the_same_by_any_number_of_threads) {
+  const auto preview = [&](const std::string& folder, int threads) {
+    return run("knot.rbn --preview --size 320x200 --quiet -o '" + folder +
+                   "/{frame:01}.png' --threads " + std::to_string(threads),
+               "env -u DISPLAY -u WAYLAND_DISPLAY");
+  };
+  EXPECT_EQ(output_of(preview("one", 1)), "");
+  EXPECT_EQ(output_of(preview("many", 3)), "");
+  ASSERT_EQ(png_size(bytes("one/7.png")), (PictureSize{320, 200}));
+  for (int frame = 1; frame <= 7; ++frame) {
+    const std::string name = "/" + std::to_string(frame) + ".png";
+    EXPECT_EQ(bytes("one" + name), bytes("many" + name)) << frame;
+  }
+  EXPECT_NE(bytes("one/1.png"), bytes("one/7.png"));
+}
+
+TEST_F(RibbonPlay, more_samples_smooth_the_edges_of_a_preview) {
+  ASSERT_EQ(run("knot.rbn --preview --frames 1 --size 64x48 -o rough.png").exit_code, 0);
+  ASSERT_EQ(play_small("--preview --frames 1 -o 1.png").exit_code, 0);
+  ASSERT_EQ(run("knot.rbn --preview --frames 1 --size 64x48 --samples 4 -o 4.png").exit_code, 0);
+  EXPECT_EQ(bytes("rough.png"), bytes("1.png")) << "as usual";
+  EXPECT_NE(bytes("1.png"), bytes("4.png"));
+}
+
+TEST_F(RibbonPlay, a_preview_without_osmesa_is_refused_and_nothing_else_is) {
+  ASSERT_TRUE(write_file(folder_ / "libOSMesa.so.8", "no library"));
+  const std::string without = "LD_LIBRARY_PATH='" + folder_.string() + "'";
+  expect_refusal(run("knot.rbn --preview --frames 1 -o 1.png", without), "cannot load OSMesa: ");
+  EXPECT_THAT(run("knot.rbn --preview --frames 1 -o 1.png", without).errors,
+              HasSubstr("install OSMesa (Debian: libosmesa6)"));
+  EXPECT_EQ(run("knot.rbn --frames 1 --size 16x16 -o 1.png", without).exit_code, 0);
+}
+
+TEST_F(RibbonPlay, a_preview_takes_captions_and_refuses_what_only_the_ray_tracer_shows) {
+  const std::string preview = "knot.rbn --preview --frames 1 --size 320x200 ";
+  ASSERT_EQ(run(preview + "-o plain.png").exit_code, 0);
+  ASSERT_EQ(run(preview + "-o told.png --overlay frame,time").exit_code, 0);
+  EXPECT_NE(bytes("plain.png"), bytes("told.png"));
+  expect_refusal(run(preview + "-o 1.png --overlay wireframe"),
+                 "does not go with wireframe overlays");
+  for (const std::string option : {"--color-by strain", "--quality final", "--noise 1", "--ground",
+                                   "--thickness 1", "--shard 1/2 --isa avx2"})
+    expect_refusal(run(preview + "-o 1.png " + option), "--preview: does not go with --");
+  expect_refusal(run(preview + "-o 1.exr"), "write .png files, or leave --preview out");
+}
+
+TEST_F(RibbonPlay, a_contact_sheet_can_be_a_preview) {
+  ASSERT_EQ(run("knot.rbn --preview --sheet sheet.png").exit_code, 0);
+  EXPECT_GT(png_size(bytes("sheet.png")).width, 5 * 520);
+}
+
+TEST_F(RibbonPlay, a_preview_of_no_frames_or_of_an_absurd_size_is_refused) {
+  write_sample_recording(recording_, 0);
+  expect_refusal(play_small("--preview -o '{frame}.png'"), "holds no frames");
+  expect_refusal(run("knot.rbn --preview --size 99999x5 -o '{frame}.png'"), "not a picture size");
+}
+
 TEST_F(RibbonPlay, a_contact_sheet_is_one_file) {
   EXPECT_EQ(play_small("--sheet out/sheet.png").exit_code, 0);
   EXPECT_GT(png_size(bytes("out/sheet.png")).width, 5 * 520);

@@ -1,0 +1,54 @@
+#include "player/frame_painter.h"
+
+namespace ribbon {
+
+Result<FramePainter> FramePainter::create(RecordingReader& reader, const Options& options,
+                                          const std::vector<int>& frames) {
+  const Appearance& appearance = options.appearance;
+  if (options.preview) {
+    auto preview = PreviewRenderer::create(reader, *options.preview);
+    if (!preview) return tl::unexpected(preview.error());
+    return FramePainter(*std::move(preview),
+                        Annotations(reader, appearance.overlays, std::nullopt));
+  }
+  SequenceRenderer renderer(reader, options.render);
+  if (auto colored = color_as_asked(appearance, reader, frames, renderer); !colored)
+    return tl::unexpected(colored.error());
+  Annotations annotations(reader, appearance.overlays, renderer.legend());
+  return FramePainter(std::move(renderer), std::move(annotations));
+}
+
+void FramePainter::set_lowest(float lowest_m) {
+  if (auto* ray_tracer = std::get_if<SequenceRenderer>(&renderer_))
+    ray_tracer->set_lowest(lowest_m);
+}
+
+Result<void> FramePainter::show(int index) {
+  shown_ = index;
+  return std::visit([=](auto& renderer) { return renderer.show(index); }, renderer_);
+}
+
+Result<Picture> FramePainter::picture(const Camera& camera, PictureSize size) {
+  return std::visit(
+      [&](auto& renderer) -> Result<Picture> { return renderer.picture(camera, size); }, renderer_);
+}
+
+Result<LightPicture> FramePainter::light(const Camera& camera, PictureSize size) {
+  if (auto* ray_tracer = std::get_if<SequenceRenderer>(&renderer_))
+    return ray_tracer->light(camera, size);
+  return failure("--preview", "knows no linear light, which .exr files hold",
+                 "write .png files, or leave --preview out");
+}
+
+void FramePainter::annotate(const Camera& camera, Picture& picture) const {
+  if (const auto* ray_tracer = std::get_if<SequenceRenderer>(&renderer_))
+    annotations_.draw_lines_of(ray_tracer->scene(), camera, picture);
+  annotations_.draw_words(shown_, picture);
+}
+
+std::optional<Legend> FramePainter::legend() const {
+  const auto* ray_tracer = std::get_if<SequenceRenderer>(&renderer_);
+  return ray_tracer == nullptr ? std::nullopt : ray_tracer->legend();
+}
+
+}  // namespace ribbon
