@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "player/overlay/frame_caption.h"
+#include "player/picture/curve_style.h"
 
 namespace ribbon {
 
@@ -11,11 +12,16 @@ namespace {
 
 const Color dark_line = from_srgb(0x101418);
 const Color light_line = from_srgb(0xFFFFFF);
-const Color curve_ink = from_srgb(0xE8178A);
 
 // As thick in large pictures as in small ones.
 float line_width(PictureSize size) {
   return std::max(0.8F, static_cast<float>(size.height) / 720);
+}
+
+// As far as they look the same, so much nearer to the eye: a line in the cloth lies on it.
+Eigen::Matrix3Xf moved_forward(Eigen::Matrix3Xf points, const Camera& camera, float way_m) {
+  for (auto point : points.colwise()) point += way_m * (camera.eye - point).normalized();
+  return points;
 }
 
 }  // namespace
@@ -34,7 +40,6 @@ Annotations::Annotations(const RecordingReader& reader, const Overlays& overlays
     : reader_(reader), overlays_(overlays), legend_(std::move(legend)) {
   if (overlays_.obstacle_wireframe && reader.header().obstacle)
     obstacle_lines_ = mesh_lines(*reader.header().obstacle);
-  if (overlays_.curve) curve_ = polyline(reader.header().input_curve);
 }
 
 void Annotations::draw_lines_of(const RenderScene& scene, const Camera& camera,
@@ -45,8 +50,16 @@ void Annotations::draw_lines_of(const RenderScene& scene, const Camera& camera,
   if (overlays_.wireframe)
     draw_lines(ribbon_lines(reader_.header().grid, scene.ribbon().vertices),
                {legend_ ? dark_line : light_line, width, 0.6F}, scene, camera, picture);
-  if (!curve_.lines.empty())
-    draw_lines(curve_, {curve_ink, 2.5F * width, 1}, scene, camera, picture);
+  if (overlays_.curve) draw_curve(scene, camera, width, picture);
+}
+
+void Annotations::draw_curve(const RenderScene& scene, const Camera& camera, float width,
+                             Picture& picture) const {
+  const RecordingHeader& header = reader_.header();
+  const float forward_m = curve_style::forward * static_cast<float>(header.ribbon_width_m);
+  draw_lines(polyline(moved_forward(header.input_curve, camera, forward_m)),
+             {curve_style::ink, curve_style::pixels * width, 1, curve_style::hidden_opacity}, scene,
+             camera, picture);
 }
 
 void Annotations::draw_words(int index, Picture& picture) const {

@@ -28,11 +28,13 @@ class Annotations {
   void draw_words(int index, Picture& picture) const;
 
  private:
+  void draw_curve(const RenderScene& scene, const Camera& camera, float width,
+                  Picture& picture) const;
+
   const RecordingReader& reader_;
   Overlays overlays_;
   std::optional<Legend> legend_;
   SpaceLines obstacle_lines_;  // none where they are not asked for
-  SpaceLines curve_;           // likewise
   CaptionPainter painter_;
 };
 

@@ -2,9 +2,21 @@
 
 namespace ribbon {
 
+namespace {
+
+Result<void> check_curve(const Overlays& overlays, const RecordingReader& reader) {
+  if (!overlays.curve || reader.header().input_curve.cols() > 0) return {};
+  return failure("--overlay curve", "the recording does not tell the curve that was drawn",
+                 "record it again, or leave this overlay out");
+}
+
+}  // namespace
+
 Result<FramePainter> FramePainter::create(RecordingReader& reader, const Options& options,
                                           const std::vector<int>& frames) {
   const Appearance& appearance = options.appearance;
+  if (auto checked = check_curve(appearance.overlays, reader); !checked)
+    return tl::unexpected(checked.error());
   if (options.preview) {
     auto preview = PreviewRenderer::create(reader, *options.preview);
     if (!preview) return tl::unexpected(preview.error());

@@ -16,7 +16,7 @@ namespace ribbon {
 class FramePainter {
  public:
   // Keeps a reference to `reader`. frames: as ValueColors::create takes them. Fails where a preview
-  // cannot be drawn, or a frame cannot be read.
+  // cannot be drawn, a frame cannot be read, or there is no curve to lay over it.
   static Result<FramePainter> create(RecordingReader& reader, const Options& options,
                                      const std::vector<int>& frames);
 

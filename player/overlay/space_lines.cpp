@@ -59,9 +59,11 @@ class LinePainter {
     parallel_ranges(pieces_.size(), batch_size,
                     [&](std::size_t begin, std::size_t end) { look(begin, end, seen); });
     Strokes strokes(size_);
-    for (std::size_t k = 0; k < pieces_.size(); ++k)
-      if (seen[k] != 0)
-        strokes.add(pixel(pieces_[k].begin), pixel(pieces_[k].end), style.width, style.opacity);
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      const float opacity = seen[k] != 0 ? style.opacity : style.hidden_opacity;
+      if (opacity > 0)
+        strokes.add(pixel(pieces_[k].begin), pixel(pieces_[k].end), style.width, opacity);
+    }
     strokes.draw(style.ink, picture);
   }
 

@@ -23,10 +23,11 @@ struct LineStyle {
   Color ink;
   float width = 1;  // pixels
   float opacity = 1;
+  float hidden_opacity = 0;  // of what the ribbon or the obstacle hides
 };
 
-// Draws what the ribbon and the obstacle do not hide of the lines into a picture that `camera` took
-// of `scene`. Lines that lie in a surface are seen on it. The same for any number of threads.
+// Draws lines into a picture that `camera` took of `scene`. Lines that lie in a surface are seen on
+// it. The same for any number of threads.
 void draw_lines(const SpaceLines& lines, const LineStyle& style, const RenderScene& scene,
                 const Camera& camera, Picture& picture);
 

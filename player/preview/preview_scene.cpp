@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "player/picture/curve_style.h"
 #include "player/preview/cloth_texels.h"
 #include "player/preview/shaders.h"
 #include "player/preview/wire_edges.h"
@@ -13,14 +14,9 @@ namespace ribbon {
 namespace {
 
 const Color wire_color = from_srgb(0x4A5560);
-const Color curve_color = from_srgb(0xE8178A);
 constexpr float wire_opacity = 0.85F;
 constexpr float wire_far_opacity = 0.3F;  // of that, where the obstacle's faces look away
-constexpr float curve_hidden_opacity = 0.3F;
-// Pixels of a picture 720 pixels high.
-constexpr float wire_pixels = 1;
-constexpr float curve_pixels = 3.5F;
-constexpr float curve_forward = 0.1F;  // of the ribbon's width, towards the eye
+constexpr float wire_pixels = 1;          // of a picture 720 pixels high
 
 // As shaders take colours, with all channels multiplied by the opacity.
 Eigen::Vector4f shader_color(const Color& color, float opacity) {
@@ -143,12 +139,12 @@ void PreviewScene::draw_wire(PictureSize size) const {
 
 // What the ribbon hides of it is dimmed.
 void PreviewScene::draw_curve(PictureSize size) const {
-  programs_.line.set("half_width", curve_pixels / 2 * scale_of(size));
-  programs_.line.set("forward", curve_forward * ribbon_width_m_);
-  programs_.line.set("ink", shader_color(curve_color, curve_hidden_opacity));
+  programs_.line.set("half_width", curve_style::pixels / 2 * scale_of(size));
+  programs_.line.set("forward", curve_style::forward * ribbon_width_m_);
+  programs_.line.set("ink", shader_color(curve_style::ink, curve_style::hidden_opacity));
   gl_->DepthFunc(GL_GREATER);
   curve_->draw_triangles();
-  programs_.line.set("ink", shader_color(curve_color, 1));
+  programs_.line.set("ink", shader_color(curve_style::ink, 1));
   gl_->DepthFunc(GL_LESS);
   curve_->draw_triangles();
 }

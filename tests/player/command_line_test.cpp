@@ -100,6 +100,17 @@ TEST_F(RibbonPlay, a_preview_takes_captions_and_refuses_what_only_the_ray_tracer
   expect_refusal(run(preview + "-o 1.exr"), "write .png files, or leave --preview out");
 }
 
+TEST_F(RibbonPlay, the_input_curve_is_laid_over_pictures_where_the_recording_tells_it) {
+  ASSERT_EQ(play_small("-o plain.png --frames 1").exit_code, 0);
+  ASSERT_EQ(play_small("-o curve.png --frames 1 --overlay curve").exit_code, 0);
+  EXPECT_NE(bytes("plain.png"), bytes("curve.png"));
+  RecordingHeader header = sample_header();
+  header.input_curve.resize(3, 0);
+  fs::remove(recording_);
+  write_recording(recording_, header, {sample_positions(0)}, Ending::finished);
+  expect_refusal(play_small("-o none.png --overlay curve"), "does not tell the curve");
+}
+
 TEST_F(RibbonPlay, a_contact_sheet_can_be_a_preview) {
   ASSERT_EQ(run("knot.rbn --preview --sheet sheet.png").exit_code, 0);
   EXPECT_GT(png_size(bytes("sheet.png")).width, 5 * 520);
@@ -133,7 +144,7 @@ TEST_F(RibbonPlay, a_ribbon_is_coloured_by_what_is_measured) {
 
 TEST_F(RibbonPlay, colours_and_overlays_do_not_depend_on_threads) {
   const std::string arguments =
-      "--frames 3:5 --color-by gap --overlay wireframe,obstacle-wireframe,frame,time,numbers "
+      "--frames 3:5 --color-by gap --overlay wireframe,obstacle-wireframe,curve,frame,time,numbers "
       "--threads ";
   ASSERT_EQ(play_small("-o 'a/{frame:01}.png' " + arguments + "1").exit_code, 0);
   ASSERT_EQ(play_small("-o 'b/{frame:01}.png' " + arguments + "3").exit_code, 0);

@@ -67,6 +67,13 @@ TEST(SpaceLines, behind_the_ribbon_a_line_is_hidden_and_before_it_it_is_not) {
   EXPECT_GT(inked(drawn(across_picture(0.01F), scene())), 85);
 }
 
+TEST(SpaceLines, what_is_hidden_can_be_dimmed_instead) {
+  Picture picture = blank_picture(size, Color(1, 1, 1));
+  draw_lines(across_picture(-0.01F), {Color(0, 0, 0), 1, 1, 0.5F}, scene(), above(), picture);
+  for (int x = 6; x < 94; ++x) EXPECT_NEAR(*picture.pixel(x, 25), 128, 2) << x;
+  EXPECT_EQ(inked(drawn(across_picture(-0.01F), scene())), 0);
+}
+
 TEST(SpaceLines, an_obstacle_hides_only_what_is_behind_it) {
   const RenderScene with_plate =
       scene(-1, quad_mesh({-0.5F, -0.5F, 1}, {0.5F, -0.5F, 1}, {0.5F, 0.5F, 1}, {-0.5F, 0.5F, 1}));
