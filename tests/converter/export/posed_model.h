@@ -8,8 +8,9 @@
 
 namespace ribbon {
 
-inline Model posed_model(const SampleKnot& knot, std::size_t frame) {
-  Model model = model_of_recording(knot.header, {}).value();
+inline Model posed_model(const SampleKnot& knot, std::size_t frame,
+                         const ModelSettings& settings = {}) {
+  Model model = model_of_recording(knot.header, settings).value();
   const Eigen::Matrix3Xf positions = knot.frames.at(frame).cast<float>();
   EXPECT_TRUE(pose_ribbon(model, positions, static_cast<int>(frame) + 1).has_value());
   return model;

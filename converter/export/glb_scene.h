@@ -1,0 +1,42 @@
+// The JSON chunk of a GLB file: what its binary chunk holds, and in which order.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "converter/export/model.h"
+
+namespace ribbon {
+
+// The smallest and the largest coordinates of some points.
+struct PointBounds {
+  Eigen::Vector3f least = Eigen::Vector3f::Zero();
+  Eigen::Vector3f largest = Eigen::Vector3f::Zero();
+};
+
+PointBounds bounds_of(const Eigen::Matrix3Xf& points);
+
+// Corners of triangles, 3 x count; quads are split from their first corner to their third.
+Eigen::Matrix3Xi triangulated(const Eigen::MatrixXi& faces);
+
+// Of a frame, numbered from 0.
+float frame_time_s(const Model& model, Eigen::Index frame);
+
+struct GlbScene {
+  std::string json;  // filled up with spaces to a multiple of four bytes, as chunks are
+  std::uint64_t binary_bytes = 0;
+};
+
+// The binary chunk holds, little-endian and without gaps:
+//   for each object: positions (3 x f32 a vertex), uv if it has any (2 x f32, v downwards),
+//                    triangles (3 x u32);
+//   if there are several frames: for each but the first, how far every vertex of the first object
+//                    has moved since the first (3 x f32 a vertex); the times of all frames (f32);
+//                    the weights that are not 0, of frames x targets: where (u32), and how large
+//                    (f32).
+// targets: the bounds of each further frame's displacements. The length of the text does not depend
+// on them.
+GlbScene glb_scene(const Model& model, const std::vector<PointBounds>& targets);
+
+}  // namespace ribbon
