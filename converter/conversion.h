@@ -34,6 +34,7 @@ struct ConversionReport {
   std::uint64_t bytes_written = 0;
   std::filesystem::path first_file;
   std::filesystem::path last_file;
+  std::string warning;                      // of what other programs do with the file; mostly empty
   int thinned_by = 1;                       // of a recording: one of so many frames was kept
   std::optional<double> least_thickness_m;  // of a solid ribbon in the frames written now
   std::vector<int> missing;    // numbers (from 1) of asked frames that the damaged recording lost

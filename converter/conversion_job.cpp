@@ -21,10 +21,19 @@ Result<std::vector<int>> asked_frames(const ConversionRequest& request,
       });
 }
 
+// Without numbers an FBX holds the whole motion of the ribbon.
+OutputFormat format_of_frames(const ConversionRequest& request, OutputFormat format) {
+  const bool numbered = request.output.find('{') != std::string::npos;
+  const bool whole = format == OutputFormat::fbx && !numbered && request.model.with_ribbon;
+  return whole ? OutputFormat::whole_motion : format;
+}
+
 }  // namespace
 
 Result<ConversionJob> open_job(const ConversionRequest& request) {
-  const auto format = output_format(request.output);
+  const auto format = output_format(request.output).map([&](OutputFormat of_name) {
+    return format_of_frames(request, of_name);
+  });
   if (!format) return tl::unexpected(format.error());
   if (auto able = check_abilities(request, *format); !able) return tl::unexpected(able.error());
   auto reader = RecordingReader::open(request.recording);

@@ -1,6 +1,6 @@
 #include "converter/encode_model.h"
 
-#include "converter/export/fbx_export.h"
+#include "converter/export/fbx_writer.h"
 #include "converter/export/obj_text.h"
 
 namespace ribbon {

@@ -57,6 +57,8 @@ ribbon::Result<ribbon::ExitCode> run(int argc, const char* const* argv) {
   if (!report) return tl::unexpected(report.error());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (!(*line)->quiet) print_summary(*report, elapsed.count());
+  if (!report->warning.empty())
+    std::fprintf(stderr, "ribbon-convert: %s\n", report->warning.c_str());
   print_damage(*report);
   const bool whole = report->missing.empty() && report->damage.empty();
   return whole ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "converter/export/alembic_writer.h"
+#include "converter/export/fbx_writer.h"
+#include "converter/export/glb_writer.h"
 #include "converter/export/mdd_writer.h"
 #include "converter/export/npy_writer.h"
 #include "converter/export/pc2_writer.h"
@@ -19,12 +21,14 @@ std::size_t position_bytes(const Model& model) {
   return static_cast<std::size_t>(model.objects.front().positions.size()) * sizeof(float);
 }
 
-constexpr std::array<MotionFormat, 5> formats{{
-    {".abc", new_alembic_writer, position_bytes, false, true},
-    {".mdd", new_mdd_writer, position_bytes, true, true},
-    {".npy", new_npy_writer, position_bytes, false, false},
-    {".pc2", new_pc2_writer, position_bytes, true, false},
-    {".usda", new_usd_writer, usd_pose_bytes, false, true},
+constexpr std::array<MotionFormat, 7> formats{{
+    {".abc", new_alembic_writer, position_bytes, false, true, nullptr},
+    {".fbx", new_fbx_writer, position_bytes, false, true, fbx_warning},
+    {".glb", new_glb_writer, position_bytes, false, true, nullptr},
+    {".mdd", new_mdd_writer, position_bytes, true, true, nullptr},
+    {".npy", new_npy_writer, position_bytes, false, false, nullptr},
+    {".pc2", new_pc2_writer, position_bytes, true, false, nullptr},
+    {".usda", new_usd_writer, usd_pose_bytes, false, true, nullptr},
 }};
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "converter/export/motion_writer.h"
@@ -18,6 +19,8 @@ struct MotionFormat {
   std::size_t (*bytes_of_pose)(const Model& model);
   bool deforms_base;  // it holds positions alone, for the mesh of an OBJ beside it
   bool states_rate;   // it says how many frames a second
+  // What other programs are known to do with such a motion; mostly nothing. Null: never anything.
+  std::string (*warning)(const Model& model, int frames);
 };
 
 std::span<const MotionFormat> motion_formats();

@@ -9,7 +9,8 @@ namespace {
 constexpr const char* examples = R"(Examples:
   ribbon-convert knot.rbn -o 'out/knot.{frame:04}.obj'   one OBJ a frame, one material library
   ribbon-convert knot.rbn -o 'out/knot.{frame:04}.fbx'   one FBX a frame
-  ribbon-convert knot.rbn -o out/knot.abc                all frames in one file: Alembic, or USD as .usda
+  ribbon-convert knot.rbn -o out/knot.abc                all frames in one file: Alembic; or .fbx, .glb
+                                                         (glTF), .usda (USD)
   ribbon-convert knot.rbn -o out/knot.mdd                all frames in one point cache (or .pc2), and
                                                          out/knot.obj as the mesh that it deforms
   ribbon-convert knot.rbn -o out/knot.npy                positions as an array for NumPy

@@ -12,9 +12,8 @@ namespace ribbon {
 namespace {
 
 // What assimp 5.2.5 does to a ribbon in the formats that it says it writes; measured.
-constexpr std::array<std::pair<std::string_view, const char*>, 7> refused{{
-    {".glb", "assimp splits the quads and joins vertices"},
-    {".gltf", "assimp splits the quads and joins vertices"},
+constexpr std::array<std::pair<std::string_view, const char*>, 6> refused{{
+    {".gltf", "its binary form is .glb"},
     {".ply", "assimp merges ribbon and obstacle, and the format does not say which way is up"},
     {".stl", "the format has no uv and no shared vertices"},
     {".3mf", "assimp loses the fourth corner of every quad"},
@@ -34,9 +33,9 @@ std::string problem_of(const std::string& extension) {
 std::string supported() {
   std::string motions;
   for (const MotionFormat& format : motion_formats())
-    motions += std::string(format.extension) + ", ";
+    motions += (motions.empty() ? "" : ", ") + std::string(format.extension);
   return "choose .obj or .fbx (one file a frame), " + motions +
-         "(all frames in one file), .csv (the numbers of each frame) or .rbn (a recording)";
+         " (all frames in one file), .csv (the numbers of each frame) or .rbn (a recording)";
 }
 
 }  // namespace

@@ -7,7 +7,8 @@
 
 namespace ribbon {
 
-// OBJ and FBX hold one frame a file; the others hold all frames in one.
+// OBJ and FBX hold one frame a file; the others hold all frames in one, as FBX does where it is
+// asked for a whole motion.
 enum class OutputFormat { obj, fbx, whole_motion, numbers, recording };
 
 inline bool is_one_file(OutputFormat format) {

@@ -65,6 +65,8 @@ Result<ConversionReport> write_whole_motion(const ConversionRequest& request, Co
   if (!writer) return tl::unexpected(writer.error());
   ConversionReport report;
   report.first_file = report.last_file = request.output;
+  if (format.warning != nullptr)
+    report.warning = format.warning(base, static_cast<int>(job.frames.size()));
   return append_frames(job.reader, job.frames, job.model, **writer, request, report)
       .and_then([&] { return (*writer)->finish(); })
       .and_then(

@@ -4,8 +4,9 @@
       RIBBON_CONVERT BLENDER_SAMPLES FOLDER
 
 Every export is imported and compared with the recording: objects, names, materials, numbers of
-vertices and faces, vertex order, uv, axes (Blender is z up: x, -z, y of the recording), unit, and
-each position. The same comparison must refuse the spoiled exports, or it would prove nothing.
+vertices and faces, vertex order, uv, axes (Blender is z up: x, -z, y of the recording), unit, frame
+rate, and each position in each frame. The same comparison must refuse the spoiled exports, or it
+would prove nothing.
 """
 
 import json
@@ -37,8 +38,18 @@ FAULTS = {
     "frozen": "a position is off",
     "swapped_uv": "uv differ",
     "wrong_name": "objects are",
-    "unrepaired": "Blender does not open it",
+    "other_name": "objects are",
+    "wrong_rate": "",  # FBX tells its rate; in glTF frames come at other times
 }
+
+# Faults that have no place in what is compared here.
+UNSEEN = ("inside_out",)
+
+# The formats that hold a mesh and its motion.
+SCENES = (".glb", ".fbx")
+
+# Where importers put the first frame of a motion.
+FIRST_FRAME = {".pc2": 0, ".mdd": 0, ".glb": 0, ".fbx": 1}
 
 
 class Reference:
@@ -54,6 +65,7 @@ class Reference:
         self.obstacle_vertices = data["obstacle_vertices"]
         self.obstacle_triangles = data["obstacle_triangles"]
         self.frames = data["frames"]
+        self.frames_per_second = data["frames_per_second"]
         largest = max(abs(x) for p in self.frames[0] + self.obstacle_vertices for x in p)
         self.tolerance = 1e-5 * self.length + FLOAT_ROUNDING * largest
 
@@ -130,9 +142,10 @@ def compare_ribbon(reference, mesh, frame, corners):
 
 
 def check_file(path, reference, frame, corners=3):
-    """Problems of one exported frame; none when it is right."""
+    """Problems of one exported frame; none when it is right. glTF has triangles alone."""
+    corners = 3 if path.suffix == ".glb" else corners
     try:
-        import_file(path)
+        import_file(path, reference.frames_per_second if path.suffix == ".glb" else 24)
     except Exception as error:  # whatever an importer raises on a broken file
         return ["Blender does not open it: " + str(error).strip().splitlines()[-1]]
     problems = compare_objects(reference)
@@ -142,18 +155,51 @@ def check_file(path, reference, frame, corners=3):
     return problems + compare_ribbon(reference, mesh, frame, corners) + compare_uv(mesh, reference.uv)
 
 
-def check_cache(base, cache, reference, corners=3):
-    """Problems of a point cache on its base, over all frames."""
-    problems = check_file(base, reference, 0, corners)
-    attach_cache(reference.ribbon, cache)
+def check_frames(reference, first, corners):
+    """Problems of what Blender shows, over all frames; the first is the scene's frame `first`."""
+    problems = []
     for frame in range(len(reference.frames)):
-        bpy.context.scene.frame_set(frame)
+        bpy.context.scene.frame_set(first + frame)
         ribbon = evaluated(bpy.data.objects[reference.ribbon])
         problems += [
             f"frame {frame}: {problem}"
             for problem in compare_ribbon(reference, ribbon.data, frame, corners)
         ]
     return problems
+
+
+def check_cache(base, cache, reference, corners=3):
+    """Problems of a point cache on its base."""
+    problems = check_file(base, reference, 0, corners)
+    attach_cache(reference.ribbon, cache)
+    return problems + check_frames(reference, FIRST_FRAME[cache.suffix], corners)
+
+
+def compare_rate(reference):
+    render = bpy.context.scene.render
+    rate = render.fps / render.fps_base
+    wanted = reference.frames_per_second
+    return [] if rate == wanted else [f"the frame rate is {rate}, not {wanted}"]
+
+
+def compare_shapes(reference):
+    """One shape for each frame but the first, which is the mesh itself."""
+    keys = bpy.data.objects[reference.ribbon].data.shape_keys
+    found = [key.name for key in keys.key_blocks][1:] if keys else []
+    wanted = [f"frame {frame + 1}" for frame in range(1, len(reference.frames))]
+    return [] if found == wanted else [f"shapes are {found}, not {wanted}"]
+
+
+def check_motion(path, reference, corners=3):
+    """Problems of a file that holds the mesh and its motion."""
+    problems = check_file(path, reference, 0, corners)
+    if reference.ribbon not in bpy.data.objects:
+        return problems
+    problems += compare_shapes(reference)
+    if path.suffix == ".fbx":
+        problems += compare_rate(reference)
+    corners = 3 if path.suffix == ".glb" else corners
+    return problems + check_frames(reference, FIRST_FRAME[path.suffix], corners)
 
 
 def seen_in_cache(path):
@@ -180,7 +226,7 @@ class Verdicts:
 
     def judges(self, path, problems):
         """A file of blender_samples, whose name tells its fault."""
-        if path.stem == "right":
+        if path.stem in ("right", "one_frame"):
             self.accepts(f"spoiled {path.name}", problems)
         else:
             self.refuses(f"spoiled {path.name}", problems, FAULTS[path.stem])
@@ -191,7 +237,7 @@ def check_exports(verdicts, convert, folder, sample, faces, corners):
     recording = folder / f"{sample}.rbn"
     what = f"{sample} {faces}"
     out = folder / sample / faces
-    for name in ("knot.{frame:04}.obj", "knot.{frame:04}.fbx", "pc2/knot.pc2", "mdd/knot.mdd"):
+    for name in ("knot.{frame:04}.obj", "knot.{frame:04}.fbx", "pc2/knot.pc2", "mdd/knot.mdd", "knot.glb", "knot.fbx"):
         command = [convert, recording, "-o", out / name, "--faces", faces, "--quiet"]
         subprocess.run(command, check=True)
     for extension in (".obj", ".fbx"):
@@ -203,14 +249,22 @@ def check_exports(verdicts, convert, folder, sample, faces, corners):
         cache = out / f"{extension[1:]}/knot{extension}"
         problems = check_cache(cache.with_suffix(".obj"), cache, reference, corners)
         verdicts.accepts(f"{what} {cache.name}", problems)
+    for extension in SCENES:
+        path = out / f"knot{extension}"
+        verdicts.accepts(f"{what} {path.name}", check_motion(path, reference, corners))
 
 
 def check_placed(verdicts, convert, folder):
-    """FBX says its axes and unit, so that others than the recording's come to the same."""
+    """FBX says its axes and unit, and glTF's nodes bring them back, so that others than the
+    recording's come to the same."""
     reference = Reference(folder / "near.json")
     out = folder / "near/placed"
-    command = [convert, folder / "near.rbn", "-o", out / "knot.{frame}.fbx", "--quiet"]
-    subprocess.run([*command, "--up", "z", "--unit", "cm"], check=True)
+    for name in ("knot.{frame}.fbx", "knot.fbx", "knot.glb"):
+        command = [convert, folder / "near.rbn", "-o", out / name, "--quiet"]
+        subprocess.run([*command, "--up", "z", "--unit", "cm"], check=True)
+    for extension in SCENES:
+        path = out / f"knot{extension}"
+        verdicts.accepts(f"near z-up cm {path.name}", check_motion(path, reference))
     for frame in range(len(reference.frames)):
         path = out / f"knot.{frame + 1:04}.fbx"
         verdicts.accepts(f"near z-up cm {path.name}", check_file(path, reference, frame))
@@ -218,17 +272,28 @@ def check_placed(verdicts, convert, folder):
 
 def check_that_faults_are_seen(verdicts, folder):
     reference = Reference(folder / "near.json")
-    spoiled = folder / "spoiled"
-    faults = sorted(path for path in spoiled.iterdir() if path.suffix in (".obj", ".fbx"))
-    for path in faults:
-        verdicts.judges(path, check_file(path, reference, SPOILED_FRAME))
+    for path in sorted((folder / "spoiled").iterdir()):
+        if path.suffix in (".obj", ".fbx"):
+            verdicts.judges(path, check_file(path, reference, SPOILED_FRAME))
     for extension in (".obj", ".fbx"):
         neighbour = folder / "near/triangles" / f"knot.0002{extension}"
         problems = check_file(neighbour, reference, 0)
         verdicts.refuses(f"frame 2 for frame 1, {extension}", problems, "a position is off")
-    motions = folder / "spoiled_motions"
-    for cache in sorted(path for path in motions.iterdir() if seen_in_cache(path)):
-        verdicts.judges(cache, check_cache(folder / "near/triangles/pc2/knot.obj", cache, reference))
+
+
+def check_that_faulty_motions_are_seen(verdicts, folder):
+    base = folder / "near/triangles/pc2/knot.obj"
+    reference = Reference(folder / "near.json")
+    for path in sorted((folder / "spoiled_motions").iterdir()):
+        if seen_in_cache(path):
+            verdicts.judges(path, check_cache(base, path, reference))
+        elif path.suffix in SCENES and path.stem not in UNSEEN:
+            verdicts.judges(path, check_motion(path, reference))
+    for path in sorted((folder / "spoiled_scenes").iterdir()):
+        reference = Reference(folder / "near.json")
+        if path.stem == "one_frame":
+            del reference.frames[1:]
+        verdicts.judges(path, check_motion(path, reference))
 
 
 def main():
@@ -241,6 +306,7 @@ def main():
     check_exports(verdicts, convert, folder, "near", "quads", 4)
     check_placed(verdicts, convert, folder)
     check_that_faults_are_seen(verdicts, folder)
+    check_that_faulty_motions_are_seen(verdicts, folder)
     if verdicts.failed:
         raise SystemExit(f"{verdicts.failed} comparisons went wrong")
     print("Blender", bpy.app.version_string, "sees what was recorded", flush=True)

@@ -9,8 +9,7 @@
 #include <iomanip>
 #include <limits>
 
-#include "converter/export/fbx_export.h"
-#include "converter/export/fbx_records.h"
+#include "converter/export/fbx_writer.h"
 #include "converter/export/obj_text.h"
 #include "converter/motion_format.h"
 #include "converter/sample_knot.h"
@@ -165,6 +164,33 @@ void write_all_spoiled_motions(const Folder& folder, const Folder& recording) {
   write("other_name", [](Recorded& r) { r.model.objects[0].name = "Mesh"; });
 }
 
+void enlarge(Model& model) {
+  for (auto& object : model.objects) object.positions *= 100;
+}
+
+// Faults of more than positions, in the formats that hold the mesh and its motion.
+void write_spoiled_scenes(const Folder& folder, const Folder& recording) {
+  const auto write = [&](const std::string& fault, Recorded scene,
+                         const std::function<void(Model&)>& spoil) {
+    for (auto& positions : scene.motion) {
+      Model posed = scene.model;
+      posed.objects.front().positions = positions;
+      spoil(posed);
+      positions = posed.objects.front().positions;
+    }
+    spoil(scene.model);
+    for (const Folder& file : {folder / (fault + ".glb"), folder / (fault + ".fbx")})
+      write_motion(file, *ribbon::motion_format(file), scene.model, scene.motion);
+  };
+  const Recorded right = recorded(recording);
+  write("right", right, [](auto&) {});
+  write("one_frame", {right.model, {right.motion.front()}}, [](auto&) {});
+  write("wrong_axes", right, swap_y_and_z);
+  write("hundredfold", right, enlarge);
+  const std::string fbx = demanded(ribbon::read_file(folder / "right.fbx"));
+  demanded(ribbon::write_file(folder / "wrong_unit.fbx", with_wrong_unit(fbx)));
+}
+
 void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
   const double visible = 1e-4 * knot.header.ribbon_length_m;
   write_spoiled(folder, knot, "right", [](Model&) {});
@@ -173,9 +199,7 @@ void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
   write_spoiled(folder, knot, "moved_obstacle",
                 [&](Model& m) { m.objects[1].positions(1, 3) += static_cast<float>(visible); });
   write_spoiled(folder, knot, "wrong_axes", swap_y_and_z);
-  write_spoiled(folder, knot, "hundredfold", [](Model& m) {
-    for (auto& object : m.objects) object.positions *= 100;
-  });
+  write_spoiled(folder, knot, "hundredfold", enlarge);
   write_spoiled(folder, knot, "swapped_uv",
                 [](Model& m) { m.objects[0].uv.row(0).swap(m.objects[0].uv.row(1)); });
   write_spoiled(folder, knot, "wrong_name", [](Model& m) { m.objects[0].name = "Mesh"; });
@@ -183,9 +207,6 @@ void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
     m.objects[0].positions.col(3).swap(m.objects[0].positions.col(4));
   });
   const Model right = model_of(knot, knot.frames[spoiled_frame]);
-  const std::string unrepaired = ribbon::unrepaired_fbx_bytes(right).value();
-  if (ribbon::fbx_top_list_end(unrepaired) == 0)  // an assimp before 5.3
-    demanded(ribbon::write_file(folder / "unrepaired.fbx", unrepaired));
   demanded(ribbon::write_file(folder / "wrong_unit.fbx",
                               with_wrong_unit(ribbon::fbx_bytes(right).value())));
 }
@@ -216,4 +237,5 @@ int main(int argc, char** argv) {
   write_sample(folder, "long", long_knot());
   write_all_spoiled(folder / "spoiled", ribbon::sample_knot(grid));
   write_all_spoiled_motions(folder / "spoiled_motions", folder / "near.rbn");
+  write_spoiled_scenes(folder / "spoiled_scenes", folder / "near.rbn");
 }

@@ -1,6 +1,10 @@
 """Files into Blender's scene, and meshes out of it."""
 
 import bpy
+import numpy
+
+# Blender 3.4's importer of glTF asks for a name that NumPy has given up.
+numpy.bool = bool
 
 
 # Point caches, and what the Mesh Cache modifier calls them.
@@ -9,15 +13,21 @@ CACHES = {".pc2": "PC2", ".mdd": "MDD"}
 
 def empty_scene():
     """Forgets all objects with their data; much faster than to begin anew."""
-    for kind in (bpy.data.objects, bpy.data.meshes, bpy.data.materials, bpy.data.images):
-        bpy.data.batch_remove(list(kind))
+    data = bpy.data
+    for kind in (data.objects, data.meshes, data.materials, data.images, data.actions):
+        data.batch_remove(list(kind))
 
 
-def import_file(path):
-    """Into an empty scene, with the importer's default settings."""
+def import_file(path, frames_per_second=24):
+    """Into an empty scene of that rate, which glTF needs; FBX brings its own. With the importer's
+    default settings."""
     empty_scene()
+    render = bpy.context.scene.render
+    render.fps, render.fps_base = round(frames_per_second), 1
     if path.suffix == ".obj":
         bpy.ops.wm.obj_import(filepath=str(path))
+    elif path.suffix == ".glb":
+        bpy.ops.import_scene.gltf(filepath=str(path))
     else:
         bpy.ops.import_scene.fbx(filepath=str(path))
 

@@ -24,6 +24,7 @@ from blender_scene import attach_cache, evaluated, import_file  # noqa: E402
 
 
 RIBBON = "overhand-hourglass-8x400"  # the name of the scene
+FRAMES_PER_SECOND = 5  # as tight_knot.sh records it
 
 
 def meshes():
@@ -49,11 +50,23 @@ def show_cache(cache):
         yield
 
 
+def show_motion(path):
+    """Shows the shapes of a file that holds the mesh and its motion."""
+    import_file(path, FRAMES_PER_SECOND)
+    keys = bpy.data.objects[RIBBON].data.shape_keys.key_blocks
+    first = 1 if path.suffix == ".fbx" else 0
+    for frame in range(len(keys)):
+        bpy.context.scene.frame_set(first + frame)
+        yield
+
+
 # What is written, and how Blender shows frame after frame of it.
 EXPORTS = {
     "knot.{frame:04}.obj": show_sequence,
     "knot.{frame:04}.fbx": show_sequence,
     "knot.pc2": show_cache,
+    "knot.glb": show_motion,
+    "knot.fbx": show_motion,
 }
 
 

@@ -234,10 +234,25 @@ TEST_F(Tool, the_numbers_of_each_frame_become_a_table) {
   EXPECT_THAT(bytes("out/knot.csv"), HasSubstr("\n3,0.04,0.002,2,4,"));
 }
 
+TEST_F(Tool, an_fbx_without_a_number_holds_the_whole_motion) {
+  EXPECT_EQ(run("knot.rbn -o a.fbx").errors, "");
+  EXPECT_THAT(names("."), ElementsAre("a.fbx", "knot.rbn"));
+  EXPECT_THAT(bytes("a.fbx"), HasSubstr("BlendShapeChannel"));
+  ASSERT_EQ(run("knot.rbn -o rock.fbx --object obstacle").exit_code, 0);
+  EXPECT_THAT(bytes("rock.fbx"), AllOf(StartsWith("Kaydara"), Not(HasSubstr("BlendShape"))));
+}
+
+TEST_F(Tool, what_other_programs_do_with_a_file_is_told) {
+  EXPECT_THAT(run("knot.rbn -o a.fbx --fps 29.97").errors,
+              HasSubstr("29.97 frames a second as 30"));
+  EXPECT_EQ(run("knot.rbn -o '{frame}.fbx' --fps 29.97").errors, "");
+}
+
 TEST_F(Tool, an_unknown_extension_is_one_sentence_that_lists_the_known) {
-  expect_refusal(run("knot.rbn -o 'knot.{frame}.glb'"),
-                 "knot.{frame}.glb: is not written as .glb (assimp splits the quads and joins "
-                 "vertices); choose .obj or .fbx (one file a frame), ");
+  expect_refusal(
+      run("knot.rbn -o 'knot.{frame}.ply'"),
+      "knot.{frame}.ply: is not written as .ply (assimp merges ribbon and obstacle, and "
+      "the format does not say which way is up); choose .obj or .fbx (one file a frame), ");
 }
 
 TEST_F(Tool, a_frame_that_is_not_there_is_refused) {

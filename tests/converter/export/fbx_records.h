@@ -1,37 +1,36 @@
-// Strict reading of a binary FBX file's record structure, for tests only.
+// Strict reading of a binary FBX file of version 7.4, for tests only.
 #pragma once
 
-#include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 namespace ribbon {
 
-inline std::uint64_t fbx_number(std::string_view bytes, std::size_t offset) {
-  std::uint64_t number = 0;
-  std::memcpy(&number, bytes.data() + offset, sizeof number);
-  return number;
-}
+struct ReadFbxRecord {
+  // A number, or text (of raw bytes, too), or an array.
+  using Property = std::variant<double, std::string, std::vector<double>>;
 
-// Walks a list of records from `position`; returns where its null record ends, or 0 when a record
-// does not end where it says or the null record is missing.
-inline std::size_t fbx_list_end(std::string_view bytes, std::size_t position) {
-  while (position + 25 <= bytes.size()) {
-    if (bytes.substr(position, 25) == std::string(25, '\0')) return position + 25;
-    const std::uint64_t end = fbx_number(bytes, position);
-    const std::size_t children = position + 25 + static_cast<unsigned char>(bytes[position + 24]) +
-                                 fbx_number(bytes, position + 16);
-    const bool plain = children == end && fbx_number(bytes, position + 8) > 0;
-    if (!plain && fbx_list_end(bytes.substr(0, end), children) != end) return 0;
-    position = end;
-  }
-  return 0;
-}
+  std::string name;
+  std::vector<Property> properties;
+  std::vector<ReadFbxRecord> nested;
 
-// Where the top-level list of a version-7500 file ends; 0: the file is not right.
-inline std::size_t fbx_top_list_end(std::string_view bytes) {
-  return fbx_list_end(bytes, 27);
-}
+  // The first nested record with a name; an empty one where there is none.
+  [[nodiscard]] const ReadFbxRecord& operator[](std::string_view nested_name) const;
+  // All of them with a name whose last property is `kind`.
+  [[nodiscard]] std::vector<const ReadFbxRecord*> all(std::string_view nested_name,
+                                                      std::string_view kind) const;
+  [[nodiscard]] const std::vector<double>& array() const;
+  [[nodiscard]] double number() const;
+  [[nodiscard]] std::string text(std::size_t property) const;
+  // The last value of the property `P` with a name among Properties70.
+  [[nodiscard]] double setting(std::string_view setting_name) const;
+};
+
+// The file's records, nested in one without a name. Throws std::runtime_error with the place where
+// a record does not end where it says, a list has no null record, an array cannot be inflated to
+// the length it states, or the end of the file is not as it should be.
+ReadFbxRecord read_fbx(std::string_view bytes);
 
 }  // namespace ribbon

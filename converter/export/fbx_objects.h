@@ -1,0 +1,44 @@
+// What an FBX file holds of a model: meshes, blend shapes and their motion, as records.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "converter/export/fbx_arrays.h"
+#include "converter/export/fbx_record.h"
+#include "converter/export/model.h"
+
+namespace ribbon {
+
+// FBX counts time in these.
+std::int64_t fbx_ticks(double frames_per_second, int frame);
+
+// Geometry, node and material of the model's object with this index.
+std::vector<FbxRecord> fbx_mesh_records(const Model& model, int object, FbxArrays& arrays);
+std::vector<FbxRecord> fbx_mesh_connections(int object);
+
+// The deformer, the layer and the stack that all shapes of the first object share. frames: 2 and
+// more.
+std::vector<FbxRecord> fbx_motion_records(const Model& model, int frames);
+std::vector<FbxRecord> fbx_motion_connections();
+
+// Shapes of the first object: how far every vertex is displaced in a frame (from 1; frame 0 is the
+// mesh itself). What is alike in all shapes is deflated once.
+class FbxShapes {
+ public:
+  FbxShapes(Eigen::Index vertices, FbxArrays& arrays);
+  [[nodiscard]] FbxRecord shape(int frame, const Eigen::Matrix3Xd& displacements,
+                                FbxArrays& arrays) const;
+
+ private:
+  FbxProperty indices_;
+  FbxProperty normals_;
+};
+
+// The channel that gives a frame's shape its weight, and the curve of that: 0, 100 in its frame, 0,
+// with straight lines between.
+std::vector<FbxRecord> fbx_channel_records(const Model& model, int frame, int frames,
+                                           FbxArrays& arrays);
+std::vector<FbxRecord> fbx_channel_connections(int frame);
+
+}  // namespace ribbon

@@ -1,0 +1,253 @@
+#include "converter/export/fbx_writer.h"
+
+#include <assimp/anim.h>
+#include <assimp/material.h>
+#include <assimp/scene.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <set>
+
+#include "converter/export/fbx_records.h"
+#include "converter/export/written_motion.h"
+#include "result/refusal.h"
+
+namespace ribbon::fbx_writer_test {
+
+std::string frame_bytes(const SampleKnot& knot, std::size_t frame) {
+  return fbx_bytes(posed_model(knot, frame)).value();
+}
+
+std::vector<double> numbers(const Eigen::Matrix3Xf& points) {
+  return {points.data(), points.data() + points.size()};
+}
+
+TEST(FbxFrame, the_file_says_metres_y_up_and_the_frame_rate) {
+  const ReadFbxRecord file = read_fbx(frame_bytes(sample_knot(), 0));
+  const ReadFbxRecord& settings = file["GlobalSettings"];
+  EXPECT_EQ(settings.setting("UnitScaleFactor"), 100);
+  EXPECT_EQ(settings.setting("UpAxis"), 1);
+  EXPECT_EQ(settings.setting("FrontAxis"), 2);
+  EXPECT_EQ(settings.setting("CoordAxis"), 0);
+  EXPECT_EQ(settings.setting("TimeMode"), 14);
+  EXPECT_EQ(settings.setting("CustomFrameRate"), 50);
+}
+
+TEST(FbxFrame, the_file_says_other_axes_and_units) {
+  const Placement placement{.up = UpAxis::z, .metres_per_unit = 0.01};
+  const Model model = posed_model(sample_knot(), 0, {.placement = placement});
+  const ReadFbxRecord file = read_fbx(fbx_bytes(model).value());
+  const ReadFbxRecord& settings = file["GlobalSettings"];
+  EXPECT_EQ(settings.setting("UnitScaleFactor"), 1);
+  EXPECT_EQ(settings.setting("UpAxis"), 2);
+  EXPECT_EQ(settings.setting("FrontAxis"), 1);
+  EXPECT_EQ(settings.setting("FrontAxisSign"), -1);
+}
+
+TEST(FbxFrame, meshes_are_as_in_the_model_and_nothing_moves) {
+  const Model model = posed_model(sample_knot(), 2);
+  const ReadFbxRecord file = read_fbx(fbx_bytes(model).value());
+  const auto meshes = file["Objects"].all("Geometry", "Mesh");
+  ASSERT_EQ(meshes.size(), 2U);
+  for (std::size_t object = 0; object < 2; ++object) {
+    EXPECT_EQ((*meshes[object])["Vertices"].array(), numbers(model.objects[object].positions));
+    EXPECT_EQ((*meshes[object])["PolygonVertexIndex"].array().size(),
+              static_cast<std::size_t>(model.objects[object].faces.size()));
+  }
+  EXPECT_TRUE(file["Objects"].all("Geometry", "Shape").empty());
+  EXPECT_EQ(file["Objects"]["AnimationStack"].name, "");
+}
+
+TEST(FbxFrame, the_same_frame_gives_the_same_bytes) {
+  EXPECT_TRUE(frame_bytes(sample_knot(), 1) == frame_bytes(sample_knot(), 1));
+}
+
+class FbxMotion : public testing::Test {
+ protected:
+  SampleKnot knot_ = sample_knot();
+  std::string bytes_ = written_motion(new_fbx_writer, knot_);
+  ReadFbxRecord file_ = read_fbx(bytes_);
+};
+
+TEST_F(FbxMotion, each_further_frame_is_a_shape_of_exact_displacements) {
+  const auto shapes = file_["Objects"].all("Geometry", "Shape");
+  ASSERT_EQ(shapes.size(), 4U);
+  for (std::size_t frame = 1; frame < 5; ++frame) {
+    const ReadFbxRecord& shape = *shapes[frame - 1];
+    EXPECT_EQ(shape.text(1),
+              "frame " + std::to_string(frame + 1) + std::string("\0\1Geometry", 10));
+    EXPECT_EQ(shape["Indexes"].array().size(), 48U) << "also where nothing moved";
+    const std::vector<double> moved = shape["Vertices"].array();
+    const Eigen::Matrix3Xd posed = knot_.frames[0].cast<float>().cast<double>() +
+                                   Eigen::Map<const Eigen::Matrix3Xd>(moved.data(), 3, 48);
+    EXPECT_EQ(posed, knot_.frames[frame].cast<float>().cast<double>()) << frame;
+  }
+}
+
+TEST_F(FbxMotion, each_channel_is_full_in_its_frame_alone) {
+  constexpr double ticks = 46186158000.0 / 50;
+  const auto curves = file_["Objects"].all("AnimationCurve", "");
+  ASSERT_EQ(curves.size(), 4U);
+  for (std::size_t frame = 1; frame < 5; ++frame) {
+    const ReadFbxRecord& curve = *curves[frame - 1];
+    const auto at = static_cast<double>(frame);
+    std::vector<double> times{(at - 1) * ticks, at * ticks, (at + 1) * ticks};
+    std::vector<double> weights{0, 100, 0};
+    times.resize(frame < 4 ? 3 : 2);  // the last frame has none behind it
+    weights.resize(times.size());
+    EXPECT_EQ(curve["KeyTime"].array(), times);
+    EXPECT_EQ(curve["KeyValueFloat"].array(), weights);
+  }
+  for (const ReadFbxRecord* channel : file_["Objects"].all("Deformer", "BlendShapeChannel"))
+    EXPECT_EQ((*channel)["FullWeights"].array(), std::vector<double>{100});
+}
+
+TEST_F(FbxMotion, all_that_is_connected_exists_and_all_that_exists_is_connected) {
+  std::vector<double> objects;
+  for (const ReadFbxRecord& object : file_["Objects"].nested)
+    objects.push_back(std::get<double>(object.properties[0]));
+  std::set<double> connected;  // a curve's node both to its layer and to its channel
+  for (const ReadFbxRecord& connection : file_["Connections"].nested) {
+    connected.insert(std::get<double>(connection.properties[1]));
+    const double owner = std::get<double>(connection.properties[2]);
+    EXPECT_TRUE(owner == 0 || std::count(objects.begin(), objects.end(), owner) == 1) << owner;
+  }
+  connected.insert(std::get<double>(file_["Objects"]["AnimationStack"].properties[0]));
+  EXPECT_THAT(connected, testing::UnorderedElementsAreArray(objects));
+}
+
+TEST_F(FbxMotion, the_definitions_count_all_objects) {
+  double count = 1;  // the settings
+  for (const ReadFbxRecord& type : file_["Definitions"].nested) {
+    if (type.name != "ObjectType" || type.text(0) == "GlobalSettings") continue;
+    double found = 0;
+    for (const ReadFbxRecord& object : file_["Objects"].nested)
+      found += object.name == type.text(0) ? 1 : 0;
+    EXPECT_EQ(type["Count"].number(), found) << type.text(0);
+    count += found;
+  }
+  EXPECT_EQ(file_["Definitions"]["Count"].number(), count);
+  EXPECT_EQ(static_cast<double>(file_["Objects"].nested.size()), count - 1);
+}
+
+TEST_F(FbxMotion, one_frame_is_the_same_file_as_without_motion) {
+  knot_.frames.resize(1);
+  EXPECT_TRUE(written_motion(new_fbx_writer, knot_) == frame_bytes(knot_, 0));
+}
+
+TEST(FbxWriter, other_programs_are_warned_of) {
+  Model model = posed_model(sample_knot(), 0);
+  EXPECT_EQ(fbx_warning(model, 1000), "");
+  EXPECT_THAT(fbx_warning(model, 1001), HasSubstr("1001 frames"));
+  model.frames_per_second = 29.97;
+  EXPECT_EQ(fbx_warning(model, 1), "");
+  EXPECT_THAT(fbx_warning(model, 2), AllOf(HasSubstr("29.97"), HasSubstr("as 30")));
+}
+
+TEST(FbxWriter, an_unwritable_place_is_named) {
+  EXPECT_THAT(refusal_of(new_fbx_writer("/dev/null/a.fbx", posed_model(sample_knot(), 0), 2)),
+              HasSubstr("/dev/null"));
+}
+
+// The importer gives every face its own vertices, so faces and corners are compared in order.
+void expect_same(const aiMesh& mesh, const ModelObject& object) {
+  ASSERT_EQ(mesh.mNumFaces, object.faces.cols());
+  ASSERT_EQ(mesh.HasTextureCoords(0), object.uv.cols() > 0);
+  for (unsigned face = 0; face < mesh.mNumFaces; ++face) {
+    ASSERT_EQ(mesh.mFaces[face].mNumIndices, object.faces.rows());
+    for (unsigned corner = 0; corner < mesh.mFaces[face].mNumIndices; ++corner) {
+      const unsigned vertex = mesh.mFaces[face].mIndices[corner];
+      const int expected = object.faces(corner, face);
+      const aiVector3D& position = mesh.mVertices[vertex];
+      ASSERT_EQ(Eigen::Vector3f(position.x, position.y, position.z),
+                object.positions.col(expected));
+      if (object.uv.cols() == 0) continue;
+      const aiVector3D& uv = mesh.mTextureCoords[0][vertex];
+      ASSERT_EQ(Eigen::Vector2f(uv.x, uv.y), object.uv.col(expected));
+    }
+  }
+}
+
+// What another reader makes of the file.
+class FbxReadByAssimp : public testing::Test {
+ protected:
+  void read(const std::string& bytes) {
+    scene_ = importer_.ReadFileFromMemory(bytes.data(), bytes.size(), 0U, "fbx");
+    ASSERT_NE(scene_, nullptr) << importer_.GetErrorString();
+  }
+
+  void expect_meshes_of(const Model& model) {
+    ASSERT_EQ(scene_->mNumMeshes, model.objects.size());
+    for (const ModelObject& object : model.objects) {
+      const aiNode* node = scene_->mRootNode->FindNode(object.name.c_str());
+      ASSERT_NE(node, nullptr) << object.name;
+      ASSERT_EQ(node->mNumMeshes, 1U);
+      const aiMesh& mesh = *scene_->mMeshes[node->mMeshes[0]];
+      expect_same(mesh, object);
+      EXPECT_STREQ(scene_->mMaterials[mesh.mMaterialIndex]->GetName().C_Str(),
+                   object.material.name.c_str());
+    }
+  }
+
+  Assimp::Importer importer_;
+  const aiScene* scene_ = nullptr;
+};
+
+TEST_F(FbxReadByAssimp, every_frame_is_exact) {
+  for (std::size_t frame = 0; frame < 5; ++frame) {
+    read(frame_bytes(sample_knot(), frame));
+    expect_meshes_of(posed_model(sample_knot(), frame));
+  }
+}
+
+TEST_F(FbxReadByAssimp, quads_stay_quads) {
+  const Model quads = posed_model(sample_knot(), 2, {.faces = RibbonFaces::quads});
+  read(fbx_bytes(quads).value());
+  expect_meshes_of(quads);
+}
+
+TEST_F(FbxReadByAssimp, coordinates_a_kilometre_away_lose_no_digit) {
+  const SampleKnot far = sample_knot({.along = 12, .across = 4}, {1000, 2000, -3000});
+  read(frame_bytes(far, 2));
+  expect_meshes_of(posed_model(far, 2));
+}
+
+TEST_F(FbxReadByAssimp, every_shape_of_the_motion_is_there) {
+  const SampleKnot knot = sample_knot();
+  read(written_motion(new_fbx_writer, knot));
+  expect_meshes_of(posed_model(knot, 0));
+  const aiMesh& ribbon = *scene_->mMeshes[scene_->mRootNode->FindNode("first knot")->mMeshes[0]];
+  ASSERT_EQ(ribbon.mNumAnimMeshes, 4U);
+  const ModelObject first = posed_model(knot, 0).objects[0];
+  for (std::size_t frame = 1; frame < 5; ++frame) {
+    const Eigen::Matrix3Xf expected = knot.frames[frame].cast<float>();
+    for (unsigned face = 0; face < ribbon.mNumFaces; ++face)
+      for (unsigned corner = 0; corner < ribbon.mFaces[face].mNumIndices; ++corner) {
+        const aiVector3D& at =
+            ribbon.mAnimMeshes[frame - 1]->mVertices[ribbon.mFaces[face].mIndices[corner]];
+        EXPECT_LE((Eigen::Vector3f(at.x, at.y, at.z) - expected.col(first.faces(corner, face)))
+                      .cwiseAbs()
+                      .maxCoeff(),
+                  1e-7F);
+      }
+  }
+}
+
+TEST_F(FbxReadByAssimp, unit_axes_and_frame_rate_are_understood) {
+  read(frame_bytes(sample_knot(), 0));
+  float unit_cm = 0;
+  std::int32_t up = -1;
+  std::int32_t front = -1;
+  float rate = 0;
+  EXPECT_TRUE(scene_->mMetaData->Get("UpAxis", up));
+  EXPECT_TRUE(scene_->mMetaData->Get("FrontAxis", front));
+  EXPECT_TRUE(scene_->mMetaData->Get("UnitScaleFactor", unit_cm));
+  EXPECT_TRUE(scene_->mMetaData->Get("CustomFrameRate", rate));
+  EXPECT_EQ(unit_cm, 100);
+  EXPECT_EQ(up, 1);
+  EXPECT_EQ(front, 2);
+  EXPECT_EQ(rate, 50);
+}
+
+}  // namespace ribbon::fbx_writer_test
