@@ -77,6 +77,7 @@ if [[ ${1-} == --all ]]; then
 fi
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
+install_gltf_validator
 build release "${release[@]}"
 run_ctest release
 [[ ${1-} != --quick ]] || exit 0
