@@ -18,6 +18,18 @@ constexpr double bytes_of_a_pixel = 25;
 constexpr double bytes_of_an_exr_pixel = 50;
 // What smoothing looks at besides.
 constexpr double bytes_of_a_smoothed_pixel = 60;
+// What a preview needs besides: OSMesa with its compiler, and what it draws into, a part of the
+// picture at a time.
+constexpr double osmesa_bytes = 75e6;
+constexpr double bytes_of_a_drawn_pixel = 15;
+constexpr double bytes_of_an_antialiased_pixel = 55;
+
+double preview_bytes(const PreviewSettings& settings, PictureSize size) {
+  const double drawn = static_cast<double>(std::min(size.width, largest_preview_part)) *
+                       std::min(size.height, largest_preview_part);
+  return osmesa_bytes +
+         drawn * (settings.antialiased ? bytes_of_an_antialiased_pixel : bytes_of_a_drawn_pixel);
+}
 
 }  // namespace
 
@@ -27,11 +39,13 @@ std::uint64_t memory_forecast(const RecordingHeader& header, const Options& opti
   const auto format = picture_format(options.pictures);
   const bool is_exr = format && *format == PictureFormat::exr;
   double pixel_bytes = is_exr ? bytes_of_an_exr_pixel : bytes_of_a_pixel;
-  if (options.render.quality.smooth_sky) pixel_bytes += bytes_of_a_smoothed_pixel;
+  if (!options.preview && options.render.quality.smooth_sky)
+    pixel_bytes += bytes_of_a_smoothed_pixel;
   // Each view has pictures that wait; light is gathered for one at a time.
   const double views = std::max<double>(1, static_cast<double>(options.views.size()));
+  const double preview = options.preview ? preview_bytes(*options.preview, options.size) : 0;
   return static_cast<std::uint64_t>(
-      reserve * (program_bytes + bytes_of_a_vertex * vertices +
+      reserve * (program_bytes + preview + bytes_of_a_vertex * vertices +
                  pixel_bytes * views * static_cast<double>(options.size.pixel_count())));
 }
 

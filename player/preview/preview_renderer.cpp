@@ -10,13 +10,6 @@
 
 namespace ribbon {
 
-namespace {
-
-// Larger pictures are drawn in parts, so that memory stays bounded.
-constexpr int largest_part = 2048;  // pixels, each way
-
-}  // namespace
-
 struct PreviewRenderer::State {
   State(RecordingReader& recording, OffscreenContext opened, const Gl& functions, bool antialiased)
       : reader(recording), context(std::move(opened)), gl(functions), target(gl, antialiased) {}
@@ -70,12 +63,12 @@ Result<void> PreviewRenderer::show(int index) {
 Result<Picture> PreviewRenderer::picture(const Camera& camera, PictureSize size) {
   state_->context.make_current();
   Picture picture{size, std::vector<std::uint8_t>(3 * size.pixel_count())};
-  for (int bottom = 0; bottom < size.height; bottom += largest_part)
-    for (int left = 0; left < size.width; left += largest_part) {
+  for (int bottom = 0; bottom < size.height; bottom += largest_preview_part)
+    for (int left = 0; left < size.width; left += largest_preview_part) {
       const PicturePart part{left,
                              bottom,
-                             {std::min(largest_part, size.width - left),
-                              std::min(largest_part, size.height - bottom)}};
+                             {std::min(largest_preview_part, size.width - left),
+                              std::min(largest_preview_part, size.height - bottom)}};
       if (auto drawn = state_->draw({camera, size}, part, picture); !drawn)
         return tl::unexpected(drawn.error());
     }

@@ -222,6 +222,21 @@ TEST_F(LongJob, info_tells_how_much_memory_pictures_take) {
     }
 }
 
+TEST_F(LongJob, info_tells_how_much_memory_previews_take) {
+  for (const std::string samples : {"1", "4"})
+    for (const std::string size : {"64x48", "1280x720"}) {
+      const double peak =
+          peak_of({RIBBON_PLAY, recording_, "--preview", "--samples", samples, "--size", size,
+                   "--frames", "2", "--force", "--quiet", "-o", folder_ / "1.png"});
+      const auto json = nlohmann::json::parse(
+          output_of(run("knot.rbn --json --force --preview --samples " + samples +
+                        " --frames 2 --size " + size + " -o 1.png")));
+      const double forecast = json["memory_bytes"];
+      EXPECT_LT(peak, forecast) << samples << " " << size;
+      EXPECT_GT(2.5 * peak, forecast) << samples << " " << size;
+    }
+}
+
 TEST_F(LongJob, damage_is_told_and_the_rest_is_rendered) {
   damage();
   EXPECT_EQ(render_into("a", "--isa sse2 --shard 1/2").exit_code, 1);
