@@ -76,6 +76,10 @@ struct Texts {
   double thickness_mm = 0;
   std::filesystem::path texture;
   std::filesystem::path texture_back;
+  std::filesystem::path environment;
+  double sun = 1;
+  double exposure = 0;
+  std::string tone = "linear";
   AppearanceTexts appearance;
   bool preview = false;
 };
@@ -108,12 +112,35 @@ void add_look_options(Arguments& arguments, Options& options, Texts& texts) {
                 "of the cloth, as it is seen at the selvages; layers that are pressed together get "
                 "less (default: 0)");
   arguments.flag("--ground", options.render.ground, "a floor that shows the shadows");
+  arguments.add("--environment", texts.environment, "FILE",
+                "PNG of a panorama, whose light takes the place of the even sky's");
+  arguments.add("--sun", texts.sun, {0, 100}, "X", "the sun X times as bright; 0: none")
+      .with_default_shown();
+  arguments
+      .add("--exposure", texts.exposure, {-10, 10}, "STOPS",
+           "each doubles the light of the picture")
+      .with_default_shown();
+  arguments
+      .add("--tone", texts.tone, "NAME",
+           "linear: what is brighter than white is cut off; soft: it comes ever closer to white")
+      .one_of({"linear", "soft"})
+      .with_default_shown();
 }
 
 Result<std::shared_ptr<const Texture>> texture_of(const std::filesystem::path& file) {
   if (file.empty()) return nullptr;
   return Texture::read(file).map(
       [](Texture&& texture) { return std::make_shared<const Texture>(std::move(texture)); });
+}
+
+Result<Lighting> lighting_of(const Texts& texts) {
+  Lighting lighting;
+  lighting.sun *= static_cast<float>(texts.sun);
+  if (texts.environment.empty()) return lighting;
+  auto panorama = Texture::read(texts.environment);
+  if (!panorama) return tl::unexpected(panorama.error());
+  lighting.environment = std::make_shared<const Environment>(std::move(*panorama));
+  return lighting;
 }
 
 Result<Cloth> cloth_of(const Texts& texts) {
@@ -176,8 +203,9 @@ Result<void> check_plot(const std::filesystem::path& file) {
 }
 
 // What only the ray tracer does; machines of different makers may draw previews differently.
-constexpr std::array without_preview{"--quality",   "--noise",  "--texture",  "--texture-back",
-                                     "--thickness", "--ground", "--color-by", "--shard",
+constexpr std::array without_preview{"--quality",   "--noise",  "--texture",     "--texture-back",
+                                     "--thickness", "--ground", "--environment", "--sun",
+                                     "--exposure",  "--tone",   "--color-by",    "--shard",
                                      "--isa",       "--bench"};
 
 Result<void> check_preview(const std::vector<GivenArgument>& given, const Overlays& overlays) {
@@ -301,6 +329,10 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   auto cloth = cloth_of(texts);
   if (!cloth) return tl::unexpected(cloth.error());
   options.render.cloth = std::move(*cloth);
+  auto lighting = lighting_of(texts);
+  if (!lighting) return tl::unexpected(lighting.error());
+  options.render.lighting = std::move(*lighting);
+  options.render.tone = {static_cast<float>(texts.exposure), texts.tone == "soft"};
   options.render.thickness_m = static_cast<float>(texts.thickness_mm / 1000);
   auto views = parse_views(texts.views);
   if (!views) return tl::unexpected(views.error());

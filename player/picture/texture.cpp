@@ -97,14 +97,15 @@ float Texture::aspect() const {
 
 Color Texture::interpolated(const Level& level, float x, float y) {
   const float column = (x - std::floor(x)) * static_cast<float>(level.width) - 0.5F;
-  const float row = (1 - (y - std::floor(y))) * static_cast<float>(level.height) - 0.5F;
+  const float row = (1 - y) * static_cast<float>(level.height) - 0.5F;
   const int left = static_cast<int>(std::floor(column));
   const int top = static_cast<int>(std::floor(row));
   const float right = column - static_cast<float>(left);
   const float down = row - static_cast<float>(top);
   const auto pixel = [&](int dx, int dy) -> const Color& {
-    return level.pixels[static_cast<std::size_t>(wrapped(top + dy, level.height)) * level.width +
-                        wrapped(left + dx, level.width)];
+    const int inside = std::clamp(top + dy, 0, level.height - 1);
+    return level
+        .pixels[static_cast<std::size_t>(inside) * level.width + wrapped(left + dx, level.width)];
   };
   return (pixel(0, 0) * (1 - right) + pixel(1, 0) * right) * (1 - down) +
          (pixel(0, 1) * (1 - right) + pixel(1, 1) * right) * down;

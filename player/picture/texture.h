@@ -19,8 +19,8 @@ class Texture {
 
   // Width over height of the file's picture.
   [[nodiscard]] float aspect() const;
-  // At x from the left, y from the bottom, each 0 to 1 and repeated beyond; `reach` is how wide the
-  // look is, where the picture's height is 1.
+  // At x from the left, 0 to 1 and repeated beyond, and y from the bottom, 0 to 1; `reach` is how
+  // wide the look is, where the picture's height is 1.
   [[nodiscard]] Color at(float x, float y, float reach) const;
 
  private:

@@ -1,7 +1,5 @@
 #include "player/render/cloth.h"
 
-#include <algorithm>
-
 #include "player/render/cloth_pattern.h"
 
 namespace ribbon {
@@ -17,9 +15,7 @@ Color Cloth::color(float along, float across, bool shows_front, float reach) con
   const Texture* texture = shows_front || !back ? front.get() : back.get();
   if (texture == nullptr)
     return shows_front ? cloth_front(along, across, reach) : cloth_back(along, across, reach);
-  // Not repeated across: at the selvage a look must not reach the other one.
-  const float inside = std::clamp(across, 1e-4F, 1 - 1e-4F);
-  return whitest * texture->at(along / texture->aspect(), inside, reach);
+  return whitest * texture->at(along / texture->aspect(), across, reach);
 }
 
 }  // namespace ribbon

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 #include "player/picture/color.h"
+#include "player/render/environment.h"
 
 namespace ribbon {
 
@@ -20,12 +22,17 @@ struct Lighting {
   // What hides the sky in a fold is itself lit: the fraction of the sky's light that it returns.
   float bounce = 0.22F;
 
+  // Takes the place of the even sky.
+  std::shared_ptr<const Environment> environment = nullptr;
+
   [[nodiscard]] Color sky(const Eigen::Vector3f& direction) const {
+    if (environment) return environment->sky(direction);
     return sky_below + (sky_above - sky_below) * (0.5F + direction.y() / 2);
   }
   // Mean over the directions about a unit normal, weighted by their cosine: what a white matte
   // surface shows under the open sky.
   [[nodiscard]] Color mean_sky(const Eigen::Vector3f& normal) const {
+    if (environment) return environment->mean_sky(normal);
     return sky_below + (sky_above - sky_below) * (0.5F + normal.y() / 3);
   }
 };

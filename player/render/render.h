@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "player/picture/picture.h"
+#include "player/picture/tone.h"
 #include "player/render/cloth.h"
 #include "player/render/lighting.h"
 #include "player/render/pixel_planes.h"
@@ -20,7 +21,8 @@ struct RenderSettings {
   Backdrop backdrop = {};
   Cloth cloth = {};
   float thickness_m = 0;  // of the cloth, as it is seen at the selvages
-  bool ground = false;    // a floor in the backdrop's colours that shows the shadows
+  Tone tone = {};
+  bool ground = false;  // a floor in the backdrop's colours that shows the shadows
 };
 
 // What the estimate of noise reached.

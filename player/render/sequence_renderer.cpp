@@ -40,7 +40,9 @@ LightPicture SequenceRenderer::light(const Camera& camera, PictureSize size) {
 }
 
 Picture SequenceRenderer::picture(const Camera& camera, PictureSize size) {
-  return encode_srgb(light(camera, size));
+  LightPicture shown = light(camera, size);
+  apply(renderer_.settings().tone, shown);
+  return encode_srgb(shown);
 }
 
 std::optional<Legend> SequenceRenderer::legend() const {
