@@ -18,6 +18,12 @@ constexpr float stripe_begin = 0.03F;
 constexpr float stripe_end = 0.09F;
 constexpr float pattern_begin = 0.13F;
 
+// As std::floor, which is a call of the C library on the plainest processors.
+float rounded_down(float number) {
+  const auto whole = static_cast<float>(static_cast<int>(number));
+  return number < whole ? whole - 1 : whole;
+}
+
 // 0 below `border`, 1 above it, with a soft step of width `blur` between.
 float step(float value, float border, float blur) {
   return std::clamp((value - border) / blur + 0.5F, 0.0F, 1.0F);
@@ -46,13 +52,14 @@ float waves(float along, float across, float blur) {
   if (arcs_seen >= 1) return mean;
   // A disc reaches half a width around its centre; of those that hold the point the first lies on
   // top. One always does: the rows stand closer than that.
-  for (float row = std::ceil((along - 0.5F) * rows_per_width);; ++row) {
-    const float shift = row / 2 - std::floor(row / 2);
-    const float dx = across - shift - std::floor(across - shift + 0.5F);
+  for (float row = -rounded_down((0.5F - along) * rows_per_width);; ++row) {
+    const float shift = row / 2 - rounded_down(row / 2);
+    const float dx = across - shift - rounded_down(across - shift + 0.5F);
     const float dy = along - row / rows_per_width;
-    const float radius = 2 * std::sqrt(dx * dx + dy * dy);
-    if (radius > 1) continue;
-    const float arc = radius * arcs - std::floor(radius * arcs);
+    const float squared_distance = dx * dx + dy * dy;
+    if (squared_distance > 0.25F) continue;
+    const float radius = 2 * std::sqrt(squared_distance);
+    const float arc = radius * arcs - rounded_down(radius * arcs);
     const float thread = step(arc, thread_begin, std::max(0.1F, arcs_seen));
     return thread + (mean - thread) * arcs_seen * arcs_seen;
   }

@@ -17,6 +17,9 @@ namespace ribbon {
 
 namespace {
 
+constexpr std::size_t tiles_at_once =
+    4;  // enough work to be worth a painter, little enough to share
+
 // What one tile adds to the report.
 struct TileCount {
   double samples = 0;
@@ -45,7 +48,7 @@ class PicturePainter {
   // others.
   template <class Take, class Leave>
   void paint(const Take& take, const Leave& leave) {
-    parallel_ranges(counts_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    parallel_ranges(counts_.size(), tiles_at_once, [&](std::size_t begin, std::size_t end) {
       const FlushDenormals fast;
       TilePainter painter(setting_);
       for (std::size_t tile = begin; tile < end; ++tile) {

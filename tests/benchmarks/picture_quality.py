@@ -84,7 +84,18 @@ def table(results):
     return "\n".join([*lines, ""])
 
 
-def panel(results):
+def promise_panel(results):
+    diagram = Panel(WIDTH, "what --noise asks and gets", "--noise", "worst error of a picture, levels",
+                    [(t, f"{t:g}") for t in (0.5, 1, 2, 4, 8, 16)],
+                    [(d, f"{d:g}") for d in (0.1, 0.3, 1, 3, 10)])
+    yield from diagram.grid()
+    yield polyline([diagram.at(x, x) for x in (0.5, 10)], "#888888")
+    points = [(float(name.split()[1]), e) for name, _, _, e, _ in rows_of(results) if name.startswith("noise")]
+    for asked, got in points:
+        yield dot(*diagram.at(asked, got), COLOURS["noise"], f"asked {asked:g}, got {got:.2f}")
+
+
+def cost_panel(results):
     diagram = Panel(0, "what a better picture costs", "processor time of a picture, s", "PSNR, dB",
                     [(t, f"{t:g}") for t in (0.03, 0.1, 0.3, 1, 3, 10, 30)],
                     [(d, f"{d:g}") for d in (25, 30, 35, 40, 45, 50, 55, 60, 65)])
@@ -105,7 +116,7 @@ def main():
     play, document, plot, recordings = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[4:]
     results = measure(play, recordings)
     document.write_text(with_table(document.read_text(), "<!-- table quality -->", table(results)))
-    plot.write_text(picture(list(panel(results)), KEY))
+    plot.write_text(picture([*cost_panel(results), *promise_panel(results)], KEY))
 
 
 if __name__ == "__main__":
