@@ -2,7 +2,8 @@
 
 namespace ribbon {
 
-// Measured (docs/play.md): beside 1024 samples standard comes to about 50 dB, final to 57 dB and more.
+// Measured (docs/play.md): beside 1024 samples standard comes to about 50 dB, final to 57 dB and
+// more.
 std::optional<Quality> quality_named(const std::string& name) {
   if (name == "draft") return Quality{SkyLight::open, 1, 1, 0, false};
   if (name == "standard") return Quality{SkyLight::occluded, 4, 32, 12, true};
