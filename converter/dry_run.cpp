@@ -74,9 +74,10 @@ Result<ConversionPlan> plan_conversion(const ConversionRequest& request) {
 }
 
 std::string plan_text(const ConversionPlan& plan) {
-  std::string text = filled_in(
-      "would write {} files, about {:.1f} MB, by about {:.1f} s of processor time: {}", plan.files,
-      static_cast<double>(plan.bytes) / 1e6, plan.processor_s, plan.first_file.string());
+  std::string text =
+      filled_in("would write {} {}, about {:.1f} MB, by about {:.1f} s of processor time: {}",
+                plan.files, plan.files == 1 ? "file" : "files",
+                static_cast<double>(plan.bytes) / 1e6, plan.processor_s, plan.first_file.string());
   if (plan.last_file != plan.first_file) text += " ... " + plan.last_file.string();
   if (plan.existing > 0)
     text += filled_in("\n{} of them exist already and would be replaced only by --force",
