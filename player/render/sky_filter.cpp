@@ -44,29 +44,29 @@ struct Sums {
   }
 };
 
+// Three planes from one pixel on.
+struct Row {
+  const float* x;
+  const float* y;
+  const float* z;
+};
+
+Row row_from(const Planes& planes, std::ptrdiff_t pixel) {
+  return {planes[0].data() + pixel, planes[1].data() + pixel, planes[2].data() + pixel};
+}
+
 // Adds what the neighbours `dx` columns away in row `other` give to those of row `y`.
 void add_neighbours(const Rows& r, int y, Segment segment, int other, int dx, float weight,
                     Sums& sums) {
   const int width = r.planes.size.width;
   const auto own = static_cast<std::ptrdiff_t>(y) * width;
   const auto theirs = static_cast<std::ptrdiff_t>(other) * width + dx;
-  const auto at = [](const Plane& plane, std::ptrdiff_t offset) { return plane.data() + offset; };
-  const float* nx = at(r.planes.normal[0], own);
-  const float* ny = at(r.planes.normal[1], own);
-  const float* nz = at(r.planes.normal[2], own);
-  const float* mx = at(r.planes.normal[0], theirs);
-  const float* my = at(r.planes.normal[1], theirs);
-  const float* mz = at(r.planes.normal[2], theirs);
-  const float* px = at(r.planes.position[0], own);
-  const float* py = at(r.planes.position[1], own);
-  const float* pz = at(r.planes.position[2], own);
-  const float* qx = at(r.planes.position[0], theirs);
-  const float* qy = at(r.planes.position[1], theirs);
-  const float* qz = at(r.planes.position[2], theirs);
-  const float* even = at(r.planes.evenness, theirs);
-  const float* red = at(r.from[0], theirs);
-  const float* green = at(r.from[1], theirs);
-  const float* blue = at(r.from[2], theirs);
+  const Row normal = row_from(r.planes.normal, own);
+  const Row their_normal = row_from(r.planes.normal, theirs);
+  const Row position = row_from(r.planes.position, own);
+  const Row their_position = row_from(r.planes.position, theirs);
+  const Row light = row_from(r.from, theirs);
+  const float* even = r.planes.evenness.data() + theirs;
   const float lean_scale = 1 / most_lean;
   const float offset_scale = 1 / (most_offset * r.pixel_m * static_cast<float>(r.step));
   float* sum_r = sums.red.data();
@@ -76,16 +76,18 @@ void add_neighbours(const Rows& r, int y, Segment segment, int other, int dx, fl
   const int begin = std::max(segment.begin, -dx);
   const int end = std::min(segment.end, width - dx);
   for (int x = begin; x < end; ++x) {
-    const float cosine = nx[x] * mx[x] + ny[x] * my[x] + nz[x] * mz[x];
+    const float cosine = normal.x[x] * their_normal.x[x] + normal.y[x] * their_normal.y[x] +
+                         normal.z[x] * their_normal.z[x];
     const float lean = (1 - cosine) * lean_scale;
-    const float offset =
-        (nx[x] * (qx[x] - px[x]) + ny[x] * (qy[x] - py[x]) + nz[x] * (qz[x] - pz[x])) *
-        offset_scale;
+    const float offset = (normal.x[x] * (their_position.x[x] - position.x[x]) +
+                          normal.y[x] * (their_position.y[x] - position.y[x]) +
+                          normal.z[x] * (their_position.z[x] - position.z[x])) *
+                         offset_scale;
     const float near = std::max(0.0F, 1 - lean) * std::max(0.0F, 1 - offset * offset);
     const float w = weight * even[x] * near;
-    sum_r[x] += w * red[x];
-    sum_g[x] += w * green[x];
-    sum_b[x] += w * blue[x];
+    sum_r[x] += w * light.x[x];
+    sum_g[x] += w * light.y[x];
+    sum_b[x] += w * light.z[x];
     weights[x] += w;
   }
 }
