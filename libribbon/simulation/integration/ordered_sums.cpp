@@ -6,15 +6,15 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int lanes = 4;
-using Lanes = Eigen::Array<double, lanes, 1>;
+constexpr int lane_count = 4;
+using Lanes = Eigen::Array<double, lane_count, 1>;
 
 // Of numbers from 0 to count: four(i) gives those from i on, one(i) a single one.
 template <class Four, class One>
 double sum_in_lanes(Index count, const Four& four, const One& one) {
   Lanes sums = Lanes::Zero();
   Index i = 0;
-  for (; i + lanes <= count; i += lanes) sums += four(i);
+  for (; i + lane_count <= count; i += lane_count) sums += four(i);
   for (int lane = 0; i < count; ++i, ++lane) sums[lane] += one(i);
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
