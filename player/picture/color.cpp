@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ribbon {
 
@@ -12,37 +13,55 @@ float linear_from_srgb(float encoded) {
   return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
 }
 
-// thresholds[b]: the linear value from which on byte b + 1 is nearer than byte b.
-std::array<float, 255> byte_thresholds() {
-  std::array<float, 255> thresholds{};
-  for (std::size_t b = 0; b < thresholds.size(); ++b)
-    thresholds[b] = linear_from_srgb((static_cast<float>(b) + 0.5F) / 255.0F);
-  return thresholds;
-}
+// Cheaper than one power a pixel, and exact at every rounding border: cells so narrow that no two
+// borders lie in one.
+constexpr int cells = 4096;
 
-// Cheaper than one power a pixel, and exact at every rounding border: a table says where to begin.
-constexpr int cells = 1024;
+struct ByteTable {
+  std::array<float, 256> borders;  // the linear value from which on byte b + 1 is nearer than b
+  std::array<std::int32_t, cells + 1> first;  // the byte at the beginning of each cell
 
-std::array<std::uint8_t, cells + 1> cell_guesses(const std::array<float, 255>& thresholds) {
-  std::array<std::uint8_t, cells + 1> guesses{};
-  for (int cell = 0; cell <= cells; ++cell) {
-    const float begin = static_cast<float>(cell) / cells;
-    const auto* above = std::upper_bound(thresholds.begin(), thresholds.end(), begin);
-    guesses[cell] = static_cast<std::uint8_t>(above - thresholds.begin());
+  ByteTable() {
+    for (std::size_t b = 0; b < 255; ++b)
+      borders[b] = linear_from_srgb((static_cast<float>(b) + 0.5F) / 255.0F);
+    borders[255] = std::numeric_limits<float>::infinity();
+    for (int cell = 0; cell <= cells; ++cell) {
+      const float begin = static_cast<float>(cell) / cells;
+      const auto* above = std::upper_bound(borders.begin(), borders.end(), begin);
+      first[static_cast<std::size_t>(cell)] = static_cast<std::int32_t>(above - borders.begin());
+    }
   }
-  return guesses;
+
+  [[nodiscard]] std::int32_t byte(float linear) const {
+    const float some = linear > 0 ? linear : 0.0F;
+    const float shown = some < 1 ? some : 1.0F;
+    const std::int32_t least = first[static_cast<std::size_t>(static_cast<int>(shown * cells))];
+    return least + (shown >= borders[static_cast<std::size_t>(least)] ? 1 : 0);
+  }
+};
+
+const ByteTable& byte_table() {
+  static const ByteTable table;
+  return table;
 }
 
 }  // namespace
 
 std::uint8_t srgb_byte(float linear) {
-  static const std::array<float, 255> thresholds = byte_thresholds();
-  static const std::array<std::uint8_t, cells + 1> guesses = cell_guesses(thresholds);
-  if (!(linear > 0)) return 0;
-  if (linear >= 1) return 255;
-  std::size_t byte = guesses[static_cast<std::size_t>(linear * cells)];
-  while (byte < thresholds.size() && linear >= thresholds[byte]) ++byte;
-  return static_cast<std::uint8_t>(byte);
+  return static_cast<std::uint8_t>(byte_table().byte(linear));
+}
+
+void srgb_bytes(const Color* colors, std::size_t count, std::uint8_t* rgb) {
+  const ByteTable& table = byte_table();
+  for (std::size_t i = 0; i < count; ++i, rgb += 3) {
+    // Most pixels show the backdrop, which is the same along a row.
+    if (i > 0 && (colors[i] == colors[i - 1]).all())
+      std::copy_n(rgb - 3, 3, rgb);
+    else
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        rgb[channel] =
+            static_cast<std::uint8_t>(table.byte(colors[i][static_cast<Eigen::Index>(channel)]));
+  }
 }
 
 std::array<std::uint8_t, 3> srgb_bytes(const Color& color) {

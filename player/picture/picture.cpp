@@ -25,14 +25,7 @@ Picture blank_picture(PictureSize size, const Color& color) {
 Picture encode_srgb(const LightPicture& light) {
   Picture picture{light.size, std::vector<std::uint8_t>(3 * light.size.pixel_count())};
   parallel_ranges(light.pixels.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      std::uint8_t* rgb = picture.rgb.data() + 3 * i;
-      // Most pixels show the backdrop, which is the same along a row.
-      if (i > begin && (light.pixels[i] == light.pixels[i - 1]).all())
-        std::copy_n(rgb - 3, 3, rgb);
-      else
-        encode(light.pixels[i], rgb);
-    }
+    srgb_bytes(light.pixels.data() + begin, end - begin, picture.rgb.data() + 3 * begin);
   });
   return picture;
 }
