@@ -96,22 +96,24 @@ class LinePainter {
     RayBatch rays;
     for (std::size_t k = begin; k < end; ++k)
       rays.add({camera_.eye, (pieces_[k].begin + pieces_[k].end) / 2 - camera_.eye});
-    Lanes<Hit> hits;
+    HitBatch hits;
     scene_.rays().first_hits(rays, Coherence::similar, hits);
     for (std::size_t lane = 0; lane < rays.count; ++lane) {
       const bool is_seen =
-          hits[lane].body == Hit::Body::none || distance(rays.ray(lane), hits[lane]) >= 1 - nearer;
+          hits.body[lane] == Body::none || distance(rays.ray(lane), hits, lane) >= 1 - nearer;
       seen[begin + lane] = is_seen ? 1 : 0;
     }
   }
 
   // Of a hit along its ray, in lengths of the ray's direction.
-  [[nodiscard]] float distance(const Ray& ray, const Hit& hit) const {
-    const Surface& surface = hit.body == Hit::Body::ribbon ? scene_.ribbon() : scene_.obstacle();
-    const Eigen::Vector3i corner = surface.triangles.col(hit.triangle);
-    const Eigen::Vector3f point = (1 - hit.u - hit.v) * surface.vertices.col(corner[0]) +
-                                  hit.u * surface.vertices.col(corner[1]) +
-                                  hit.v * surface.vertices.col(corner[2]);
+  [[nodiscard]] float distance(const Ray& ray, const HitBatch& hits, std::size_t lane) const {
+    const Surface& surface = hits.body[lane] == Body::ribbon ? scene_.ribbon() : scene_.obstacle();
+    const Eigen::Vector3i corner = surface.triangles.col(hits.triangle[lane]);
+    const float u = hits.u[lane];
+    const float v = hits.v[lane];
+    const Eigen::Vector3f point = (1 - u - v) * surface.vertices.col(corner[0]) +
+                                  u * surface.vertices.col(corner[1]) +
+                                  v * surface.vertices.col(corner[2]);
     return (point - ray.origin).dot(ray.direction) / ray.direction.squaredNorm();
   }
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "parallel/vector_loop.h"
+#include "player/render/lane_vector.h"
+
 namespace ribbon {
 
 namespace {
@@ -23,6 +26,22 @@ CameraRays::CameraRays(const Camera& camera, PictureSize size, const SamplePatte
     const Eigen::Vector2f point = patterns.point(Pattern::pixel, s, 0, 0);
     offsets_.emplace_back(0.5F + tent(point.x()), 0.5F + tent(point.y()));
   }
+}
+
+void CameraRays::look(const Lanes<float>& x, const Lanes<float>& y, std::size_t count,
+                      RayBatch& rays) const {
+  const LaneVector eye = {eye_.x(), eye_.y(), eye_.z()};
+  const LaneVector corner = {top_left_.x(), top_left_.y(), top_left_.z()};
+  const LaneVector right = {right_.x(), right_.y(), right_.z()};
+  const LaneVector down = {down_.x(), down_.y(), down_.z()};
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < count; ++i) {
+      set_lane(rays.origin, i, eye);
+      set_lane(rays.direction, i, corner + x[i] * right + y[i] * down);
+    }
+  });
+  rays.count = count;
 }
 
 }  // namespace ribbon

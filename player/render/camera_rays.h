@@ -16,11 +16,13 @@ class CameraRays {
   // Samples look where the patterns say, the same in every pixel.
   CameraRays(const Camera& camera, PictureSize size, const SamplePatterns& patterns);
 
-  [[nodiscard]] Ray ray(int x, int y, int sample) const {
-    const Eigen::Vector2f& offset = offsets_[static_cast<std::size_t>(sample)];
-    return {eye_, top_left_ + (static_cast<float>(x) + offset.x()) * right_ +
-                      (static_cast<float>(y) + offset.y()) * down_};
+  // Where a sample of a pixel looks, in pixels from the picture's top left corner.
+  [[nodiscard]] Eigen::Vector2f place(int x, int y, int sample) const {
+    return offsets_[static_cast<std::size_t>(sample)] +
+           Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y));
   }
+  // The rays that look through those places.
+  void look(const Lanes<float>& x, const Lanes<float>& y, std::size_t count, RayBatch& rays) const;
 
   // Width of a pixel per length of its ray's direction.
   [[nodiscard]] float spread() const { return right_.norm(); }

@@ -11,11 +11,16 @@ constexpr float whitest = 0.85F;
 
 }  // namespace
 
-Color Cloth::color(float along, float across, bool shows_front, float reach) const {
-  const Texture* texture = shows_front || !back ? front.get() : back.get();
-  if (texture == nullptr)
-    return shows_front ? cloth_front(along, across, reach) : cloth_back(along, across, reach);
-  return whitest * texture->at(along / texture->aspect(), across, reach);
+void Cloth::find_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
+                        std::size_t first) const {
+  if (!front) cloth_colors(looks, count, colors, first);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Texture* texture = looks.front[i] > 0 || !back ? front.get() : back.get();
+    if (texture == nullptr) continue;
+    const Color color =
+        whitest * texture->at(looks.x[i] / texture->aspect(), looks.y[i], looks.reach[i]);
+    colors.set(first + i, color.matrix());
+  }
 }
 
 }  // namespace ribbon

@@ -1,10 +1,12 @@
 // What the ribbon's cloth looks like.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "player/picture/color.h"
 #include "player/picture/texture.h"
+#include "player/render/surface_points.h"
 
 namespace ribbon {
 
@@ -14,9 +16,10 @@ struct Cloth {
   std::shared_ptr<const Texture> front;
   std::shared_ptr<const Texture> back;
 
-  // What fraction of the light it returns: `along` and `across` in ribbon widths, as is `reach`,
-  // how wide the look is.
-  [[nodiscard]] Color color(float along, float across, bool shows_front, float reach) const;
+  // What fraction of the light it returns where `count` looks fall, whose x is measured along and
+  // whose y across, both in ribbon widths: colors from `first` on.
+  void find_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
+                   std::size_t first) const;
 };
 
 }  // namespace ribbon

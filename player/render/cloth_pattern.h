@@ -1,7 +1,10 @@
 // The ribbon's cloth: a patterned front, a plain back, stripes along both selvages.
 #pragma once
 
+#include <cstddef>
+
 #include "player/picture/color.h"
+#include "player/render/surface_points.h"
 
 namespace ribbon {
 
@@ -11,5 +14,9 @@ namespace ribbon {
 // in ribbon widths: what is finer is shown as its mean, since it would only be noise.
 Color cloth_front(float along, float across, float blur);
 Color cloth_back(float along, float across, float blur);
+
+// The same of `count` looks, whose textures' unit is the ribbon's width: colors from `first` on.
+void cloth_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
+                  std::size_t first);
 
 }  // namespace ribbon

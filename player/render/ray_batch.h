@@ -47,12 +47,26 @@ struct RayBatch {
   [[nodiscard]] Ray ray(std::size_t lane) const { return {origin.at(lane), direction.at(lane)}; }
 };
 
-struct Hit {
-  enum class Body : std::uint8_t { none, ribbon, obstacle, ground };
-  Body body = Body::none;
-  std::uint32_t triangle = 0;
-  float u = 0;  // weight of the triangle's second corner
-  float v = 0;  // and of its third
+enum class Body : std::uint8_t { none, ribbon, obstacle, ground };
+
+// The first thing that each ray meets; where that is nothing only the body is set.
+struct alignas(64) HitBatch {
+  Lanes<Body> body;
+  Lanes<std::uint32_t> triangle;
+  Lanes<float> u;  // weight of the triangle's second corner
+  Lanes<float> v;  // and of its third
+};
+
+// Some of the lanes, in any order.
+struct LaneList {
+  Lanes<std::uint16_t> lanes;
+  std::size_t count = 0;
+
+  // Adds a lane if it is wanted: cheaper than to choose between two ways to go on.
+  void add_if(std::size_t lane, bool wanted) {
+    lanes[count] = static_cast<std::uint16_t>(lane);
+    count += wanted ? 1 : 0;
+  }
 };
 
 }  // namespace ribbon

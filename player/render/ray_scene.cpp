@@ -20,7 +20,7 @@ namespace ribbon {
 
 namespace {
 
-// Embree is fastest with this many rays at once, whatever the processor.
+// The packets in which rays are traced plainly.
 constexpr std::size_t packet_size = 16;
 using Valid = std::array<int, packet_size>;
 
@@ -53,12 +53,16 @@ void check(RTCDevice device) {
     throw std::runtime_error("Embree reports error " + std::to_string(error));
 }
 
+// Robust: no ray slips through between two triangles.
 Scene new_scene(RTCDevice device) {
   Scene scene(rtcNewScene(device));
-  // Robust: no ray slips through between two triangles.
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   return scene;
 }
+
+// Numbers of the geometries.
+constexpr unsigned ribbon_id = 0;
+constexpr unsigned obstacle_id = 1;
 
 void copy_vertices(const Surface& surface, RTCGeometry geometry, void* buffer) {
   std::copy_n(surface.vertices.data(), surface.vertices.size(), static_cast<float*>(buffer));
@@ -67,7 +71,7 @@ void copy_vertices(const Surface& surface, RTCGeometry geometry, void* buffer) {
 }
 
 // Buffers that Embree makes itself are padded as it needs them. Returns the vertex buffer.
-void* attach(const Surface& surface, RTCDevice device, RTCScene scene) {
+void* attach(const Surface& surface, unsigned id, RTCDevice device, RTCScene scene) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                            3 * sizeof(float), surface.vertices.cols());
@@ -76,7 +80,7 @@ void* attach(const Surface& surface, RTCDevice device, RTCScene scene) {
   check(device);
   std::copy_n(surface.triangles.data(), surface.triangles.size(), static_cast<int*>(triangles));
   copy_vertices(surface, geometry, vertices);
-  rtcAttachGeometryByID(scene, geometry, 0);
+  rtcAttachGeometryByID(scene, geometry, id);
   rtcReleaseGeometry(geometry);
   return vertices;
 }
@@ -103,6 +107,28 @@ void fill(const RayBatch& rays, std::size_t begin, RTCRay16& packet, Valid& vali
   std::fill_n(packet.flags, packet_size, 0U);
 }
 
+// What is the same of all rays. Embree only reads it, but does not say so.
+struct SameOfAll {
+  Lanes<float> zero{};
+  Lanes<unsigned> zero_bits{};
+  Lanes<unsigned> all_bits = [] {
+    Lanes<unsigned> bits;
+    bits.fill(~0U);
+    return bits;
+  }();
+};
+
+// The rays as they lie, from their origin to without end; `reach` is filled and becomes shorter.
+RTCRayNp stream_of(const RayBatch& rays, Lanes<float>& reach) {
+  static SameOfAll same;
+  std::fill_n(reach.begin(), rays.count, std::numeric_limits<float>::infinity());
+  const auto numbers = [](const Lanes<float>& lanes) { return const_cast<float*>(lanes.data()); };
+  return {numbers(rays.origin.x),    numbers(rays.origin.y),    numbers(rays.origin.z),
+          same.zero.data(),          numbers(rays.direction.x), numbers(rays.direction.y),
+          numbers(rays.direction.z), same.zero.data(),          reach.data(),
+          same.all_bits.data(),      same.zero_bits.data(),     same.zero_bits.data()};
+}
+
 RTCIntersectContext new_context(Coherence coherence) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -113,12 +139,6 @@ RTCIntersectContext new_context(Coherence coherence) {
 void clear_hits(RTCHit16& hit) {
   std::fill_n(hit.geomID, packet_size, RTC_INVALID_GEOMETRY_ID);
   std::fill_n(hit.instID[0], packet_size, RTC_INVALID_GEOMETRY_ID);
-}
-
-void collect(const RTCHit16& found, Hit::Body body, std::size_t count, Hit* hits) {
-  for (std::size_t i = 0; i < count; ++i)
-    if (found.geomID[i] != RTC_INVALID_GEOMETRY_ID)
-      hits[i] = {body, found.primID[i], found.u[i], found.v[i]};
 }
 
 RayQuestion first_hit_question(Coherence coherence) {
@@ -163,85 +183,83 @@ class PlainPackets {
 
 }  // namespace
 
-// Two scenes that are traced one after the other: the obstacle's is never touched again, and of the
-// ribbon's nothing needs to be translated into another scene's coordinates.
+// One scene, of two trees that are joined at the top: the obstacle's is built once, and a ray goes
+// through both at once.
 struct RayScene::State {
+  State() {
+    if (!device) throw std::runtime_error("Embree cannot be started");
+    scene = new_scene(device.get());
+    rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);  // that of joining them
+    rtcCommitScene(scene.get());
+  }
   Device device{rtcNewDevice(configuration())};
-  Scene obstacle;
-  Scene ribbon;
+  Scene scene;
   void* ribbon_vertices = nullptr;
 };
 
-RayScene::RayScene() : state_(std::make_unique<State>()) {
-  if (!state_->device) throw std::runtime_error("Embree cannot be started");
-}
+RayScene::RayScene() : state_(std::make_unique<State>()) {}
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 RayScene::~RayScene() = default;
 
 void RayScene::set_obstacle(const Surface& obstacle) {
   State& s = *state_;
-  s.obstacle = new_scene(s.device.get());
-  attach(obstacle, s.device.get(), s.obstacle.get());
-  rtcCommitScene(s.obstacle.get());
+  attach(obstacle, obstacle_id, s.device.get(), s.scene.get());
+  rtcCommitScene(s.scene.get());
   check(s.device.get());
 }
 
 void RayScene::set_ribbon(const Surface& ribbon) {
   State& s = *state_;
-  if (!s.ribbon) {
-    s.ribbon = new_scene(s.device.get());
-    s.ribbon_vertices = attach(ribbon, s.device.get(), s.ribbon.get());
-  } else {
-    copy_vertices(ribbon, rtcGetGeometry(s.ribbon.get(), 0), s.ribbon_vertices);
-  }
-  rtcCommitScene(s.ribbon.get());
+  if (s.ribbon_vertices == nullptr)
+    s.ribbon_vertices = attach(ribbon, ribbon_id, s.device.get(), s.scene.get());
+  else
+    copy_vertices(ribbon, rtcGetGeometry(s.scene.get(), ribbon_id), s.ribbon_vertices);
+  rtcCommitScene(s.scene.get());
   check(s.device.get());
 }
 
-void RayScene::first_hits(const RayBatch& rays, Coherence coherence, Lanes<Hit>& hits) const {
+void RayScene::first_hits(const RayBatch& rays, Coherence coherence, HitBatch& hits) const {
   if (log_ != nullptr) log_->add(first_hit_question(coherence), rays);
   RTCIntersectContext context = new_context(coherence);
-  RTCRayHit16 packet;
-  alignas(64) Valid valid;
-  for (std::size_t begin = 0; begin < rays.count; begin += packet_size) {
-    const std::size_t count = std::min(packet_size, rays.count - begin);
-    fill(rays, begin, packet.ray, valid);
-    std::fill_n(hits.begin() + static_cast<std::ptrdiff_t>(begin), count, Hit{});
-    // The second scene counts only where it is nearer: the first has shortened the rays.
-    const auto trace = [&](const Scene& scene, Hit::Body body) {
-      if (!scene) return;
-      clear_hits(packet.hit);
-      rtcIntersect16(valid.data(), scene.get(), &context, &packet);
-      collect(packet.hit, body, count, hits.data() + begin);
-    };
-    trace(state_->ribbon, Hit::Body::ribbon);
-    trace(state_->obstacle, Hit::Body::obstacle);
-  }
+  VectorLanes normals;
+  Lanes<float> reach;
+  Lanes<unsigned> geometries;
+  Lanes<unsigned> instances;
+  std::fill_n(geometries.begin(), rays.count, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(instances.begin(), rays.count, RTC_INVALID_GEOMETRY_ID);
+  RTCRayHitNp stream{stream_of(rays, reach),
+                     {normals.x.data(),
+                      normals.y.data(),
+                      normals.z.data(),
+                      hits.u.data(),
+                      hits.v.data(),
+                      hits.triangle.data(),
+                      geometries.data(),
+                      {instances.data()}}};
+  rtcIntersectNp(state_->scene.get(), &context, &stream, static_cast<unsigned>(rays.count));
+  for (std::size_t i = 0; i < rays.count; ++i)
+    hits.body[i] = geometries[i] == ribbon_id     ? Body::ribbon
+                   : geometries[i] == obstacle_id ? Body::obstacle
+                                                  : Body::none;
 }
 
 void RayScene::unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>& free) const {
   if (log_ != nullptr) log_->add(free_question(coherence), rays);
   RTCIntersectContext context = new_context(coherence);
-  RTCRay16 packet;
-  alignas(64) Valid valid;
-  for (std::size_t begin = 0; begin < rays.count; begin += packet_size) {
-    const std::size_t count = std::min(packet_size, rays.count - begin);
-    fill(rays, begin, packet, valid);
-    if (state_->ribbon) rtcOccluded16(valid.data(), state_->ribbon.get(), &context, &packet);
-    // Embree marks a blocked ray by a negative length.
-    for (std::size_t i = 0; i < count; ++i)
-      if (packet.tfar[i] < 0) valid[i] = 0;
-    if (state_->obstacle) rtcOccluded16(valid.data(), state_->obstacle.get(), &context, &packet);
-    for (std::size_t i = 0; i < count; ++i) free[begin + i] = packet.tfar[i] < 0 ? 0.0F : 1.0F;
-  }
+  Lanes<float> reach;
+  RTCRayNp stream = stream_of(rays, reach);
+  rtcOccludedNp(state_->scene.get(), &context, &stream, static_cast<unsigned>(rays.count));
+  // Embree marks a blocked ray by a negative length.
+  for (std::size_t i = 0; i < rays.count; ++i) free[i] = reach[i] < 0 ? 0.0F : 1.0F;
 }
 
 double RayScene::plain_seconds(const RayLog& log) const {
-  // One scene with all that there is, as Embree is used plainly.
+  // Built for all that there is at once, as Embree is used plainly.
   Scene scene = new_scene(state_->device.get());
-  for (const Scene* part : {&state_->ribbon, &state_->obstacle})
-    if (*part) rtcAttachGeometry(scene.get(), rtcGetGeometry(part->get(), 0));
+  for (const unsigned id : {ribbon_id, obstacle_id})
+    if (RTCGeometry geometry = rtcGetGeometry(state_->scene.get(), id))
+      rtcAttachGeometryByID(scene.get(), geometry, id);
   rtcCommitScene(scene.get());
   std::mutex mutex;
   double seconds = 0;

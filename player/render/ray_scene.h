@@ -30,8 +30,9 @@ class RayScene {
   void set_obstacle(const Surface& obstacle);
   void set_ribbon(const Surface& ribbon);
 
-  // Fills hits[i] with the first thing that ray i meets. Safe to call from several threads.
-  void first_hits(const RayBatch& rays, Coherence coherence, Lanes<Hit>& hits) const;
+  // Fills lane i of `hits` with the first thing that ray i meets. Safe to call from several
+  // threads.
+  void first_hits(const RayBatch& rays, Coherence coherence, HitBatch& hits) const;
   // Sets free[i] to 1 where ray i meets nothing, however far, and to 0 elsewhere.
   void unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>& free) const;
 

@@ -55,13 +55,14 @@ class PicturePainter {
         const int column = static_cast<int>(tile) % tiles_.columns();
         const int row = static_cast<int>(tile) / tiles_.columns();
         const bool covered = tiles_.covered(column, row);
-        if (covered) {
-          const ThreadTimer timer;
-          painter.paint(column * tile_side, row * tile_side);
-          counts_[tile].paint_s = timer.seconds();
+        if (!covered) {
+          leave_tile(column * tile_side, row * tile_side, leave);
+          continue;
         }
+        const ThreadTimer timer;
+        painter.paint(column * tile_side, row * tile_side);
+        counts_[tile].paint_s = timer.seconds();
         for_pixels(column * tile_side, row * tile_side, [&](int x, int y) {
-          if (!covered) return leave(x, y);
           const int tile_x = x - column * tile_side;
           const int tile_y = y - row * tile_side;
           take(x, y, painter.pixel(tile_x, tile_y));
@@ -70,8 +71,6 @@ class PicturePainter {
       }
     });
   }
-
-  [[nodiscard]] Color backdrop(int y) const { return setting_.backdrop.at(y, size_.height); }
 
   [[nodiscard]] RenderReport report() const {
     TileCount all;
@@ -94,6 +93,16 @@ class PicturePainter {
     const int bottom = std::min(top + tile_side, size_.height);
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x) function(x, y);
+  }
+
+  template <class Leave>
+  void leave_tile(int left, int top, const Leave& leave) const {
+    const int right = std::min(left + tile_side, size_.width);
+    const int bottom = std::min(top + tile_side, size_.height);
+    for (int y = top; y < bottom; ++y) {
+      const Color backdrop = setting_.backdrop.at(y, size_.height);
+      for (int x = left; x < right; ++x) leave(x, y, backdrop);
+    }
   }
 
   void count(const TilePainter& painter, int x, int y, TileCount& tile) const {
@@ -172,14 +181,18 @@ Rendered Renderer::render(const RenderScene& scene, const Camera& camera, Pictur
         [&](int x, int y, const PixelSums& sums) {
           light.pixels[index_of(x, y, size)] = sums.shown.head<3>() / sums.shown[3];
         },
-        [&](int x, int y) { light.pixels[index_of(x, y, size)] = painter.backdrop(y); });
+        [&](int x, int y, const Color& backdrop) {
+          light.pixels[index_of(x, y, size)] = backdrop;
+        });
     return {std::move(light), painter.report()};
   }
   if (!planes_ || planes_->size != size) planes_.emplace(size);
   PixelPlanes& planes = *planes_;
   painter.paint(
       [&](int x, int y, const PixelSums& sums) { fill_pixel(sums, index_of(x, y, size), planes); },
-      [&](int x, int y) { leave_pixel(painter.backdrop(y), index_of(x, y, size), planes); });
+      [&](int x, int y, const Color& backdrop) {
+        leave_pixel(backdrop, index_of(x, y, size), planes);
+      });
   smooth_sky(planes, pixel_m(scene, camera, size));
   return {composed(planes), painter.report()};
 }

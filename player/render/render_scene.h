@@ -11,20 +11,10 @@
 #include "player/render/cloth.h"
 #include "player/render/ray_scene.h"
 #include "player/render/surface.h"
+#include "player/render/surface_points.h"
 #include "recording/records/recording.h"
 
 namespace ribbon {
-
-// Points on surfaces as light needs them.
-struct SurfaceBatch {
-  VectorLanes position;
-  VectorLanes start;   // from where rays towards the light go
-  VectorLanes normal;  // of the smooth surface that the triangles stand for, unit length, to the
-                       // side that is looked at
-  VectorLanes albedo;  // fraction of the light that it returns: red, green, blue
-  Lanes<Hit::Body> body;
-  std::size_t count = 0;
-};
 
 class RenderScene {
  public:
@@ -43,7 +33,7 @@ class RenderScene {
 
   // Shows numbers on the ribbon, on both sides, instead of its cloth: where each particle is on the
   // map, 0 to 1. In between places are interpolated, not colours, so that all are on the map.
-  void color_ribbon(std::vector<float> places, const ColorMap& map);
+  void color_ribbon(const std::vector<float>& places, const ColorMap& map);
 
   [[nodiscard]] const Surface& ribbon() const { return ribbon_; }
   [[nodiscard]] const Surface& obstacle() const { return obstacle_; }  // empty if there is none
@@ -53,24 +43,23 @@ class RenderScene {
   // Adds the place of the floor that ray `lane`, which met nothing else, leads to; false where it
   // leads to none. Its albedo is left open.
   bool add_ground(const RayBatch& rays, std::size_t lane, SurfaceBatch& batch) const;
-  // Adds what ray `lane` met to `batch`. hit.body must not be none.
-  void add_point(const RayBatch& rays, std::size_t lane, const Hit& hit, SurfaceBatch& batch) const;
+  // Adds what the listed rays met, which must be `body`, ribbon or obstacle, to `batch`.
+  void add_points(Body body, const RayBatch& rays, const HitBatch& hits, const LaneList& list,
+                  SurfaceBatch& batch) const;
 
  private:
-  // reach_m: how wide the look at it is.
-  [[nodiscard]] Color ribbon_color(const Eigen::Vector3i& corners, const Eigen::Vector3f& weights,
-                                   bool front, float reach_m) const;
+  void set_ribbon_colors(const HitBatch& hits, const LaneList& list, LookBatch& looks,
+                         SurfaceBatch& batch) const;
 
   RibbonGrid grid_;
   bool with_selvages_;
-  Eigen::Matrix2Xf pattern_;  // 2 x particles: along and across, in ribbon widths
-  float ribbon_width_m_;
   Cloth cloth_;
-  std::vector<float> places_;  // one per particle on the map; empty: cloth is shown
-  std::optional<ColorMap> map_;
+  std::optional<ColorMap> map_;  // on which the ribbon's texture is; none: cloth is shown
   std::optional<float> ground_m_;
   Surface ribbon_;
   Surface obstacle_;
+  HitSurface hit_ribbon_;  // its texture: along and across in ribbon widths, or x is on the map
+  HitSurface hit_obstacle_;
   RayScene rays_;
   float obstacle_reach_ = 0;  // largest coordinate
   float clearance_ = 0;       // by which light starts above a facet

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "parallel/vector_loop.h"
+
 namespace ribbon {
 
 namespace {
@@ -43,10 +45,26 @@ SamplePatterns::SamplePatterns(int samples)
       // Scrambled as well, the order is another in each block of 2^k: patterns do not know each
       // other.
       const std::uint32_t index = owen_scrambled(static_cast<std::uint32_t>(s), seed);
-      points_[static_cast<std::size_t>(s) * pattern_count + pattern] = {
-          owen_scrambled(mirrored(index), seed + 1), owen_scrambled(sobol_second(index), seed + 2)};
+      points_[static_cast<std::size_t>(pattern) * static_cast<std::size_t>(samples) +
+              static_cast<std::size_t>(s)] = {owen_scrambled(mirrored(index), seed + 1),
+                                              owen_scrambled(sobol_second(index), seed + 2)};
     }
   }
+}
+
+void SamplePatterns::points(Pattern pattern, const Lanes<std::uint32_t>& pixels,
+                            const Lanes<std::uint32_t>& samples, std::size_t count, Lanes<float>& x,
+                            Lanes<float>& y) const {
+  const Bits* const bits = points_of(pattern);
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t key =
+          scramble(pattern_count * pixels[i] + static_cast<std::uint32_t>(pattern));
+      x[i] = unit(bits[samples[i]].x ^ key);
+      y[i] = unit(bits[samples[i]].y ^ scramble(key));
+    }
+  });
 }
 
 }  // namespace ribbon

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "player/render/ray_batch.h"
+
 namespace ribbon {
 
 // Independent two-dimensional patterns, one for each question that a sample asks.
@@ -23,24 +25,33 @@ class SamplePatterns {
   // its own that is spread as evenly: bits are flipped, the same for all points of the pattern.
   [[nodiscard]] Eigen::Vector2f point(Pattern pattern, int sample, std::uint32_t key_x,
                                       std::uint32_t key_y) const {
-    const auto& bits = points_[static_cast<std::size_t>(sample) * pattern_count +
-                               static_cast<std::size_t>(pattern)];
+    const Bits& bits = points_of(pattern)[sample];
     return {unit(bits.x ^ key_x), unit(bits.y ^ key_y)};
   }
+
+  // Of each lane's sample the point of the pattern that belongs to the lane's pixel, any number.
+  void points(Pattern pattern, const Lanes<std::uint32_t>& pixels,
+              const Lanes<std::uint32_t>& samples, std::size_t count, Lanes<float>& x,
+              Lanes<float>& y) const;
 
  private:
   struct Bits {
     std::uint32_t x;
     std::uint32_t y;
   };
-  static float unit(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
+  [[gnu::always_inline]] static float unit(std::uint32_t bits) {
+    return static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * 0x1p-24F;
+  }
+  [[nodiscard]] const Bits* points_of(Pattern pattern) const {
+    return points_.data() + static_cast<std::size_t>(pattern) * static_cast<std::size_t>(samples_);
+  }
 
   int samples_;
-  std::vector<Bits> points_;  // sample by sample, all patterns of each
+  std::vector<Bits> points_;  // pattern by pattern, all samples of each
 };
 
 // A number that looks random but depends on the argument alone.
-constexpr std::uint32_t scramble(std::uint32_t x) {
+[[gnu::always_inline]] constexpr std::uint32_t scramble(std::uint32_t x) {
   x = (x ^ (x >> 17)) * 0xED5AD4BBU;
   x = (x ^ (x >> 11)) * 0xAC4C1B51U;
   x = (x ^ (x >> 15)) * 0x31848BABU;

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <vector>
 
+#include "parallel/vector_loop.h"
+#include "player/render/lane_vector.h"
 #include "player/render/light_directions.h"
 
 namespace ribbon {
@@ -20,13 +21,23 @@ Eigen::Array4f four(const Color& color) {
   return {color[0], color[1], color[2], 0};
 }
 
-float luminance(const Eigen::Array4f& light) {
-  return 0.2126F * light[0] + 0.7152F * light[1] + 0.0722F * light[2];
+Eigen::Array4f sum_of(const VectorLanes& lanes, std::size_t begin, std::size_t end) {
+  LaneVector sum = lane_of(lanes, begin);
+  for (std::size_t i = begin + 1; i < end; ++i) sum = sum + lane_of(lanes, i);
+  return {sum.x, sum.y, sum.z, 0};
+}
+
+[[gnu::always_inline]] inline float luminance(LaneVector light) {
+  return 0.2126F * light.x + 0.7152F * light.y + 0.0722F * light.z;
 }
 
 Color full_light_on_ground(const Lighting& lighting) {
   return lighting.sun * std::max(0.0F, lighting.sun_direction.y()) +
          lighting.mean_sky(Eigen::Vector3f::UnitY());
+}
+
+void clear(VectorLanes& lanes, std::size_t count) {
+  for (Lanes<float>* lane : {&lanes.x, &lanes.y, &lanes.z}) std::fill_n(lane->begin(), count, 0.0F);
 }
 
 void add_to(VectorLanes& lanes, std::size_t lane, const Color& light) {
@@ -35,12 +46,36 @@ void add_to(VectorLanes& lanes, std::size_t lane, const Color& light) {
   lanes.z[lane] += light[2];
 }
 
-float& samples_of_body(Hit::Body body, PixelSums& sums) {
-  if (body == Hit::Body::ribbon) return sums.albedo[3];
-  return body == Hit::Body::obstacle ? sums.sky[3] : sums.direct[3];
+// The light of white cloth under the open sky.
+void add_mean_sky(const Lighting& lighting, const SurfaceBatch& surface, VectorLanes& light) {
+  if (lighting.environment) {
+    for (std::size_t i = 0; i < surface.count; ++i)
+      add_to(light, i, lighting.mean_sky(surface.normal.at(i)));
+    return;
+  }
+  const LaneVector below = lane_vector(lighting.sky_below);
+  const LaneVector rise = lane_vector(lighting.sky_above - lighting.sky_below);
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < surface.count; ++i)
+      set_lane(light, i, lane_of(light, i) + (below + (0.5F + surface.normal.y[i] / 3) * rise));
+  });
+}
+
+float& samples_of_body(Body body, PixelSums& sums) {
+  if (body == Body::ribbon) return sums.albedo[3];
+  return body == Body::obstacle ? sums.sky[3] : sums.direct[3];
 }
 
 }  // namespace
+
+void TilePainter::Samples::set(std::size_t first, const Samples& others, const LaneList& list) {
+  for (std::size_t i = 0; i < list.count; ++i) {
+    place[first + i] = others.place[list.lanes[i]];
+    pixel[first + i] = others.pixel[list.lanes[i]];
+    number[first + i] = others.number[list.lanes[i]];
+  }
+}
 
 TilePainter::TilePainter(const Setting& setting) : s_(setting) {
   rays_.spread = s_.rays.spread();
@@ -52,8 +87,9 @@ void TilePainter::paint(int left, int top) {
   top_ = top;
   width_ = std::min(tile_side, s_.size.width - left);
   height_ = std::min(tile_side, s_.size.height - top);
-  sums_.fill({});
-  set_keys();
+  for (PixelSums& sums : sums_) sums.clear();
+  for (int row = 0; row < height_; ++row)
+    backdrop_[static_cast<std::size_t>(row)] = four(s_.backdrop.at(top_ + row, s_.size.height));
   int taken = 0;
   for (int wanted = s_.quality.samples;; wanted = 2 * taken) {
     wanted = std::min(wanted, s_.quality.most_samples);
@@ -72,8 +108,7 @@ void TilePainter::sample_wanting(int first, int end) {
         for (int column = left; column < std::min(left + block_side, width_); ++column) {
           const int pixel = row * tile_side + column;
           if (first > 0 && !wanting_[static_cast<std::size_t>(pixel)]) continue;
-          for (int number = first; number < end; ++number)
-            add({static_cast<std::uint16_t>(pixel), static_cast<std::uint16_t>(number)});
+          for (int number = first; number < end; ++number) add(row, column, number);
         }
 }
 
@@ -97,98 +132,106 @@ bool TilePainter::find_wanting(int taken) {
   return wanting_.any();
 }
 
-void TilePainter::add(const Sample& sample) {
-  samples_[rays_.count] = sample;
-  rays_.add(s_.rays.ray(left_ + sample.pixel % tile_side, top_ + sample.pixel / tile_side,
-                        sample.number));
-  if (rays_.count == batch_size) finish_batch();
+void TilePainter::add(int row, int column, int number) {
+  const Eigen::Vector2f place = s_.rays.place(left_ + column, top_ + row, number);
+  place_x_[sample_count_] = place.x();
+  place_y_[sample_count_] = place.y();
+  samples_.place[sample_count_] = static_cast<std::uint16_t>(row * tile_side + column);
+  samples_.pixel[sample_count_] =
+      static_cast<std::uint32_t>((top_ + row) * s_.size.width + left_ + column);
+  samples_.number[sample_count_] = static_cast<std::uint32_t>(number);
+  if (++sample_count_ == batch_size) finish_batch();
 }
 
 void TilePainter::finish_batch() {
+  s_.rays.look(place_x_, place_y_, sample_count_, rays_);
+  sample_count_ = 0;
   s_.scene.rays().first_hits(rays_, Coherence::similar, hits_);
   sort_hits();
-  rays_.count = 0;
-  const std::size_t count = seen_.count;
-  for (VectorLanes* light : {&sunlight_, &skylight_})
-    for (std::size_t i = 0; i < count; ++i) light->x[i] = light->y[i] = light->z[i] = 0;
+  clear(sunlight_, seen_.count);
+  clear(skylight_, seen_.count);
   add_sunlight(Pattern::sun, seen_, seen_samples_, sunlight_);
   if (s_.quality.sky == SkyLight::bounced)
     add_bounced_skylight(skylight_);
   else
     add_skylight(Pattern::sky, seen_, seen_samples_, s_.lighting.bounce, skylight_);
-  for (std::size_t i = 0; i < count; ++i) {
-    PixelSums& sums = sums_[seen_samples_[i].pixel];
-    const Eigen::Array4f albedo(seen_.albedo.x[i], seen_.albedo.y[i], seen_.albedo.z[i], 0);
-    const Eigen::Array4f sky(skylight_.x[i], skylight_.y[i], skylight_.z[i], 0);
-    const Eigen::Array4f direct =
-        albedo * Eigen::Array4f(sunlight_.x[i], sunlight_.y[i], sunlight_.z[i], 0);
-    sums.direct += direct;
-    sums.albedo += albedo;
-    sums.sky += sky;
-    samples_of_body(seen_.body[i], sums) += 1;
-    count_in(seen_samples_[i], direct + albedo * sky);
-    if (!s_.quality.smooth_sky) continue;
-    sums.normal.head<3>() += seen_.normal.at(i).array();
-    sums.position.head<3>() += seen_.position.at(i).array();
-  }
+  add_up();
 }
 
-// The samples that see the backdrop are done; the others' surfaces are laid side by side.
+// The samples that see the backdrop are done; the others' surfaces are laid side by side, body by
+// body.
 void TilePainter::sort_hits() {
-  seen_.count = 0;
+  on_ribbon_.count = on_obstacle_.count = on_nothing_.count = 0;
   for (std::size_t i = 0; i < rays_.count; ++i) {
-    seen_samples_[seen_.count] = samples_[i];
-    if (hits_[i].body != Hit::Body::none) {
-      s_.scene.add_point(rays_, i, hits_[i], seen_);
-      continue;
-    }
-    const Color backdrop = s_.backdrop.at(top_ + samples_[i].pixel / tile_side, s_.size.height);
-    if (s_.scene.add_ground(rays_, i, seen_)) {
-      // In full light the floor cannot be told from the backdrop.
-      seen_.albedo.set(seen_.count - 1, (backdrop / full_light_on_ground(s_.lighting)).matrix());
-      continue;
-    }
-    sums_[samples_[i].pixel].direct += four(backdrop);
-    count_in(samples_[i], four(backdrop));
+    on_ribbon_.add_if(i, hits_.body[i] == Body::ribbon);
+    on_obstacle_.add_if(i, hits_.body[i] == Body::obstacle);
+    on_nothing_.add_if(i, hits_.body[i] == Body::none);
   }
+  seen_.count = 0;
+  seen_samples_.set(0, samples_, on_ribbon_);
+  s_.scene.add_points(Body::ribbon, rays_, hits_, on_ribbon_, seen_);
+  seen_samples_.set(seen_.count, samples_, on_obstacle_);
+  s_.scene.add_points(Body::obstacle, rays_, hits_, on_obstacle_, seen_);
+  for (std::size_t i = 0; i < on_nothing_.count; ++i)
+    if (!s_.scene.has_ground() || !add_ground(on_nothing_.lanes[i]))
+      add_backdrop(on_nothing_.lanes[i]);
 }
 
-// Where the samples of a pattern look, as points of the unit disc.
-void TilePainter::look(Pattern pattern, const Lanes<Sample>& samples, std::size_t count) {
-  const auto& keys = keys_[static_cast<std::size_t>(pattern)];
+void TilePainter::add_backdrop(std::size_t lane) {
+  const std::size_t place = samples_.place[lane];
+  const Eigen::Array4f& backdrop = backdrop_[place / tile_side];
+  const float light = luminance({backdrop[0], backdrop[1], backdrop[2]});
+  PixelSums& sums = sums_[place];
+  sums.shown += backdrop;
+  sums.shown[3] += 1;
+  sums.direct += backdrop;
+  sums.position[3] += light * light;
+}
+
+bool TilePainter::add_ground(std::size_t lane) {
+  const std::size_t to = seen_.count;
+  if (!s_.scene.add_ground(rays_, lane, seen_)) return false;
+  seen_samples_.set(to, samples_, {{static_cast<std::uint16_t>(lane)}, 1});
+  // In full light the floor cannot be told from the backdrop.
+  const Color backdrop = backdrop_[samples_.place[lane] / tile_side].head<3>();
+  seen_.albedo.set(to, (backdrop / full_light_on_ground(s_.lighting)).matrix());
+  return true;
+}
+
+// Where the samples of a pattern look, as points of the unit disc. Each pixel has patterns of its
+// own.
+void TilePainter::look(Pattern pattern, const Samples& samples, std::size_t count) {
   Lanes<float> u;
   Lanes<float> v;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& [key_x, key_y] = keys[samples[i].pixel];
-    const Eigen::Vector2f point = s_.patterns.point(pattern, samples[i].number, key_x, key_y);
-    u[i] = point.x();
-    v[i] = point.y();
-  }
+  s_.patterns.points(pattern, samples.pixel, samples.number, count, u, v);
   to_disc(u, v, count, disc_x_, disc_y_);
 }
 
 // Light that the sun sends to each surface, as white cloth would show it.
-void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface,
-                               const Lanes<Sample>& samples, VectorLanes& light) {
+void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
+                               VectorLanes& light) {
   look(pattern, samples, surface.count);
   to_sun(s_.lighting.sun_direction, s_.lighting.sun_radius, disc_x_, disc_y_, surface.count,
          towards_);
   Lanes<float> cosines;
   products(surface.normal, towards_, surface.count, cosines);
-  light_rays_.count = 0;
+  asked_for_.count = 0;
   for (std::size_t i = 0; i < surface.count; ++i) {
-    if (cosines[i] <= 0) continue;
-    asked_for_[light_rays_.count] = static_cast<std::uint16_t>(i);
-    light_rays_.add({surface.start.at(i), towards_.at(i)});
+    set_lane(light_rays_.origin, asked_for_.count, lane_of(surface.start, i));
+    set_lane(light_rays_.direction, asked_for_.count, lane_of(towards_, i));
+    asked_for_.add_if(i, cosines[i] > 0);
   }
+  light_rays_.count = asked_for_.count;
   s_.scene.rays().unblocked(light_rays_, Coherence::similar, free_);
-  for (std::size_t r = 0; r < light_rays_.count; ++r)
-    add_to(light, asked_for_[r], s_.lighting.sun * (cosines[asked_for_[r]] * free_[r]));
+  const LaneVector sun = lane_vector(s_.lighting.sun);
+  for (std::size_t r = 0; r < light_rays_.count; ++r) {
+    const std::size_t i = asked_for_.lanes[r];
+    set_lane(light, i, lane_of(light, i) + (cosines[i] * free_[r]) * sun);
+  }
 }
 
 // One ray a surface, into a direction of the sky that is as likely as its light counts.
-void TilePainter::ask_sky(Pattern pattern, const SurfaceBatch& surface,
-                          const Lanes<Sample>& samples) {
+void TilePainter::ask_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples) {
   look(pattern, samples, surface.count);
   to_sky(surface.normal, disc_x_, disc_y_, surface.count, light_rays_.direction);
   light_rays_.origin = surface.start;
@@ -197,10 +240,9 @@ void TilePainter::ask_sky(Pattern pattern, const SurfaceBatch& surface,
 
 // All of the sky's light, which has no noise, less what is hidden. What hides it sends back the
 // part `returned`.
-void TilePainter::add_skylight(Pattern pattern, const SurfaceBatch& surface,
-                               const Lanes<Sample>& samples, float returned, VectorLanes& light) {
-  for (std::size_t i = 0; i < surface.count; ++i)
-    add_to(light, i, s_.lighting.mean_sky(surface.normal.at(i)));
+void TilePainter::add_skylight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
+                               float returned, VectorLanes& light) {
+  add_mean_sky(s_.lighting, surface, light);
   if (s_.quality.sky == SkyLight::open) return;
   ask_sky(pattern, surface, samples);
   s_.scene.rays().unblocked(light_rays_, Coherence::mixed, free_);
@@ -211,32 +253,64 @@ void TilePainter::add_skylight(Pattern pattern, const SurfaceBatch& surface,
 
 // Instead of hidden sky, the light that the hiding surface itself receives and returns.
 void TilePainter::add_bounced_skylight(VectorLanes& light) {
-  for (std::size_t i = 0; i < seen_.count; ++i)
-    add_to(light, i, s_.lighting.mean_sky(seen_.normal.at(i)));
+  add_mean_sky(s_.lighting, seen_, light);
   ask_sky(Pattern::sky, seen_, seen_samples_);
   s_.scene.rays().first_hits(light_rays_, Coherence::mixed, hits_);
   bounce_.count = 0;
-  for (std::size_t i = 0; i < seen_.count; ++i) {
-    if (hits_[i].body == Hit::Body::none) continue;
-    add_to(light, i, -s_.lighting.sky(light_rays_.direction.at(i)));
-    bounce_of_[bounce_.count] = static_cast<std::uint16_t>(i);
-    bounce_samples_[bounce_.count] = seen_samples_[i];
-    s_.scene.add_point(light_rays_, i, hits_[i], bounce_);
+  bounce_of_.count = 0;
+  for (const Body body : {Body::ribbon, Body::obstacle}) {
+    LaneList& hit = body == Body::ribbon ? on_ribbon_ : on_obstacle_;
+    hit.count = 0;
+    for (std::size_t i = 0; i < seen_.count; ++i) hit.add_if(i, hits_.body[i] == body);
+    bounce_samples_.set(bounce_.count, seen_samples_, hit);
+    s_.scene.add_points(body, light_rays_, hits_, hit, bounce_);
+    for (std::size_t i = 0; i < hit.count; ++i) bounce_of_.add_if(hit.lanes[i], true);
+  }
+  for (std::size_t i = 0; i < bounce_.count; ++i) {
+    const std::size_t to = bounce_of_.lanes[i];
+    add_to(light, to, -s_.lighting.sky(light_rays_.direction.at(to)));
   }
   VectorLanes received;
-  for (std::size_t i = 0; i < bounce_.count; ++i) received.x[i] = received.y[i] = received.z[i] = 0;
+  clear(received, bounce_.count);
   add_sunlight(Pattern::sun_on_bounce, bounce_, bounce_samples_, received);
   add_skylight(Pattern::sky_on_bounce, bounce_, bounce_samples_, 0, received);
   for (std::size_t i = 0; i < bounce_.count; ++i)
-    add_to(light, bounce_of_[i], received.at(i).array() * bounce_.albedo.at(i).array());
+    add_to(light, bounce_of_.lanes[i], received.at(i).array() * bounce_.albedo.at(i).array());
 }
 
-void TilePainter::count_in(const Sample& sample, const Eigen::Array4f& shown) {
-  PixelSums& sums = sums_[sample.pixel];
-  const float light = luminance(shown);
-  sums.shown += shown;
-  sums.shown[3] += 1;
-  sums.position[3] += light * light;
+void TilePainter::add_up() {
+  VectorLanes direct;
+  VectorLanes shown;
+  Lanes<float> squared_light;
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < seen_.count; ++i) {
+      const LaneVector albedo = lane_of(seen_.albedo, i);
+      const LaneVector returned = albedo * lane_of(sunlight_, i);
+      const LaneVector all = returned + albedo * lane_of(skylight_, i);
+      set_lane(direct, i, returned);
+      set_lane(shown, i, all);
+      squared_light[i] = luminance(all) * luminance(all);
+    }
+  });
+  // The samples of a pixel that saw the same body lie side by side.
+  for (std::size_t begin = 0, end = 0; begin < seen_.count; begin = end) {
+    const std::uint16_t place = seen_samples_.place[begin];
+    const Body body = seen_.body[begin];
+    while (end < seen_.count && seen_samples_.place[end] == place && seen_.body[end] == body) ++end;
+    PixelSums& sums = sums_[place];
+    const auto samples = static_cast<float>(end - begin);
+    sums.shown += sum_of(shown, begin, end);
+    sums.shown[3] += samples;
+    for (std::size_t i = begin; i < end; ++i) sums.position[3] += squared_light[i];
+    if (!s_.quality.smooth_sky) continue;
+    samples_of_body(body, sums) += samples;
+    sums.direct += sum_of(direct, begin, end);
+    sums.albedo += sum_of(seen_.albedo, begin, end);
+    sums.sky += sum_of(skylight_, begin, end);
+    sums.normal += sum_of(seen_.normal, begin, end);
+    sums.position += sum_of(seen_.position, begin, end);
+  }
 }
 
 // A pixel shows the mean of its samples; sRGB is near enough to a square root here.
@@ -244,27 +318,10 @@ float TilePainter::error(int column, int row) const {
   const PixelSums& sums = pixel(column, row);
   const float count = sums.shown[3];
   assert(count >= 2);
-  const float mean = luminance(sums.shown) / count;
+  const float mean = luminance({sums.shown[0], sums.shown[1], sums.shown[2]}) / count;
   const float variance = std::max(0.0F, sums.position[3] / count - mean * mean) / (count - 1);
   constexpr float darkest = 0.002F;
   return 127.5F * std::sqrt(variance / std::max(mean, darkest));
-}
-
-// Each pixel has patterns of its own.
-void TilePainter::set_keys() {
-  const bool bounces = s_.quality.sky == SkyLight::bounced;
-  const bool asks_sky = s_.quality.sky != SkyLight::open;
-  const Pattern last = bounces ? Pattern::sky_on_bounce : asks_sky ? Pattern::sky : Pattern::sun;
-  for (auto pattern = static_cast<std::size_t>(Pattern::sun);
-       pattern <= static_cast<std::size_t>(last); ++pattern)
-    for (int row = 0; row < height_; ++row)
-      for (int column = 0; column < width_; ++column) {
-        const auto pixel =
-            static_cast<std::uint32_t>((top_ + row) * s_.size.width + left_ + column);
-        const std::uint32_t key =
-            scramble(pattern_count * pixel + static_cast<std::uint32_t>(pattern));
-        keys_[pattern][static_cast<std::size_t>(row * tile_side + column)] = {key, scramble(key)};
-      }
 }
 
 }  // namespace ribbon

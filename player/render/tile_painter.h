@@ -20,13 +20,18 @@ inline constexpr int tile_pixels = tile_side * tile_side;
 
 // Sums over the samples of a pixel, and what they are good for.
 struct PixelSums {
-  Eigen::Array4f direct = Eigen::Array4f::Zero();    // backdrop, and the sun's light returned; the
-                                                     // fourth: samples that saw the ground
-  Eigen::Array4f albedo = Eigen::Array4f::Zero();    // the fourth: samples that saw the ribbon
-  Eigen::Array4f sky = Eigen::Array4f::Zero();       // the fourth: samples that saw the obstacle
-  Eigen::Array4f shown = Eigen::Array4f::Zero();     // the fourth: all samples
-  Eigen::Array4f normal = Eigen::Array4f::Zero();    // only where the sky is to be smoothed
-  Eigen::Array4f position = Eigen::Array4f::Zero();  // likewise; the fourth: squared luminance
+  Eigen::Array4f shown;  // the fourth: all samples
+  // Only where the sky is to be smoothed, all but the squared luminance:
+  Eigen::Array4f direct;  // backdrop, and the sun's light returned; the fourth: samples that saw
+                          // the ground
+  Eigen::Array4f albedo;  // the fourth: samples that saw the ribbon
+  Eigen::Array4f sky;     // the fourth: samples that saw the obstacle
+  Eigen::Array4f normal;
+  Eigen::Array4f position;  // the fourth: squared luminance
+
+  void clear() {
+    for (Eigen::Array4f* sum : {&shown, &direct, &albedo, &sky, &normal, &position}) sum->setZero();
+  }
 };
 
 // What all tiles of a picture share.
@@ -56,24 +61,30 @@ class TilePainter {
   [[nodiscard]] float error(int column, int row) const;
 
  private:
-  struct Sample {
-    std::uint16_t pixel;  // of the tile
-    std::uint16_t number;
+  // Which samples the lanes are.
+  struct Samples {
+    Lanes<std::uint16_t> place;   // of the pixel, in the tile
+    Lanes<std::uint32_t> pixel;   // in the picture
+    Lanes<std::uint32_t> number;  // of the pixel's samples
+
+    // Lanes from `first` on become those of `others` that are listed.
+    void set(std::size_t first, const Samples& others, const LaneList& list);
   };
-  void set_keys();
   void sample_wanting(int first, int end);
   bool find_wanting(int taken);
-  void add(const Sample& sample);
+  void add(int row, int column, int number);
   void finish_batch();
   void sort_hits();
-  void add_sunlight(Pattern pattern, const SurfaceBatch& surface, const Lanes<Sample>& samples,
+  void add_backdrop(std::size_t lane);
+  bool add_ground(std::size_t lane);
+  void add_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                     VectorLanes& light);
-  void add_skylight(Pattern pattern, const SurfaceBatch& surface, const Lanes<Sample>& samples,
+  void add_skylight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                     float returned, VectorLanes& light);
   void add_bounced_skylight(VectorLanes& light);
-  void look(Pattern pattern, const Lanes<Sample>& samples, std::size_t count);
-  void ask_sky(Pattern pattern, const SurfaceBatch& surface, const Lanes<Sample>& samples);
-  void count_in(const Sample& sample, const Eigen::Array4f& shown);
+  void look(Pattern pattern, const Samples& samples, std::size_t count);
+  void ask_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples);
+  void add_up();
 
   const Setting& s_;
   int left_ = 0;
@@ -82,25 +93,30 @@ class TilePainter {
   int height_ = 0;
   std::array<PixelSums, tile_pixels> sums_;
   std::bitset<tile_pixels> wanting_;
+  std::array<Eigen::Array4f, tile_side> backdrop_;  // of each row
 
-  std::array<std::array<std::array<std::uint32_t, 2>, tile_pixels>, pattern_count> keys_;
-
-  Lanes<Sample> samples_;
+  Samples samples_;
+  Lanes<float> place_x_;  // where they look, in pixels
+  Lanes<float> place_y_;
+  std::size_t sample_count_ = 0;
   RayBatch rays_;
-  Lanes<Hit> hits_;
+  HitBatch hits_;
+  LaneList on_ribbon_;
+  LaneList on_obstacle_;
+  LaneList on_nothing_;
   SurfaceBatch seen_;
-  Lanes<Sample> seen_samples_;
+  Samples seen_samples_;
   VectorLanes sunlight_;
   VectorLanes skylight_;
   Lanes<float> disc_x_;
   Lanes<float> disc_y_;
   VectorLanes towards_;
   RayBatch light_rays_;
-  Lanes<std::uint16_t> asked_for_;  // the lane whose light each of light_rays_ asks for
+  LaneList asked_for_;  // the lane whose light each of light_rays_ asks for
   Lanes<float> free_;
   SurfaceBatch bounce_;
-  Lanes<Sample> bounce_samples_;
-  Lanes<std::uint16_t> bounce_of_;  // the lane that receives light from there
+  Samples bounce_samples_;
+  LaneList bounce_of_;  // the lane that receives light from there
 };
 
 }  // namespace ribbon

@@ -33,14 +33,14 @@ RayBatch batch_of(std::initializer_list<Ray> rays) {
 
 TEST(RayScene, the_nearest_body_is_hit_whichever_it_is) {
   const RayBatch rays = batch_of({down(0, 0), down(0, 0.9F), down(1.9F, 0), down(0, 3)});
-  Lanes<Hit> hits;
+  HitBatch hits;
   two_quads().first_hits(rays, Coherence::similar, hits);
-  EXPECT_EQ(hits[0].body, Hit::Body::ribbon);
-  EXPECT_EQ(hits[1].body, Hit::Body::obstacle);
-  EXPECT_EQ(hits[2].body, Hit::Body::ribbon);
-  EXPECT_EQ(hits[3].body, Hit::Body::none);
+  EXPECT_EQ(hits.body[0], Body::ribbon);
+  EXPECT_EQ(hits.body[1], Body::obstacle);
+  EXPECT_EQ(hits.body[2], Body::ribbon);
+  EXPECT_EQ(hits.body[3], Body::none);
   two_quads(-2).first_hits(rays, Coherence::similar, hits);
-  EXPECT_EQ(hits[0].body, Hit::Body::obstacle);
+  EXPECT_EQ(hits.body[0], Body::obstacle);
 }
 
 TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
@@ -49,10 +49,10 @@ TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
   moved.row(1).array() += 10;
   scene.set_ribbon(test::quad_surface(moved));
   const RayBatch rays = batch_of({down(1.9F, 0), down(1.9F, 10)});
-  Lanes<Hit> hits;
+  HitBatch hits;
   scene.first_hits(rays, Coherence::mixed, hits);
-  EXPECT_EQ(hits[0].body, Hit::Body::none);
-  EXPECT_EQ(hits[1].body, Hit::Body::ribbon);
+  EXPECT_EQ(hits.body[0], Body::none);
+  EXPECT_EQ(hits.body[1], Body::ribbon);
 }
 
 TEST(RayScene, any_number_of_rays_is_answered_one_by_one) {
@@ -60,12 +60,12 @@ TEST(RayScene, any_number_of_rays_is_answered_one_by_one) {
   for (std::size_t count = 0; count <= 40; ++count) {
     RayBatch rays;
     for (std::size_t i = 0; i < count; ++i) rays.add(down(0, i % 3 == 0 ? 0.0F : 3.0F));
-    Lanes<Hit> hits;
+    HitBatch hits;
     Lanes<float> free;
     scene.first_hits(rays, Coherence::similar, hits);
     scene.unblocked(rays, Coherence::mixed, free);
     for (std::size_t i = 0; i < count; ++i) {
-      EXPECT_EQ(hits[i].body, i % 3 == 0 ? Hit::Body::ribbon : Hit::Body::none);
+      EXPECT_EQ(hits.body[i], i % 3 == 0 ? Body::ribbon : Body::none);
       EXPECT_EQ(free[i], i % 3 == 0 ? 0 : 1);
     }
   }
@@ -74,24 +74,24 @@ TEST(RayScene, any_number_of_rays_is_answered_one_by_one) {
 TEST(RayScene, corner_weights_tell_the_place) {
   const RecordingHeader header = test::quad_ribbon();
   const RayBatch rays = batch_of({down(0.7F, -0.1F)});
-  Lanes<Hit> hits;
+  HitBatch hits;
   two_quads().first_hits(rays, Coherence::similar, hits);
-  const Eigen::Vector3i corners = header.grid.triangles().col(hits[0].triangle);
+  const Eigen::Vector3i corners = header.grid.triangles().col(hits.triangle[0]);
   const Eigen::Matrix3Xf at = test::flat_quad();
-  const Eigen::Vector3f position = (1 - hits[0].u - hits[0].v) * at.col(corners[0]) +
-                                   hits[0].u * at.col(corners[1]) + hits[0].v * at.col(corners[2]);
+  const Eigen::Vector3f position = (1 - hits.u[0] - hits.v[0]) * at.col(corners[0]) +
+                                   hits.u[0] * at.col(corners[1]) + hits.v[0] * at.col(corners[2]);
   EXPECT_NEAR(position.x(), 0.7F, 1e-5);
   EXPECT_NEAR(position.y(), -0.1F, 1e-5);
 }
 
 TEST(RayScene, without_anything_every_ray_is_free) {
   const RayBatch rays = batch_of({down(0, 0)});
-  Lanes<Hit> hits;
+  HitBatch hits;
   Lanes<float> free;
   const RayScene scene;
   scene.first_hits(rays, Coherence::similar, hits);
   scene.unblocked(rays, Coherence::similar, free);
-  EXPECT_EQ(hits[0].body, Hit::Body::none);
+  EXPECT_EQ(hits.body[0], Body::none);
   EXPECT_EQ(free[0], 1);
 }
 

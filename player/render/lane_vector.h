@@ -1,0 +1,47 @@
+// A vector of one lane, which compilers keep in one register for each coordinate of many lanes, as
+// they do not with Eigen's.
+#pragma once
+
+#include <cstddef>
+
+#include "player/picture/color.h"
+
+namespace ribbon {
+
+struct LaneVector {
+  float x, y, z;
+};
+
+[[gnu::always_inline]] inline LaneVector operator+(LaneVector a, LaneVector b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+[[gnu::always_inline]] inline LaneVector operator-(LaneVector a, LaneVector b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+[[gnu::always_inline]] inline LaneVector operator*(float factor, LaneVector a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+[[gnu::always_inline]] inline LaneVector operator*(LaneVector a, LaneVector b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+[[gnu::always_inline]] inline float dot(LaneVector a, LaneVector b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+inline LaneVector lane_vector(const Color& color) {
+  return {color[0], color[1], color[2]};
+}
+
+// From and to what holds a coordinate of many lanes in each of x, y and z.
+template <class Vectors>
+[[gnu::always_inline]] inline LaneVector lane_of(const Vectors& vectors, std::size_t lane) {
+  return {vectors.x[lane], vectors.y[lane], vectors.z[lane]};
+}
+template <class Vectors>
+[[gnu::always_inline]] inline void set_lane(Vectors& vectors, std::size_t lane, LaneVector to) {
+  vectors.x[lane] = to.x;
+  vectors.y[lane] = to.y;
+  vectors.z[lane] = to.z;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,65 @@
+// Points on surfaces as light needs them, side by side for vector instructions.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "player/render/ray_batch.h"
+#include "player/render/surface.h"
+
+namespace ribbon {
+
+struct SurfaceBatch {
+  VectorLanes position;
+  VectorLanes start;   // from where rays towards the light go
+  VectorLanes normal;  // of the smooth surface that the triangles stand for, unit length, to the
+                       // side that is looked at
+  VectorLanes albedo;  // fraction of the light that it returns: red, green, blue
+  Lanes<Body> body;
+  std::size_t count = 0;
+};
+
+// What the pattern of a surface shows there. Lengths are in units of the texture.
+struct LookBatch {
+  Lanes<float> x;  // of the texture
+  Lanes<float> y;
+  Lanes<float> front;  // 1 where it is the front that is seen, otherwise 0
+  Lanes<float> reach;  // how wide the look is
+};
+
+// A surface as rays meet it: all of a corner, and all of a triangle, lies together.
+class HitSurface {
+ public:
+  struct Corner {
+    std::array<float, 3> position;
+    std::array<float, 3> normal;
+    std::array<float, 2> texture;
+  };
+  struct Triangle {
+    std::array<int, 3> corners;
+    std::array<float, 3> facet;
+    std::array<float, 2> unused;  // so that none lies in two lines of the cache
+  };
+
+  HitSurface() = default;
+  // The unit is one of the texture's.
+  explicit HitSurface(const Surface& surface, float unit_m = 1);
+
+  // Takes over positions, normals and facets.
+  void move_to(const Surface& surface);
+  [[nodiscard]] std::vector<Corner>& corners() { return corners_; }
+
+  // Fills those of `batch` from batch.count on, but for body and albedo, with what the listed rays
+  // met, and `looks` from 0 on. clearance_m: by which light starts above a facet.
+  void find_points(const RayBatch& rays, const HitBatch& hits, const LaneList& list,
+                   float clearance_m, SurfaceBatch& batch, LookBatch& looks) const;
+
+ private:
+  float unit_m_ = 1;
+  std::vector<Corner> corners_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace ribbon
