@@ -13,11 +13,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 // Of the panorama's height: finer detail would only be noise in the light of cloth.
 constexpr float width_of_look = 1.0F / 32;
-constexpr int rows = 64;  // directions that are summed up, twice as many columns
+constexpr int map_rows = 64;  // directions that are summed up, twice as many columns
 
 Eigen::Vector3f direction_at(int column, int row) {
-  const double round = (column + 0.5) / (2 * rows) * 2 * pi - pi;
-  const double down = (row + 0.5) / rows * pi;
+  const double round = (column + 0.5) / (2 * map_rows) * 2 * pi - pi;
+  const double down = (row + 0.5) / map_rows * pi;
   return {static_cast<float>(sine(down) * sine(round)), static_cast<float>(cosine(down)),
           static_cast<float>(sine(down) * cosine(round))};
 }
@@ -29,9 +29,10 @@ Environment::Environment(Texture panorama) : panorama_(std::move(panorama)) {
   constexpr std::array<float, harmonics> of_band{1,     2.0F / 3, 2.0F / 3, 2.0F / 3, 0.25F,
                                                  0.25F, 0.25F,    0.25F,    0.25F};
   means_.fill(Color::Zero());
-  for (int row = 0; row < rows; ++row) {
-    const double solid_angle = 2 * pi / (2 * rows) * pi / rows * sine((row + 0.5) / rows * pi);
-    for (int column = 0; column < 2 * rows; ++column) {
+  for (int row = 0; row < map_rows; ++row) {
+    const double solid_angle =
+        2 * pi / (2 * map_rows) * pi / map_rows * sine((row + 0.5) / map_rows * pi);
+    for (int column = 0; column < 2 * map_rows; ++column) {
       const Eigen::Vector3f direction = direction_at(column, row);
       const auto values = harmonics_at(direction);
       const Color light = sky(direction) * static_cast<float>(solid_angle);
