@@ -8,7 +8,7 @@ build_packages=(
   g++ cmake ninja-build pkg-config
   libassimp-dev libboost-dev libcli11-dev libdeflate-dev libeigen3-dev libembree-dev libexpected-dev
   libfmt-dev libfreetype-dev libopenexr-dev libosmesa6-dev libpng-dev libpugixml-dev libsvgpp-dev
-  libtbb-dev libtomlplusplus-dev
+  libtbb-dev libtinyobjloader-dev libtomlplusplus-dev
   libzstd-dev nlohmann-json3-dev fonts-dejavu-core
 )
 test_packages=(

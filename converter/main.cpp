@@ -2,12 +2,14 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <string>
 
 #include "commandline/interrupt.h"
 #include "commandline/tool.h"
 #include "converter/conversion.h"
 #include "converter/dry_run.h"
 #include "converter/options.h"
+#include "converter/output_verification.h"
 #include "parallel/parallel.h"
 #include "text/number_text.h"
 
@@ -40,6 +42,55 @@ void print_damage(const ribbon::ConversionReport& report) {
                  report.missing.size(), ribbon::number_list(report.missing).c_str());
 }
 
+// What converting has told, as an exit code.
+ribbon::ExitCode tell(const ribbon::ConversionReport& report, double seconds, bool quiet) {
+  if (!quiet) print_summary(report, seconds);
+  if (!report.warning.empty()) std::fprintf(stderr, "ribbon-convert: %s\n", report.warning.c_str());
+  print_damage(report);
+  const bool whole = report.missing.empty() && report.damage.empty();
+  return whole ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;
+}
+
+ribbon::Result<ribbon::ExitCode> convert(const ribbon::CommandLine& line) {
+  const auto start = std::chrono::steady_clock::now();
+  return ribbon::convert(line.request).map([&](const ribbon::ConversionReport& report) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    return tell(report, elapsed.count(), line.quiet);
+  });
+}
+
+// Good news go where the summary goes.
+ribbon::Result<ribbon::ExitCode> verify(const ribbon::CommandLine& line) {
+  return ribbon::verify_output(line.request, line.tolerance_m)
+      .map([&](const ribbon::VerificationReport& report) {
+        const std::string text = ribbon::verification_text(report);
+        const bool good = report.deviations.good();
+        if (!good) std::fprintf(stderr, "ribbon-convert: %s\n", text.c_str());
+        if (good && !line.quiet) std::printf("%s\n", text.c_str());
+        return good ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;
+      });
+}
+
+ribbon::Result<ribbon::ExitCode> plan(const ribbon::ConversionRequest& request) {
+  return ribbon::plan_conversion(request).map([](const ribbon::ConversionPlan& plan) {
+    std::printf("%s\n", ribbon::plan_text(plan).c_str());
+    return ribbon::ExitCode::done;
+  });
+}
+
+ribbon::Result<ribbon::ExitCode> do_job(const ribbon::CommandLine& line) {
+  if (line.dry_run) return plan(line.request);
+  if (line.verify_only) return verify(line);
+  if (!line.verify) return convert(line);
+  return ribbon::check_verifiable(line.request)
+      .and_then([&] { return convert(line); })
+      .and_then([&](ribbon::ExitCode converted) {
+        return verify(line).map([&](ribbon::ExitCode verified) {
+          return verified == ribbon::ExitCode::done ? converted : verified;
+        });
+      });
+}
+
 ribbon::Result<ribbon::ExitCode> run(int argc, const char* const* argv) {
   auto line = ribbon::parse_command_line(argc, argv);
   if (!line) return tl::unexpected(line.error());
@@ -47,21 +98,7 @@ ribbon::Result<ribbon::ExitCode> run(int argc, const char* const* argv) {
   ribbon::set_thread_limit((*line)->threads);
   const ribbon::Interrupt interrupt;
   (*line)->request.interrupted = [&] { return interrupt.requested(); };
-  if ((*line)->dry_run)
-    return ribbon::plan_conversion((*line)->request).map([](const ribbon::ConversionPlan& plan) {
-      std::printf("%s\n", ribbon::plan_text(plan).c_str());
-      return ribbon::ExitCode::done;
-    });
-  const auto start = std::chrono::steady_clock::now();
-  const auto report = ribbon::convert((*line)->request);
-  if (!report) return tl::unexpected(report.error());
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (!(*line)->quiet) print_summary(*report, elapsed.count());
-  if (!report->warning.empty())
-    std::fprintf(stderr, "ribbon-convert: %s\n", report->warning.c_str());
-  print_damage(*report);
-  const bool whole = report->missing.empty() && report->damage.empty();
-  return whole ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;
+  return do_job(**line);
 }
 
 }  // namespace

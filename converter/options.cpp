@@ -18,12 +18,14 @@ constexpr const char* examples = R"(Examples:
   ribbon-convert knot.rbn -o last.obj --frames -1        the last frame alone
   ribbon-convert knot.rbn -o 'few.{frame}.fbx' --frames 1:-1:10
   ribbon-convert knot.rbn -o part.rbn --frames 100:200   a recording of these frames
+  ribbon-convert knot.rbn -o out/knot.abc --verify       reads the file back and compares it
   ribbon-convert knot.rbn -o rock.obj --object obstacle  what does not move, once
   ribbon-convert knot.rbn -o 'max.{frame:04}.fbx' --up z --unit cm
 
 Metres and y up unless told otherwise; vertices in the recorded order, and the triangles that the
 recording certifies, in every frame.
-Exit code: 0 done; 1 the recording is damaged (what can be read is written, what is missing is listed);
+Exit code: 0 done; 1 the recording is damaged (what can be read is written, what is missing is listed),
+or --verify has found that a file is not as recorded;
 2 could not; 3 interrupted, or the disk was full: --resume goes on.)";
 
 // What is chosen by words, and numbers that may be left out.
@@ -34,6 +36,7 @@ struct Words {
   std::string unit = "m";
   int start_frame = 0;
   std::string progress = "line";
+  double tolerance_m = 0;
 };
 
 void add_what(Arguments& arguments, ConversionRequest& request, Words& words) {
@@ -69,7 +72,25 @@ void add_how(Arguments& arguments, ConversionRequest& request, Words& words) {
                 "Frames a second that the files state, whatever the recording's were");
 }
 
-// Whether a number for the first file is given.
+// Numbers that may be left out.
+struct MayBeGiven {
+  Argument start_frame;
+  Argument tolerance;
+};
+
+Argument add_verification(Arguments& arguments, CommandLine& line, Words& words) {
+  const auto verify =
+      arguments.flag("--verify", line.verify,
+                     "Read the files back by other code and compare them with the recording");
+  arguments
+      .flag("--verify-only", line.verify_only,
+            "The same with files that are there already; write nothing")
+      .excludes(verify);
+  return arguments.add("--tolerance", words.tolerance_m, {0, 1000}, "M",
+                       "How far a vertex may be off, in recorded metres (default: as far as the "
+                       "format rounds)");
+}
+
 Argument add_files(Arguments& arguments, CommandLine& line, Words& words) {
   const auto start =
       arguments.add("--start-frame", words.start_frame, {0, 100'000'000}, "N",
@@ -88,7 +109,7 @@ Argument add_files(Arguments& arguments, CommandLine& line, Words& words) {
   return start;
 }
 
-Argument add_options(Arguments& arguments, CommandLine& line, Words& words) {
+MayBeGiven add_options(Arguments& arguments, CommandLine& line, Words& words) {
   ConversionRequest& request = line.request;
   arguments
       .add("recording", request.recording, "KNOT.rbn", "The recording, as ribbon-record wrote it")
@@ -100,7 +121,8 @@ Argument add_options(Arguments& arguments, CommandLine& line, Words& words) {
       .required();
   add_what(arguments, request, words);
   add_how(arguments, request, words);
-  return add_files(arguments, line, words);
+  const Argument tolerance = add_verification(arguments, line, words);
+  return {.start_frame = add_files(arguments, line, words), .tolerance = tolerance};
 }
 
 void apply(const Words& words, ModelSettings& model) {
@@ -118,13 +140,14 @@ Result<std::optional<CommandLine>> parse_command_line(int argc, const char* cons
                       RIBBON_VERSION, examples);
   CommandLine line;
   Words words;
-  const Argument start = add_options(arguments, line, words);
+  const MayBeGiven given = add_options(arguments, line, words);
   const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
   apply(words, line.request.model);
   line.request.progress = progress_style(words.progress, line.quiet);
-  if (start.is_given()) line.request.start_frame = words.start_frame;
+  if (given.start_frame.is_given()) line.request.start_frame = words.start_frame;
+  if (given.tolerance.is_given()) line.tolerance_m = words.tolerance_m;
   return line;
 }
 

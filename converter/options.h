@@ -12,7 +12,10 @@ struct CommandLine {
   ConversionRequest request;
   int threads = 0;  // 0: all cores
   bool dry_run = false;
-  bool quiet = false;  // no progress and no summary
+  bool verify = false;                // reads back what was written, or is there already
+  bool verify_only = false;           // writes nothing
+  std::optional<double> tolerance_m;  // of that
+  bool quiet = false;                 // no progress and no summary
 };
 
 // Nothing when help or the version was asked for, which this prints. Fails when it makes no sense.

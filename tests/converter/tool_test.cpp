@@ -248,6 +248,29 @@ TEST_F(Tool, what_other_programs_do_with_a_file_is_told) {
   EXPECT_EQ(run("knot.rbn -o '{frame}.fbx' --fps 29.97").errors, "");
 }
 
+TEST_F(Tool, what_was_written_is_read_back) {
+  for (const std::string output : {"out/a.abc", "'out/a.{frame}.obj'"})
+    EXPECT_THAT(output_of(run("knot.rbn --verify -o " + output)),
+                AllOf(StartsWith("5 frames"), EndsWith("5 frames: exactly as recorded\n")));
+  EXPECT_EQ(output_of(run("knot.rbn --verify-only --quiet -o out/a.abc")), "");
+}
+
+TEST_F(Tool, a_file_that_is_not_as_recorded_is_exit_code_1) {
+  ASSERT_EQ(run("knot.rbn -o a.npy --scale 1.01").exit_code, 0);
+  const ToolRun answer = run("knot.rbn -o a.npy --verify-only");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_THAT(answer.errors, HasSubstr("only 0 m is allowed"));
+  EXPECT_EQ(run("knot.rbn -o a.npy --verify-only --tolerance 0.1").exit_code, 0);
+  EXPECT_EQ(run("knot.rbn -o b.npy --verify-only").exit_code, 1);
+  EXPECT_THAT(names("."), ElementsAre("a.npy", "knot.rbn"));
+}
+
+TEST_F(Tool, what_cannot_be_verified_is_not_written) {
+  for (const std::string output : {"a.csv", "a.rbn"})
+    expect_refusal(run("knot.rbn --verify -o " + output), "leave --verify out");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
+}
+
 TEST_F(Tool, an_unknown_extension_is_one_sentence_that_lists_the_known) {
   expect_refusal(
       run("knot.rbn -o 'knot.{frame}.ply'"),
@@ -313,6 +336,14 @@ TEST_F(DamagedRecording, a_point_cache_holds_the_frame_before_a_lost_one) {
   const auto lost = static_cast<std::size_t>(lost_.front());
   EXPECT_EQ(cached_sample(cache, lost), cached_sample(cache, lost - 1));
   EXPECT_NE(cached_sample(cache, lost - 1), cached_sample(cache, lost - 2));
+}
+
+TEST_F(DamagedRecording, what_could_be_written_is_as_recorded) {
+  for (const std::string output : {"a.pc2", "a.usda", "'out/{frame:03}.obj'"}) {
+    const ToolRun answer = run("knot.rbn --verify -o " + output);
+    EXPECT_EQ(answer.exit_code, 1);
+    EXPECT_THAT(answer.output, HasSubstr("exactly as recorded")) << output;
+  }
 }
 
 TEST_F(DamagedRecording, a_point_cache_starts_with_the_first_good_frame) {

@@ -1,65 +1,73 @@
-#include "converter/export/fbx_records.h"
+#include "converter/read_back/fbx_records.h"
 
 #include <libdeflate.h>
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
+#include "converter/read_back/written_motion.h"
 #include "recording/coding/bytes.h"
 
 namespace ribbon {
 
 namespace {
 
+constexpr std::string_view file_magic("Kaydara FBX Binary  \0\x1a\0", 23);
+constexpr std::uint32_t version_read = 7400;
+constexpr std::uint64_t head_bytes = 13;  // of a record, before its name
+constexpr int deepest_record = 16;        // records in records
+
+// Of a file from some place on.
 class Reader {
  public:
-  explicit Reader(std::string_view bytes) : size_(bytes.size()), taker_(bytes) {}
+  explicit Reader(std::string_view bytes, std::uint64_t begin = 0)
+      : begin_(begin), size_(bytes.size()), taker_(bytes) {}
 
   ReadFbxRecord file() {
-    demand(taker_.take_bytes(23) == std::string_view("Kaydara FBX Binary  \0\x1a\0", 23), "magic");
-    demand(taker_.take<std::uint32_t>() == 7400, "version");
-    ReadFbxRecord root{.name = "", .properties = {}, .nested = list()};
+    demand(taker_.take_bytes(file_magic.size()) == file_magic, "magic");
+    demand(taker_.take<std::uint32_t>() == version_read, "version");
+    ReadFbxRecord root{.name = "", .properties = {}, .nested = list(0)};
     taker_.take_bytes(16);  // an identifier
     const std::size_t padding = 16 - position() % 16;
     demand(taker_.take_bytes(padding + 4) == std::string(padding + 4, '\0'), "padding");
-    demand(taker_.take<std::uint32_t>() == 7400, "version at the end");
+    demand(taker_.take<std::uint32_t>() == version_read, "version at the end");
     demand(taker_.take_bytes(120) == std::string(120, '\0'), "zeros at the end");
     demand(taker_.rest().size() == 16, "length");
     return root;
   }
 
- private:
-  [[nodiscard]] std::size_t position() const { return size_ - taker_.rest().size(); }
-
-  void demand(bool good, const std::string& what) const {
-    if (!good || !taker_.complete())
-      throw std::runtime_error(what + " before byte " + std::to_string(position()));
-  }
-
-  // Up to its null record.
-  std::vector<ReadFbxRecord> list() {
-    std::vector<ReadFbxRecord> records;
-    while (taker_.rest().substr(0, 13) != std::string_view("\0\0\0\0\0\0\0\0\0\0\0\0\0", 13))
-      records.push_back(record());
-    taker_.take_bytes(13);
-    return records;
-  }
-
-  ReadFbxRecord record() {
+  ReadFbxRecord record(int depth = 0) {
+    demand(depth < deepest_record, "records nested too deeply");
     const auto end = taker_.take<std::uint32_t>();
     const auto property_count = taker_.take<std::uint32_t>();
     const auto property_bytes = taker_.take<std::uint32_t>();
     ReadFbxRecord record{.name = std::string(taker_.take_bytes(taker_.take<std::uint8_t>())),
                          .properties = {},
                          .nested = {}};
-    demand(!record.name.empty() && end <= size_, "a record's head");
-    const std::size_t properties = position();
+    demand(!record.name.empty() && end <= begin_ + size_, "a record's head");
+    const std::uint64_t properties = position();
     for (std::uint32_t i = 0; i < property_count; ++i) record.properties.push_back(property());
     demand(position() == properties + property_bytes, record.name + ": properties");
-    if (position() < end || property_count == 0) record.nested = list();
+    if (position() < end || property_count == 0) record.nested = list(depth + 1);
     demand(position() == end, record.name + ": its end");
     return record;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t position() const { return begin_ + size_ - taker_.rest().size(); }
+
+  void demand(bool good, const std::string& what) const {
+    if (!good || !taker_.complete())
+      throw Spoiled(what + " before byte " + std::to_string(position()));
+  }
+
+  // Up to its null record.
+  std::vector<ReadFbxRecord> list(int depth) {
+    std::vector<ReadFbxRecord> records;
+    while (taker_.rest().substr(0, head_bytes) != std::string(head_bytes, '\0'))
+      records.push_back(record(depth));
+    taker_.take_bytes(head_bytes);
+    return records;
   }
 
   ReadFbxRecord::Property property() {
@@ -100,6 +108,8 @@ class Reader {
     const auto count = taker_.take<std::uint32_t>();
     const bool deflated = taker_.take<std::uint32_t>() == 1;
     const std::string_view stored = taker_.take_bytes(taker_.take<std::uint32_t>());
+    constexpr std::size_t best_ratio = 1032;  // of what deflate makes of zeros
+    demand(count <= best_ratio * stored.size() / sizeof(Number) + 1, "the length of an array");
     const std::size_t bytes = count * sizeof(Number);
     const std::string plain = deflated ? inflated(stored, bytes) : std::string(stored);
     demand(plain.size() == bytes, "an array");
@@ -119,6 +129,7 @@ class Reader {
     return plain;
   }
 
+  std::uint64_t begin_;
   std::size_t size_;
   ByteTaker taker_;
 };
@@ -157,11 +168,45 @@ std::string ReadFbxRecord::text(std::size_t property) const {
 double ReadFbxRecord::setting(std::string_view setting_name) const {
   for (const ReadFbxRecord& record : (*this)["Properties70"].nested)
     if (record.text(0) == setting_name) return std::get<double>(record.properties.back());
-  throw std::runtime_error("no setting " + std::string(setting_name));
+  throw Spoiled("no setting " + std::string(setting_name));
 }
 
 ReadFbxRecord read_fbx(std::string_view bytes) {
   return Reader(bytes).file();
+}
+
+FbxFileRecords::FbxFileRecords(const std::filesystem::path& path) : bytes_(path) {
+  demand(bytes_.at(0, file_magic.size()) == file_magic, "not a binary FBX");
+  demand(bytes_.number<std::uint32_t>(file_magic.size()) == version_read, "another version of FBX");
+}
+
+std::vector<FbxSpan> FbxFileRecords::spans(const FbxSpan& parent) const {
+  return parent.nested == parent.end ? std::vector<FbxSpan>() : list(parent.nested);
+}
+
+// Up to its null record.
+std::vector<FbxSpan> FbxFileRecords::list(std::uint64_t begin) const {
+  constexpr std::uint64_t longest_name = 255;
+  std::vector<FbxSpan> spans;
+  while (true) {
+    const std::string head = bytes_.up_to(begin, head_bytes + longest_name);
+    ByteTaker taker(head);
+    const auto end = taker.take<std::uint32_t>();
+    taker.take<std::uint32_t>();
+    const auto property_bytes = taker.take<std::uint32_t>();
+    const std::string_view name = taker.take_bytes(taker.take<std::uint8_t>());
+    demand(taker.complete(), "it ends too early");
+    if (end == 0) return spans;
+    const std::uint64_t nested = begin + head_bytes + name.size() + property_bytes;
+    demand(nested <= end && end <= bytes_.size(), "a record's end");
+    spans.push_back({.name = std::string(name), .begin = begin, .nested = nested, .end = end});
+    begin = end;
+  }
+}
+
+ReadFbxRecord FbxFileRecords::read(const FbxSpan& span) const {
+  const std::string bytes = bytes_.at(span.begin, span.end - span.begin);
+  return Reader(bytes, span.begin).record();
 }
 
 }  // namespace ribbon

@@ -1,0 +1,66 @@
+// What a file holds, beside what was recorded.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "converter/export/model.h"
+#include "converter/read_back/written_motion.h"
+
+namespace ribbon {
+
+struct ComparisonSettings {
+  // How far a vertex may be from where it was recorded, in recorded metres; nothing: as far as the
+  // format, the unit and the scale are stated to round.
+  std::optional<double> tolerance_m;
+  // Of a coordinate, relative to the largest one: what the format rounds by, beside the placement.
+  double format_rounding = 0;
+};
+
+// The outcome so far. Deviations are distances in recorded metres.
+struct Deviations {
+  int frames = 0;  // that were compared
+  double largest_m = 0;
+  int frame = 0;           // where that is, from 1; 0: nowhere, or in the obstacle
+  double allowed_m = 0;    // there
+  bool within = true;      // all that was allowed
+  std::string difference;  // the first one of another kind, in words; empty: none
+
+  [[nodiscard]] bool good() const { return within && difference.empty(); }
+  // As if `other` had been seen after it.
+  void add(const Deviations& other);
+};
+
+// Compares with a recording. Where the model's ribbon is a surface, its positions are worked out
+// anew in double precision, without the code that writers use; a solid is raised again.
+class Comparison {
+ public:
+  // model: as it was written.
+  Comparison(Model model, const RecordingHeader& header, ComparisonSettings settings);
+
+  // What no frame changes, of `frames` frames; `place` is named where it differs.
+  void see_scene(const WrittenScene& scene, int frames, const std::string& place);
+  // One frame, by its number from 1.
+  void see_frame(int number, const Eigen::Matrix3Xf& recorded, const Eigen::Matrix3Xd& written);
+  // Something else is wrong.
+  void see_difference(const std::string& what);
+
+  [[nodiscard]] const Deviations& deviations() const { return deviations_; }
+
+ private:
+  [[nodiscard]] Eigen::Matrix3Xd placed(const Eigen::Matrix3Xf& recorded) const;
+  [[nodiscard]] double allowed_m(const Eigen::Matrix3Xf& recorded) const;
+  [[nodiscard]] Eigen::Matrix3Xd expected_ribbon(int number, const Eigen::Matrix3Xf& recorded);
+  void compare_mesh(const WrittenMesh& mesh, const ModelObject& object, const std::string& place);
+  void compare_positions(int number, const Eigen::Matrix3Xd& expected,
+                         const Eigen::Matrix3Xd& written, double allowed_m);
+
+  Model model_;
+  Eigen::Matrix3Xf obstacle_;  // as recorded
+  ComparisonSettings settings_;
+  Deviations deviations_;
+};
+
+}  // namespace ribbon

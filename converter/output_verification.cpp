@@ -1,0 +1,238 @@
+#include "converter/output_verification.h"
+
+#include <atomic>
+#include <mutex>
+#include <utility>
+
+#include "commandline/progress.h"
+#include "converter/conversion_job.h"
+#include "converter/motion_format.h"
+#include "converter/read_back/read_back.h"
+#include "converter/reader_pool.h"
+#include "converter/sequence_names.h"
+#include "parallel/parallel.h"
+#include "text/number_text.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr std::size_t frames_at_a_time = 8;  // as they are written
+
+// Displacements since the first frame, which may be twice as large as coordinates, are rounded to
+// half a digit.
+constexpr double glb_rounding = 1.01 * 0x1p-23;
+
+ComparisonSettings settings_for(const std::string& extension, std::optional<double> tolerance_m) {
+  return {.tolerance_m = tolerance_m, .format_rounding = extension == ".glb" ? glb_rounding : 0};
+}
+
+tl::unexpected<Error> interrupted() {
+  return passing_failure("", "interrupted while reading back", "repeat it with --verify-only");
+}
+
+// What is done with a file that can be opened; that it cannot, or turns out to be spoiled, is a
+// difference.
+template <class Use>
+void with_file(const FileReader& reader, const std::filesystem::path& path, Comparison& comparison,
+               const Use& use) {
+  const auto used = read_strictly(path, [&] {
+    const auto file = reader.read(path);
+    use(*file);
+    return true;
+  });
+  if (!used) comparison.see_difference(used.error().sentence());
+}
+
+// The base mesh that positions in a point cache are for.
+void verify_base(const ConversionRequest& request, const Eigen::Matrix3Xf& first, int number,
+                 Comparison& comparison) {
+  const auto base = std::filesystem::path(request.output).replace_extension(".obj");
+  with_file(*file_reader(".obj"), base, comparison, [&](WrittenMotion& file) {
+    comparison.see_scene(file.scene(), 1, base.string());
+    comparison.see_frame(number, first, file.ribbon(0));
+  });
+}
+
+// Positions of frame after frame; where the recording has lost one, those of the frame before it
+// or, at the start, after it.
+class HeldFrames {
+ public:
+  HeldFrames(RecordingReader& reader, const std::vector<int>& frames) : reader_(reader) {
+    for (std::size_t i = 0; i < frames.size() && number_ == 0; ++i) go_to(frames[i]);
+  }
+
+  void go_to(int index) {
+    Eigen::Matrix3Xf positions;
+    if (!reader_.readable(index) || !reader_.read(index, positions)) return;
+    positions_ = std::move(positions);
+    number_ = index + 1;
+  }
+
+  [[nodiscard]] const Eigen::Matrix3Xf& positions() const { return positions_; }
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  RecordingReader& reader_;
+  Eigen::Matrix3Xf positions_;
+  int number_ = 0;
+};
+
+Result<void> verify_frames(const ConversionRequest& request, const ConversionJob& job,
+                           HeldFrames& held, WrittenMotion& file, Comparison& comparison) {
+  const int frames = static_cast<int>(job.frames.size());
+  comparison.see_scene(file.scene(), frames, request.output);
+  ProgressLine progress("frame", frames, request.progress);
+  for (int i = 0; i < std::min(frames, file.scene().frames); ++i) {
+    if (request.interrupted()) return interrupted();
+    held.go_to(job.frames[static_cast<std::size_t>(i)]);
+    comparison.see_frame(held.number(), held.positions(), file.ribbon(i));
+    progress.update(i + 1);
+  }
+  return {};
+}
+
+Result<Deviations> verify_motion(const ConversionRequest& request, ConversionJob& job,
+                                 const FileReader& reader, const ComparisonSettings& settings) {
+  Comparison comparison(job.model, job.reader.header(), settings);
+  HeldFrames held(job.reader, job.frames);
+  if (motion_format(request.output)->deforms_base) {
+    Comparison base(job.model, job.reader.header(), settings);
+    verify_base(request, held.positions(), held.number(), base);
+    if (!base.deviations().good()) return base.deviations();
+  }
+  Result<void> verified;
+  with_file(reader, request.output, comparison, [&](WrittenMotion& file) {
+    verified = verify_frames(request, job, held, file, comparison);
+  });
+  return verified.map([&] { return comparison.deviations(); });
+}
+
+// The obstacle alone.
+Deviations verify_still_life(const ConversionRequest& request, const ConversionJob& job,
+                             const FileReader& reader, const ComparisonSettings& settings) {
+  Comparison comparison(job.model, job.reader.header(), settings);
+  with_file(reader, request.output, comparison,
+            [&](WrittenMotion& file) { comparison.see_scene(file.scene(), 1, request.output); });
+  return comparison.deviations();
+}
+
+// One file a frame, on all cores.
+class SequenceVerification {
+ public:
+  SequenceVerification(const ConversionRequest& request, ConversionJob job, SequenceNames names,
+                       const FileReader& reader, ComparisonSettings settings)
+      : request_(request),
+        names_(std::move(names)),
+        reader_(reader),
+        settings_(settings),
+        model_(std::move(job.model)),
+        frames_(std::move(job.frames)),
+        recordings_(request.recording, std::move(job.reader)),
+        progress_("frame", static_cast<int>(frames_.size()), request.progress) {}
+
+  Result<Deviations> verify() {
+    parallel_ranges(frames_.size(), frames_at_a_time,
+                    [this](std::size_t begin, std::size_t end) { verify_range(begin, end); });
+    if (failure_) return tl::unexpected(*failure_);
+    return deviations_;
+  }
+
+ private:
+  void verify_range(std::size_t begin, std::size_t end) {
+    auto recording = recordings_.take();
+    if (!recording) return stop(recording.error());
+    Comparison comparison(model_, recording->header(), settings_);
+    for (std::size_t slot = begin; slot < end && !stopped_; ++slot)
+      verify_frame(*recording, slot, comparison);
+    recordings_.give_back(std::move(*recording));
+    const std::lock_guard lock(mutex_);
+    deviations_.add(comparison.deviations());
+  }
+
+  // One that the recording has lost was not written.
+  void verify_frame(RecordingReader& recording, std::size_t slot, Comparison& comparison) {
+    if (request_.interrupted()) return stop(interrupted().value());
+    const int index = frames_[slot];
+    const std::filesystem::path path = names_.frame(slot);
+    Eigen::Matrix3Xf positions;
+    if (recording.readable(index) && recording.read(index, positions))
+      with_file(reader_, path, comparison, [&](WrittenMotion& file) {
+        comparison.see_scene(file.scene(), 1, path.string());
+        comparison.see_frame(index + 1, positions, file.ribbon(0));
+      });
+    const std::lock_guard lock(mutex_);
+    progress_.update(++done_);
+  }
+
+  void stop(const Error& error) {
+    const std::lock_guard lock(mutex_);
+    failure_ = error;
+    stopped_ = true;
+  }
+
+  const ConversionRequest& request_;
+  SequenceNames names_;
+  const FileReader& reader_;
+  ComparisonSettings settings_;
+  Model model_;
+  std::vector<int> frames_;
+  ReaderPool recordings_;
+  std::mutex mutex_;  // guards what follows
+  ProgressLine progress_;
+  int done_ = 0;
+  Deviations deviations_;
+  std::optional<Error> failure_;
+  std::atomic<bool> stopped_ = false;
+};
+
+Result<Deviations> verify_job(const ConversionRequest& request, ConversionJob job,
+                              const FileReader& reader, const ComparisonSettings& settings) {
+  if (!request.model.with_ribbon) return verify_still_life(request, job, reader, settings);
+  if (job.format == OutputFormat::whole_motion)
+    return verify_motion(request, job, reader, settings);
+  auto names = SequenceNames::of(request, job.frames);
+  if (!names) return tl::unexpected(names.error());
+  return SequenceVerification(request, std::move(job), std::move(*names), reader, settings)
+      .verify();
+}
+
+}  // namespace
+
+Result<void> check_verifiable(const ConversionRequest& request) {
+  const std::string extension = extension_of(request.output);
+  if (extension == ".rbn")
+    return failure(request.output, "is a recording, which ribbon-play --verify proves",
+                   "leave --verify out");
+  if (extension == ".csv")
+    return failure(request.output, "holds no positions that could be compared",
+                   "leave --verify out");
+  return {};
+}
+
+Result<VerificationReport> verify_output(const ConversionRequest& request,
+                                         std::optional<double> tolerance_m) {
+  if (auto verifiable = check_verifiable(request); !verifiable)
+    return tl::unexpected(verifiable.error());
+  auto job = open_job(request);
+  if (!job) return tl::unexpected(job.error());
+  const std::string extension = extension_of(request.output);
+  const FileReader& reader = *file_reader(extension);
+  return verify_job(request, std::move(*job), reader, settings_for(extension, tolerance_m))
+      .map([&](Deviations deviations) {
+        return VerificationReport{extension, reader.name, std::move(deviations)};
+      });
+}
+
+std::string verification_text(const VerificationReport& report) {
+  const Deviations& found = report.deviations;
+  if (!found.difference.empty()) return found.difference;
+  const std::string head =
+      filled_in("{} as {} reads it, {} frames: ", report.extension, report.reader, found.frames);
+  if (found.largest_m == 0) return head + "exactly as recorded";
+  const std::string place = found.frame > 0 ? filled_in("frame {}", found.frame) : "the obstacle";
+  return head + "at most " + metres(found.largest_m) + " from the recording, in " + place + "; " +
+         (found.within ? "up to " : "only ") + metres(found.allowed_m) + " is allowed";
+}
+
+}  // namespace ribbon

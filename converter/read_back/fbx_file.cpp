@@ -1,0 +1,159 @@
+#include "converter/read_back/fbx_file.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "converter/read_back/fbx_records.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr double ticks_per_second = 46'186'158'000;
+constexpr double centimetres_per_metre = 100;
+
+using Numbers = std::vector<double>;
+
+Eigen::MatrixXd columns(const Numbers& numbers, Eigen::Index rows) {
+  const auto count = static_cast<Eigen::Index>(numbers.size());
+  demand(count % rows == 0, "half a value");
+  return Eigen::Map<const Eigen::MatrixXd>(numbers.data(), rows, count / rows);
+}
+
+// A face's last corner is told by its complement.
+Eigen::MatrixXi faces_of(const Numbers& corners) {
+  const auto is_last = [](double corner) { return corner < 0; };
+  const auto first_end = std::find_if(corners.begin(), corners.end(), is_last);
+  if (first_end == corners.end()) return {};
+  const Eigen::Index corners_of_a_face = first_end - corners.begin() + 1;
+  Eigen::MatrixXi faces = columns(corners, corners_of_a_face).cast<int>();
+  auto last = faces.row(corners_of_a_face - 1);
+  demand((last.array() < 0).all(), "faces with different numbers of corners");
+  last = -1 - last.array();
+  demand(faces.minCoeff() >= 0, "faces with different numbers of corners");
+  return faces;
+}
+
+WrittenMesh mesh_of(const ReadFbxRecord& geometry) {
+  WrittenMesh mesh{.positions = columns(geometry["Vertices"].array(), 3),
+                   .uv = Eigen::Matrix2Xd(2, 0),
+                   .faces = faces_of(geometry["PolygonVertexIndex"].array())};
+  const ReadFbxRecord& layer = geometry["LayerElementUV"];
+  if (layer.name.empty()) return mesh;
+  const Numbers& corners = layer["UVIndex"].array();
+  demand(columns(corners, 1).cast<int>().reshaped() == mesh.faces.reshaped(),
+         "a corner with the uv of another vertex");
+  mesh.uv = columns(layer["UV"].array(), 2);
+  return mesh;
+}
+
+// When a curve is full; it is 0 at all other keys.
+double full_at_s(const ReadFbxRecord& curve) {
+  const Numbers& ticks = curve["KeyTime"].array();
+  const Numbers& weights = curve["KeyValueFloat"].array();
+  demand(ticks.size() == weights.size(), "a curve of a wrong length");
+  const auto full = std::find(weights.begin(), weights.end(), 100.0);
+  demand(full != weights.end() && std::count(weights.begin(), weights.end(), 0.0) + 1 ==
+                                      static_cast<std::ptrdiff_t>(weights.size()),
+         "a shape that shows in part");
+  return ticks[static_cast<std::size_t>(full - weights.begin())] / ticks_per_second;
+}
+
+double identity_of(const ReadFbxRecord& record) {
+  demand(!record.properties.empty(), "an object without an identity");
+  return std::get<double>(record.properties.front());
+}
+
+// What objects belong to, by identity.
+using Owners = std::multimap<double, double>;
+
+class FbxFile : public WrittenMotion {
+ public:
+  explicit FbxFile(const std::filesystem::path& path) : records_(path) {
+    std::map<double, FbxSpan> shapes;
+    std::map<double, double> full_at;  // a curve: when it is full
+    Owners owners;
+    for (const FbxSpan& part : records_.spans()) {
+      if (part.name == "GlobalSettings") read_settings(records_.read(part));
+      if (part.name == "Objects") read_objects(part, shapes, full_at);
+      if (part.name == "Connections") owners = owners_in(records_.read(part));
+    }
+    demand(!scene_.meshes.empty(), "it has no mesh");
+    order_shapes(shapes, full_at, owners);
+    scene_.frames = static_cast<int>(shapes_.size()) + 1;
+  }
+
+  Eigen::Matrix3Xd ribbon(int frame) override {
+    const Eigen::Matrix3Xd& first = scene_.meshes.front().positions;
+    if (frame == 0) return first;
+    const ReadFbxRecord shape = records_.read(shapes_[static_cast<std::size_t>(frame) - 1]);
+    const Numbers& vertices = shape["Indexes"].array();
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      demand(vertices[i] == static_cast<double>(i), "a shape that leaves vertices out");
+    const Eigen::Matrix3Xd moved = columns(shape["Vertices"].array(), 3);
+    demand(moved.cols() == first.cols(), "a shape of another number of vertices");
+    return first + moved;
+  }
+
+ private:
+  void read_settings(const ReadFbxRecord& settings) {
+    scene_.metres_per_unit = settings.setting("UnitScaleFactor") / centimetres_per_metre;
+    scene_.z_is_up = settings.setting("UpAxis") == 2;
+  }
+
+  void read_objects(const FbxSpan& part, std::map<double, FbxSpan>& shapes,
+                    std::map<double, double>& full_at) {
+    for (const FbxSpan& span : records_.spans(part)) {
+      if (span.name != "Geometry" && span.name != "AnimationCurve") continue;
+      const ReadFbxRecord object = records_.read(span);
+      const double identity = identity_of(object);
+      if (span.name == "AnimationCurve")
+        full_at[identity] = full_at_s(object);
+      else if (object.text(2) == "Shape")
+        shapes[identity] = span;
+      else
+        scene_.meshes.push_back(mesh_of(object));
+    }
+  }
+
+  static Owners owners_in(const ReadFbxRecord& connections) {
+    Owners owners;
+    for (const ReadFbxRecord& connection : connections.nested)
+      owners.emplace(std::get<double>(connection.properties.at(1)),
+                     std::get<double>(connection.properties.at(2)));
+    return owners;
+  }
+
+  // A curve belongs to a curve's node, that to a channel, to which a shape belongs as well.
+  void order_shapes(const std::map<double, FbxSpan>& shapes,
+                    const std::map<double, double>& full_at, const Owners& owners) {
+    std::map<double, double> channel_at;
+    for (const auto& [curve, time_s] : full_at)
+      for (auto [node, end] = owners.equal_range(curve); node != end; ++node)
+        for (auto [channel, last] = owners.equal_range(node->second); channel != last; ++channel)
+          channel_at[channel->second] = time_s;
+    std::map<double, FbxSpan> by_time;
+    for (const auto& [shape, span] : shapes)
+      for (auto [channel, end] = owners.equal_range(shape); channel != end; ++channel)
+        by_time[channel_at.at(channel->second)] = span;
+    demand(by_time.size() == shapes.size(), "two shapes of one time");
+    if (by_time.empty()) return;
+    scene_.times_s.push_back(0);
+    for (const auto& [time_s, span] : by_time) {
+      scene_.times_s.push_back(time_s);
+      shapes_.push_back(span);
+    }
+  }
+
+  FbxFileRecords records_;
+  std::vector<FbxSpan> shapes_;  // of each frame but the first
+};
+
+}  // namespace
+
+std::unique_ptr<WrittenMotion> read_fbx_file(const std::filesystem::path& path) {
+  return std::make_unique<FbxFile>(path);
+}
+
+}  // namespace ribbon

@@ -1,0 +1,64 @@
+// Strict reading of a binary FBX file of version 7.4.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "converter/read_back/written_bytes.h"
+
+namespace ribbon {
+
+struct ReadFbxRecord {
+  // A number, or text (of raw bytes, too), or an array.
+  using Property = std::variant<double, std::string, std::vector<double>>;
+
+  std::string name;
+  std::vector<Property> properties;
+  std::vector<ReadFbxRecord> nested;
+
+  // The first nested record with a name; an empty one where there is none.
+  [[nodiscard]] const ReadFbxRecord& operator[](std::string_view nested_name) const;
+  // All of them with a name whose last property is `kind`.
+  [[nodiscard]] std::vector<const ReadFbxRecord*> all(std::string_view nested_name,
+                                                      std::string_view kind) const;
+  [[nodiscard]] const std::vector<double>& array() const;
+  [[nodiscard]] double number() const;
+  [[nodiscard]] std::string text(std::size_t property) const;
+  // The last value of the property `P` with a name among Properties70.
+  [[nodiscard]] double setting(std::string_view setting_name) const;
+};
+
+// The file's records, nested in one without a name. Throws Spoiled with the place where a record
+// does not end where it says, a list has no null record, an array cannot be inflated to the length
+// it states, or the end of the file is not as it should be.
+ReadFbxRecord read_fbx(std::string_view bytes);
+
+// Where a record begins, where what is nested in it begins, and where it ends, in the file.
+struct FbxSpan {
+  std::string name;
+  std::uint64_t begin = 0;
+  std::uint64_t nested = 0;
+  std::uint64_t end = 0;
+};
+
+// The same record by record, for files that are too long to be held in memory. Throws Spoiled.
+class FbxFileRecords {
+ public:
+  explicit FbxFileRecords(const std::filesystem::path& path);
+  // Those of the file itself, or those nested in one of them.
+  [[nodiscard]] std::vector<FbxSpan> spans() const { return list(first_record); }
+  [[nodiscard]] std::vector<FbxSpan> spans(const FbxSpan& parent) const;
+  [[nodiscard]] ReadFbxRecord read(const FbxSpan& span) const;
+
+ private:
+  static constexpr std::uint64_t first_record = 27;
+  [[nodiscard]] std::vector<FbxSpan> list(std::uint64_t begin) const;
+
+  WrittenBytes bytes_;
+};
+
+}  // namespace ribbon
