@@ -46,14 +46,15 @@ Result<void> check_still(const ConversionRequest& request, const Abilities& form
   return {};
 }
 
-// A recording is in metres and y up, and holds both ribbon and obstacle.
-Result<void> check_recording(const ConversionRequest& request) {
+// A recording is in metres and y up, and holds both ribbon and obstacle; a table holds numbers of
+// all that.
+Result<void> check_as_recorded(const ConversionRequest& request, const char* because) {
   const ModelSettings& model = request.model;
   const bool as_recorded = model.placement.up == UpAxis::y && model.placement.factor() == 1;
   const bool whole = model.with_ribbon && model.with_obstacle && model.thickness_m == 0 &&
                      model.faces == RibbonFaces::triangles;
   if (as_recorded && whole) return {};
-  return failure(request.output, "a recording stays in metres, y up, with all that it shows",
+  return failure(request.output, because,
                  "leave --up, --unit, --scale, --object, --faces and --thickness out");
 }
 
@@ -76,7 +77,10 @@ Result<void> check_abilities(const ConversionRequest& request, OutputFormat outp
     return lacks("is written without normals", "--normals");
   if (request.max_error_m > 0 && output != OutputFormat::recording)
     return lacks("holds positions as they were recorded", "--max-error");
-  if (output == OutputFormat::recording) return check_recording(request);
+  if (output == OutputFormat::recording)
+    return check_as_recorded(request, "a recording stays in metres, y up, with all that it shows");
+  if (output == OutputFormat::numbers)
+    return check_as_recorded(request, "a .csv file holds numbers of frames, and no positions");
   if (!request.model.with_ribbon) return check_still(request, format);
   return {};
 }

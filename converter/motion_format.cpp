@@ -11,24 +11,21 @@
 #include "converter/export/mdd_writer.h"
 #include "converter/export/npy_writer.h"
 #include "converter/export/pc2_writer.h"
+#include "converter/export/rate_warnings.h"
 #include "converter/export/usd_writer.h"
 
 namespace ribbon {
 
 namespace {
 
-std::size_t position_bytes(const Model& model) {
-  return static_cast<std::size_t>(model.objects.front().positions.size()) * sizeof(float);
-}
-
 constexpr std::array<MotionFormat, 7> formats{{
-    {".abc", new_alembic_writer, position_bytes, false, true, nullptr},
-    {".fbx", new_fbx_writer, position_bytes, false, true, fbx_warning},
-    {".glb", new_glb_writer, position_bytes, false, true, nullptr},
-    {".mdd", new_mdd_writer, position_bytes, true, true, nullptr},
-    {".npy", new_npy_writer, position_bytes, false, false, nullptr},
-    {".pc2", new_pc2_writer, position_bytes, true, false, nullptr},
-    {".usda", new_usd_writer, usd_pose_bytes, false, true, nullptr},
+    {".abc", new_alembic_writer, false, true, nullptr},
+    {".fbx", new_fbx_writer, false, true, fbx_warning},
+    {".glb", new_glb_writer, false, true, glb_warning},
+    {".mdd", new_mdd_writer, true, true, rounded_time_warning},
+    {".npy", new_npy_writer, false, false, nullptr},
+    {".pc2", new_pc2_writer, true, false, nullptr},
+    {".usda", new_usd_writer, false, true, nullptr},
 }};
 
 }  // namespace

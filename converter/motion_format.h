@@ -15,8 +15,6 @@ struct MotionFormat {
   std::string_view extension;
   Result<std::unique_ptr<MotionWriter>> (*new_writer)(const std::filesystem::path& path,
                                                       const Model& first_pose, int frames);
-  // What a pose of the ribbon takes in the file, about.
-  std::size_t (*bytes_of_pose)(const Model& model);
   bool deforms_base;  // it holds positions alone, for the mesh of an OBJ beside it
   bool states_rate;   // it says how many frames a second
   // What other programs are known to do with such a motion; mostly nothing. Null: never anything.

@@ -9,16 +9,6 @@ namespace ribbon {
 
 namespace {
 
-std::string title_line() {
-  std::string line =
-      "frame,time [s],worst_strain [1],penetrating_edges [1],recovery_iterations [1]";
-  for (const TightnessColumn& column : tightness_columns) {
-    const bool is_length = column.value == &TightnessNumbers::rope_length;
-    line += std::string(",") + column.name + (is_length ? " [ribbon widths]" : " [1]");
-  }
-  return line + '\n';
-}
-
 void append_cell(std::string& line, auto number) {
   line += ',';
   append_digits(line, number);
@@ -42,7 +32,7 @@ std::string line_of(int frame, const std::optional<FrameNumbers>& numbers) {
 Result<void> append_lines(PendingFile& file, const ConversionRequest& request,
                           const RecordingReader& reader, const std::vector<int>& frames,
                           ConversionReport& report) {
-  if (auto appended = file.append(title_line()); !appended) return appended;
+  if (auto appended = file.append(number_table_title()); !appended) return appended;
   for (const int index : frames) {
     if (request.interrupted()) return failure("", "interrupted", "start again");
     const auto numbers = reader.numbers(index);
@@ -56,6 +46,20 @@ Result<void> append_lines(PendingFile& file, const ConversionRequest& request,
 }
 
 }  // namespace
+
+std::string number_table_title() {
+  std::string line =
+      "frame,time [s],worst_strain [1],penetrating_edges [1],recovery_iterations [1]";
+  for (const TightnessColumn& column : tightness_columns) {
+    const bool is_length = column.value == &TightnessNumbers::rope_length;
+    line += std::string(",") + column.name + (is_length ? " [ribbon widths]" : " [1]");
+  }
+  return line + '\n';
+}
+
+std::string number_table_line(const RecordingReader& reader, int index) {
+  return line_of(index + 1, reader.numbers(index));
+}
 
 Result<ConversionReport> write_number_table(const ConversionRequest& request,
                                             const RecordingReader& reader,

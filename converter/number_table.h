@@ -1,6 +1,7 @@
 // The numbers that a recording keeps with each frame, as a table.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "converter/conversion.h"
@@ -14,5 +15,9 @@ namespace ribbon {
 Result<ConversionReport> write_number_table(const ConversionRequest& request,
                                             const RecordingReader& reader,
                                             const std::vector<int>& frames);
+
+// Its lines: the names, and a frame's numbers (index from 0).
+std::string number_table_title();
+std::string number_table_line(const RecordingReader& reader, int index);
 
 }  // namespace ribbon

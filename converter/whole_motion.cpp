@@ -44,13 +44,15 @@ Result<void> append_frames(RecordingReader& reader, const std::vector<int>& fram
   return {};
 }
 
-// The mesh that the positions in `output` are for; its name is that with .obj.
-Result<void> write_base(const Model& model, const std::filesystem::path& output) {
+// The mesh that the positions in `output` are for; its name is that with .obj. Returns its bytes.
+Result<std::uint64_t> write_base(const Model& model, const std::filesystem::path& output) {
   const std::string library = material_library_name(output.string());
   const auto base = std::filesystem::path(output).replace_extension(".obj");
-  return write_file(output.parent_path() / library, material_library_text(model)).and_then([&] {
-    return write_file(base, obj_text(model, library));
-  });
+  const std::string materials = material_library_text(model);
+  const std::string mesh = obj_text(model, library);
+  return write_file(output.parent_path() / library, materials)
+      .and_then([&] { return write_file(base, mesh); })
+      .map([&] { return std::uint64_t{materials.size() + mesh.size()}; });
 }
 
 }  // namespace
@@ -69,10 +71,11 @@ Result<ConversionReport> write_whole_motion(const ConversionRequest& request, Co
     report.warning = format.warning(base, static_cast<int>(job.frames.size()));
   return append_frames(job.reader, job.frames, job.model, **writer, request, report)
       .and_then([&] { return (*writer)->finish(); })
-      .and_then(
-          [&] { return format.deforms_base ? write_base(base, request.output) : Result<void>(); })
-      .map([&] {
-        report.bytes_written = std::filesystem::file_size(request.output);
+      .and_then([&] {
+        return format.deforms_base ? write_base(base, request.output) : Result<std::uint64_t>(0);
+      })
+      .map([&](std::uint64_t base_bytes) {
+        report.bytes_written = std::filesystem::file_size(request.output) + base_bytes;
         report.damage = job.reader.damage();
         return report;
       });

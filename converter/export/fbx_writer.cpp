@@ -1,7 +1,6 @@
 #include "converter/export/fbx_writer.h"
 
 #include <cassert>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include "converter/export/fbx_objects.h"
 #include "converter/export/fbx_record.h"
 #include "converter/export/fbx_settings.h"
+#include "converter/export/rate_warnings.h"
 #include "files/pending_file.h"
 #include "text/number_text.h"
 
@@ -129,11 +129,7 @@ std::string fbx_warning(const Model& model, int frames) {
   std::string warning;
   if (frames > many_frames)
     warning += filled_in("an .fbx of {} frames takes other programs minutes to open", frames);
-  const double rate = model.frames_per_second;
-  if (frames > 1 && rate != std::round(rate))
-    warning += (warning.empty() ? "" : "; ") +
-               filled_in("Blender plays {} frames a second as {:.0f}", short_number(rate), rate);
-  return warning;
+  return joined_warnings(warning, whole_rate_warning(model, frames));
 }
 
 }  // namespace ribbon

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "converter/export/glb_scene.h"
+#include "converter/export/rate_warnings.h"
 #include "converter/export/raw_bytes.h"
 #include "files/pending_file.h"
 #include "recording/coding/bytes.h"
@@ -134,6 +135,10 @@ Result<std::unique_ptr<MotionWriter>> new_glb_writer(const std::filesystem::path
   auto writer = std::make_unique<GlbWriter>(std::move(*file), model, frames);
   if (auto begun = writer->begin(); !begun) return tl::unexpected(begun.error());
   return writer;
+}
+
+std::string glb_warning(const Model& model, int frames) {
+  return joined_warnings(whole_rate_warning(model, frames), rounded_time_warning(model, frames));
 }
 
 }  // namespace ribbon

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "converter/export/motion_writer.h"
 
@@ -15,5 +16,8 @@ namespace ribbon {
 // would not fit into the 4 GB that the format allows, or are more than 65 536.
 Result<std::unique_ptr<MotionWriter>> new_glb_writer(const std::filesystem::path& path,
                                                      const Model& model, int frames);
+
+// What is known to go wrong with so many frames at this frame rate; mostly nothing.
+std::string glb_warning(const Model& model, int frames);
 
 }  // namespace ribbon

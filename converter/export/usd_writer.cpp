@@ -171,10 +171,6 @@ class UsdWriter : public MotionWriter {
 
 }  // namespace
 
-std::size_t usd_pose_bytes(const Model& model) {
-  return usd_array_of_tuples(model.objects.front().positions).size();
-}
-
 Result<std::unique_ptr<MotionWriter>> new_usd_writer(const std::filesystem::path& path,
                                                      const Model& model, int frames) {
   auto file = PendingFile::create(path);

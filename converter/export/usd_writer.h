@@ -15,7 +15,4 @@ namespace ribbon {
 Result<std::unique_ptr<MotionWriter>> new_usd_writer(const std::filesystem::path& path,
                                                      const Model& model, int frames);
 
-// The length of one frame's text.
-std::size_t usd_pose_bytes(const Model& model);
-
 }  // namespace ribbon

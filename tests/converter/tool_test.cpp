@@ -151,7 +151,7 @@ TEST_F(Tool, a_material_library_is_shared_by_those_who_write_the_same) {
 
 TEST_F(Tool, a_dry_run_tells_and_writes_nothing) {
   EXPECT_THAT(output_of(run("knot.rbn -o 'out/a.{frame}.obj' --dry-run")),
-              AllOf(StartsWith("would write 6 files, about 0.0 MB"),
+              AllOf(StartsWith("would write 6 files, 0.0"), HasSubstr(" MB (± "),
                     HasSubstr("out/a.0001.obj ... out/a.0005.obj")));
   EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
   ASSERT_EQ(run("knot.rbn -o a.pc2").exit_code, 0);
@@ -234,6 +234,12 @@ TEST_F(Tool, the_numbers_of_each_frame_become_a_table) {
   EXPECT_THAT(bytes("out/knot.csv"), HasSubstr("\n3,0.04,0.002,2,4,"));
 }
 
+TEST_F(Tool, what_a_table_cannot_show_is_refused) {
+  for (const std::string option : {"--up z", "--unit cm", "--scale 2", "--object ribbon",
+                                   "--object obstacle", "--faces quads", "--thickness 0.001"})
+    expect_refusal(run("knot.rbn -o a.csv " + option), "no positions; leave --up, --unit");
+}
+
 TEST_F(Tool, an_fbx_without_a_number_holds_the_whole_motion) {
   EXPECT_EQ(run("knot.rbn -o a.fbx").errors, "");
   EXPECT_THAT(names("."), ElementsAre("a.fbx", "knot.rbn"));
@@ -245,7 +251,10 @@ TEST_F(Tool, an_fbx_without_a_number_holds_the_whole_motion) {
 TEST_F(Tool, what_other_programs_do_with_a_file_is_told) {
   EXPECT_THAT(run("knot.rbn -o a.fbx --fps 29.97").errors,
               HasSubstr("29.97 frames a second as 30"));
-  EXPECT_EQ(run("knot.rbn -o '{frame}.fbx' --fps 29.97").errors, "");
+  EXPECT_THAT(run("knot.rbn -o a.glb --fps 29.97").errors,
+              HasSubstr("29.97 frames a second as 30"));
+  for (const std::string output : {"'{frame}.fbx'", "a.abc", "a.usda", "a.mdd"})
+    EXPECT_EQ(run("knot.rbn --fps 29.97 -o " + output).errors, "") << output;
 }
 
 TEST_F(Tool, what_was_written_is_read_back) {

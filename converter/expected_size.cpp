@@ -1,0 +1,178 @@
+#include "converter/expected_size.h"
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "converter/encode_model.h"
+#include "converter/excerpt.h"
+#include "converter/export/obj_text.h"
+#include "converter/motion_format.h"
+#include "converter/number_table.h"
+#include "files/part_file.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr std::size_t most_samples = 6;
+
+// The first frame, and those in the middle of equal parts of all.
+std::vector<int> samples_of(const std::vector<int>& frames) {
+  const std::size_t parts = std::min(frames.size() - 1, most_samples);
+  std::vector<int> samples{frames.front()};
+  for (std::size_t part = 0; part < parts; ++part)
+    samples.push_back(frames[1 + (2 * part + 1) * (frames.size() - 1) / (2 * parts)]);
+  return samples;
+}
+
+// The model in the pose of each that can be read.
+Result<std::vector<Model>> posed_at(ConversionJob& job, const std::vector<int>& samples) {
+  std::vector<Model> poses;
+  Eigen::Matrix3Xf positions;
+  for (const int index : samples) {
+    if (!job.reader.readable(index) || !job.reader.read(index, positions)) continue;
+    poses.push_back(job.model);
+    if (auto posed = pose_ribbon(poses.back(), positions, index + 1); !posed)
+      return tl::unexpected(posed.error());
+  }
+  if (poses.empty()) return failure("", "none of the frames can be read", "record it again");
+  return poses;
+}
+
+// `frames` files or parts of a file, of about the sizes that were found.
+ExpectedSize size_of(double frames, const std::vector<double>& found) {
+  if (found.empty()) return {};
+  const auto [least, most] = std::minmax_element(found.begin(), found.end());
+  const double mean =
+      std::accumulate(found.begin(), found.end(), 0.0) / static_cast<double>(found.size());
+  return {.bytes = frames * mean, .margin_bytes = frames * (*most - *least) / 2};
+}
+
+Result<double> motion_bytes(const MotionFormat& format, const std::vector<Model>& poses) {
+  const PartFile part(std::filesystem::temp_directory_path() / "ribbon-convert-dry-run");
+  const auto writer = format.new_writer(part.path(), poses.front(), static_cast<int>(poses.size()));
+  if (!writer) return tl::unexpected(writer.error());
+  for (const Model& pose : poses)
+    if (auto appended = (*writer)->append(pose); !appended) return tl::unexpected(appended.error());
+  return (*writer)->finish().map(
+      [&] { return static_cast<double>(std::filesystem::file_size(part.path())); });
+}
+
+// What a frame adds is how much longer a file is of three frames than of the two others: the second
+// one brings along what is there once for all that moves.
+Result<double> added_bytes(const MotionFormat& format, const Model& first, const Model& other,
+                           const Model& pose) {
+  const auto without = motion_bytes(format, {first, other});
+  if (!without) return without;
+  return motion_bytes(format, {first, other, pose}).map([&](double with) {
+    return with - *without;
+  });
+}
+
+Result<ExpectedSize> size_of_motion(const MotionFormat& format, const std::vector<Model>& poses,
+                                    std::size_t frames) {
+  const std::vector<Model> begin(poses.begin(), poses.begin() + (poses.size() > 1 ? 2 : 1));
+  const auto begin_bytes = motion_bytes(format, begin);
+  if (!begin_bytes) return tl::unexpected(begin_bytes.error());
+  std::vector<double> added;
+  for (std::size_t i = 1; i < poses.size() && poses.size() > 2; ++i) {
+    const auto bytes = added_bytes(format, poses[0], poses[i == 1 ? 2 : 1], poses[i]);
+    if (!bytes) return tl::unexpected(bytes.error());
+    added.push_back(*bytes);
+  }
+  ExpectedSize size = size_of(static_cast<double>(frames - begin.size()), added);
+  size.bytes += *begin_bytes;
+  if (format.deforms_base)
+    size.bytes += static_cast<double>(obj_text(poses.front(), "name.mtl").size());
+  return size;
+}
+
+Result<ExpectedSize> size_of_sequence(OutputFormat format, const std::vector<Model>& poses,
+                                      std::size_t frames) {
+  std::vector<double> found;
+  for (const Model& pose : poses) {
+    const auto bytes = encode_model(format, pose, "name.mtl");
+    if (!bytes) return tl::unexpected(bytes.error());
+    found.push_back(static_cast<double>(bytes->size()));
+  }
+  return size_of(static_cast<double>(frames), found);
+}
+
+ExpectedSize size_of_table(const ConversionJob& job, const std::vector<int>& samples) {
+  std::vector<double> found;
+  for (const int index : samples)
+    found.push_back(static_cast<double>(number_table_line(job.reader, index).size()));
+  ExpectedSize size = size_of(static_cast<double>(job.frames.size()), found);
+  size.bytes += static_cast<double>(number_table_title().size());
+  return size;
+}
+
+// Of an excerpt that is really written.
+Result<double> excerpt_bytes(ConversionRequest request, const std::vector<int>& frames) {
+  auto job = open_job(request);
+  if (!job) return tl::unexpected(job.error());
+  job->frames = frames;
+  const PartFile part(std::filesystem::temp_directory_path() / "ribbon-convert-dry-run");
+  request.output = part.path();
+  request.progress = ProgressStyle::none;
+  return write_excerpt(request, std::move(*job)).map([](const ConversionReport& report) {
+    return static_cast<double>(report.bytes_written);
+  });
+}
+
+// Frames are predicted from each other, so that some in a row are tried: at the beginning, in the
+// middle and at the end.
+Result<ExpectedSize> size_of_excerpt(const ConversionRequest& request, const ConversionJob& job) {
+  constexpr std::size_t in_a_row = 25;
+  const std::vector<int>& frames = job.frames;
+  const auto head = excerpt_bytes(request, {frames.front()});
+  if (!head || frames.size() == 1)
+    return head.map([](double bytes) { return ExpectedSize{.bytes = bytes}; });
+  const std::size_t length = std::min(in_a_row, frames.size());
+  std::vector<double> found;
+  for (const std::size_t begin :
+       {std::size_t{0}, (frames.size() - length) / 2, frames.size() - length}) {
+    const auto first = frames.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto bytes = excerpt_bytes(request, {first, first + static_cast<std::ptrdiff_t>(length)});
+    if (!bytes) return tl::unexpected(bytes.error());
+    found.push_back((*bytes - *head) / static_cast<double>(length - 1));
+  }
+  ExpectedSize size = size_of(static_cast<double>(frames.size() - 1), found);
+  size.bytes += *head;
+  return size;
+}
+
+Result<ExpectedSize> size_of_poses(const ConversionRequest& request, ConversionJob& job,
+                                   const std::vector<int>& samples) {
+  if (!request.model.with_ribbon) return size_of_sequence(job.format, {job.model}, 1);
+  const auto poses = posed_at(job, samples);
+  if (!poses) return tl::unexpected(poses.error());
+  if (job.format == OutputFormat::whole_motion)
+    return size_of_motion(*motion_format(request.output), *poses, job.frames.size());
+  return size_of_sequence(job.format, *poses, job.frames.size());
+}
+
+}  // namespace
+
+Result<ExpectedSize> expected_size(const ConversionRequest& request, ConversionJob& job) {
+  const std::clock_t start = std::clock();
+  const std::vector<int> samples = samples_of(job.frames);
+  if (job.format == OutputFormat::recording) return size_of_excerpt(request, job);
+  if (job.format == OutputFormat::numbers) return size_of_table(job, samples);
+  return size_of_poses(request, job, samples).map([&](ExpectedSize size) {
+    const double spent_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    // Of a motion files of two and three frames are written for each.
+    const std::size_t count = samples.size();
+    const bool in_twos_and_threes = job.format == OutputFormat::whole_motion && count > 2;
+    const auto encoded = static_cast<double>(in_twos_and_threes ? 5 * count - 3 : count);
+    const auto frames = static_cast<double>(request.model.with_ribbon ? job.frames.size() : 1);
+    size.processor_s = spent_s / encoded * frames;
+    return size;
+  });
+}
+
+}  // namespace ribbon

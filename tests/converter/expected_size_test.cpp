@@ -1,0 +1,59 @@
+#include "converter/expected_size.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "converter/dry_run.h"
+#include "converter/sample_knot.h"
+#include "files/temporary_folder.h"
+#include "recording/sample_recording.h"
+#include "result/refusal.h"
+
+namespace ribbon::expected_size_test {
+
+class ExpectedSizeTest : public TestInFolder {
+ protected:
+  // A wave that grows, so that frames differ in size where a format compresses them.
+  void record(int frames) const {
+    SampleKnot knot = sample_knot();
+    knot.frames.clear();
+    for (int frame = 0; frame < frames; ++frame)
+      knot.frames.push_back(sample_wave(knot.header.grid, 0.02 * frame));
+    write_recording(folder_ / "knot.rbn", knot.header, knot.frames);
+  }
+
+  // What a dry run and then a conversion say.
+  void expect_that_size(const std::string& output, const std::string& frames = "") const {
+    const ConversionRequest request{.recording = folder_ / "knot.rbn",
+                                    .output = folder_ / output,
+                                    .frames = frames,
+                                    .model = {},
+                                    .start_frame = std::nullopt,
+                                    .force = true,
+                                    .progress = ProgressStyle::none};
+    const auto plan = plan_conversion(request);
+    ASSERT_EQ(refusal_of(plan), "") << output;
+    const auto written = static_cast<double>(convert(request).value().bytes_written);
+    EXPECT_LE(std::abs(plan->bytes - written), plan->margin_bytes + 0.03 * written)
+        << output << ": " << plan->bytes << " instead of " << written;
+    EXPECT_LE(plan->margin_bytes, 0.5 * written) << output;
+  }
+};
+
+TEST_F(ExpectedSizeTest, is_that_of_the_files_in_every_format) {
+  record(150);
+  for (const char* output : {"a.abc", "a.fbx", "a.glb", "a.mdd", "a.npy", "a.pc2", "a.usda",
+                             "a.csv", "a.{frame}.obj", "b.rbn"})
+    expect_that_size(output);
+  expect_that_size("c.rbn", "::3");
+}
+
+TEST_F(ExpectedSizeTest, of_few_frames_is_exact) {
+  record(3);
+  for (const char* frames : {"1", "1:2", "1:3"})
+    for (const char* output : {"a.abc", "a.fbx", "a.glb", "a.mdd", "a.usda"})
+      expect_that_size(output, frames);
+}
+
+}  // namespace ribbon::expected_size_test
