@@ -29,15 +29,44 @@ std::vector<int> samples_of(const std::vector<int>& frames) {
   return samples;
 }
 
+double processor_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// What was spent on some frames.
+class TimeSpent {
+ public:
+  template <class Work>
+  auto on(const Work& work) {
+    const double start_s = processor_s();
+    auto answer = work();
+    seconds_ += processor_s() - start_s;
+    ++frames_;
+    return answer;
+  }
+  [[nodiscard]] double a_frame_s() const { return frames_ == 0 ? 0 : seconds_ / frames_; }
+
+ private:
+  double seconds_ = 0;
+  int frames_ = 0;
+};
+
 // The model in the pose of each that can be read.
-Result<std::vector<Model>> posed_at(ConversionJob& job, const std::vector<int>& samples) {
+Result<std::vector<Model>> posed_at(ConversionJob& job, const std::vector<int>& samples,
+                                    TimeSpent& reading) {
   std::vector<Model> poses;
   Eigen::Matrix3Xf positions;
   for (const int index : samples) {
-    if (!job.reader.readable(index) || !job.reader.read(index, positions)) continue;
+    // Only the frame before it makes a frame as quick to read as those in a row are.
+    if (index > 0 && job.reader.readable(index - 1)) (void)job.reader.read(index - 1, positions);
+    if (!job.reader.readable(index)) continue;
     poses.push_back(job.model);
-    if (auto posed = pose_ribbon(poses.back(), positions, index + 1); !posed)
-      return tl::unexpected(posed.error());
+    auto posed = reading.on([&] {
+      return job.reader.read(index, positions).and_then([&] {
+        return pose_ribbon(poses.back(), positions, index + 1);
+      });
+    });
+    if (!posed) return tl::unexpected(posed.error());
   }
   if (poses.empty()) return failure("", "none of the frames can be read", "record it again");
   return poses;
@@ -52,12 +81,14 @@ ExpectedSize size_of(double frames, const std::vector<double>& found) {
   return {.bytes = frames * mean, .margin_bytes = frames * (*most - *least) / 2};
 }
 
-Result<double> motion_bytes(const MotionFormat& format, const std::vector<Model>& poses) {
+Result<double> motion_bytes(const MotionFormat& format, const std::vector<Model>& poses,
+                            TimeSpent& writing) {
   const PartFile part(std::filesystem::temp_directory_path() / "ribbon-convert-dry-run");
   const auto writer = format.new_writer(part.path(), poses.front(), static_cast<int>(poses.size()));
   if (!writer) return tl::unexpected(writer.error());
   for (const Model& pose : poses)
-    if (auto appended = (*writer)->append(pose); !appended) return tl::unexpected(appended.error());
+    if (auto appended = writing.on([&] { return (*writer)->append(pose); }); !appended)
+      return tl::unexpected(appended.error());
   return (*writer)->finish().map(
       [&] { return static_cast<double>(std::filesystem::file_size(part.path())); });
 }
@@ -65,22 +96,22 @@ Result<double> motion_bytes(const MotionFormat& format, const std::vector<Model>
 // What a frame adds is how much longer a file is of three frames than of the two others: the second
 // one brings along what is there once for all that moves.
 Result<double> added_bytes(const MotionFormat& format, const Model& first, const Model& other,
-                           const Model& pose) {
-  const auto without = motion_bytes(format, {first, other});
+                           const Model& pose, TimeSpent& writing) {
+  const auto without = motion_bytes(format, {first, other}, writing);
   if (!without) return without;
-  return motion_bytes(format, {first, other, pose}).map([&](double with) {
+  return motion_bytes(format, {first, other, pose}, writing).map([&](double with) {
     return with - *without;
   });
 }
 
 Result<ExpectedSize> size_of_motion(const MotionFormat& format, const std::vector<Model>& poses,
-                                    std::size_t frames) {
+                                    std::size_t frames, TimeSpent& writing) {
   const std::vector<Model> begin(poses.begin(), poses.begin() + (poses.size() > 1 ? 2 : 1));
-  const auto begin_bytes = motion_bytes(format, begin);
+  const auto begin_bytes = motion_bytes(format, begin, writing);
   if (!begin_bytes) return tl::unexpected(begin_bytes.error());
   std::vector<double> added;
   for (std::size_t i = 1; i < poses.size() && poses.size() > 2; ++i) {
-    const auto bytes = added_bytes(format, poses[0], poses[i == 1 ? 2 : 1], poses[i]);
+    const auto bytes = added_bytes(format, poses[0], poses[i == 1 ? 2 : 1], poses[i], writing);
     if (!bytes) return tl::unexpected(bytes.error());
     added.push_back(*bytes);
   }
@@ -92,10 +123,10 @@ Result<ExpectedSize> size_of_motion(const MotionFormat& format, const std::vecto
 }
 
 Result<ExpectedSize> size_of_sequence(OutputFormat format, const std::vector<Model>& poses,
-                                      std::size_t frames) {
+                                      std::size_t frames, TimeSpent& writing) {
   std::vector<double> found;
   for (const Model& pose : poses) {
-    const auto bytes = encode_model(format, pose, "name.mtl");
+    const auto bytes = writing.on([&] { return encode_model(format, pose, "name.mtl"); });
     if (!bytes) return tl::unexpected(bytes.error());
     found.push_back(static_cast<double>(bytes->size()));
   }
@@ -146,33 +177,30 @@ Result<ExpectedSize> size_of_excerpt(const ConversionRequest& request, const Con
   return size;
 }
 
-Result<ExpectedSize> size_of_poses(const ConversionRequest& request, ConversionJob& job,
-                                   const std::vector<int>& samples) {
-  if (!request.model.with_ribbon) return size_of_sequence(job.format, {job.model}, 1);
-  const auto poses = posed_at(job, samples);
+Result<ExpectedSize> size_of_ribbon(const ConversionRequest& request, ConversionJob& job,
+                                    const std::vector<int>& samples) {
+  TimeSpent reading;
+  TimeSpent writing;
+  const auto poses = posed_at(job, samples, reading);
   if (!poses) return tl::unexpected(poses.error());
-  if (job.format == OutputFormat::whole_motion)
-    return size_of_motion(*motion_format(request.output), *poses, job.frames.size());
-  return size_of_sequence(job.format, *poses, job.frames.size());
+  const std::size_t frames = job.frames.size();
+  auto size = job.format == OutputFormat::whole_motion
+                  ? size_of_motion(*motion_format(request.output), *poses, frames, writing)
+                  : size_of_sequence(job.format, *poses, frames, writing);
+  if (size)
+    size->processor_s = static_cast<double>(frames) * (reading.a_frame_s() + writing.a_frame_s());
+  return size;
 }
 
 }  // namespace
 
 Result<ExpectedSize> expected_size(const ConversionRequest& request, ConversionJob& job) {
-  const std::clock_t start = std::clock();
   const std::vector<int> samples = samples_of(job.frames);
   if (job.format == OutputFormat::recording) return size_of_excerpt(request, job);
   if (job.format == OutputFormat::numbers) return size_of_table(job, samples);
-  return size_of_poses(request, job, samples).map([&](ExpectedSize size) {
-    const double spent_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    // Of a motion files of two and three frames are written for each.
-    const std::size_t count = samples.size();
-    const bool in_twos_and_threes = job.format == OutputFormat::whole_motion && count > 2;
-    const auto encoded = static_cast<double>(in_twos_and_threes ? 5 * count - 3 : count);
-    const auto frames = static_cast<double>(request.model.with_ribbon ? job.frames.size() : 1);
-    size.processor_s = spent_s / encoded * frames;
-    return size;
-  });
+  if (request.model.with_ribbon) return size_of_ribbon(request, job, samples);
+  TimeSpent writing;
+  return size_of_sequence(job.format, {job.model}, 1, writing);
 }
 
 }  // namespace ribbon

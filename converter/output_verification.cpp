@@ -227,8 +227,8 @@ Result<VerificationReport> verify_output(const ConversionRequest& request,
 std::string verification_text(const VerificationReport& report) {
   const Deviations& found = report.deviations;
   if (!found.difference.empty()) return found.difference;
-  const std::string head =
-      filled_in("{} as {} reads it, {} frames: ", report.extension, report.reader, found.frames);
+  const std::string head = filled_in("{} as {} reads it, {} {}: ", report.extension, report.reader,
+                                     found.frames, found.frames == 1 ? "frame" : "frames");
   if (found.largest_m == 0) return head + "exactly as recorded";
   const std::string place = found.frame > 0 ? filled_in("frame {}", found.frame) : "the obstacle";
   return head + "at most " + metres(found.largest_m) + " from the recording, in " + place + "; " +

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <string_view>
+#include <utility>
 
 #include "converter/read_back/fbx_records.h"
 
@@ -68,19 +68,24 @@ double identity_of(const ReadFbxRecord& record) {
 // What objects belong to, by identity.
 using Owners = std::multimap<double, double>;
 
+// What a file tells of shapes and when they show, while it is being read.
+struct Animation {
+  std::vector<std::pair<double, FbxSpan>> shapes;    // with their identities
+  std::vector<std::pair<double, double>> full_at_s;  // curves and when they are full
+  Owners owners;
+};
+
 class FbxFile : public WrittenMotion {
  public:
   explicit FbxFile(const std::filesystem::path& path) : records_(path) {
-    std::map<double, FbxSpan> shapes;
-    std::map<double, double> full_at;  // a curve: when it is full
-    Owners owners;
-    for (const FbxSpan& part : records_.spans()) {
+    Animation animation;
+    records_.for_each([&](const FbxSpan& part) {
       if (part.name == "GlobalSettings") read_settings(records_.read(part));
-      if (part.name == "Objects") read_objects(part, shapes, full_at);
-      if (part.name == "Connections") owners = owners_in(records_.read(part));
-    }
+      if (part.name == "Objects") read_objects(part, animation);
+      if (part.name == "Connections") read_connections(part, animation);
+    });
     demand(!scene_.meshes.empty(), "it has no mesh");
-    order_shapes(shapes, full_at, owners);
+    order_shapes(animation);
     scene_.frames = static_cast<int>(shapes_.size()) + 1;
   }
 
@@ -102,47 +107,46 @@ class FbxFile : public WrittenMotion {
     scene_.z_is_up = settings.setting("UpAxis") == 2;
   }
 
-  void read_objects(const FbxSpan& part, std::map<double, FbxSpan>& shapes,
-                    std::map<double, double>& full_at) {
-    for (const FbxSpan& span : records_.spans(part)) {
-      if (span.name != "Geometry" && span.name != "AnimationCurve") continue;
+  void read_objects(const FbxSpan& part, Animation& animation) {
+    records_.for_each_in(part, [&](const FbxSpan& span) {
+      if (span.name != "Geometry" && span.name != "AnimationCurve") return;
       const ReadFbxRecord object = records_.read(span);
       const double identity = identity_of(object);
       if (span.name == "AnimationCurve")
-        full_at[identity] = full_at_s(object);
+        animation.full_at_s.emplace_back(identity, full_at_s(object));
       else if (object.text(2) == "Shape")
-        shapes[identity] = span;
+        animation.shapes.emplace_back(identity, span);
       else
         scene_.meshes.push_back(mesh_of(object));
-    }
+    });
   }
 
-  static Owners owners_in(const ReadFbxRecord& connections) {
-    Owners owners;
-    for (const ReadFbxRecord& connection : connections.nested)
-      owners.emplace(std::get<double>(connection.properties.at(1)),
-                     std::get<double>(connection.properties.at(2)));
-    return owners;
+  void read_connections(const FbxSpan& part, Animation& animation) {
+    records_.for_each_in(part, [&](const FbxSpan& span) {
+      const ReadFbxRecord connection = records_.read(span);
+      animation.owners.emplace(std::get<double>(connection.properties.at(1)),
+                               std::get<double>(connection.properties.at(2)));
+    });
   }
 
   // A curve belongs to a curve's node, that to a channel, to which a shape belongs as well.
-  void order_shapes(const std::map<double, FbxSpan>& shapes,
-                    const std::map<double, double>& full_at, const Owners& owners) {
-    std::map<double, double> channel_at;
-    for (const auto& [curve, time_s] : full_at)
+  void order_shapes(const Animation& animation) {
+    const Owners& owners = animation.owners;
+    std::map<double, double> channel_at_s;
+    for (const auto& [curve, time_s] : animation.full_at_s)
       for (auto [node, end] = owners.equal_range(curve); node != end; ++node)
         for (auto [channel, last] = owners.equal_range(node->second); channel != last; ++channel)
-          channel_at[channel->second] = time_s;
-    std::map<double, FbxSpan> by_time;
-    for (const auto& [shape, span] : shapes)
+          channel_at_s[channel->second] = time_s;
+    std::map<double, const FbxSpan*> by_time;
+    for (const auto& [shape, span] : animation.shapes)
       for (auto [channel, end] = owners.equal_range(shape); channel != end; ++channel)
-        by_time[channel_at.at(channel->second)] = span;
-    demand(by_time.size() == shapes.size(), "two shapes of one time");
+        by_time[channel_at_s.at(channel->second)] = &span;
+    demand(by_time.size() == animation.shapes.size(), "two shapes of one time");
     if (by_time.empty()) return;
     scene_.times_s.push_back(0);
     for (const auto& [time_s, span] : by_time) {
       scene_.times_s.push_back(time_s);
-      shapes_.push_back(span);
+      shapes_.push_back(*span);
     }
   }
 

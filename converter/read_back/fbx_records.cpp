@@ -180,14 +180,13 @@ FbxFileRecords::FbxFileRecords(const std::filesystem::path& path) : bytes_(path)
   demand(bytes_.number<std::uint32_t>(file_magic.size()) == version_read, "another version of FBX");
 }
 
-std::vector<FbxSpan> FbxFileRecords::spans(const FbxSpan& parent) const {
-  return parent.nested == parent.end ? std::vector<FbxSpan>() : list(parent.nested);
+void FbxFileRecords::for_each_in(const FbxSpan& parent, const Visit& visit) const {
+  if (parent.nested < parent.end) visit_list(parent.nested, visit);
 }
 
 // Up to its null record.
-std::vector<FbxSpan> FbxFileRecords::list(std::uint64_t begin) const {
+void FbxFileRecords::visit_list(std::uint64_t begin, const Visit& visit) const {
   constexpr std::uint64_t longest_name = 255;
-  std::vector<FbxSpan> spans;
   while (true) {
     const std::string head = bytes_.up_to(begin, head_bytes + longest_name);
     ByteTaker taker(head);
@@ -196,10 +195,10 @@ std::vector<FbxSpan> FbxFileRecords::list(std::uint64_t begin) const {
     const auto property_bytes = taker.take<std::uint32_t>();
     const std::string_view name = taker.take_bytes(taker.take<std::uint8_t>());
     demand(taker.complete(), "it ends too early");
-    if (end == 0) return spans;
+    if (end == 0) return;
     const std::uint64_t nested = begin + head_bytes + name.size() + property_bytes;
     demand(nested <= end && end <= bytes_.size(), "a record's end");
-    spans.push_back({.name = std::string(name), .begin = begin, .nested = nested, .end = end});
+    visit({.name = std::string(name), .begin = begin, .nested = nested, .end = end});
     begin = end;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -49,14 +50,16 @@ struct FbxSpan {
 class FbxFileRecords {
  public:
   explicit FbxFileRecords(const std::filesystem::path& path);
-  // Those of the file itself, or those nested in one of them.
-  [[nodiscard]] std::vector<FbxSpan> spans() const { return list(first_record); }
-  [[nodiscard]] std::vector<FbxSpan> spans(const FbxSpan& parent) const;
+
+  using Visit = std::function<void(const FbxSpan& span)>;
+  // Each of the file itself, or each that is nested in one of them, in turn.
+  void for_each(const Visit& visit) const { visit_list(first_record, visit); }
+  void for_each_in(const FbxSpan& parent, const Visit& visit) const;
   [[nodiscard]] ReadFbxRecord read(const FbxSpan& span) const;
 
  private:
   static constexpr std::uint64_t first_record = 27;
-  [[nodiscard]] std::vector<FbxSpan> list(std::uint64_t begin) const;
+  void visit_list(std::uint64_t begin, const Visit& visit) const;
 
   WrittenBytes bytes_;
 };
