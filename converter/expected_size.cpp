@@ -97,7 +97,7 @@ Result<double> motion_bytes(const MotionFormat& format, const std::vector<Model>
 // one brings along what is there once for all that moves.
 Result<double> added_bytes(const MotionFormat& format, const Model& first, const Model& other,
                            const Model& pose, TimeSpent& writing) {
-  const auto without = motion_bytes(format, {first, other}, writing);
+  auto without = motion_bytes(format, {first, other}, writing);
   if (!without) return without;
   return motion_bytes(format, {first, other, pose}, writing).map([&](double with) {
     return with - *without;
@@ -134,9 +134,10 @@ Result<ExpectedSize> size_of_sequence(OutputFormat format, const std::vector<Mod
 }
 
 ExpectedSize size_of_table(const ConversionJob& job, const std::vector<int>& samples) {
-  std::vector<double> found;
-  for (const int index : samples)
-    found.push_back(static_cast<double>(number_table_line(job.reader, index).size()));
+  std::vector<double> found(samples.size());
+  std::transform(samples.begin(), samples.end(), found.begin(), [&](int index) {
+    return static_cast<double>(number_table_line(job.reader, index).size());
+  });
   ExpectedSize size = size_of(static_cast<double>(job.frames.size()), found);
   size.bytes += static_cast<double>(number_table_title().size());
   return size;

@@ -1,5 +1,6 @@
 #include "converter/read_back/alembic_file.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -21,19 +22,23 @@ class MeshProperties {
   MeshProperties(const OgawaTree& tree, std::uint64_t schema)
       : tree_(tree), properties_(tree.properties(schema)) {}
 
-  [[nodiscard]] const OgawaProperty* find(std::string_view name) const {
+  [[nodiscard]] bool has(std::string_view name) const {
+    return std::any_of(properties_.begin(), properties_.end(),
+                       [&](const OgawaProperty& property) { return property.name == name; });
+  }
+
+  [[nodiscard]] const OgawaProperty& at(std::string_view name) const {
     for (const OgawaProperty& property : properties_)
-      if (property.name == name) return &property;
-    return nullptr;
+      if (property.name == name) return property;
+    throw Spoiled("it lacks the property " + std::string(name));
   }
 
   // Values x extent of one sample.
   [[nodiscard]] Eigen::MatrixXd values(std::string_view name, std::uint32_t number,
                                        Eigen::Index extent, int sample) const {
-    const OgawaProperty* property = find(name);
-    demand(property != nullptr, "a property is missing");
-    demand(property->number == number && property->extent == extent, "numbers of another type");
-    const OgawaData data = tree_.sample(*property, sample);
+    const OgawaProperty& property = at(name);
+    demand(property.number == number && property.extent == extent, "numbers of another type");
+    const OgawaData data = tree_.sample(property, sample);
     const std::uint64_t count = data.size / 4 / static_cast<std::uint64_t>(extent);
     demand(data.size == count * 4 * static_cast<std::uint64_t>(extent), "half a value");
     const WrittenBytes& bytes = tree_.bytes();
@@ -64,11 +69,10 @@ class AlembicFile : public WrittenMotion {
   explicit AlembicFile(const std::filesystem::path& path) : tree_(path) {
     for (const std::uint64_t object : tree_.children(tree_.top())) add_mesh(object);
     demand(!meshes_.empty(), "it has no object");
-    const OgawaProperty* positions = meshes_.front().find("P");
-    demand(positions != nullptr, "the ribbon has no positions");
-    demand(positions->samples > 0 && positions->samples <= most_frames, "a wrong number of frames");
-    scene_.frames = static_cast<int>(positions->samples);
-    const OgawaTimes times = tree_.times(positions->times);
+    const OgawaProperty& positions = meshes_.front().at("P");
+    demand(positions.samples > 0 && positions.samples <= most_frames, "a wrong number of frames");
+    scene_.frames = static_cast<int>(positions.samples);
+    const OgawaTimes times = tree_.times(positions.times);
     for (int frame = 0; frame < scene_.frames; ++frame)
       scene_.times_s.push_back(times.start_s + frame * times.step_s);
   }
@@ -87,7 +91,7 @@ class AlembicFile : public WrittenMotion {
     const MeshProperties& mesh = meshes_.emplace_back(tree_, schemas.front().group);
     WrittenMesh& written = scene_.meshes.emplace_back();
     written.faces = faces_of(mesh);
-    if (mesh.find("uv") != nullptr) written.uv = mesh.values("uv", float32, 2, 0);
+    if (mesh.has("uv")) written.uv = mesh.values("uv", float32, 2, 0);
     if (meshes_.size() > 1) written.positions = mesh.values("P", float32, 3, 0);
   }
 
