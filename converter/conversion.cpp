@@ -38,6 +38,7 @@ Result<ConversionReport> convert(const ConversionRequest& request) {
   const double factor = request.model.placement.factor();
   return write_job(request, std::move(*job)).map([&](ConversionReport report) {
     if (solid) report.least_thickness_m = solid->least_thickness() / factor;
+    if (solid) report.most_pinched = solid->most_pinched();
     return report;
   });
 }

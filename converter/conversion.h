@@ -37,14 +37,17 @@ struct ConversionReport {
   std::string warning;                      // of what other programs do with the file; mostly empty
   int thinned_by = 1;                       // of a recording: one of so many frames was kept
   std::optional<double> least_thickness_m;  // of a solid ribbon in the frames written now
-  std::vector<int> missing;    // numbers (from 1) of asked frames that the damaged recording lost
+  int most_pinched = 0;        // particles of one frame where front and back of the solid touch
+  std::vector<int> refused;    // numbers (from 1) of asked frames that cannot be made a solid
+  std::vector<int> missing;    // likewise, that the damaged recording lost
   std::vector<Damage> damage;  // of the recording
 };
 
-// Writes every asked frame that can be read, on all cores. Each file appears complete or not at
-// all, and none is replaced unasked. Fails, naming the place, when the recording cannot be opened
-// or holds none of the frames, when the output exists or cannot be written, when the format has no
-// place for what is asked, when a frame is not finite, or when interrupted.
+// Writes every asked frame that can be read, and made a solid if that is asked for, on all cores.
+// Each file appears complete or not at all, and none is replaced unasked. Fails, naming the place,
+// when the recording cannot be opened or holds none of the frames, when the output exists or cannot
+// be written, when the format has no place for what is asked, when a frame is not finite, or when
+// interrupted.
 Result<ConversionReport> convert(const ConversionRequest& request);
 
 }  // namespace ribbon

@@ -46,6 +46,12 @@ Result<ConversionJob> open_job(const ConversionRequest& request) {
   return ConversionJob{*format, std::move(*reader), std::move(*frames), std::move(*model)};
 }
 
+tl::unexpected<Error> no_frames(bool some_refused) {
+  if (some_refused)
+    return failure("", "the cloth of no frame can be made a solid", "leave --thickness out");
+  return failure("", "none of the frames can be read", "record it again");
+}
+
 std::string job_text(const ConversionRequest& request, const RecordingReader& reader) {
   const ModelSettings& model = request.model;
   const Placement& placement = model.placement;

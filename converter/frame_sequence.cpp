@@ -24,7 +24,8 @@ constexpr std::size_t frames_per_range = 8;  // consecutive, because a reader li
 struct Outcome {
   std::uint64_t bytes = 0;
   bool kept = false;
-  bool lost = false;  // by damage to the recording
+  bool lost = false;     // by damage to the recording
+  bool refused = false;  // cannot be made a solid
   std::optional<Error> failure;
 };
 
@@ -85,9 +86,15 @@ class Sequence {
     Eigen::Matrix3Xf positions;
     outcome.lost = !reader.readable(index) || !reader.read(index, positions);
     if (outcome.lost) return;
-    const Result<std::string> bytes = pose_ribbon(model, positions, index + 1).and_then([&] {
-      return encode_model(format_, model, names_.library());
-    });
+    const Result<bool> posed = pose_ribbon(model, positions, index + 1);
+    if (!posed) return stop(outcome, posed.error());
+    outcome.refused = !*posed;
+    if (*posed) write_model(model, slot);
+  }
+
+  void write_model(const Model& model, std::size_t slot) {
+    Outcome& outcome = outcomes_[slot];
+    const Result<std::string> bytes = encode_model(format_, model, names_.library());
     if (!bytes) return stop(outcome, bytes.error());
     const Result<void> written = write_file(names_.frame(slot), *bytes).and_then([&] {
       return log_.add(names_.number(slot), *bytes);
@@ -115,12 +122,12 @@ class Sequence {
       const Outcome& outcome = outcomes_[slot];
       if (outcome.failure) return tl::unexpected(*outcome.failure);
       if (outcome.lost) report.missing.push_back(frames_[slot] + 1);
-      report.frames_written += outcome.lost ? 0 : 1;
+      if (outcome.refused) report.refused.push_back(frames_[slot] + 1);
+      report.frames_written += outcome.lost || outcome.refused ? 0 : 1;
       report.frames_kept += outcome.kept ? 1 : 0;
       report.bytes_written += outcome.kept ? 0 : outcome.bytes;
     }
-    if (report.frames_written == 0)
-      return failure("", "none of the frames can be read", "record it again");
+    if (report.frames_written == 0) return no_frames(!report.refused.empty());
     return report;
   }
 

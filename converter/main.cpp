@@ -15,6 +15,13 @@
 
 namespace {
 
+std::string pinched_text(int most) {
+  if (most == 0) return "";
+  return ribbon::filled_in(
+      ", but where it is crumpled: there front and back touch, at up to {} {} of a frame", most,
+      most == 1 ? "particle" : "particles");
+}
+
 void print_summary(const ribbon::ConversionReport& report, double seconds) {
   const bool several = report.first_file != report.last_file;
   if (report.frames_written > 0)
@@ -29,11 +36,12 @@ void print_summary(const ribbon::ConversionReport& report, double seconds) {
         "now pass through cloth; ribbon-play --verify tells whether they do\n",
         report.thinned_by);
   if (report.least_thickness_m)
-    std::printf("the ribbon is at least %s thick\n",
-                ribbon::metres(*report.least_thickness_m).c_str());
+    std::printf("the ribbon is at least %s thick%s\n",
+                ribbon::metres(*report.least_thickness_m).c_str(),
+                pinched_text(report.most_pinched).c_str());
 }
 
-void print_damage(const ribbon::ConversionReport& report) {
+void print_losses(const ribbon::ConversionReport& report) {
   for (const ribbon::Damage& damage : report.damage)
     std::fprintf(stderr, "ribbon-convert: damaged at byte %llu, %llu bytes skipped: %s\n",
                  static_cast<unsigned long long>(damage.byte),
@@ -41,14 +49,17 @@ void print_damage(const ribbon::ConversionReport& report) {
   if (!report.missing.empty())
     std::fprintf(stderr, "ribbon-convert: the recording has lost %zu of the frames: %s\n",
                  report.missing.size(), ribbon::number_list(report.missing).c_str());
+  if (!report.refused.empty())
+    std::fprintf(stderr, "ribbon-convert: %zu of the frames cannot be made a solid: %s\n",
+                 report.refused.size(), ribbon::number_list(report.refused).c_str());
 }
 
 // What converting has told, as an exit code.
 ribbon::ExitCode tell(const ribbon::ConversionReport& report, double seconds, bool quiet) {
   if (!quiet) print_summary(report, seconds);
   if (!report.warning.empty()) std::fprintf(stderr, "ribbon-convert: %s\n", report.warning.c_str());
-  print_damage(report);
-  const bool whole = report.missing.empty() && report.damage.empty();
+  print_losses(report);
+  const bool whole = report.missing.empty() && report.refused.empty() && report.damage.empty();
   return whole ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;
 }
 

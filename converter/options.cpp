@@ -24,8 +24,8 @@ constexpr const char* examples = R"(Examples:
 
 Metres and y up unless told otherwise; vertices in the recorded order, and the triangles that the
 recording certifies, in every frame.
-Exit code: 0 done; 1 the recording is damaged (what can be read is written, what is missing is listed),
-or --verify has found that a file is not as recorded;
+Exit code: 0 done; 1 the recording is damaged, or cloth cannot be made a solid (all other frames are
+written, what is missing is listed), or --verify has found that a file is not as recorded;
 2 could not; 3 interrupted, or the disk was full: --resume goes on.)";
 
 // What is chosen by words, and numbers that may be left out.

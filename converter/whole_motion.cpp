@@ -10,36 +10,47 @@ namespace ribbon {
 
 namespace {
 
-// Poses `model` at the frame; false when the recording has lost it.
-Result<bool> pose_at(RecordingReader& reader, int index, Model& model) {
+enum class Pose { set, lost, refused };  // by damage to the recording; it cannot be made a solid
+
+Result<Pose> pose_at(RecordingReader& reader, int index, Model& model) {
   Eigen::Matrix3Xf positions;
-  if (!reader.readable(index) || !reader.read(index, positions)) return false;
-  return pose_ribbon(model, positions, index + 1).map([] { return true; });
+  if (!reader.readable(index) || !reader.read(index, positions)) return Pose::lost;
+  return pose_ribbon(model, positions, index + 1).map([](bool posed) {
+    return posed ? Pose::set : Pose::refused;
+  });
 }
 
-// Poses `model` at the first of `frames` that can be read.
+// Poses `model` at the first of `frames` that can be written.
 Result<void> pose_at_start(RecordingReader& reader, const std::vector<int>& frames, Model& model) {
+  bool some_refused = false;
   for (const int index : frames) {
-    const Result<bool> posed = pose_at(reader, index, model);
-    if (!posed) return tl::unexpected(posed.error());
-    if (*posed) return {};
+    const Result<Pose> pose = pose_at(reader, index, model);
+    if (!pose) return tl::unexpected(pose.error());
+    if (*pose == Pose::set) return {};
+    some_refused |= *pose == Pose::refused;
   }
-  return failure("", "none of the frames can be read", "record it again");
+  return no_frames(some_refused);
+}
+
+void note(ConversionReport& report, Pose pose, int number) {
+  if (pose == Pose::set) ++report.frames_written;
+  if (pose == Pose::lost) report.missing.push_back(number);
+  if (pose == Pose::refused) report.refused.push_back(number);
 }
 
 Result<void> append_frames(RecordingReader& reader, const std::vector<int>& frames, Model& model,
                            MotionWriter& writer, const ConversionRequest& request,
                            ConversionReport& report) {
   ProgressLine progress("frame", static_cast<int>(frames.size()), request.progress);
+  int done = 0;
   for (const int index : frames) {
     if (request.interrupted()) return passing_failure("", "interrupted", "start again");
-    const Result<bool> posed = pose_at(reader, index, model);
-    if (!posed) return tl::unexpected(posed.error());
-    if (!*posed) report.missing.push_back(index + 1);
-    report.frames_written += *posed ? 1 : 0;
+    const Result<Pose> pose = pose_at(reader, index, model);
+    if (!pose) return tl::unexpected(pose.error());
+    note(report, *pose, index + 1);
     auto appended = writer.append(model);
     if (!appended) return appended;
-    progress.update(report.frames_written + static_cast<int>(report.missing.size()));
+    progress.update(++done);
   }
   return {};
 }

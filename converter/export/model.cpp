@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -147,18 +148,18 @@ Result<void> check_positions(const Eigen::Matrix3Xf& placed, Eigen::Index partic
 
 }  // namespace
 
-Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number) {
+Result<bool> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number) {
   assert(!model.objects.empty() && model.objects.front().moves);
   ModelObject& ribbon = model.objects.front();
   const Eigen::Matrix3Xf placed = model.placement.place(positions);
   return check_positions(placed, ribbon.positions.cols() / (model.solid ? 2 : 1))
       .and_then([&] { return check_rounding(model, positions); })
-      .and_then([&] {
-        return model.solid ? model.solid->raise(placed) : Result<Eigen::Matrix3Xf>(placed);
-      })
-      .map([&](const Eigen::Matrix3Xf& vertices) {
-        ribbon.positions = vertices;
+      .map([&] {
+        const auto vertices = model.solid ? model.solid->raise(placed) : std::optional(placed);
+        if (!vertices) return false;
+        ribbon.positions = *vertices;
         if (ribbon.normals.cols() > 0) set_normals(ribbon, model.placement);
+        return true;
       })
       .map_error([&](Error error) {
         error.place = filled_in("frame {}", number);

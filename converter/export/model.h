@@ -58,10 +58,11 @@ struct ModelSettings {
 Result<Model> model_of_recording(const RecordingHeader& header, const ModelSettings& settings);
 
 // Puts one frame's ribbon, as it is recorded (3 x particles, metres), into `model`, whose first
-// object it is: as a surface, or as the front and then the back of a solid. Fails, naming the frame
-// (`number` from 1), when the number of particles differs from the recording's, when a position is
-// not finite, before or after it is placed, or when the placement rounds so coarsely that layers
-// could meet which the recording keeps apart, or when it cannot be made a solid.
-Result<void> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number);
+// object it is: as a surface, or as the front and then the back of a solid. False where it cannot
+// be made a solid; the model is then as it was. Fails, naming the frame (`number` from 1), when the
+// number of particles differs from the recording's, when a position is not finite, before or after
+// it is placed, or when the placement rounds so coarsely that layers could meet which the recording
+// keeps apart.
+Result<bool> pose_ribbon(Model& model, const Eigen::Matrix3Xf& positions, int number);
 
 }  // namespace ribbon

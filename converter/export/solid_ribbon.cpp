@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "converter/export/outward_direction.h"
 #include "converter/export/ribbon_faces.h"
 #include "verification/intersecting_pairs.h"
 #include "verification/vertex_room.h"
@@ -46,40 +48,27 @@ Eigen::Matrix3Xd triangle_normals(const TriangleSoup& soup) {
   return normals;
 }
 
-// Turns `normal` until it looks away from all `faces` by more than a tenth, if it can: towards the
-// one that it looks away from least, again and again (the perceptron's rule).
-Eigen::Vector3d turned_outwards(Eigen::Vector3d normal, const std::vector<Eigen::Vector3d>& faces) {
-  constexpr int most_turns = 100;
-  for (int turn = 0; turn < most_turns; ++turn) {
-    normal.stableNormalize();
-    const auto least = std::min_element(
-        faces.begin(), faces.end(),
-        [&](const auto& a, const auto& b) { return a.dot(normal) < b.dot(normal); });
-    if (least->dot(normal) > 0.1) break;
-    normal += 0.3 * *least;
-  }
-  return normal.stableNormalized();
-}
-
-// 3 x particles, of length 1.
-Eigen::Matrix3Xd outward_normals(const TriangleSoup& soup, int particles) {
+// For each particle, of its triangles; one without area says nothing.
+std::vector<OutwardDirection> outward_directions(const TriangleSoup& soup, int particles) {
   const Eigen::Matrix3Xd of_triangles = triangle_normals(soup);
   std::vector<std::vector<Eigen::Vector3d>> around(particles);
   for (int t = 0; t < soup.judged; ++t)
-    for (const int vertex : soup.triangles.col(t)) around[vertex].emplace_back(of_triangles.col(t));
-  Eigen::Matrix3Xd normals(3, particles);
-  for (int p = 0; p < particles; ++p) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& normal : around[p]) sum += normal;
-    normals.col(p) = turned_outwards(sum, around[p]);
-  }
-  return normals;
+    if (!of_triangles.col(t).isZero(0))
+      for (const int vertex : soup.triangles.col(t))
+        around[vertex].emplace_back(of_triangles.col(t));
+  std::vector<OutwardDirection> directions;
+  directions.reserve(around.size());
+  for (const auto& normals : around) directions.push_back(outward_direction(normals));
+  return directions;
 }
 
 // Front and back, `heights` away from the surface.
-Eigen::Matrix3Xf raised(const Eigen::Matrix3Xd& surface, const Eigen::Matrix3Xd& normals,
+Eigen::Matrix3Xf raised(const Eigen::Matrix3Xd& surface,
+                        const std::vector<OutwardDirection>& outwards,
                         const Eigen::ArrayXd& heights) {
-  const Eigen::Matrix3Xd offsets = normals * heights.matrix().asDiagonal();
+  Eigen::Matrix3Xd offsets(3, surface.cols());
+  for (Eigen::Index p = 0; p < surface.cols(); ++p)
+    offsets.col(p) = heights[p] * outwards[static_cast<std::size_t>(p)].direction;
   Eigen::Matrix3Xd solid(3, 2 * surface.cols());
   solid << surface + offsets, surface - offsets;
   return solid.cast<float>();
@@ -94,6 +83,34 @@ void halve_where_they_meet(const std::vector<TrianglePair>& pairs, const Triangl
         for (const int vertex : solid.triangles.col(triangle))
           particles.insert(vertex % static_cast<int>(heights.size()));
   for (const int particle : particles) heights[particle] /= 2;
+}
+
+// Where no direction looks away from all triangles around a particle, no vertex above it could see
+// all of them: there the solid is as thin as the surface.
+void pinch_where_crumpled(const std::vector<OutwardDirection>& outwards, Eigen::ArrayXd& heights) {
+  for (std::size_t p = 0; p < outwards.size(); ++p)
+    if (outwards[p].least_cosine <= 0) heights[static_cast<Eigen::Index>(p)] = 0;
+}
+
+// Front and back of a particle without height are one vertex. Triangles of the rim that have both
+// become edges, which others have too: they are put behind those that remain, `judged` in number.
+struct Welded {
+  TriangleSoup soup;
+  int judged;
+};
+
+Welded welded(const TriangleSoup& solid, const Eigen::ArrayXd& heights) {
+  Welded result{.soup = solid, .judged = 0};
+  const auto particles = static_cast<int>(heights.size());
+  for (int t = 0; t < solid.judged; ++t) {
+    Eigen::Vector3i corners = solid.triangles.col(t);
+    for (int& vertex : corners)
+      if (vertex >= particles && heights[vertex - particles] == 0) vertex -= particles;
+    result.soup.triangles.col(t) = corners;
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    result.soup.triangles.col(t).swap(result.soup.triangles.col(result.judged++));
+  }
+  return result;
 }
 
 }  // namespace
@@ -128,30 +145,43 @@ Eigen::ArrayXd SolidRibbon::heights_between_layers(const TriangleSoup& surface) 
 
 // Between layers nothing can meet any more. What shares a particle still can, as triangles of front
 // and back beside a sharp fold: there the heights are halved until it does not.
-Result<Eigen::Matrix3Xf> SolidRibbon::raise(const Eigen::Matrix3Xf& surface) const {
+std::optional<Eigen::Matrix3Xf> SolidRibbon::raise(const Eigen::Matrix3Xf& surface) const {
   const TriangleSoup soup = surface_soup(surface);
-  const Eigen::Matrix3Xd normals = outward_normals(soup, grid_.particle_count());
+  const auto outwards = outward_directions(soup, grid_.particle_count());
   Eigen::ArrayXd heights = heights_between_layers(soup);
-  TriangleSoup solid = solid_;
+  pinch_where_crumpled(outwards, heights);
+  auto [solid, judged_count] = welded(solid_, heights);
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
-    const Eigen::Matrix3Xf positions = raised(surface.cast<double>(), normals, heights);
+    const Eigen::Matrix3Xf positions = raised(surface.cast<double>(), outwards, heights);
     solid.points.leftCols(positions.cols()) = positions;
-    const BoxTree judged(solid, 0, solid.judged);
+    const BoxTree judged(solid, 0, judged_count);
     const auto found = intersecting_pairs(solid, judged, solid_rest_, most_pairs);
     if (found.pairs.empty()) {
-      note(2 * heights.minCoeff());
+      note(heights);
       return positions;
     }
     halve_where_they_meet(found.pairs, solid, heights);
   }
-  return failure("", "the cloth is folded so sharply that it cannot be given a thickness",
-                 "leave --thickness out, or the frame with --frames");
+  return std::nullopt;
 }
 
-void SolidRibbon::note(double thickness) const {
-  double least = least_thickness_;
-  while (thickness < least && !least_thickness_.compare_exchange_weak(least, thickness)) {
-  }
+void SolidRibbon::note(const Eigen::ArrayXd& heights) const {
+  const std::lock_guard lock(mutex_);
+  const auto pinched = static_cast<int>((heights == 0).count());
+  most_pinched_ = std::max(most_pinched_, pinched);
+  if (pinched < heights.size())
+    least_thickness_ =
+        std::min(least_thickness_, 2 * (heights > 0).select(heights, thickness_).minCoeff());
+}
+
+double SolidRibbon::least_thickness() const {
+  const std::lock_guard lock(mutex_);
+  return least_thickness_;
+}
+
+int SolidRibbon::most_pinched() const {
+  const std::lock_guard lock(mutex_);
+  return most_pinched_;
 }
 
 }  // namespace ribbon

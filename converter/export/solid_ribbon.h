@@ -2,10 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <atomic>
+#include <mutex>
+#include <optional>
 
 #include "geometry/ribbon_grid.h"
-#include "result/result.h"
 #include "verification/box_tree.h"
 #include "verification/feature_owners.h"
 #include "verification/triangle_soup.h"
@@ -14,7 +14,9 @@ namespace ribbon {
 
 // Its vertices are the front's, in the order of the particles, then the back's likewise. Front and
 // back lie half the thickness away from the recorded surface, along normals that look away from all
-// triangles around a particle; where other features are nearer, half the way to them at most.
+// triangles around a particle; where other features are nearer, half the way to them at most. Where
+// the cloth is so crumpled that there is no such direction, the solid is pinched: front and back of
+// that particle lie on it, in the same position, and touch.
 class SolidRibbon {
  public:
   // obstacle: 3 x vertices and 3 x triangles, none where there is none; in the ribbon's unit, as is
@@ -24,18 +26,21 @@ class SolidRibbon {
 
   // 3 x 2 particles, of a surface that is 3 x particles. Certain: of the solid's triangles and the
   // obstacle's no two meet, but for two of the obstacle (exact predicates judge the positions as
-  // they are rounded). Fails where that cannot be had: the surface intersects, or there is no
-  // direction that looks away from all triangles around a particle. May be called from several
-  // threads at a time.
-  [[nodiscard]] Result<Eigen::Matrix3Xf> raise(const Eigen::Matrix3Xf& surface) const;
+  // they are rounded), if front and back of a pinched particle count as one vertex. Nothing where
+  // that cannot be had: the surface intersects, or all corners of a triangle would be pinched. May
+  // be called from several threads at a time.
+  [[nodiscard]] std::optional<Eigen::Matrix3Xf> raise(const Eigen::Matrix3Xf& surface) const;
 
-  // At any particle of all that was raised so far; the thickness asked for where nothing was.
-  [[nodiscard]] double least_thickness() const { return least_thickness_; }
+  // At any particle, but for pinched ones, of all that was raised so far; the thickness asked for
+  // where nothing was.
+  [[nodiscard]] double least_thickness() const;
+  // How many particles were pinched in one surface, at most.
+  [[nodiscard]] int most_pinched() const;
 
  private:
   [[nodiscard]] TriangleSoup surface_soup(const Eigen::Matrix3Xf& surface) const;
   [[nodiscard]] Eigen::ArrayXd heights_between_layers(const TriangleSoup& surface) const;
-  void note(double thickness) const;
+  void note(const Eigen::ArrayXd& heights) const;
 
   RibbonGrid grid_;
   double thickness_;
@@ -44,7 +49,9 @@ class SolidRibbon {
   FeatureOwners owners_;
   BoxTree surface_rest_;
   BoxTree solid_rest_;
-  mutable std::atomic<double> least_thickness_;
+  mutable std::mutex mutex_;
+  mutable double least_thickness_;
+  mutable int most_pinched_ = 0;
 };
 
 }  // namespace ribbon

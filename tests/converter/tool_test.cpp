@@ -27,6 +27,12 @@ Eigen::Matrix3Xf cached_sample(const std::string& cache, std::size_t sample) {
   return positions;
 }
 
+SampleKnot without_obstacle() {
+  SampleKnot knot = sample_knot();
+  knot.header.obstacle.reset();
+  return knot;
+}
+
 // What stands in an OBJ behind the name of its material library.
 std::string objects_of(const std::string& obj) {
   return obj.substr(obj.find("\no "));
@@ -386,6 +392,37 @@ TEST_F(Tool, a_disk_that_fills_up_leaves_no_half_file) {
     expect_refusal(run("knot.rbn -o '" + output + "'", "ulimit -f 2 &&"), "cannot be written");
     EXPECT_THAT(names("out"), testing::Each(testing::AnyOf("a.mtl", "a.obj.unfinished")));
   }
+}
+
+// Vertices coincide in the third frame of the sample, and its obstacle is in the way.
+TEST_F(Tool, frames_that_cannot_be_made_a_solid_are_named_and_the_others_written) {
+  record(without_obstacle());
+  const auto sequence = run("knot.rbn -o 'out/{frame}.obj' --thickness 0.001");
+  EXPECT_EQ(sequence.exit_code, 1);
+  EXPECT_THAT(sequence.errors, HasSubstr("1 of the frames cannot be made a solid: 3"));
+  EXPECT_THAT(sequence.output, HasSubstr("the ribbon is at least"));
+  EXPECT_THAT(names("out"),
+              ElementsAre("0001.obj", "0002.obj", "0004.obj", "0005.obj", "ribbon.mtl"));
+}
+
+TEST_F(Tool, a_motion_holds_the_frame_before_one_that_cannot_be_made_a_solid) {
+  record(without_obstacle());
+  const auto motion = run("knot.rbn -o knot.mdd --thickness 0.001");
+  EXPECT_EQ(motion.exit_code, 1);
+  EXPECT_THAT(motion.errors, HasSubstr("1 of the frames cannot be made a solid: 3"));
+  const std::string mdd = bytes("knot.mdd");
+  const std::size_t begin = 8 + 5 * 4;
+  const auto frame = [&](std::size_t index) {
+    return mdd.substr(begin + index * 2 * sample_bytes, 2 * sample_bytes);
+  };
+  EXPECT_TRUE(frame(2) == frame(1));
+  EXPECT_FALSE(frame(3) == frame(2));
+}
+
+TEST_F(Tool, where_no_frame_can_be_made_a_solid_the_conversion_fails) {
+  for (const char* output : {"'out/{frame}.obj'", "out/knot.mdd"})
+    expect_refusal(run(std::string("knot.rbn --frames 3 --thickness 0.001 -o ") + output),
+                   "the cloth of no frame can be made a solid; leave --thickness out");
 }
 
 }  // namespace ribbon::tool_test

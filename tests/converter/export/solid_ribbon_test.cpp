@@ -10,7 +10,6 @@
 #include <set>
 
 #include "converter/export/ribbon_faces.h"
-#include "result/refusal.h"
 #include "verification/cgal_oracle.h"
 
 namespace ribbon::solid_ribbon_test {
@@ -123,8 +122,45 @@ TEST(SolidRibbon, keeps_off_the_obstacle) {
 TEST(SolidRibbon, a_surface_that_intersects_is_refused) {
   Eigen::Matrix3Xf crossed = hairpin(0.3);
   crossed.col(grid.particle(0, 0)) << 0.5F, 0.5F, 0.05F;
-  EXPECT_THAT(refusal_of(SolidRibbon(grid, 0.002, no_vertices, no_triangles).raise(crossed)),
-              HasSubstr("--thickness"));
+  EXPECT_FALSE(SolidRibbon(grid, 0.002, no_vertices, no_triangles).raise(crossed));
+}
+
+// From frame 313 of overhand-hourglass-16x400: nothing intersects, but the triangles around the
+// particle in the middle look in all directions.
+constexpr RibbonGrid patch{.along = 3, .across = 3};
+
+Eigen::Matrix3Xf crumpled_patch() {
+  Eigen::Matrix3Xf tenths_of_mm(3, patch.particle_count());
+  tenths_of_mm << -132, -112, -105, -24, 0, 11, 81, 107, 124,  //
+      -7, 44, 80, 15, 0, 55, 78, 23, 7,                        //
+      5, 25, -26, -49, 0, 5, -39, -58, -6;
+  return 1e-4F * tenths_of_mm;
+}
+
+TriangleSoup soup_of_patch(const Eigen::Matrix3Xf& positions) {
+  const Eigen::MatrixXi faces = solid_faces(patch, RibbonFaces::triangles);
+  return {.points = positions, .triangles = faces, .judged = static_cast<int>(faces.cols())};
+}
+
+TEST(SolidRibbon, is_pinched_where_no_direction_looks_away_from_all_triangles) {
+  const SolidRibbon solid(patch, 0.002, no_vertices, no_triangles);
+  const auto raised = solid.raise(crumpled_patch());
+  ASSERT_TRUE(raised);
+  EXPECT_EQ(solid.most_pinched(), 1);
+  EXPECT_EQ(raised->col(4), crumpled_patch().col(4));
+  EXPECT_EQ(raised->col(4), raised->col(9 + 4));
+  EXPECT_GT(solid.least_thickness(), 1e-4);
+  for (const int p : {0, 1, 2, 3, 5, 6, 7, 8})
+    EXPECT_GE((raised->col(p) - raised->col(9 + p)).norm(), 0.999 * solid.least_thickness());
+}
+
+TEST(SolidRibbon, touches_itself_where_it_is_pinched_and_nowhere_else) {
+  const auto raised = SolidRibbon(patch, 0.002, no_vertices, no_triangles).raise(crumpled_patch());
+  ASSERT_TRUE(raised);
+  TriangleSoup soup = soup_of_patch(*raised);
+  EXPECT_FALSE(cgal_intersecting_pairs(soup).empty()) << "front and back are different vertices";
+  soup.triangles = (soup.triangles.array() == 9 + 4).select(4, soup.triangles);
+  EXPECT_TRUE(cgal_intersecting_pairs(soup).empty());
 }
 
 }  // namespace ribbon::solid_ribbon_test
