@@ -3,7 +3,10 @@
 #include <utility>
 
 #include "commandline/frame_range.h"
+#include "converter/export/picture_file.h"
 #include "converter/format_abilities.h"
+#include "converter/output_names.h"
+#include "recording/coding/checksum.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -28,6 +31,26 @@ OutputFormat format_of_frames(const ConversionRequest& request, OutputFormat for
   return whole ? OutputFormat::whole_motion : format;
 }
 
+// The settings of the model, with the picture that the texture's file holds. It is named after the
+// output, as the material library is, so that no name that somebody gave it can trouble a format.
+Result<ModelSettings> model_settings(const ConversionRequest& request) {
+  ModelSettings settings = request.model;
+  if (request.texture.empty()) return settings;
+  return read_picture_file(request.texture).map([&](PictureFile picture) {
+    const std::filesystem::path library = material_library_name(request.output);
+    picture.name = library.stem().string() + picture.extension;
+    settings.picture = std::make_shared<const PictureFile>(std::move(picture));
+    return settings;
+  });
+}
+
+std::string texture_text(const Model& model) {
+  const auto& picture = model.objects.front().material.picture;
+  if (!picture) return "without texture\n";
+  return filled_in("with a texture of {} bytes and the checksum {}\n", picture->bytes.size(),
+                   checksum(picture->bytes));
+}
+
 }  // namespace
 
 Result<ConversionJob> open_job(const ConversionRequest& request) {
@@ -40,7 +63,9 @@ Result<ConversionJob> open_job(const ConversionRequest& request) {
   if (!reader) return tl::unexpected(reader.error());
   auto frames = asked_frames(request, *reader);
   if (!frames) return tl::unexpected(frames.error());
-  auto model = model_of_recording(reader->header(), request.model);
+  const auto settings = model_settings(request);
+  if (!settings) return tl::unexpected(settings.error());
+  auto model = model_of_recording(reader->header(), *settings);
   if (!model)
     return failure(request.recording.string(), model.error().problem, model.error().remedy);
   return ConversionJob{*format, std::move(*reader), std::move(*frames), std::move(*model)};
@@ -52,12 +77,13 @@ tl::unexpected<Error> no_frames(bool some_refused) {
   return failure("", "none of the frames can be read", "record it again");
 }
 
-std::string job_text(const ConversionRequest& request, const RecordingReader& reader) {
+std::string job_text(const ConversionRequest& request, const ConversionJob& job) {
   const ModelSettings& model = request.model;
   const Placement& placement = model.placement;
   return filled_in("ribbon-convert {} writes {} frames '{}' from {}\n", RIBBON_VERSION,
                    request.output, request.frames, request.start_frame.value_or(0)) +
-         filled_in("of recording {} with {} bytes\n", reader.recording_id(), reader.file_bytes()) +
+         filled_in("of recording {} with {} bytes\n", job.reader.recording_id(),
+                   job.reader.file_bytes()) +
          filled_in(
              "as {}, {:.17g} m thick, obstacle {}, normals {}, {} up, {:.17g} m a unit, scaled by "
              "{:.17g}, ",
@@ -66,7 +92,8 @@ std::string job_text(const ConversionRequest& request, const RecordingReader& re
              placement.up == UpAxis::z ? "z" : "y", placement.metres_per_unit, placement.scale) +
          (model.frames_per_second > 0
               ? filled_in("{:.17g} frames a second stated\n", model.frames_per_second)
-              : "frames a second as recorded\n");
+              : "frames a second as recorded\n") +
+         texture_text(job.model);
 }
 
 }  // namespace ribbon

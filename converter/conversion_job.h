@@ -27,6 +27,6 @@ Result<ConversionJob> open_job(const ConversionRequest& request);
 tl::unexpected<Error> no_frames(bool some_refused);
 
 // What is written, in words, so that a later run can tell whether it would write the same.
-std::string job_text(const ConversionRequest& request, const RecordingReader& reader);
+std::string job_text(const ConversionRequest& request, const ConversionJob& job);
 
 }  // namespace ribbon

@@ -17,7 +17,7 @@ Result<ConversionPlan> plan_conversion(const ConversionRequest& request) {
   ConversionPlan plan;
   plan.first_file = files->own.front();
   plan.last_file = is_one_file(job->format) ? plan.first_file : files->own.back();
-  plan.files = static_cast<int>(files->own.size() + files->libraries.size());
+  plan.files = static_cast<int>(files->own.size() + files->shared.size());
   plan.existing = existing_count(files->own);
   plan.bytes =
       size->bytes + static_cast<double>(files->libraries.size() * files->library_text.size());

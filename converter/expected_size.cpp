@@ -63,7 +63,7 @@ Result<std::vector<Model>> posed_at(ConversionJob& job, const std::vector<int>& 
     poses.push_back(job.model);
     auto posed = reading.on([&] {
       return job.reader.read(index, positions).and_then([&] {
-        return pose_ribbon(poses.back(), positions, index + 1);
+        return pose_ribbon(poses.back(), positions, index + 1).map([](bool) {});
       });
     });
     if (!posed) return tl::unexpected(posed.error());

@@ -13,24 +13,26 @@ struct Abilities {
   bool frame_rate;  // it says how many frames a second
   bool numbers;     // its files are numbered
   bool normals;
-  bool still;  // it can hold what does not move
+  bool still;     // it can hold what does not move
+  bool pictures;  // its materials can show them
 };
 
 Abilities abilities_of(OutputFormat format, const std::string& output) {
   switch (format) {
     case OutputFormat::obj:
-      return {".obj", false, true, true, true};
+      return {".obj", false, true, true, true, true};
     case OutputFormat::fbx:
-      return {".fbx", true, true, false, true};
+      return {".fbx", true, true, false, true, true};
     case OutputFormat::numbers:
-      return {".csv", false, false, false, false};
+      return {".csv", false, false, false, false, false};
     case OutputFormat::recording:
-      return {".rbn", false, false, false, false};
+      return {".rbn", false, false, false, false, false};
     case OutputFormat::whole_motion:
       break;
   }
   const MotionFormat& motion = *motion_format(output);
-  return {std::string(motion.extension), motion.states_rate, false, false, false};
+  const bool pictures = motion.picture != PicturePlace::nowhere;
+  return {std::string(motion.extension), motion.states_rate, false, false, false, pictures};
 }
 
 Result<void> check_still(const ConversionRequest& request, const Abilities& format) {
@@ -43,6 +45,9 @@ Result<void> check_still(const ConversionRequest& request, const Abilities& form
   if (!request.frames.empty() || request.start_frame || request.model.thickness_m > 0)
     return failure("", "the obstacle is the same in all frames, and solid as it is",
                    "leave --frames, --start-frame and --thickness out");
+  if (!request.texture.empty())
+    return failure("", "the texture lies on the ribbon, not on the obstacle",
+                   "leave --texture out");
   return {};
 }
 
@@ -75,6 +80,7 @@ Result<void> check_abilities(const ConversionRequest& request, OutputFormat outp
     return lacks("does not number its frames", "--start-frame");
   if (request.model.with_normals && !format.normals)
     return lacks("is written without normals", "--normals");
+  if (!request.texture.empty() && !format.pictures) return lacks("has no materials", "--texture");
   if (request.max_error_m > 0 && output != OutputFormat::recording)
     return lacks("holds positions as they were recorded", "--max-error");
   if (output == OutputFormat::recording)

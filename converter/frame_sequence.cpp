@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "commandline/progress.h"
+#include "converter/companions.h"
 #include "converter/encode_model.h"
-#include "converter/export/obj_text.h"
 #include "converter/reader_pool.h"
 #include "converter/sequence_log.h"
 #include "converter/sequence_names.h"
@@ -37,6 +37,7 @@ class Sequence {
         interrupted_(request.interrupted),
         names_(std::move(names)),
         log_(std::move(log)),
+        companions_(companions_of(request, job)),
         model_(std::move(job.model)),
         frames_(std::move(job.frames)),
         readers_(request.recording, std::move(job.reader)),
@@ -44,7 +45,7 @@ class Sequence {
         outcomes_(frames_.size()) {}
 
   Result<ConversionReport> write() {
-    auto written = write_material_libraries();
+    auto written = write_all_companions();
     if (written) {
       parallel_ranges(frames_.size(), frames_per_range,
                       [this](std::size_t begin, std::size_t end) { write_range(begin, end); });
@@ -56,11 +57,9 @@ class Sequence {
   }
 
  private:
-  Result<void> write_material_libraries() {
-    if (format_ != OutputFormat::obj) return {};
-    const std::string text = material_library_text(model_);
-    for (const auto& library : names_.libraries())
-      if (auto written = write_file(library, text); !written) return written;
+  Result<void> write_all_companions() {
+    for (const auto& folder : names_.folders())
+      if (auto written = write_companions(companions_, folder); !written) return written;
     return {};
   }
 
@@ -135,6 +134,7 @@ class Sequence {
   std::function<bool()> interrupted_;
   SequenceNames names_;
   SequenceLog log_;
+  std::vector<Companion> companions_;
   Model model_;
   std::vector<int> frames_;
   ReaderPool readers_;
@@ -150,7 +150,7 @@ class Sequence {
 Result<ConversionReport> write_frame_sequence(const ConversionRequest& request, ConversionJob job) {
   auto names = SequenceNames::of(request, job.frames);
   if (!names) return tl::unexpected(names.error());
-  const std::string text = job_text(request, job.reader);
+  const std::string text = job_text(request, job);
   auto log = request.resume ? SequenceLog::resume(names->log(), text)
                             : SequenceLog::begin(names->log(), text);
   if (!log) return tl::unexpected(log.error());

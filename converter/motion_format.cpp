@@ -19,13 +19,13 @@ namespace ribbon {
 namespace {
 
 constexpr std::array<MotionFormat, 7> formats{{
-    {".abc", new_alembic_writer, false, true, nullptr},
-    {".fbx", new_fbx_writer, false, true, fbx_warning},
-    {".glb", new_glb_writer, false, true, glb_warning},
-    {".mdd", new_mdd_writer, true, true, rounded_time_warning},
-    {".npy", new_npy_writer, false, false, nullptr},
-    {".pc2", new_pc2_writer, true, false, nullptr},
-    {".usda", new_usd_writer, false, true, nullptr},
+    {".abc", new_alembic_writer, false, true, PicturePlace::nowhere, nullptr},
+    {".fbx", new_fbx_writer, false, true, PicturePlace::beside, fbx_warning},
+    {".glb", new_glb_writer, false, true, PicturePlace::inside, glb_warning},
+    {".mdd", new_mdd_writer, true, true, PicturePlace::beside, rounded_time_warning},
+    {".npy", new_npy_writer, false, false, PicturePlace::nowhere, nullptr},
+    {".pc2", new_pc2_writer, true, false, PicturePlace::beside, nullptr},
+    {".usda", new_usd_writer, false, true, PicturePlace::beside, nullptr},
 }};
 
 }  // namespace

@@ -11,12 +11,16 @@
 
 namespace ribbon {
 
+// Where the picture is that a material shows.
+enum class PicturePlace { nowhere, inside, beside };  // the format has no materials; in the file
+
 struct MotionFormat {
   std::string_view extension;
   Result<std::unique_ptr<MotionWriter>> (*new_writer)(const std::filesystem::path& path,
                                                       const Model& first_pose, int frames);
   bool deforms_base;  // it holds positions alone, for the mesh of an OBJ beside it
   bool states_rate;   // it says how many frames a second
+  PicturePlace picture;
   // What other programs are known to do with such a motion; mostly nothing. Null: never anything.
   std::string (*warning)(const Model& model, int frames);
 };

@@ -52,6 +52,8 @@ void add_what(Arguments& arguments, ConversionRequest& request, Words& words) {
       .with_default_shown();
   arguments.add("--thickness", request.model.thickness_m, {1e-6, 1}, "M",
                 "Makes the ribbon a closed solid, so many recorded metres thick");
+  arguments.add("--texture", request.texture, "FILE",
+                "PNG or JPEG on the ribbon: as high as that is wide, repeated along it");
   arguments.flag("--normals", request.model.with_normals,
                  "Smooth normals at the vertices; without, readers compute their own");
 }

@@ -33,9 +33,8 @@ Result<void> check_places(const PlannedFiles& files) {
                    "go on with it by --resume, or begin anew with --force");
   for (const std::filesystem::path& file : files.own)
     if (is_taken(file)) return taken(file);
-  for (const std::filesystem::path& library : files.libraries)
-    if (is_taken(library) && read_file(library).value_or("") != files.library_text)
-      return taken(library);
+  for (const auto& [file, content] : files.shared)
+    if (is_taken(file) && read_file(file) != *content) return taken(file);
   return {};
 }
 

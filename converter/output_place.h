@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,12 @@ namespace ribbon {
 // What a conversion is going to write.
 struct PlannedFiles {
   std::vector<std::filesystem::path> own;
-  // May be shared with other conversions, so that they may exist if they hold just `library_text`.
-  std::vector<std::filesystem::path> libraries;
-  std::string library_text;
+  // May be shared with other conversions, so that they may exist if they hold just this.
+  struct Shared {
+    std::filesystem::path file;
+    std::shared_ptr<const std::string> content;
+  };
+  std::vector<Shared> shared;
   std::filesystem::path log;  // of a sequence while it is unfinished; empty: there is none
 };
 

@@ -1,34 +1,28 @@
 #include "converter/planned_files.h"
 
-#include "converter/export/obj_text.h"
+#include <set>
+
+#include "converter/companions.h"
 #include "converter/motion_format.h"
-#include "converter/output_names.h"
 #include "converter/sequence_names.h"
 
 namespace ribbon {
 
 namespace {
 
-std::filesystem::path library_beside(const std::filesystem::path& output) {
-  return output.parent_path() / material_library_name(output.string());
-}
-
 // The obstacle alone, numbers, or a whole motion, perhaps with the mesh that it deforms.
 PlannedFiles files_of_one(const std::filesystem::path& output, OutputFormat format) {
   PlannedFiles files;
   files.own = {output};
-  const bool has_base = format == OutputFormat::whole_motion && motion_format(output)->deforms_base;
-  if (has_base) files.own.push_back(std::filesystem::path(output).replace_extension(".obj"));
-  if (has_base || format == OutputFormat::obj) files.libraries = {library_beside(output)};
+  if (format == OutputFormat::whole_motion && motion_format(output)->deforms_base)
+    files.own.push_back(std::filesystem::path(output).replace_extension(".obj"));
   return files;
 }
 
-PlannedFiles files_of_sequence(const SequenceNames& names, OutputFormat format) {
+PlannedFiles files_of_sequence(const SequenceNames& names) {
   PlannedFiles files;
   files.own = names.frames();
   files.log = names.log();
-  const auto libraries = names.libraries();
-  if (format == OutputFormat::obj) files.libraries.assign(libraries.begin(), libraries.end());
   return files;
 }
 
@@ -36,14 +30,19 @@ PlannedFiles files_of_sequence(const SequenceNames& names, OutputFormat format) 
 
 Result<PlannedFiles> planned_files(const ConversionRequest& request, const ConversionJob& job) {
   PlannedFiles files;
+  std::set<std::filesystem::path> folders;
   if (is_one_file(job.format) || !request.model.with_ribbon) {
     files = files_of_one(request.output, job.format);
+    folders = {std::filesystem::path(request.output).parent_path()};
   } else {
     const auto names = SequenceNames::of(request, job.frames);
     if (!names) return tl::unexpected(names.error());
-    files = files_of_sequence(*names, job.format);
+    files = files_of_sequence(*names);
+    folders = names->folders();
   }
-  files.library_text = material_library_text(job.model);
+  for (const std::filesystem::path& folder : folders)
+    for (const Companion& companion : companions_of(request, job))
+      files.shared.push_back({.file = folder / companion.name, .content = companion.content});
   return files;
 }
 

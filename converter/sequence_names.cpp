@@ -51,10 +51,10 @@ std::string SequenceNames::library() const {
   return material_library_name(output_);
 }
 
-std::set<std::filesystem::path> SequenceNames::libraries() const {
-  std::set<std::filesystem::path> files;
-  for (const int number : numbers_) files.insert(pattern_.file(number).parent_path() / library());
-  return files;
+std::set<std::filesystem::path> SequenceNames::folders() const {
+  std::set<std::filesystem::path> folders;
+  for (const int number : numbers_) folders.insert(pattern_.file(number).parent_path());
+  return folders;
 }
 
 std::filesystem::path SequenceNames::log() const {

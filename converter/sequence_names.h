@@ -25,10 +25,10 @@ class SequenceNames {
   }
   [[nodiscard]] std::vector<std::filesystem::path> frames() const;
 
-  // The material library of OBJ: its name, and one in every folder that gets frames, since {frame}
-  // may stand in a folder's name.
+  // The name of OBJ's material library.
   [[nodiscard]] std::string library() const;
-  [[nodiscard]] std::set<std::filesystem::path> libraries() const;
+  // All that get frames, since {frame} may stand in a folder's name.
+  [[nodiscard]] std::set<std::filesystem::path> folders() const;
 
   // What tells, while frames are missing, which of them are complete.
   [[nodiscard]] std::filesystem::path log() const;

@@ -1,7 +1,7 @@
 #include "converter/still_life.h"
 
+#include "converter/companions.h"
 #include "converter/encode_model.h"
-#include "converter/export/obj_text.h"
 #include "converter/output_names.h"
 #include "files/files.h"
 
@@ -13,10 +13,8 @@ Result<ConversionReport> write_still_life(const ConversionRequest& request,
   const std::string library = material_library_name(request.output);
   const auto bytes = encode_model(job.format, job.model, library);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (job.format == OutputFormat::obj)
-    if (auto written = write_file(output.parent_path() / library, material_library_text(job.model));
-        !written)
-      return tl::unexpected(written.error());
+  if (auto written = write_companions(companions_of(request, job), output.parent_path()); !written)
+    return tl::unexpected(written.error());
   return write_file(output, *bytes).map([&] {
     ConversionReport report;
     report.bytes_written = bytes->size();

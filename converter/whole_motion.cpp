@@ -1,6 +1,7 @@
 #include "converter/whole_motion.h"
 
 #include "commandline/progress.h"
+#include "converter/companions.h"
 #include "converter/export/obj_text.h"
 #include "converter/motion_format.h"
 #include "converter/output_names.h"
@@ -57,13 +58,9 @@ Result<void> append_frames(RecordingReader& reader, const std::vector<int>& fram
 
 // The mesh that the positions in `output` are for; its name is that with .obj. Returns its bytes.
 Result<std::uint64_t> write_base(const Model& model, const std::filesystem::path& output) {
-  const std::string library = material_library_name(output.string());
   const auto base = std::filesystem::path(output).replace_extension(".obj");
-  const std::string materials = material_library_text(model);
-  const std::string mesh = obj_text(model, library);
-  return write_file(output.parent_path() / library, materials)
-      .and_then([&] { return write_file(base, mesh); })
-      .map([&] { return std::uint64_t{materials.size() + mesh.size()}; });
+  const std::string mesh = obj_text(model, material_library_name(output.string()));
+  return write_file(base, mesh).map([&] { return std::uint64_t{mesh.size()}; });
 }
 
 }  // namespace
@@ -73,6 +70,7 @@ Result<ConversionReport> write_whole_motion(const ConversionRequest& request, Co
   if (auto posed = pose_at_start(job.reader, job.frames, job.model); !posed)
     return tl::unexpected(posed.error());
   const Model base = job.model;
+  const auto companions = companions_of(request, job);
   const auto writer =
       format.new_writer(request.output, job.model, static_cast<int>(job.frames.size()));
   if (!writer) return tl::unexpected(writer.error());
@@ -83,10 +81,15 @@ Result<ConversionReport> write_whole_motion(const ConversionRequest& request, Co
   return append_frames(job.reader, job.frames, job.model, **writer, request, report)
       .and_then([&] { return (*writer)->finish(); })
       .and_then([&] {
+        return write_companions(companions, std::filesystem::path(request.output).parent_path());
+      })
+      .and_then([&] {
         return format.deforms_base ? write_base(base, request.output) : Result<std::uint64_t>(0);
       })
       .map([&](std::uint64_t base_bytes) {
         report.bytes_written = std::filesystem::file_size(request.output) + base_bytes;
+        for (const Companion& companion : companions)
+          report.bytes_written += companion.content->size();
         report.damage = job.reader.damage();
         return report;
       });

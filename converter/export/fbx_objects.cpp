@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "converter/export/picture_file.h"
+
 namespace ribbon {
 
 namespace {
@@ -21,7 +23,9 @@ enum class Kind : std::int64_t {
   curve,
   curve_node,
   layer,
-  stack
+  stack,
+  texture,
+  video
 };
 
 std::int64_t identity(Kind kind, int index = 0) {
@@ -117,6 +121,38 @@ FbxRecord material(const Material& material, std::int64_t id) {
              {"P", {"DiffuseFactor", "Number", "", "A", 1.0}}}}}};
 }
 
+// FBX divides a picture that lies on something into the file and the way in which it lies there.
+FbxRecord video(const Material& material, std::int64_t id) {
+  const std::string& file = material.picture->name;
+  return {"Video",
+          {id, named(material.name, "Video"), "Clip"},
+          {{"Type", {"Clip"}},
+           {"Properties70", {}, {{"P", {"Path", "KString", "XRefUrl", "", file}}}},
+           {"UseMipMap", {0}},
+           {"Filename", {file}},
+           {"RelativeFilename", {file}}}};
+}
+
+FbxRecord texture(const Material& material, std::int64_t id) {
+  const std::string& file = material.picture->name;
+  return {
+      "Texture",
+      {id, named(material.name, "Texture"), ""},
+      {{"Type", {"TextureVideoClip"}},
+       {"Version", {202}},
+       {"TextureName", {named(material.name, "Texture")}},
+       {"Properties70",
+        {},
+        {{"P", {"UVSet", "KString", "", "", "UVMap"}}, {"P", {"UseMaterial", "bool", "", "", 1}}}},
+       {"Media", {named(material.name, "Video")}},
+       {"FileName", {file}},
+       {"RelativeFilename", {file}},
+       {"ModelUVTranslation", {0.0, 0.0}},
+       {"ModelUVScaling", {1.0, 1.0}},
+       {"Texture_Alpha_Source", {"None"}},
+       {"Cropping", {0, 0, 0, 0}}}};
+}
+
 FbxRecord curve(const Model& model, int frame, int frames, FbxArrays& arrays) {
   const int keys = frame + 1 < frames ? 3 : 2;
   Eigen::VectorX<std::int64_t> times(keys);
@@ -145,15 +181,28 @@ std::int64_t fbx_ticks(double frames_per_second, int frame) {
 
 std::vector<FbxRecord> fbx_mesh_records(const Model& model, int object, FbxArrays& arrays) {
   const ModelObject& mesh = model.objects[static_cast<std::size_t>(object)];
-  return {geometry(mesh, identity(Kind::geometry, object), arrays),
-          node(mesh, identity(Kind::node, object)),
-          material(mesh.material, identity(Kind::material, object))};
+  std::vector<FbxRecord> records{geometry(mesh, identity(Kind::geometry, object), arrays),
+                                 node(mesh, identity(Kind::node, object)),
+                                 material(mesh.material, identity(Kind::material, object))};
+  if (mesh.material.picture) {
+    records.push_back(texture(mesh.material, identity(Kind::texture, object)));
+    records.push_back(video(mesh.material, identity(Kind::video, object)));
+  }
+  return records;
 }
 
-std::vector<FbxRecord> fbx_mesh_connections(int object) {
+std::vector<FbxRecord> fbx_mesh_connections(const Model& model, int object) {
   const std::int64_t own_node = identity(Kind::node, object);
-  return {connection(own_node, 0), connection(identity(Kind::geometry, object), own_node),
-          connection(identity(Kind::material, object), own_node)};
+  const std::int64_t own_material = identity(Kind::material, object);
+  std::vector<FbxRecord> connections{connection(own_node, 0),
+                                     connection(identity(Kind::geometry, object), own_node),
+                                     connection(own_material, own_node)};
+  if (model.objects[static_cast<std::size_t>(object)].material.picture) {
+    const std::int64_t own_texture = identity(Kind::texture, object);
+    connections.push_back(connection(own_texture, own_material, "DiffuseColor"));
+    connections.push_back(connection(identity(Kind::video, object), own_texture));
+  }
+  return connections;
 }
 
 std::vector<FbxRecord> fbx_motion_records(const Model& model, int frames) {

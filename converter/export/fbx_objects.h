@@ -13,9 +13,9 @@ namespace ribbon {
 // FBX counts time in these.
 std::int64_t fbx_ticks(double frames_per_second, int frame);
 
-// Geometry, node and material of the model's object with this index.
+// Geometry, node, material and perhaps the picture of the model's object with this index.
 std::vector<FbxRecord> fbx_mesh_records(const Model& model, int object, FbxArrays& arrays);
-std::vector<FbxRecord> fbx_mesh_connections(int object);
+std::vector<FbxRecord> fbx_mesh_connections(const Model& model, int object);
 
 // The deformer, the layer and the stack that all shapes of the first object share. frames: 2 and
 // more.

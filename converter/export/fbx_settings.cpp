@@ -1,5 +1,6 @@
 #include "converter/export/fbx_settings.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -83,7 +84,11 @@ FbxRecord documents(int frames) {
 }
 
 // How many of each type; types without any are left out.
-FbxRecord definitions(int objects, int frames) {
+FbxRecord definitions(const Model& model, int frames) {
+  const auto objects = static_cast<int>(model.objects.size());
+  const auto pictures =
+      static_cast<int>(std::count_if(model.objects.begin(), model.objects.end(),
+                                     [](const auto& object) { return object.material.picture; }));
   const int shapes = frames - 1;
   const int motions = frames > 1 ? 1 : 0;
   FbxRecord record{"Definitions", {}, {{"Version", {100}}}};
@@ -94,6 +99,8 @@ FbxRecord definitions(int objects, int frames) {
                                                           {"Model", objects},
                                                           {"Geometry", objects + shapes},
                                                           {"Material", objects},
+                                                          {"Texture", pictures},
+                                                          {"Video", pictures},
                                                           {"Deformer", motions + shapes},
                                                           {"AnimationStack", motions},
                                                           {"AnimationLayer", motions},
@@ -117,7 +124,7 @@ std::vector<FbxRecord> fbx_settings(const Model& model, int frames) {
           global_settings(model, frames),
           documents(frames),
           {"References", {}},
-          definitions(static_cast<int>(model.objects.size()), frames)};
+          definitions(model, frames)};
 }
 
 FbxRecord fbx_takes(const Model& model, int frames) {

@@ -43,7 +43,8 @@ class FbxFile {
   void end() {
     bytes_.close();
     bytes_.open("Connections");
-    for (int object = 0; object < object_count(); ++object) add(fbx_mesh_connections(object));
+    for (int object = 0; object < object_count(); ++object)
+      add(fbx_mesh_connections(first_, object));
     if (frames_ > 1) add(fbx_motion_connections());
     for (int frame = 1; frame < frames_; ++frame) add(fbx_channel_connections(frame));
     bytes_.close();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "converter/export/json_pieces.h"
+#include "converter/export/picture_file.h"
 
 namespace ribbon {
 
@@ -23,7 +24,7 @@ struct Use {
 constexpr Use for_points{"34962", "12"};
 constexpr Use for_uv{"34962", "8"};
 constexpr Use for_triangles{"34963", ""};
-constexpr Use for_time{"", ""};
+constexpr Use for_other{"", ""};
 
 std::string json_indices(int count) {
   JsonList list;
@@ -34,11 +35,12 @@ std::string json_indices(int count) {
 // About x, as x, y, z, w: from z up to y up.
 constexpr std::array quarter_turn{-0.70710678F, 0.0F, 0.0F, 0.70710678F};
 
-// Accessors of one object's geometry; uv is empty where it has none.
+// Accessors of one object's geometry, and its texture; uv and texture are empty where it has none.
 struct Primitive {
   std::string positions;
   std::string uv;
   std::string triangles;
+  std::string texture;
 };
 
 // Accessors of the motion; both empty where nothing moves.
@@ -89,11 +91,27 @@ class SceneText {
             '[' + json_object({{"channels", channel}, {"samplers", '[' + sampler + ']'}}) + ']'};
   }
 
+  // The texture that shows it; empty where the material has none. It is repeated along u and not
+  // along v, at whose ends the ribbon ends.
+  std::string add_picture(const Material& material) {
+    if (!material.picture) return {};
+    const PictureFile& picture = *material.picture;
+    const std::string view = add_bytes(picture.bytes.size(), for_other);
+    binary_bytes_ += glb_padding(picture.bytes.size());
+    const std::string image =
+        std::to_string(images_.add(json_object({{"name", json_quoted(material.name)},
+                                                {"bufferView", view},
+                                                {"mimeType", json_quoted(picture.media_type)}})));
+    const std::string sampler = std::to_string(samplers_.add(R"({"wrapS":10497,"wrapT":33071})"));
+    return std::to_string(textures_.add(json_object({{"sampler", sampler}, {"source", image}})));
+  }
+
   // With a node and a material of its own.
   void add_mesh(const ModelObject& object, const Primitive& primitive, const Motion& motion) {
     const std::string attributes =
         json_object({{"POSITION", primitive.positions}, {"TEXCOORD_0", primitive.uv}});
-    const std::string material = std::to_string(materials_.add(material_text(object.material)));
+    const std::string material =
+        std::to_string(materials_.add(material_text(object.material, primitive.texture)));
     const std::string geometry = json_object({{"attributes", attributes},
                                               {"indices", primitive.triangles},
                                               {"material", material},
@@ -114,18 +132,24 @@ class SceneText {
                                     {"nodes", std::move(nodes_).text()},
                                     {"meshes", std::move(meshes_).text()},
                                     {"materials", std::move(materials_).text()},
+                                    {"textures", std::move(textures_).text_or_nothing()},
+                                    {"images", std::move(images_).text_or_nothing()},
+                                    {"samplers", std::move(samplers_).text_or_nothing()},
                                     {"animations", motion.animations},
                                     {"accessors", std::move(accessors_).text()},
                                     {"bufferViews", std::move(views_).text()},
                                     {"buffers", '[' + buffer + ']'}});
-    json.append((4 - json.size() % 4) % 4, ' ');
+    json.append(glb_padding(json.size()), ' ');
     return {.json = std::move(json), .binary_bytes = binary_bytes_};
   }
 
  private:
   // The part of the binary chunk that follows those that were added before.
   std::string add_view(Eigen::Index numbers, const Use& use) {
-    const std::uint64_t bytes = 4 * static_cast<std::uint64_t>(numbers);
+    return add_bytes(4 * static_cast<std::uint64_t>(numbers), use);
+  }
+
+  std::string add_bytes(std::uint64_t bytes, const Use& use) {
     const std::string offset = std::to_string(std::exchange(binary_bytes_, binary_bytes_ + bytes));
     return std::to_string(views_.add(json_object({{"buffer", "0"},
                                                   {"byteOffset", offset},
@@ -160,15 +184,15 @@ class SceneText {
   std::string add_sampler(Eigen::Index targets, float last_s) {
     const Eigen::Index frames = targets + 1;
     const std::string times =
-        std::to_string(accessors_.add(json_object({{"bufferView", add_view(frames, for_time)},
+        std::to_string(accessors_.add(json_object({{"bufferView", add_view(frames, for_other)},
                                                    {"componentType", float_type},
                                                    {"count", std::to_string(frames)},
                                                    {"type", "\"SCALAR\""},
                                                    {"min", json_numbers(std::array{0.0F})},
                                                    {"max", json_numbers(std::array{last_s})}})));
     const std::string places =
-        json_object({{"bufferView", add_view(targets, for_time)}, {"componentType", u32_type}});
-    const std::string ones = json_object({{"bufferView", add_view(targets, for_time)}});
+        json_object({{"bufferView", add_view(targets, for_other)}, {"componentType", u32_type}});
+    const std::string ones = json_object({{"bufferView", add_view(targets, for_other)}});
     const std::string sparse =
         json_object({{"count", std::to_string(targets)}, {"indices", places}, {"values", ones}});
     const std::string weights =
@@ -179,9 +203,11 @@ class SceneText {
     return json_object({{"input", times}, {"output", weights}, {"interpolation", "\"LINEAR\""}});
   }
 
-  static std::string material_text(const Material& material) {
+  static std::string material_text(const Material& material, const std::string& texture) {
     const Eigen::Vector4f color = material.color.homogeneous();
+    const std::string shown = texture.empty() ? "" : json_object({{"index", texture}});
     const std::string surface = json_object({{"baseColorFactor", json_numbers(color)},
+                                             {"baseColorTexture", shown},
                                              {"metallicFactor", "0"},
                                              {"roughnessFactor", "0.8"}});
     return json_object({{"name", json_quoted(material.name)},
@@ -194,12 +220,19 @@ class SceneText {
   JsonList nodes_;
   JsonList meshes_;
   JsonList materials_;
+  JsonList textures_;
+  JsonList images_;
+  JsonList samplers_;
   JsonList accessors_;
   JsonList views_;
   std::uint64_t binary_bytes_ = 0;
 };
 
 }  // namespace
+
+std::size_t glb_padding(std::size_t bytes) {
+  return (4 - bytes % 4) % 4;
+}
 
 // Four points at a time, which the processor compares at once.
 PointBounds bounds_of(const Eigen::Matrix3Xf& points) {
@@ -239,6 +272,8 @@ GlbScene glb_scene(const Model& model, const std::vector<PointBounds>& targets) 
   SceneText text(model.placement);
   std::vector<Primitive> primitives;
   for (const ModelObject& object : model.objects) primitives.push_back(text.add_primitive(object));
+  for (std::size_t object = 0; object < primitives.size(); ++object)
+    primitives[object].texture = text.add_picture(model.objects[object].material);
   Motion motion;
   if (!targets.empty())
     motion = text.add_motion(model.objects.front().positions.cols(), targets,

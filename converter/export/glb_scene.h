@@ -1,6 +1,7 @@
 // The JSON chunk of a GLB file: what its binary chunk holds, and in which order.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ PointBounds bounds_of(const Eigen::Matrix3Xf& points);
 // Corners of triangles, 3 x count; quads are split from their first corner to their third.
 Eigen::Matrix3Xi triangulated(const Eigen::MatrixXi& faces);
 
+// How many bytes are missing to a multiple of four, which chunks and their parts are.
+std::size_t glb_padding(std::size_t bytes);
+
 // Of a frame, numbered from 0.
 float frame_time_s(const Model& model, Eigen::Index frame);
 
@@ -31,6 +35,8 @@ struct GlbScene {
 // The binary chunk holds, little-endian and without gaps:
 //   for each object: positions (3 x f32 a vertex), uv if it has any (2 x f32, v downwards),
 //                    triangles (3 x u32);
+//   for each object: the picture that lies on it, if there is one, filled up with zeros to a
+//                    multiple of four bytes;
 //   if there are several frames: for each but the first, how far every vertex of the first object
 //                    has moved since the first (3 x f32 a vertex); the times of all frames (f32);
 //                    the weights that are not 0, of frames x targets: where (u32), and how large

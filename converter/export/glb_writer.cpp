@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "converter/export/glb_scene.h"
+#include "converter/export/picture_file.h"
 #include "converter/export/rate_warnings.h"
 #include "converter/export/raw_bytes.h"
 #include "files/pending_file.h"
@@ -50,6 +51,13 @@ Result<void> append_geometry(PendingFile& file, const ModelObject& object) {
       .and_then([&] { return file.append(raw_bytes(triangulated(object.faces))); });
 }
 
+Result<void> append_picture(PendingFile& file, const Material& material) {
+  if (!material.picture) return {};
+  const std::string& bytes = material.picture->bytes;
+  return file.append(bytes).and_then(
+      [&] { return file.append(std::string(glb_padding(bytes.size()), '\0')); });
+}
+
 class GlbWriter : public MotionWriter {
  public:
   GlbWriter(PendingFile file, Model first, int frames)
@@ -66,6 +74,8 @@ class GlbWriter : public MotionWriter {
         });
     for (const ModelObject& object : first_.objects)
       if (begun) begun = append_geometry(file_, object);
+    for (const ModelObject& object : first_.objects)
+      if (begun) begun = append_picture(file_, object.material);
     return begun;
   }
 

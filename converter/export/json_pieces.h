@@ -25,6 +25,10 @@ class JsonList {
   int add(std::string_view value);
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] std::string text() && { return std::move(text_ += ']'); }
+  // Nothing where the list is empty: an object then has no such member.
+  [[nodiscard]] std::string text_or_nothing() && {
+    return size_ > 0 ? std::move(*this).text() : std::string();
+  }
 
  private:
   std::string text_ = "[";

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "converter/export/normals.h"
+#include "converter/export/picture_file.h"
 #include "converter/export/solid_ribbon.h"
 #include "text/number_text.h"
 
@@ -29,13 +30,30 @@ std::string object_name(std::string name, std::string_view otherwise) {
   return name.empty() ? std::string(otherwise) : name;
 }
 
+Material ribbon_material(const ModelSettings& settings) {
+  if (settings.picture)
+    return {.name = "ribbon", .color = Eigen::Vector3f::Ones(), .picture = settings.picture};
+  return {.name = "ribbon", .color = {0.61F, 0.03F, 0.05F}};
+}
+
+// As recorded, or so that a picture as high as the ribbon is wide keeps its shape: files have uv,
+// but few readers take a transformation of uv from them.
+Eigen::Matrix2Xf ribbon_uv(const RecordingHeader& header, const PictureFile* picture) {
+  if (picture == nullptr) return header.uv;
+  const double width_m = header.ribbon_width_m * picture->width / picture->height;
+  const double repetitions = header.ribbon_length_m / width_m;
+  Eigen::Matrix2Xf uv = header.uv;
+  uv.row(0) = (repetitions * uv.row(0).cast<double>()).cast<float>();
+  return uv;
+}
+
 ModelObject ribbon_object(const RecordingHeader& header, const ModelSettings& settings) {
   const bool solid = settings.thickness_m > 0;
   const Eigen::Index sides = solid ? 2 : 1;
   return {.name = object_name(header.scene_name, "ribbon"),
-          .material = {"ribbon", {0.61F, 0.03F, 0.05F}},
+          .material = ribbon_material(settings),
           .positions = Eigen::Matrix3Xf::Zero(3, sides * header.grid.particle_count()),
-          .uv = header.uv.replicate(1, sides),
+          .uv = ribbon_uv(header, settings.picture.get()).replicate(1, sides),
           .faces = solid ? solid_faces(header.grid, settings.faces)
                          : surface_faces(header.grid, settings.faces),
           .moves = true};

@@ -14,10 +14,14 @@
 namespace ribbon {
 
 class SolidRibbon;
+struct PictureFile;
 
 struct Material {
   std::string name;
   Eigen::Vector3f color;  // linear, 0 to 1
+  // Takes the place of the colour: (0, 0) of the uv is its lower left corner, (1, 1) the upper
+  // right one, and it is repeated beyond. Null: none.
+  std::shared_ptr<const PictureFile> picture = nullptr;
 };
 
 struct ModelObject {
@@ -50,6 +54,9 @@ struct ModelSettings {
   double frames_per_second = 0;  // that the files state; 0: the recording's
   double thickness_m = 0;        // of the ribbon, before it is scaled; 0: a surface
   Placement placement = {};
+  // Lies on the ribbon as high as that is wide, and is repeated along it: u then counts its widths
+  // from the first drawn end, and v goes from 0 to 1 as it does without. Null: none.
+  std::shared_ptr<const PictureFile> picture = nullptr;
 };
 
 // The parts of the model that no frame changes. The ribbon's positions are still to be set. Fails

@@ -1,6 +1,7 @@
 #include "converter/export/obj_text.h"
 
 #include "converter/export/number_digits.h"
+#include "converter/export/picture_file.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -92,6 +93,7 @@ std::string material_library_text(const Model& model) {
     text += "newmtl " + object.material.name + '\n';
     append_columns(text, "Kd", object.material.color);
     text += "d 1\nillum 1\n";
+    if (object.material.picture) text += "map_Kd " + object.material.picture->name + '\n';
   }
   return text;
 }

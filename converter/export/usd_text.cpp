@@ -74,6 +74,11 @@ std::string usd_string(std::string_view text) {
   return quoted + '"';
 }
 
+std::string usd_asset(std::string_view file_name) {
+  const std::string quote = file_name.find('@') == std::string_view::npos ? "@" : "@@@";
+  return quote + "./" + std::string(file_name) + quote;
+}
+
 std::string usd_array(const Eigen::Ref<const Eigen::VectorXi>& numbers) {
   std::string text = "[";
   for (Eigen::Index i = 0; i < numbers.size(); ++i) {

@@ -14,6 +14,9 @@ std::string usd_identifier(std::string_view name);
 // In quotation marks.
 std::string usd_string(std::string_view text);
 
+// The address of a file beside the one that this stands in. It cannot hold "@@@".
+std::string usd_asset(std::string_view file_name);
+
 // "[1, 2, 3]"
 std::string usd_array(const Eigen::Ref<const Eigen::VectorXi>& numbers);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "converter/export/number_digits.h"
+#include "converter/export/picture_file.h"
 #include "converter/export/unique_names.h"
 #include "converter/export/usd_text.h"
 #include "files/pending_file.h"
@@ -90,23 +91,54 @@ std::string static_points_text(const ModelObject& object) {
          "\n        point3f[] points = " + usd_array_of_tuples(object.positions) + "\n    }\n\n";
 }
 
-std::string material_text(const Material& material, const std::string& name) {
+// Shaders that look up the picture at the mesh's uv.
+std::string picture_text(const Material& material, const std::string& path) {
+  if (!material.picture) return "";
+  return R"(
+            def Shader "uv"
+            {
+                uniform token info:id = "UsdPrimvarReader_float2"
+                string inputs:varname = "st"
+                float2 outputs:result
+            }
+
+            def Shader "picture"
+            {
+                uniform token info:id = "UsdUVTexture"
+                asset inputs:file = )" +
+         usd_asset(material.picture->name) + R"(
+                token inputs:sourceColorSpace = "sRGB"
+                float2 inputs:st.connect = <)" +
+         path + R"(/uv.outputs:result>
+                token inputs:wrapS = "repeat"
+                token inputs:wrapT = "clamp"
+                float3 outputs:rgb
+            }
+)";
+}
+
+std::string color_text(const Material& material, const std::string& path) {
+  if (material.picture) return ".connect = <" + path + "/picture.outputs:rgb>";
   const std::string tuple = usd_array_of_tuples(material.color);
-  const std::string color = tuple.substr(1, tuple.size() - 2);
+  return " = " + tuple.substr(1, tuple.size() - 2);
+}
+
+std::string material_text(const Material& material, const std::string& name) {
+  const std::string path = path_of_material(name);
   return "        def Material \"" + name + R"("
         {
             token outputs:surface.connect = <)" +
-         path_of_material(name) + R"(/surface.outputs:surface>
+         path + R"(/surface.outputs:surface>
 
             def Shader "surface"
             {
                 uniform token info:id = "UsdPreviewSurface"
-                color3f inputs:diffuseColor = )" +
-         color + R"(
+                color3f inputs:diffuseColor)" +
+         color_text(material, path) + R"(
                 token outputs:surface
             }
-        }
-)";
+)" + picture_text(material, path) +
+         "        }\n";
 }
 
 class UsdWriter : public MotionWriter {

@@ -11,8 +11,10 @@
 
 #include "converter/export/fbx_writer.h"
 #include "converter/export/obj_text.h"
+#include "converter/export/picture_file.h"
 #include "converter/motion_format.h"
 #include "converter/sample_knot.h"
+#include "converter/sample_picture.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"
 #include "recording/writer/recording_writer.h"
@@ -191,6 +193,22 @@ void write_spoiled_scenes(const Folder& folder, const Folder& recording) {
   demanded(ribbon::write_file(folder / "wrong_unit.fbx", with_wrong_unit(fbx)));
 }
 
+// With a picture on the ribbon, and the picture itself.
+void write_textured(const Folder& folder, const Folder& recording) {
+  const Folder file = folder / "textured.png";
+  demanded(ribbon::write_file(file, ribbon::sample_png()));
+  auto picture = demanded(ribbon::read_picture_file(file));
+  picture.name = file.filename();
+  const ribbon::ModelSettings settings{
+      .picture = std::make_shared<const ribbon::PictureFile>(std::move(picture))};
+  auto [model, motion] = recorded(recording);
+  model = ribbon::model_of_recording(ribbon::RecordingReader::open(recording).value().header(),
+                                     settings)
+              .value();
+  const Folder glb = folder / "textured.glb";
+  write_motion(glb, *ribbon::motion_format(glb), model, motion);
+}
+
 void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
   const double visible = 1e-4 * knot.header.ribbon_length_m;
   write_spoiled(folder, knot, "right", [](Model&) {});
@@ -221,6 +239,17 @@ ribbon::SampleKnot long_knot() {
   return knot;
 }
 
+// Lies in the plane y = 0.3, along x and across z, far above the obstacle.
+ribbon::SampleKnot flat_knot() {
+  ribbon::SampleKnot knot = ribbon::sample_knot();
+  for (auto& positions : knot.frames) {
+    positions = knot.frames.front();
+    positions.row(1).setConstant(0.3);
+  }
+  knot.header.obstacle->vertices.row(1).array() -= 1;
+  return knot;
+}
+
 void write_sample(const Folder& folder, const std::string& name, const ribbon::SampleKnot& knot) {
   write_recording(folder / (name + ".rbn"), knot);
   write_reference(folder / (name + ".rbn"), folder / (name + ".json"));
@@ -235,7 +264,9 @@ int main(int argc, char** argv) {
   write_sample(folder, "near", ribbon::sample_knot(grid));
   write_sample(folder, "far", ribbon::sample_knot(grid, {1000, 2000, -3000}));
   write_sample(folder, "long", long_knot());
+  write_sample(folder, "flat", flat_knot());
   write_all_spoiled(folder / "spoiled", ribbon::sample_knot(grid));
   write_all_spoiled_motions(folder / "spoiled_motions", folder / "near.rbn");
   write_spoiled_scenes(folder / "spoiled_scenes", folder / "near.rbn");
+  write_textured(folder / "textured", folder / "near.rbn");
 }

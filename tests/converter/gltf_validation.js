@@ -1,6 +1,6 @@
 // Khronos' validator finds nothing wrong in what is written as glTF, and would find what is.
 //
-//   node gltf_validation.js FOLDER    all *.glb of the folder; needs gltf-validator
+//   node gltf_validation.js FOLDER...    all *.glb of the folders; needs gltf-validator
 const fs = require("fs");
 const path = require("path");
 const validator = require("gltf-validator");
@@ -20,12 +20,17 @@ function withMovedVertex(bytes) {
   return moved;
 }
 
-async function main(folder) {
-  const files = fs.readdirSync(folder).filter((name) => name.endsWith(".glb"));
-  if (files.length === 0) throw new Error(`no .glb in ${folder}`);
+function filesOf(folder) {
+  const names = fs.readdirSync(folder).filter((name) => name.endsWith(".glb"));
+  if (names.length === 0) throw new Error(`no .glb in ${folder}`);
+  return names.map((name) => path.join(folder, name));
+}
+
+async function main(folders) {
+  const files = folders.flatMap(filesOf);
   let failed = 0;
   for (const name of files) {
-    const bytes = fs.readFileSync(path.join(folder, name));
+    const bytes = fs.readFileSync(name);
     const found = await problems(bytes);
     console.log(`${found.length === 0 ? "ok    " : "FAILED"} ${name}: ${found.join("; ") || "valid"}`);
     const planted = await problems(withMovedVertex(bytes));
@@ -35,7 +40,7 @@ async function main(folder) {
   if (failed > 0) throw new Error(`${failed} of ${files.length} files are not as they should be`);
 }
 
-main(process.argv[2]).catch((error) => {
+main(process.argv.slice(2)).catch((error) => {
   console.error(error.message);
   process.exit(1);
 });

@@ -9,4 +9,4 @@ fi
 set -e
 rm -rf "$2"
 "$1" "$2"
-NODE_PATH="$3" exec node "$(dirname "$0")/gltf_validation.js" "$2/spoiled_motions"
+NODE_PATH="$3" exec node "$(dirname "$0")/gltf_validation.js" "$2/spoiled_motions" "$2/textured"

@@ -112,6 +112,26 @@ def check_placed(verdicts, convert, folder):
     verdicts.say(good, "placed .abc", f"{archive.metadata}, {archive.time_samplings}")
 
 
+def check_textured(verdicts, convert, folder):
+    """USD's material shows the picture beside it, at the mesh's uv."""
+    picture = folder / "textured" / "textured.png"
+    out = folder / "textured"
+    command = [convert, folder / "near.rbn", "--texture", picture, "--quiet"]
+    subprocess.run([*command, "-o", out / "knot.usda"], check=True)
+    world = Layer(out / "knot.usda").prims["World"]
+    material = world.children["Materials"].children["ribbon"]
+    surface, image, uv = (material.children[name].properties for name in ("surface", "picture", "uv"))
+    path = "/World/Materials/ribbon"
+    good = surface["inputs:diffuseColor"].connection == f"{path}/picture.outputs:rgb"
+    good = good and image["info:id"].value == "UsdUVTexture"
+    good = good and (out / image["inputs:file"].value).read_bytes() == picture.read_bytes()
+    good = good and image["inputs:st"].connection == f"{path}/uv.outputs:result"
+    good = good and (image["inputs:wrapS"].value, image["inputs:wrapT"].value) == ("repeat", "clamp")
+    good = good and uv["info:id"].value == "UsdPrimvarReader_float2"
+    good = good and "primvars:" + uv["inputs:varname"].value in world.children["first_knot"].properties
+    verdicts.say(good, "textured .usda", "the picture beside it")
+
+
 def check_that_faults_are_seen(verdicts, folder, reference):
     for path in sorted((folder / "spoiled_motions").iterdir()):
         if path.suffix not in CHECKS or path.stem == "right":
@@ -178,6 +198,7 @@ def main():
     check_exports(verdicts, convert, folder, "far")
     check_exports(verdicts, convert, folder, "long")
     check_placed(verdicts, convert, folder)
+    check_textured(verdicts, convert, folder)
     check_that_faults_are_seen(verdicts, folder, reference)
     check_that_changed_bytes_are_seen(verdicts, folder, reference)
     check_that_faults_of_text_are_seen(verdicts, folder, reference)

@@ -5,6 +5,7 @@ do not fit their type, two things of one name, time samples that do not ascend, 
 """
 
 import math
+import pathlib
 import re
 
 import numpy as np
@@ -14,6 +15,7 @@ from read_alembic import demand
 TOKEN = re.compile(
     r"""(?P<space>[ \t\r\n]+)
     |(?P<string>"(?:[^"\\\x00-\x1f]|\\["\\])*")
+    |(?P<asset>@@@[^\n]*?@@@|@[^@\n]*@)
     |(?P<path><[A-Za-z0-9_/.:]*>)
     |(?P<number>-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.]))
     |(?P<word>[A-Za-z_][A-Za-z0-9_:.]*)
@@ -28,6 +30,8 @@ TYPES = {
     "int": (1, int),
     "token": (None, str),
     "string": (None, str),
+    "asset": (None, pathlib.Path),
+    "float2": (2, float),
     "float3": (3, float),
     "point3f": (3, float),
     "texCoord2f": (2, float),
@@ -229,6 +233,8 @@ class Layer:
 
     def _value(self, attribute):
         size, kind = TYPES[attribute.kind]
+        if kind is pathlib.Path:
+            return pathlib.Path(self.tokens.take_kind("asset").strip("@"))
         item = self.tokens.string if size is None else lambda: self._item(size, kind)
         if not attribute.is_array:
             return item()

@@ -8,6 +8,7 @@
 #include "commandline/tool_run.h"
 #include "converter/export/placement.h"
 #include "converter/sample_knot.h"
+#include "converter/sample_picture.h"
 #include "files/files.h"
 #include "files/flipped.h"
 #include "playback/recording_reader.h"
@@ -202,6 +203,8 @@ TEST_F(StoppedConversion, a_file_that_was_touched_since_is_written_again) {
 TEST_F(StoppedConversion, with_other_settings_is_refused) {
   expect_refusal(run(command_ + " --resume --up z"), "other settings");
   expect_refusal(run(command_ + " --resume --frames 1:4"), "other settings");
+  ASSERT_TRUE(write_file(folder_ / "cloth.png", sample_png()));
+  expect_refusal(run(command_ + " --resume --texture cloth.png"), "other settings");
 }
 
 TEST_F(StoppedConversion, of_another_recording_is_refused) {
@@ -423,6 +426,57 @@ TEST_F(Tool, where_no_frame_can_be_made_a_solid_the_conversion_fails) {
   for (const char* output : {"'out/{frame}.obj'", "out/knot.mdd"})
     expect_refusal(run(std::string("knot.rbn --frames 3 --thickness 0.001 -o ") + output),
                    "the cloth of no frame can be made a solid; leave --thickness out");
+}
+
+class TexturedTool : public Tool {
+ protected:
+  TexturedTool() { EXPECT_TRUE(write_file(folder_ / "cloth.png", sample_png())); }
+
+  [[nodiscard]] ToolRun convert_to(const std::string& output) const {
+    return run("knot.rbn --texture cloth.png --quiet -o " + output);
+  }
+};
+
+TEST_F(TexturedTool, the_picture_lies_beside_the_files_that_refer_to_it) {
+  for (const char* output : {"'1/a.{frame}.obj'", "'2/a.{frame}.fbx'", "3/a.fbx", "4/a.mdd",
+                             "5/a.usda", "'{frame}.folder/a.obj'"})
+    EXPECT_EQ(output_of(convert_to(output)), "") << output;
+  for (const char* folder : {"1", "2", "3", "4", "5", "0002.folder"})
+    EXPECT_EQ(bytes(std::string(folder) + "/a.png"), sample_png()) << folder;
+  EXPECT_THAT(bytes("4/a.mtl"), HasSubstr("map_Kd a.png\n"));
+  EXPECT_THAT(bytes("5/a.usda"), HasSubstr("asset inputs:file = @./a.png@\n"));
+}
+
+TEST_F(TexturedTool, a_glb_holds_the_picture_itself) {
+  EXPECT_EQ(output_of(convert_to("out/a.glb")), "");
+  EXPECT_THAT(names("out"), ElementsAre("a.glb"));
+}
+
+TEST_F(TexturedTool, another_picture_is_not_replaced_unasked) {
+  ASSERT_TRUE(write_file(folder_ / "a.png", "somebody's"));
+  expect_refusal(convert_to("a.obj --frames 1"), "a.png: exists already");
+  EXPECT_EQ(bytes("a.png"), "somebody's");
+  EXPECT_EQ(convert_to("a.obj --frames 1 --force").exit_code, 0);
+  EXPECT_EQ(bytes("a.png"), sample_png());
+}
+
+TEST_F(TexturedTool, a_picture_that_lies_there_already_stays_as_it_is) {
+  fs::create_hard_link(folder_ / "cloth.png", folder_ / "a.png");
+  EXPECT_EQ(convert_to("a.usda").exit_code, 0);
+  EXPECT_TRUE(fs::equivalent(folder_ / "a.png", folder_ / "cloth.png"));
+}
+
+TEST_F(TexturedTool, formats_without_materials_refuse_it) {
+  for (const char* output : {"a.abc", "a.npy", "a.csv", "a.rbn"})
+    expect_refusal(convert_to(output), "file has no materials; leave --texture out");
+  expect_refusal(convert_to("a.obj --object obstacle"), "leave --texture out");
+}
+
+TEST_F(TexturedTool, a_texture_that_is_no_picture_is_refused_before_anything_is_written) {
+  expect_refusal(run("knot.rbn --texture knot.rbn -o 'out/{frame}.obj'"),
+                 "save the texture as PNG");
+  expect_refusal(run("knot.rbn --texture none.png -o 'out/{frame}.obj'"), "none.png");
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 }  // namespace ribbon::tool_test

@@ -201,6 +201,20 @@ TEST_F(FbxReadByAssimp, every_frame_is_exact) {
   }
 }
 
+TEST_F(FbxReadByAssimp, the_picture_is_the_ribbons_diffuse_texture) {
+  const Model model = posed_model(sample_knot(), 2, textured());
+  read(fbx_bytes(model).value());
+  expect_meshes_of(model);
+  for (unsigned i = 0; i < scene_->mNumMaterials; ++i) {
+    const aiMaterial& material = *scene_->mMaterials[i];
+    aiString file;
+    const bool has_picture =
+        material.GetTexture(aiTextureType_DIFFUSE, 0, &file) == aiReturn_SUCCESS;
+    EXPECT_EQ(has_picture, material.GetName() == aiString("ribbon"));
+    EXPECT_STREQ(file.C_Str(), has_picture ? "knot.png" : "");
+  }
+}
+
 TEST_F(FbxReadByAssimp, quads_stay_quads) {
   const Model quads = posed_model(sample_knot(), 2, {.faces = RibbonFaces::quads});
   read(fbx_bytes(quads).value());

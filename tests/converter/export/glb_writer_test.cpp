@@ -100,6 +100,30 @@ TEST(GlbWriter, the_views_fill_the_binary_chunk_without_a_gap) {
   EXPECT_EQ(end, glb.numbers.size());
 }
 
+TEST(GlbWriter, the_picture_lies_in_the_file_between_mesh_and_motion) {
+  const Glb glb(written_motion(new_glb_writer, sample_knot(), textured()));
+  const auto texture = glb.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  EXPECT_EQ(texture["index"], 0);
+  EXPECT_FALSE(glb.json["materials"][1]["pbrMetallicRoughness"].contains("baseColorTexture"));
+  EXPECT_EQ(glb.json["textures"], Json::parse(R"([{"sampler":0,"source":0}])"));
+  EXPECT_EQ(glb.json["images"][0]["mimeType"], "image/png");
+  const Json& view =
+      glb.json["bufferViews"][glb.json["images"][0]["bufferView"].get<std::size_t>()];
+  const auto begin = view["byteOffset"].get<std::size_t>();
+  EXPECT_EQ(glb.numbers.substr(begin, view["byteLength"].get<std::size_t>()), sample_png());
+  ASSERT_NE(sample_png().size() % 4, 0U) << "nothing is filled up";
+  const SampleKnot knot = sample_knot();
+  const Json& ribbon = glb.json["meshes"][0]["primitives"][0];
+  EXPECT_EQ(glb.points(ribbon["targets"][3]["POSITION"]),
+            positions_of(knot, 4) - positions_of(knot, 0));
+}
+
+TEST(GlbWriter, without_a_picture_there_are_no_textures) {
+  const Glb glb(written_motion(new_glb_writer, sample_knot()));
+  for (const char* member : {"textures", "images", "samplers"})
+    EXPECT_FALSE(glb.json.contains(member)) << member;
+}
+
 TEST(GlbWriter, names_are_escaped) {
   SampleKnot knot = sample_knot();
   knot.header.scene_name = R"(a "knot"\)";

@@ -168,4 +168,13 @@ TEST(Model, a_changed_particle_count_names_its_frame) {
   EXPECT_THAT(refusal_of(pose_ribbon(model, fewer, 7)), StartsWith("frame 7: "));
 }
 
+TEST(Model, a_picture_as_high_as_the_ribbon_is_wide_is_repeated_along_it) {
+  const RecordingHeader header = sample_knot().header;  // 1.1 m x 0.09 m
+  const ModelObject ribbon = model_of_recording(header, textured()).value().objects[0];
+  EXPECT_TRUE(ribbon.uv.row(1) == header.uv.row(1));
+  EXPECT_EQ(ribbon.uv(0, 0), 0);
+  EXPECT_FLOAT_EQ(ribbon.uv(0, ribbon.uv.cols() - 1), 1.1F / 0.18F);
+  EXPECT_EQ(ribbon.material.color, Eigen::Vector3f::Ones()) << "it would tint the picture";
+}
+
 }  // namespace ribbon::model_test

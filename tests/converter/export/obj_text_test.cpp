@@ -127,4 +127,11 @@ TEST(ObjText, faces_are_the_same_in_every_frame) {
   EXPECT_EQ(std::count(triangles.begin(), triangles.end(), 'f'), 66);
 }
 
+TEST(MaterialLibrary, names_the_picture_that_lies_on_the_ribbon) {
+  const std::string text =
+      material_library_text(model_of_recording(sample_knot().header, textured()).value());
+  EXPECT_THAT(text, HasSubstr("newmtl ribbon\nKd 1 1 1\nd 1\nillum 1\nmap_Kd knot.png\n"));
+  EXPECT_EQ(text.find("map_Kd"), text.rfind("map_Kd")) << "the obstacle has none";
+}
+
 }  // namespace ribbon::obj_text_test

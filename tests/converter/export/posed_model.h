@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "converter/export/model.h"
+#include "converter/export/picture_file.h"
 #include "converter/sample_knot.h"
+#include "converter/sample_picture.h"
 
 namespace ribbon {
 
@@ -14,6 +18,16 @@ inline Model posed_model(const SampleKnot& knot, std::size_t frame,
   const Eigen::Matrix3Xf positions = knot.frames.at(frame).cast<float>();
   EXPECT_TRUE(pose_ribbon(model, positions, static_cast<int>(frame) + 1).has_value());
   return model;
+}
+
+// A picture of 2 x 1 pixels lies on the ribbon.
+inline ModelSettings textured() {
+  return {.picture = std::make_shared<const PictureFile>(PictureFile{.bytes = sample_png(),
+                                                                     .media_type = "image/png",
+                                                                     .extension = ".png",
+                                                                     .width = 2,
+                                                                     .height = 1,
+                                                                     .name = "knot.png"})};
 }
 
 }  // namespace ribbon

@@ -37,4 +37,9 @@ TEST(UsdText, the_longest_numbers_have_room) {
   EXPECT_EQ(text.substr(text.size() - 1 - tuple.size()), tuple + "]");
 }
 
+TEST(UsdText, addresses_of_files_may_hold_an_at_sign) {
+  EXPECT_EQ(usd_asset("first knot.png"), "@./first knot.png@");
+  EXPECT_EQ(usd_asset("kn@t.png"), "@@@./kn@t.png@@@");
+}
+
 }  // namespace ribbon::usd_text_test

@@ -1,0 +1,50 @@
+#include "converter/companions.h"
+
+#include <utility>
+
+#include "converter/export/obj_text.h"
+#include "converter/export/picture_file.h"
+#include "converter/motion_format.h"
+#include "converter/output_names.h"
+#include "files/files.h"
+
+namespace ribbon {
+
+namespace {
+
+bool has_library(const ConversionRequest& request, OutputFormat format) {
+  return format == OutputFormat::obj ||
+         (format == OutputFormat::whole_motion && motion_format(request.output)->deforms_base);
+}
+
+bool holds_picture(const ConversionRequest& request, OutputFormat format) {
+  return format == OutputFormat::whole_motion &&
+         motion_format(request.output)->picture == PicturePlace::inside;
+}
+
+}  // namespace
+
+std::vector<Companion> companions_of(const ConversionRequest& request, const ConversionJob& job) {
+  std::vector<Companion> companions;
+  if (has_library(request, job.format))
+    companions.push_back(
+        {.name = material_library_name(request.output),
+         .content = std::make_shared<const std::string>(material_library_text(job.model))});
+  const auto& picture = job.model.objects.front().material.picture;
+  if (picture && !holds_picture(request, job.format))
+    companions.push_back({.name = picture->name,
+                          .content = std::shared_ptr<const std::string>(picture, &picture->bytes)});
+  return companions;
+}
+
+Result<void> write_companions(const std::vector<Companion>& companions,
+                              const std::filesystem::path& folder) {
+  for (const Companion& companion : companions) {
+    const std::filesystem::path file = folder / companion.name;
+    if (read_file(file) == *companion.content) continue;
+    if (auto written = write_file(file, *companion.content); !written) return written;
+  }
+  return {};
+}
+
+}  // namespace ribbon
