@@ -22,7 +22,7 @@ Abilities abilities_of(OutputFormat format, const std::string& output) {
     case OutputFormat::obj:
       return {".obj", false, true, true, true, true};
     case OutputFormat::fbx:
-      return {".fbx", true, true, false, true, true};
+      return {".fbx", true, true, true, true, true};
     case OutputFormat::numbers:
       return {".csv", false, false, false, false, false};
     case OutputFormat::recording:
@@ -32,7 +32,12 @@ Abilities abilities_of(OutputFormat format, const std::string& output) {
   }
   const MotionFormat& motion = *motion_format(output);
   const bool pictures = motion.picture != PicturePlace::nowhere;
-  return {std::string(motion.extension), motion.states_rate, false, false, false, pictures};
+  return {std::string(motion.extension),
+          motion.states_rate,
+          false,
+          motion.has_normals,
+          false,
+          pictures};
 }
 
 Result<void> check_still(const ConversionRequest& request, const Abilities& format) {
@@ -79,7 +84,7 @@ Result<void> check_abilities(const ConversionRequest& request, OutputFormat outp
   if (request.start_frame && !format.numbers)
     return lacks("does not number its frames", "--start-frame");
   if (request.model.with_normals && !format.normals)
-    return lacks("is written without normals", "--normals");
+    return lacks("does not keep normals of every frame", "--normals");
   if (!request.texture.empty() && !format.pictures) return lacks("has no materials", "--texture");
   if (request.max_error_m > 0 && output != OutputFormat::recording)
     return lacks("holds positions as they were recorded", "--max-error");

@@ -20,6 +20,7 @@ struct MotionFormat {
                                                       const Model& first_pose, int frames);
   bool deforms_base;  // it holds positions alone, for the mesh of an OBJ beside it
   bool states_rate;   // it says how many frames a second
+  bool has_normals;   // it can hold them, for every frame
   PicturePlace picture;
   // What other programs are known to do with such a motion; mostly nothing. Null: never anything.
   std::string (*warning)(const Model& model, int frames);

@@ -68,6 +68,17 @@ FbxRecord uv_layer(const ModelObject& object, FbxArrays& arrays) {
            {"UVIndex", {arrays.array(object.faces)}}}};
 }
 
+FbxRecord normal_layer(const ModelObject& object, FbxArrays& arrays) {
+  const Eigen::Matrix3Xd normals = object.normals.cast<double>();
+  return {"LayerElementNormal",
+          {0},
+          {{"Version", {101}},
+           {"Name", {""}},
+           {"MappingInformationType", {"ByVertice"}},
+           {"ReferenceInformationType", {"Direct"}},
+           {"Normals", {arrays.array(normals)}}}};
+}
+
 FbxRecord material_layer(FbxArrays& arrays) {
   return {"LayerElementMaterial",
           {0},
@@ -91,6 +102,10 @@ FbxRecord geometry(const ModelObject& object, std::int64_t id, FbxArrays& arrays
                     {"Vertices", {arrays.array(positions)}},
                     {"PolygonVertexIndex", {arrays.array(closed_faces(object.faces))}},
                     material_layer(arrays)}};
+  if (object.normals.cols() > 0) {
+    record.nested.push_back(normal_layer(object, arrays));
+    layers.nested.push_back(layer_element("LayerElementNormal"));
+  }
   if (object.uv.cols() > 0) {
     record.nested.push_back(uv_layer(object, arrays));
     layers.nested.push_back(layer_element("LayerElementUV"));

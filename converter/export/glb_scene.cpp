@@ -35,9 +35,10 @@ std::string json_indices(int count) {
 // About x, as x, y, z, w: from z up to y up.
 constexpr std::array quarter_turn{-0.70710678F, 0.0F, 0.0F, 0.70710678F};
 
-// Accessors of one object's geometry, and its texture; uv and texture are empty where it has none.
+// Accessors of one object's geometry, and its texture; those of what it has not are empty.
 struct Primitive {
   std::string positions;
+  std::string normals;
   std::string uv;
   std::string triangles;
   std::string texture;
@@ -65,6 +66,9 @@ class SceneText {
     Primitive primitive;
     primitive.positions =
         add_points(add_view(3 * vertices, for_points), 0, vertices, bounds_of(object.positions));
+    if (object.normals.cols() > 0)
+      primitive.normals =
+          add_numbers(add_view(3 * vertices, for_points), vertices, float_type, "\"VEC3\"");
     if (object.uv.cols() > 0)
       primitive.uv = add_numbers(add_view(2 * vertices, for_uv), vertices, float_type, "\"VEC2\"");
     primitive.triangles =
@@ -72,14 +76,20 @@ class SceneText {
     return primitive;
   }
 
-  Motion add_motion(Eigen::Index vertices, const std::vector<PointBounds>& targets, float last_s) {
+  Motion add_motion(const ModelObject& object, const std::vector<PointBounds>& targets,
+                    float last_s) {
+    const Eigen::Index vertices = object.positions.cols();
+    const bool has_normals = object.normals.cols() > 0;
+    const std::size_t sets = has_normals ? 2 : 1;  // of vectors, in each target
     const std::string view =
-        add_view(3 * vertices * static_cast<Eigen::Index>(targets.size()), for_points);
+        add_view(3 * vertices * static_cast<Eigen::Index>(sets * targets.size()), for_points);
     JsonList displacements;
     JsonList names;
     for (std::size_t target = 0; target < targets.size(); ++target) {
-      const std::string points = add_points(view, target, vertices, targets[target]);
-      displacements.add(json_object({{"POSITION", points}}));
+      const std::string points = add_points(view, sets * target, vertices, targets[target]);
+      const std::string normals =
+          has_normals ? add_vectors(view, sets * target + 1, vertices, {}) : "";
+      displacements.add(json_object({{"POSITION", points}, {"NORMAL", normals}}));
       names.add("\"frame " + std::to_string(target + 2) + '"');
     }
     const std::string sampler = add_sampler(static_cast<Eigen::Index>(targets.size()), last_s);
@@ -108,8 +118,9 @@ class SceneText {
 
   // With a node and a material of its own.
   void add_mesh(const ModelObject& object, const Primitive& primitive, const Motion& motion) {
-    const std::string attributes =
-        json_object({{"POSITION", primitive.positions}, {"TEXCOORD_0", primitive.uv}});
+    const std::string attributes = json_object({{"POSITION", primitive.positions},
+                                                {"NORMAL", primitive.normals},
+                                                {"TEXCOORD_0", primitive.uv}});
     const std::string material =
         std::to_string(materials_.add(material_text(object.material, primitive.texture)));
     const std::string geometry = json_object({{"attributes", attributes},
@@ -166,17 +177,24 @@ class SceneText {
                                                       {"type", shape}})));
   }
 
-  // A view may hold several sets of points, as many in each.
   std::string add_points(std::string_view view, std::size_t set, Eigen::Index count,
                          const PointBounds& bounds) {
+    return add_vectors(view, set, count,
+                       {json_numbers(bounds.least), json_numbers(bounds.largest)});
+  }
+
+  // A view may hold several sets of vectors, as many in each. bounds: the least and the largest, or
+  // empty, which points must not be.
+  std::string add_vectors(std::string_view view, std::size_t set, Eigen::Index count,
+                          const std::array<std::string, 2>& bounds) {
     const std::uint64_t offset = 12 * static_cast<std::uint64_t>(count) * set;
     return std::to_string(accessors_.add(json_object({{"bufferView", view},
                                                       {"byteOffset", std::to_string(offset)},
                                                       {"componentType", float_type},
                                                       {"count", std::to_string(count)},
                                                       {"type", "\"VEC3\""},
-                                                      {"min", json_numbers(bounds.least)},
-                                                      {"max", json_numbers(bounds.largest)}})));
+                                                      {"min", bounds[0]},
+                                                      {"max", bounds[1]}})));
   }
 
   // At each frame's time the weight of its own target is 1 and all others are 0: written out they
@@ -276,7 +294,7 @@ GlbScene glb_scene(const Model& model, const std::vector<PointBounds>& targets) 
     primitives[object].texture = text.add_picture(model.objects[object].material);
   Motion motion;
   if (!targets.empty())
-    motion = text.add_motion(model.objects.front().positions.cols(), targets,
+    motion = text.add_motion(model.objects.front(), targets,
                              frame_time_s(model, static_cast<Eigen::Index>(targets.size())));
   for (std::size_t object = 0; object < primitives.size(); ++object)
     text.add_mesh(model.objects[object], primitives[object], object == 0 ? motion : Motion{});

@@ -47,6 +47,7 @@ Eigen::Matrix2Xf downwards(Eigen::Matrix2Xf uv) {
 
 Result<void> append_geometry(PendingFile& file, const ModelObject& object) {
   return file.append(raw_bytes(object.positions))
+      .and_then([&] { return file.append(raw_bytes(object.normals)); })
       .and_then([&] { return file.append(raw_bytes(downwards(object.uv))); })
       .and_then([&] { return file.append(raw_bytes(triangulated(object.faces))); });
 }
@@ -83,9 +84,14 @@ class GlbWriter : public MotionWriter {
     assert(frames_missing_ > 0);
     --frames_missing_;
     if (std::exchange(at_first_, false)) return {};
-    moved_.noalias() = model.objects.front().positions - first_.objects.front().positions;
+    const ModelObject& ribbon = model.objects.front();
+    const ModelObject& first = first_.objects.front();
+    moved_.noalias() = ribbon.positions - first.positions;
     bounds_.push_back(bounds_of(moved_));
-    return file_.append(raw_bytes(moved_));
+    return file_.append(raw_bytes(moved_)).and_then([&] {
+      moved_.noalias() = ribbon.normals - first.normals;
+      return file_.append(raw_bytes(moved_));
+    });
   }
 
   Result<void> finish() override {

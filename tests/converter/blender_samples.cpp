@@ -193,13 +193,14 @@ void write_spoiled_scenes(const Folder& folder, const Folder& recording) {
   demanded(ribbon::write_file(folder / "wrong_unit.fbx", with_wrong_unit(fbx)));
 }
 
-// With a picture on the ribbon, and the picture itself.
+// With a picture on the ribbon, the picture itself, and normals.
 void write_textured(const Folder& folder, const Folder& recording) {
   const Folder file = folder / "textured.png";
   demanded(ribbon::write_file(file, ribbon::sample_png()));
   auto picture = demanded(ribbon::read_picture_file(file));
   picture.name = file.filename();
   const ribbon::ModelSettings settings{
+      .with_normals = true,
       .picture = std::make_shared<const ribbon::PictureFile>(std::move(picture))};
   auto [model, motion] = recorded(recording);
   model = ribbon::model_of_recording(ribbon::RecordingReader::open(recording).value().header(),

@@ -154,6 +154,7 @@ TEST(FbxWriter, an_unwritable_place_is_named) {
 void expect_same(const aiMesh& mesh, const ModelObject& object) {
   ASSERT_EQ(mesh.mNumFaces, object.faces.cols());
   ASSERT_EQ(mesh.HasTextureCoords(0), object.uv.cols() > 0);
+  ASSERT_EQ(mesh.HasNormals(), object.normals.cols() > 0);
   for (unsigned face = 0; face < mesh.mNumFaces; ++face) {
     ASSERT_EQ(mesh.mFaces[face].mNumIndices, object.faces.rows());
     for (unsigned corner = 0; corner < mesh.mFaces[face].mNumIndices; ++corner) {
@@ -162,6 +163,10 @@ void expect_same(const aiMesh& mesh, const ModelObject& object) {
       const aiVector3D& position = mesh.mVertices[vertex];
       ASSERT_EQ(Eigen::Vector3f(position.x, position.y, position.z),
                 object.positions.col(expected));
+      if (object.normals.cols() > 0) {
+        const aiVector3D& normal = mesh.mNormals[vertex];
+        ASSERT_EQ(Eigen::Vector3f(normal.x, normal.y, normal.z), object.normals.col(expected));
+      }
       if (object.uv.cols() == 0) continue;
       const aiVector3D& uv = mesh.mTextureCoords[0][vertex];
       ASSERT_EQ(Eigen::Vector2f(uv.x, uv.y), object.uv.col(expected));
@@ -199,6 +204,12 @@ TEST_F(FbxReadByAssimp, every_frame_is_exact) {
     read(frame_bytes(sample_knot(), frame));
     expect_meshes_of(posed_model(sample_knot(), frame));
   }
+}
+
+TEST_F(FbxReadByAssimp, normals_stand_at_the_vertices) {
+  const Model model = posed_model(sample_knot(), 1, {.with_normals = true});
+  read(fbx_bytes(model).value());
+  expect_meshes_of(model);
 }
 
 TEST_F(FbxReadByAssimp, the_picture_is_the_ribbons_diffuse_texture) {

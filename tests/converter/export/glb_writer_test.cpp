@@ -41,16 +41,22 @@ struct Glb {
               Json::parse(R"([{"byteLength":)" + std::to_string(numbers.size()) + "}]"));
   }
 
+  [[nodiscard]] Eigen::Matrix3Xf vectors(std::size_t index) const {
+    const Json& accessor = json["accessors"][index];
+    const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    const auto offset = accessor.value("byteOffset", std::size_t{0});
+    Eigen::Matrix3Xf vectors(3, accessor["count"].get<Eigen::Index>());
+    const std::size_t bytes = static_cast<std::size_t>(vectors.size()) * sizeof(float);
+    EXPECT_LE(offset + bytes, view["byteLength"].get<std::size_t>());
+    std::memcpy(vectors.data(), numbers.data() + view["byteOffset"].get<std::size_t>() + offset,
+                bytes);
+    return vectors;
+  }
+
   // The points of an accessor, whose bounds must be as it says.
   [[nodiscard]] Eigen::Matrix3Xf points(std::size_t index) const {
     const Json& accessor = json["accessors"][index];
-    const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-    const auto offset = accessor["byteOffset"].get<std::size_t>();
-    Eigen::Matrix3Xf points(3, accessor["count"].get<Eigen::Index>());
-    const std::size_t bytes = static_cast<std::size_t>(points.size()) * sizeof(float);
-    EXPECT_LE(offset + bytes, view["byteLength"].get<std::size_t>());
-    std::memcpy(points.data(), numbers.data() + view["byteOffset"].get<std::size_t>() + offset,
-                bytes);
+    Eigen::Matrix3Xf points = vectors(index);
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_EQ(accessor["min"][axis].get<float>(), points.row(axis).minCoeff());
       EXPECT_EQ(accessor["max"][axis].get<float>(), points.row(axis).maxCoeff());
@@ -77,6 +83,24 @@ TEST(GlbWriter, each_further_frame_is_a_target_of_displacements) {
               positions_of(knot, frame) - positions_of(knot, 0));
   EXPECT_EQ(glb.json["meshes"][0]["extras"]["targetNames"],
             Json::parse(R"(["frame 2","frame 3","frame 4","frame 5"])"));
+}
+
+TEST(GlbWriter, normals_change_with_the_frames) {
+  const SampleKnot knot = sample_knot();
+  const ModelSettings with_normals{.with_normals = true};
+  const Glb glb(written_motion(new_glb_writer, knot, with_normals));
+  const Json& ribbon = glb.json["meshes"][0]["primitives"][0];
+  const Eigen::Matrix3Xf first = glb.vectors(ribbon["attributes"]["NORMAL"]);
+  EXPECT_TRUE(first == posed_model(knot, 0, with_normals).objects[0].normals);
+  ASSERT_EQ(ribbon["targets"].size(), 4U);
+  for (std::size_t frame = 1; frame < 5; ++frame) {
+    const Json& target = ribbon["targets"][frame - 1];
+    EXPECT_TRUE(glb.points(target["POSITION"]) ==
+                positions_of(knot, frame) - positions_of(knot, 0));
+    const Model posed = posed_model(knot, frame, with_normals);
+    EXPECT_TRUE((first + glb.vectors(target["NORMAL"])).isApprox(posed.objects[0].normals, 1e-6F));
+  }
+  EXPECT_TRUE(glb.json["meshes"][1]["primitives"][0]["attributes"].contains("NORMAL"));
 }
 
 TEST(GlbWriter, one_frame_is_a_mesh_without_targets_weights_or_animation) {
