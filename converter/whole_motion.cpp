@@ -11,13 +11,14 @@ namespace ribbon {
 
 namespace {
 
-enum class Pose { set, lost, refused };  // by damage to the recording; it cannot be made a solid
+// It is set; the recording has lost the frame; its ribbon cannot be made a solid.
+enum class Pose { set, lost, no_solid };
 
 Result<Pose> pose_at(RecordingReader& reader, int index, Model& model) {
   Eigen::Matrix3Xf positions;
   if (!reader.readable(index) || !reader.read(index, positions)) return Pose::lost;
   return pose_ribbon(model, positions, index + 1).map([](bool posed) {
-    return posed ? Pose::set : Pose::refused;
+    return posed ? Pose::set : Pose::no_solid;
   });
 }
 
@@ -28,7 +29,7 @@ Result<void> pose_at_start(RecordingReader& reader, const std::vector<int>& fram
     const Result<Pose> pose = pose_at(reader, index, model);
     if (!pose) return tl::unexpected(pose.error());
     if (*pose == Pose::set) return {};
-    some_refused |= *pose == Pose::refused;
+    some_refused |= *pose == Pose::no_solid;
   }
   return no_frames(some_refused);
 }
@@ -36,7 +37,7 @@ Result<void> pose_at_start(RecordingReader& reader, const std::vector<int>& fram
 void note(ConversionReport& report, Pose pose, int number) {
   if (pose == Pose::set) ++report.frames_written;
   if (pose == Pose::lost) report.missing.push_back(number);
-  if (pose == Pose::refused) report.refused.push_back(number);
+  if (pose == Pose::no_solid) report.refused.push_back(number);
 }
 
 Result<void> append_frames(RecordingReader& reader, const std::vector<int>& frames, Model& model,
