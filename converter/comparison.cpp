@@ -72,6 +72,10 @@ void Comparison::see_difference(const std::string& what) {
   if (deviations_.difference.empty()) deviations_.difference = what;
 }
 
+bool Comparison::is_written(int number, const Eigen::Matrix3Xf& recorded) {
+  return !model_.solid || pose_ribbon(model_, recorded, number).value_or(true);
+}
+
 void Comparison::see_scene(const WrittenScene& scene, int frames, const std::string& place) {
   const Placement& placement = model_.placement;
   if (scene.frames != frames)

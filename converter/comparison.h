@@ -40,6 +40,8 @@ class Comparison {
   // model: as it was written.
   Comparison(Model model, const RecordingHeader& header, ComparisonSettings settings);
 
+  // False where the ribbon of a frame cannot be made a solid, so that it was not written.
+  [[nodiscard]] bool is_written(int number, const Eigen::Matrix3Xf& recorded);
   // What no frame changes, of `frames` frames; `place` is named where it differs.
   void see_scene(const WrittenScene& scene, int frames, const std::string& place);
   // One frame, by its number from 1.

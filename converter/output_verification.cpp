@@ -150,13 +150,14 @@ class SequenceVerification {
     deviations_.add(comparison.deviations());
   }
 
-  // One that the recording has lost was not written.
+  // One that the recording has lost was not written, nor one that cannot be made a solid.
   void verify_frame(RecordingReader& recording, std::size_t slot, Comparison& comparison) {
     if (request_.interrupted()) return stop(interrupted().value());
     const int index = frames_[slot];
     const std::filesystem::path path = names_.frame(slot);
     Eigen::Matrix3Xf positions;
-    if (recording.readable(index) && recording.read(index, positions))
+    if (recording.readable(index) && recording.read(index, positions) &&
+        comparison.is_written(index + 1, positions))
       with_file(reader_, path, comparison, [&](WrittenMotion& file) {
         comparison.see_scene(file.scene(), 1, path.string());
         comparison.see_frame(index + 1, positions, file.ribbon(0));

@@ -408,6 +408,15 @@ TEST_F(Tool, frames_that_cannot_be_made_a_solid_are_named_and_the_others_written
               ElementsAre("0001.obj", "0002.obj", "0004.obj", "0005.obj", "ribbon.mtl"));
 }
 
+TEST_F(Tool, verification_does_not_miss_a_frame_that_cannot_be_made_a_solid) {
+  record(without_obstacle());
+  for (const std::string output : {"'out/{frame}.obj'", "knot.mdd", "knot.glb"}) {
+    const std::string conversion = "knot.rbn --force --thickness 0.001 -o " + output;
+    EXPECT_EQ(run(conversion).exit_code, 1);
+    EXPECT_EQ(run(conversion + " --verify-only").exit_code, 0) << output;
+  }
+}
+
 TEST_F(Tool, a_motion_holds_the_frame_before_one_that_cannot_be_made_a_solid) {
   record(without_obstacle());
   const auto motion = run("knot.rbn -o knot.mdd --thickness 0.001");
