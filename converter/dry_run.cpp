@@ -19,8 +19,9 @@ Result<ConversionPlan> plan_conversion(const ConversionRequest& request) {
   plan.last_file = is_one_file(job->format) ? plan.first_file : files->own.back();
   plan.files = static_cast<int>(files->own.size() + files->shared.size());
   plan.existing = existing_count(files->own);
-  plan.bytes =
-      size->bytes + static_cast<double>(files->libraries.size() * files->library_text.size());
+  plan.bytes = size->bytes;
+  for (const auto& shared : files->shared)
+    plan.bytes += static_cast<double>(shared.content->size());
   plan.margin_bytes = size->margin_bytes;
   plan.processor_s = size->processor_s;
   return plan;
