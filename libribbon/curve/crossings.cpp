@@ -336,32 +336,9 @@ Result<void> no_triple_points(const Walk& walk, const std::vector<Visit>& visits
   return {};
 }
 
-// Each crossing is met once at an even and once at an odd place of the walk, unless an end of the
-// curve is shut in by a loop of it.
-Result<std::vector<Crossing>> alternating(const Walk& walk, const std::vector<Passages>& passages,
-                                          const std::vector<Visit>& visits,
-                                          bool first_passage_over) {
-  std::vector<std::vector<std::size_t>> places(passages.size());
-  for (std::size_t i = 0; i < visits.size(); ++i) places[visits[i].crossing].push_back(i);
-  std::vector<Crossing> crossings;
-  for (std::size_t i = 0; i < passages.size(); ++i) {
-    const Passages& p = passages[i];
-    if (places[i][0] % 2 == places[i][1] % 2)
-      return failure(drawing_place(walk.point_at(p.first_length)),
-                     "over and under cannot alternate: this crossing would be met twice on the "
-                     "same side",
-                     "lead the ends of the curve out of its loops");
-    const bool first_over = (places[i][0] % 2 == 0) == first_passage_over;
-    crossings.push_back({walk.parameter_at(p.first_length), walk.parameter_at(p.second_length),
-                         walk.point_at(p.first_length), first_over,
-                         first_over ? p.sign_if_first_is_over : -p.sign_if_first_is_over});
-  }
-  return crossings;
-}
-
 }  // namespace
 
-Result<std::vector<Crossing>> find_crossings(const Drawing& drawing, bool first_passage_over) {
+Result<std::vector<DoublePoint>> find_double_points(const Drawing& drawing) {
   const Walk walk(drawing);
   std::vector<Passages> passages;
   for (const Contact& meeting : find_meetings(walk)) {
@@ -371,10 +348,14 @@ Result<std::vector<Crossing>> find_crossings(const Drawing& drawing, bool first_
   }
   std::sort(passages.begin(), passages.end(),
             [](const Passages& a, const Passages& b) { return a.first_length < b.first_length; });
-  const std::vector<Visit> visits = visits_along_walk(passages);
-  const auto checked = no_triple_points(walk, visits);
-  if (!checked) return tl::unexpected(checked.error());
-  return alternating(walk, passages, visits, first_passage_over);
+  if (auto apart = no_triple_points(walk, visits_along_walk(passages)); !apart)
+    return tl::unexpected(apart.error());
+  std::vector<DoublePoint> points;
+  points.reserve(passages.size());
+  for (const Passages& p : passages)
+    points.push_back({walk.parameter_at(p.first_length), walk.parameter_at(p.second_length),
+                      walk.point_at(p.first_length), p.sign_if_first_is_over});
+  return points;
 }
 
 }  // namespace ribbon

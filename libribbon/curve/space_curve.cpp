@@ -12,6 +12,7 @@
 #include <string>
 #include <variant>
 
+#include "curve/heights.h"
 #include "curve/place.h"
 #include "curve/turns.h"
 #include "geometry/vectors.h"
@@ -23,14 +24,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double flatness_per_extent = 1e-5;  // a tenth of what find_crossings calls touching
+constexpr double flatness_per_extent = 1e-5;  // a tenth of what find_double_points calls touching
 constexpr double steepest_slope = 1;          // rise per length in the plan
 constexpr double blend_slope = 1.5;           // of the blend below, at its middle, per mean slope
 constexpr double gentle_lead = 6;             // length per rise from an end to its first passage
 constexpr double finest_turn = 0.003;         // radians per chord: lengths are right to 4e-7
 constexpr double coarse_turn = 0.05;          // enough to find crossings
 constexpr double most_chords = 5e5;
-constexpr double squeezed_per_widest = 0.999;  // so that rounding does not make it too wide again
 
 Result<Drawing> read_drawing(const DrawnPoints& drawn) {
   Drawing drawing;
@@ -52,24 +52,6 @@ Result<Drawing> read_drawing(const DrawnSvg& drawn) {
   auto coarse = flattened(*path, std::numeric_limits<double>::max());
   if (!coarse) return coarse;
   return flattened(*path, flatness_per_extent * extent_of(*coarse));
-}
-
-// One of the two visits of the walk to a crossing.
-struct Passage {
-  double parameter = 0;  // in the drawing
-  bool over = false;
-  Vector2d point;
-};
-
-std::vector<Passage> passages_along(const std::vector<Crossing>& crossings) {
-  std::vector<Passage> passages;
-  for (const Crossing& crossing : crossings) {
-    passages.push_back({crossing.first, crossing.first_over, crossing.point});
-    passages.push_back({crossing.second, !crossing.first_over, crossing.point});
-  }
-  std::sort(passages.begin(), passages.end(),
-            [](const Passage& a, const Passage& b) { return a.parameter < b.parameter; });
-  return passages;
 }
 
 // What the smooth curve passes through: the drawing's own points and its passages.
@@ -190,9 +172,9 @@ Plan fine_plan(const Controls& controls, double rise) {
   return plan;
 }
 
-Result<void> same_crossings(const std::vector<Crossing>& drawn, const Controls& controls) {
+Result<void> same_crossings(const std::vector<DoublePoint>& drawn, const Controls& controls) {
   const Plan plan = smooth_plan(controls, coarse_turn, std::numeric_limits<double>::infinity());
-  const auto smooth = find_crossings(plan.points, true);
+  const auto smooth = find_double_points(plan.points);
   const std::string remedy = "draw more points there, or the strands further apart";
   if (!smooth)
     return failure(smooth.error().place, "once smoothed, " + smooth.error().problem, remedy);
@@ -213,83 +195,82 @@ struct Level {
   double height = 0;
 };
 
-// From one height to the other, level at both. It is Catmull-Rom's cubic again: since passages
-// alternate, the levels before and after each are equal, and so its derivative there is 0.
+// From one height to the other, level at both. Where passages alternate it is Catmull-Rom's cubic
+// again: the levels before and after each are equal, and so its derivative there is 0.
 double blend(const Level& a, const Level& b, double length) {
   if (b.length <= a.length) return b.height;
   const double t = std::clamp((length - a.length) / (b.length - a.length), 0.0, 1.0);
   return a.height + (b.height - a.height) * t * t * (3 - 2 * t);
 }
 
-// The way to a passage from the one before, or between an end and the passage next to it.
-struct Way {
-  double length = 0;
-  double rise = 0;  // in gaps between the bands: 1 between passages, 1/2 at the ends
-  Vector2d place;   // of the crossing
-  std::string name;
-};
-
-std::vector<Way> ways_of(const std::vector<Passage>& passages, const Plan& plan) {
-  std::vector<Way> ways;
+WalkProfile profile_of(const std::vector<Passage>& passages, const Plan& plan) {
+  WalkProfile profile;
   double before = 0;
-  for (std::size_t i = 0; i < passages.size(); ++i) {
-    const double here = plan.lengths[plan.passages[i]];
-    const bool is_first = i == 0;
-    ways.push_back({here - before, is_first ? 0.5 : 1, passages[i].point,
-                    is_first ? "from the start to the first crossing"
-                             : "from the crossing before to this one"});
+  const auto add_way_to = [&](double here) {
+    profile.rises.push_back((here - before) * steepest_slope / blend_slope);
     before = here;
+  };
+  for (const std::size_t i : plan.passages) add_way_to(plan.lengths[i]);
+  add_way_to(plan.lengths.back());
+  profile.crossings.resize(passages.size() / 2);
+  for (std::size_t i = 0; i < passages.size(); ++i) {
+    auto& [above, below] = profile.crossings[passages[i].crossing];
+    (passages[i].over ? above : below) = i;
   }
-  ways.push_back({plan.lengths.back() - before, 0.5, passages.back().point,
-                  "from the last crossing to the end"});
-  return ways;
+  return profile;
 }
 
-Way tightest_of(const std::vector<Way>& ways) {
-  return *std::max_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
-    return a.rise * b.length < b.rise * a.length;
-  });
+// "from the start to passage 1", "from passage 2 to 3", "from passage 6 to the end".
+std::string text_of(const Stretch& stretch, std::size_t passages) {
+  const std::string from =
+      stretch.from == 0 ? "the start" : "passage " + std::to_string(stretch.from);
+  if (stretch.to == passages) return "from " + from + " to the end";
+  return "from " + from + " to " + (stretch.from == 0 ? "passage " : "") +
+         std::to_string(stretch.to + 1);
 }
 
-double length_per_gap(const Way& way) {
-  return blend_slope * way.rise / steepest_slope;
+std::string text_of(const std::vector<Stretch>& stretches, std::size_t passages) {
+  constexpr std::size_t most = 6;
+  const std::size_t told = std::min(stretches.size(), most);
+  std::string text = stretches.size() == 1 ? "the way " : "the ways ";
+  for (std::size_t i = 0; i < told; ++i) {
+    if (i > 0) text += i + 1 == stretches.size() ? " and " : ", ";
+    text += text_of(stretches[i], passages);
+  }
+  const std::size_t rest = stretches.size() - told;
+  if (rest > 0) text += " and " + std::to_string(rest) + " more";
+  return text;
 }
 
-// Of bands whose middles are that far apart, the curve rises at the steepest slope.
-double widest_gap(const Way& way) {
-  return way.length / length_per_gap(way);
-}
-
-// The tightest passage, where it is too tight for the gap.
-std::optional<Way> too_tight_passage(const std::vector<Passage>& passages, const Plan& plan,
-                                     double gap) {
-  if (passages.empty()) return std::nullopt;
-  const Way tightest = tightest_of(ways_of(passages, plan));
-  return gap > widest_gap(tightest) ? std::optional(tightest) : std::nullopt;
-}
-
-tl::unexpected<Error> too_tight(const CurveScene& scene, double width_m, const Way& way) {
-  const double widest_m = way.length * scene.unit_m / length_per_gap(way) - scene.clearance_m;
-  const double needed = length_per_gap(way) * (width_m + scene.clearance_m) / scene.unit_m;
-  const Vector2d metres = (way.place - scene.origin) * scene.unit_m;
+tl::unexpected<Error> too_tight(const CurveScene& scene, double width_m,
+                                const std::vector<Passage>& passages, const TightCircle& tight) {
+  const double length = tight.rise * blend_slope / steepest_slope;
+  const double widest_m = tight.gap() * scene.unit_m - scene.clearance_m;
+  const double needed = length * (width_m + scene.clearance_m) / (widest_m + scene.clearance_m);
+  const std::size_t passage = std::min(tight.stretches.front().to, passages.size() - 1);
+  const Vector2d place = passages[passage].point;
+  const Vector2d metres = (place - scene.origin) * scene.unit_m;
+  const bool one = tight.stretches.size() == 1;
   constexpr double spare = 1.01;  // so that the numbers hold although they are rounded
   return failure(
-      drawing_place(way.place) + ", in metres " + coordinates(metres),
-      "the way " + way.name + " is " + three_digits(way.length * scene.unit_m) +
-          " m, too short for a ribbon " + three_digits(width_m) + " m wide",
-      "draw it " + three_digits(spare * needed) + " drawing units long" +
+      drawing_place(place) + ", in metres " + coordinates(metres),
+      text_of(tight.stretches, passages.size()) + (one ? " is " : " are together ") +
+          three_digits(length * scene.unit_m) + " m long, too short for a ribbon " +
+          three_digits(width_m) + " m wide",
+      std::string(one ? "draw it " : "draw them together ") + three_digits(spare * needed) +
+          " drawing units long" +
           (widest_m > 0 ? ", or set ribbon.width to " + three_digits(widest_m / spare) : ""));
 }
 
-// The heights along the plan: up and down at the passages, 0 towards both ends.
-std::vector<Level> levels_of(const std::vector<Passage>& passages, const Plan& plan,
-                             double height) {
-  if (passages.empty()) return {{0, 0}};
-  const double lead = gentle_lead * height;
-  std::vector<Level> levels{{std::max(0.0, plan.lengths[plan.passages.front()] - lead), 0}};
-  for (std::size_t i = 0; i < passages.size(); ++i)
-    levels.push_back({plan.lengths[plan.passages[i]], passages[i].over ? height : -height});
-  levels.push_back({std::min(plan.lengths.back(), levels.back().length + lead), 0});
+// The heights along the plan: of the passages, and 0 towards both ends.
+std::vector<Level> levels_of(const std::vector<double>& heights, const Plan& plan) {
+  if (heights.empty()) return {{0, 0}};
+  const auto lead = [](double height) { return gentle_lead * std::abs(height); };
+  const double first = plan.lengths[plan.passages.front()];
+  std::vector<Level> levels{{std::max(0.0, first - lead(heights.front())), 0}};
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    levels.push_back({plan.lengths[plan.passages[i]], heights[i]});
+  levels.push_back({std::min(plan.lengths.back(), levels.back().length + lead(heights.back())), 0});
   return levels;
 }
 
@@ -339,23 +320,26 @@ Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_w
   const auto drawing =
       std::visit([](const auto& drawn) { return read_drawing(drawn); }, scene.drawing);
   if (!drawing) return tl::unexpected(drawing.error());
-  const auto crossings = find_crossings(*drawing, scene.first_passage_over);
+  const auto points_met_twice = find_double_points(*drawing);
+  if (!points_met_twice) return tl::unexpected(points_met_twice.error());
+  const auto crossings = over_and_under(*points_met_twice, scene);
   if (!crossings) return tl::unexpected(crossings.error());
   const auto passages = passages_along(*crossings);
   const Controls controls = controls_of(*drawing, passages);
-  if (auto same = same_crossings(*crossings, controls); !same) return tl::unexpected(same.error());
+  if (auto same = same_crossings(*points_met_twice, controls); !same)
+    return tl::unexpected(same.error());
 
-  double gap = (ribbon_width_m + scene.clearance_m) / scene.unit_m;
+  const double gap = (ribbon_width_m + scene.clearance_m) / scene.unit_m;
   Plan plan = fine_plan(controls, gap);
   SpaceCurve curve;
-  if (const auto tight = too_tight_passage(passages, plan, gap)) {
-    const auto refusal = too_tight(scene, ribbon_width_m, *tight);
+  const Heights heights = passage_heights(profile_of(passages, plan), gap);
+  if (heights.tight) {
+    const auto refusal = too_tight(scene, ribbon_width_m, passages, *heights.tight);
     if (tight_passage == TightPassage::refuse) return refusal;
     curve.squeezed = refusal.value();
-    gap = squeezed_per_widest * (widest_gap(*tight) * scene.unit_m) / scene.unit_m;
-    plan = fine_plan(controls, gap);
+    plan = fine_plan(controls, heights.gap);
   }
-  auto points = raised(plan, levels_of(passages, plan, gap / 2));
+  auto points = raised(plan, levels_of(heights.passages, plan));
   for (Vector3d& point : points) {
     point.head<2>() -= scene.origin;
     point = in_world(point * scene.unit_m, scene.axis);

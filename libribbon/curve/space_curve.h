@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "curve/crossings.h"
+#include "curve/over_under.h"
 #include "result/result.h"
 #include "scene/scene.h"
 
@@ -25,19 +25,21 @@ struct SpaceCurve {
 Eigen::Vector3d catmull_rom(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
                             const Eigen::Vector3d& p2, const Eigen::Vector3d& p3, double t);
 
-// What to do where passages follow one another so closely that, pulled apart by the ribbon's width
-// and the clearance, the curve would rise more steeply than 45 degrees.
+// What to do where passages follow one another so closely that, however high each of them runs, the
+// curve would rise more steeply than 45 degrees if they were the ribbon's width and the clearance
+// apart.
 enum class TightPassage {
   refuse,
-  squeeze,  // pull all passages apart only as far as the tightest one allows: narrower bands fit
+  squeeze,  // pull all passages apart only as far as the tightest ones allow: narrower bands fit
 };
 
 // Reads the drawing of `scene`, finds its crossings, pulls the two passages of each apart along the
 // chosen axis so that bands of `ribbon_width_m` standing along that axis have room, smooths with
-// Catmull-Rom and samples `samples` (>= 2) points. The curve is level at each passage, half of
-// width + clearance above or below the plane, and lies in the plane at its ends. Fails, with the
-// place, where the drawing cannot be told, where smoothing would make it cross elsewhere, and where
-// a passage is too tight and not to be squeezed.
+// Catmull-Rom and samples `samples` (>= 2) points. The curve is level at each passage and lies in
+// the plane at its ends. Passages are half of width + clearance above or below the plane; where
+// that would be too steep, as high as passage_heights() finds room for. Fails, with the place,
+// where the drawing cannot be told, where smoothing would make it cross elsewhere, and where a
+// passage is too tight and not to be squeezed.
 Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m, int samples,
                                         TightPassage tight_passage = TightPassage::refuse);
 

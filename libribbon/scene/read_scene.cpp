@@ -116,6 +116,21 @@ Result<NamedFile> file_name(const Value& value) {
   });
 }
 
+// The letters O and U, blanks between them left out.
+Result<CrossingList> crossing_list(const Value& value) {
+  auto list = text(value);
+  if (!list) return tl::unexpected(list.error());
+  std::erase(*list, ' ');
+  const std::size_t other = list->find_first_not_of("OU");
+  if (other != std::string::npos)
+    return failure(value.document.place(value.toml.begin),
+                   "letter " + std::to_string(other + 1) + " of 'crossings' is " +
+                       in_quotes(list->substr(other, 1)),
+                   "write O for each passage over and U for each passage under, as in '" +
+                       std::string(value.key) + " = " + std::string(value.example) + "'");
+  return CrossingList{*std::move(list), value.document.place(value.toml.begin)};
+}
+
 template <class Meaning>
 auto one_of(std::vector<std::pair<std::string_view, Meaning>> words) {
   return [words = std::move(words)](const Value& value) -> Result<Meaning> {
@@ -268,6 +283,8 @@ std::vector<Key> curve_keys() {
       {"first", optional, "\"over\"",
        set(in(&Scene::curve, &CurveScene::first_passage_over),
            one_of<bool>({{"over", true}, {"under", false}}))},
+      {"crossings", optional, "\"OUO UOU\"",
+       set(in(&Scene::curve, &CurveScene::crossings), crossing_list)},
       {"clearance", optional, "0.005",
        set(in(&Scene::curve, &CurveScene::clearance_m), number(positive))},
   };
@@ -478,6 +495,13 @@ Result<void> one_drawing(const Document& document, const Scene&) {
   return {};
 }
 
+Result<void> one_way_to_pass_over(const Document& document, const Scene& scene) {
+  if (!scene.curve.crossings || document.find("curve", "first") == nullptr) return {};
+  return failure(document.place("curve", "first"),
+                 "[curve] has both 'first' and 'crossings', which says it of every passage",
+                 "remove one of them");
+}
+
 Result<void> countable_particles(const Document& document, const Scene& scene) {
   if (scene.ribbon.across > most_columns)
     return failure(document.place("ribbon", "across"), "'across' is more than a recording holds",
@@ -555,8 +579,9 @@ Result<Scene> scene_of(const Document& document) {
   for (const Table& table : tables())
     if (auto read = read_table(document, table, scene); !read) return tl::unexpected(read.error());
   set_defaults(document, scene);
-  for (const auto& rule : {one_drawing, countable_particles, cloth_is_flat, countable_steps,
-                           at_most_a_frame_a_step, fastening_against_air, tight_by_fastening})
+  for (const auto& rule :
+       {one_drawing, one_way_to_pass_over, countable_particles, cloth_is_flat, countable_steps,
+        at_most_a_frame_a_step, fastening_against_air, tight_by_fastening})
     if (auto kept = rule(document, scene); !kept) return tl::unexpected(kept.error());
   return scene;
 }

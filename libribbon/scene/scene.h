@@ -30,13 +30,23 @@ struct DrawnSvg {
   bool operator==(const DrawnSvg&) const = default;
 };
 
+// Which strand passes over, passage by passage.
+struct CrossingList {
+  std::string letters;     // 'O' over or 'U' under, for each passage in the order of the walk
+  std::string place = {};  // where the scene says it: "knot.toml:12:8"; empty: nowhere
+
+  // Wherever it stands.
+  bool operator==(const CrossingList& other) const { return letters == other.letters; }
+};
+
 struct CurveScene {
   std::variant<DrawnSvg, DrawnPoints> drawing;
   double unit_m = 0.001;                             // metres per drawing unit
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  // drawing point that lies on the world origin
   Axis axis = Axis::y;
   bool first_passage_over = true;  // at the first crossing met from the start of the path
-  double clearance_m = 0;          // free space between the bands at a crossing
+  std::optional<CrossingList> crossings = std::nullopt;  // none: over and under alternate
+  double clearance_m = 0;  // free space between the bands at a crossing
 
   bool operator==(const CurveScene&) const = default;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "curve/over_under.h"
 #include "result/refusal.h"
 
 namespace ribbon::crossings_test {
@@ -15,8 +16,13 @@ namespace ribbon::crossings_test {
 const Drawing trefoil = {{0, -1}, {2, 1}, {4, -1}, {6, 1}, {6, 4},
                          {0, 4},  {0, 1}, {2, -1}, {4, 1}, {6, -1}};
 
+Result<std::vector<Crossing>> crossings_of(const Drawing& drawing, bool first_over) {
+  return find_double_points(drawing).and_then(
+      [&](const std::vector<DoublePoint>& points) { return alternating(points, first_over); });
+}
+
 std::string problem_of(const Drawing& drawing) {
-  return refusal_of(find_crossings(drawing, true));
+  return refusal_of(crossings_of(drawing, true));
 }
 
 void expect_problem(const Drawing& drawing, const std::string& place, const std::string& problem) {
@@ -33,7 +39,7 @@ void expect_crossing(const Crossing& crossing, double first, double second,
 }
 
 TEST(Crossings, trefoil_drawn_by_hand_is_right_handed_when_it_begins_over) {
-  const auto crossings = find_crossings(trefoil, true);
+  const auto crossings = crossings_of(trefoil, true);
   ASSERT_TRUE(crossings.has_value()) << crossings.error().sentence();
   ASSERT_EQ(crossings->size(), 3U);
   expect_crossing((*crossings)[0], 0.5, 6.5, {1, 0}, true, 1);
@@ -42,7 +48,7 @@ TEST(Crossings, trefoil_drawn_by_hand_is_right_handed_when_it_begins_over) {
 }
 
 TEST(Crossings, trefoil_that_begins_under_is_left_handed) {
-  const auto crossings = find_crossings(trefoil, false).value();
+  const auto crossings = crossings_of(trefoil, false).value();
   ASSERT_EQ(crossings.size(), 3U);
   for (const Crossing& crossing : crossings) EXPECT_EQ(crossing.sign, -1);
   EXPECT_FALSE(crossings[0].first_over);
@@ -52,7 +58,7 @@ TEST(Crossings, trefoil_that_begins_under_is_left_handed) {
 TEST(Crossings, mirrored_drawing_has_the_other_sign) {
   Drawing mirrored = trefoil;
   for (auto& point : mirrored) point.x() = -point.x();
-  const auto crossings = find_crossings(mirrored, true).value();
+  const auto crossings = crossings_of(mirrored, true).value();
   ASSERT_EQ(crossings.size(), 3U);
   for (const Crossing& crossing : crossings) EXPECT_EQ(crossing.sign, -1);
 }
@@ -60,7 +66,7 @@ TEST(Crossings, mirrored_drawing_has_the_other_sign) {
 TEST(Crossings, walking_backwards_keeps_the_signs_of_the_same_knot) {
   const Drawing backwards(trefoil.rbegin(), trefoil.rend());
   // The last passage of the trefoil is under, so the same knot begins under when walked backwards.
-  const auto crossings = find_crossings(backwards, false).value();
+  const auto crossings = crossings_of(backwards, false).value();
   ASSERT_EQ(crossings.size(), 3U);
   for (const Crossing& crossing : crossings) EXPECT_EQ(crossing.sign, 1);
 }
@@ -68,7 +74,7 @@ TEST(Crossings, walking_backwards_keeps_the_signs_of_the_same_knot) {
 TEST(Crossings, figure_eight_has_two_of_each_sign) {
   const Drawing figure_eight = {{-2, 0},  {4, 0},  {4, -4}, {0, -4}, {0, 2}, {-4, 2},
                                 {-4, -6}, {2, -6}, {2, 4},  {-2, 4}, {-2, 1}};
-  const auto crossings = find_crossings(figure_eight, true);
+  const auto crossings = crossings_of(figure_eight, true);
   ASSERT_TRUE(crossings.has_value()) << crossings.error().sentence();
   ASSERT_EQ(crossings->size(), 4U);
   expect_crossing((*crossings)[0], 1.0 / 3, 3 + 2.0 / 3, {0, 0}, true, -1);
@@ -78,23 +84,23 @@ TEST(Crossings, figure_eight_has_two_of_each_sign) {
 }
 
 TEST(Crossings, curve_without_crossings_has_none) {
-  EXPECT_TRUE(find_crossings({{0, 0}, {1, 0}}, true).value().empty());
-  EXPECT_TRUE(find_crossings({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0.1}}, true).value().empty());
+  EXPECT_TRUE(crossings_of({{0, 0}, {1, 0}}, true).value().empty());
+  EXPECT_TRUE(crossings_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0.1}}, true).value().empty());
 }
 
 TEST(Crossings, sharp_corner_is_no_crossing) {
-  EXPECT_TRUE(find_crossings({{0, 0}, {10, 0}, {0, 4}}, true).value().empty());
+  EXPECT_TRUE(crossings_of({{0, 0}, {10, 0}, {0, 4}}, true).value().empty());
 }
 
 TEST(Crossings, crossing_at_a_vertex_of_one_strand_is_one_crossing) {
-  const auto crossings = find_crossings({{0, 0}, {10, 0}, {10, 5}, {5, 0}, {0, -5}}, true).value();
+  const auto crossings = crossings_of({{0, 0}, {10, 0}, {10, 5}, {5, 0}, {0, -5}}, true).value();
   ASSERT_EQ(crossings.size(), 1U);
   expect_crossing(crossings[0], 0.5, 3, {5, 0}, true, 1);
 }
 
 TEST(Crossings, crossing_at_vertices_of_both_strands_is_one_crossing) {
   const auto crossings =
-      find_crossings({{0, 1}, {5, 0}, {10, 1}, {10, 5}, {5, 0}, {4, -5}}, true).value();
+      crossings_of({{0, 1}, {5, 0}, {10, 1}, {10, 5}, {5, 0}, {4, -5}}, true).value();
   ASSERT_EQ(crossings.size(), 1U);
   expect_crossing(crossings[0], 1, 4, {5, 0}, true, 1);
 }
@@ -138,13 +144,63 @@ TEST(Crossings, end_inside_a_loop_cannot_alternate) {
                  "cannot alternate");
 }
 
+TEST(Crossings, end_inside_a_loop_is_legal_with_a_list) {
+  const Drawing shut_in = {{0, 0}, {4, 0}, {4, 3}, {-2, 3}, {-2, -2}, {2, -2}, {2, 5}};
+  const auto points = find_double_points(shut_in).value();
+  ASSERT_EQ(points.size(), 2U);
+  const auto crossings = as_listed(points, {"OUUO"}).value();
+  EXPECT_TRUE(crossings[0].first_over);
+  EXPECT_FALSE(crossings[1].first_over);
+}
+
+TEST(Crossings, list_that_alternates_is_the_alternating_knot) {
+  const auto points = find_double_points(trefoil).value();
+  const auto listed = as_listed(points, {"UOUOUO"}).value();
+  const auto by_turns = alternating(points, false).value();
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(listed[i].first_over, by_turns[i].first_over);
+    EXPECT_EQ(listed[i].sign, by_turns[i].sign);
+  }
+}
+
+TEST(Crossings, list_tells_each_passage_and_with_it_each_sign) {
+  const auto crossings = as_listed(find_double_points(trefoil).value(), {"OOUUUO"}).value();
+  EXPECT_TRUE(crossings[0].first_over);
+  EXPECT_TRUE(crossings[1].first_over);
+  EXPECT_FALSE(crossings[2].first_over);
+  EXPECT_EQ(crossings[0].sign, 1);
+  EXPECT_EQ(crossings[1].sign, -1);
+  EXPECT_EQ(crossings[2].sign, -1);
+  std::string walk;
+  for (const Passage& passage : passages_along(crossings)) walk += passage.over ? 'O' : 'U';
+  EXPECT_EQ(walk, "OOUUUO");
+}
+
+TEST(Crossings, list_of_wrong_length_is_told_with_the_place_of_the_passage) {
+  const auto points = find_double_points(trefoil).value();
+  const auto complaint = [&](const std::string& letters) {
+    return refusal_of(as_listed(points, {letters, "knot.toml:3:13"}));
+  };
+  EXPECT_THAT(complaint("OUOUO"),
+              StartsWith("knot.toml:3:13: the drawing has 6 passages, 'crossings' has 5 letters; "
+                         "passage 6 is at (5, 0); "));
+  EXPECT_THAT(complaint("OUOUOUO"), HasSubstr("has 7 letters; passage 6 is at (5, 0)"));
+  EXPECT_THAT(complaint("O"), HasSubstr("has 1 letter; passage 2 is at (3, 0)"));
+  EXPECT_THAT(refusal_of(as_listed({}, {"OU"})), HasSubstr("does not cross itself"));
+}
+
+TEST(Crossings, list_with_one_letter_for_both_passages_of_a_crossing_is_told_with_its_place) {
+  EXPECT_THAT(refusal_of(as_listed(find_double_points(trefoil).value(), {"OUOUUU"})),
+              HasSubstr("passages 2 and 5 meet at (3, 0) of the drawing, and both say U"));
+}
+
 TEST(Crossings, crossings_survive_points_denser_than_the_tolerance) {
   Drawing dense;
   constexpr int pieces = 20000;
   for (std::size_t i = 0; i + 1 < trefoil.size(); ++i)
     for (int k = 0; k < pieces / 9; ++k)
       dense.push_back(trefoil[i] + (trefoil[i + 1] - trefoil[i]) * (k / (pieces / 9.0)));
-  const auto crossings = find_crossings(dense, true);
+  const auto crossings = crossings_of(dense, true);
   ASSERT_TRUE(crossings.has_value()) << crossings.error().sentence();
   ASSERT_EQ(crossings->size(), 3U);
   EXPECT_NEAR(((*crossings)[1].point - Eigen::Vector2d(3, 0)).norm(), 0, 1e-9);
@@ -160,7 +216,7 @@ TEST(Crossings, spiral_of_20000_segments_crosses_its_way_out) {
     spiral.push_back((1 - turns / 50) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   spiral.emplace_back(2, 0);
-  const auto crossings = find_crossings(spiral, true);
+  const auto crossings = crossings_of(spiral, true);
   ASSERT_TRUE(crossings.has_value()) << crossings.error().sentence();
   ASSERT_EQ(crossings->size(), 49U);
   for (const Crossing& crossing : *crossings) EXPECT_EQ(std::abs(crossing.sign), 1);

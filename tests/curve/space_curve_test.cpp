@@ -179,12 +179,49 @@ TEST(SpaceCurve, passages_too_close_are_squeezed_where_that_is_asked_for) {
             generate_space_curve(scene, 0.1, 100)->points);
 }
 
-TEST(SpaceCurve, crossing_at_the_very_end_leaves_no_way_to_rise) {
+TEST(SpaceCurve, crossing_at_the_very_end_is_passed_near_the_plane) {
   std::vector<Eigen::Vector2d> points = trefoil;
   points.front() = {0.9, -0.1};
-  const std::string problem = problem_of(scene_of(points, 0.1), 0.09);
-  EXPECT_THAT(problem, HasSubstr("drawing at (1, 0)"));
-  EXPECT_THAT(problem, HasSubstr("from the start to the first crossing"));
+  const auto heights = heights_at(curve_of(scene_of(points, 0.1), 0.09, 80001), 0.1, 0);
+  ASSERT_EQ(heights.size(), 2U);
+  EXPECT_LT(heights[0], 0.015);
+  EXPECT_GT(heights[0] - heights[1], 0.1 - 1e-6);
+}
+
+TEST(SpaceCurve, a_loop_too_small_for_the_width_is_told_by_its_passages) {
+  const std::string problem =
+      problem_of(scene_of({{-9, 0}, {0, 0}, {0.5, -0.5}, {0.5, -1}, {0, -1}, {0, 9}}, 0.1), 0.3);
+  EXPECT_THAT(problem, HasSubstr("drawing at (0, 0)"));
+  EXPECT_THAT(problem, HasSubstr("the way from passage 1 to 2 is 0."));
+}
+
+TEST(SpaceCurve, curve_is_level_between_passages_that_are_both_over) {
+  CurveScene scene = scene_of(trefoil, 0.1);
+  scene.crossings = CrossingList{"OOOUUU"};
+  const SpaceCurve curve = curve_of(scene, 0.09, 8001);
+  int level = 0;
+  for (int i = 0; i < 8001; ++i) {
+    const bool among_the_first =
+        curve.points(0, i) > 0.1 && curve.points(0, i) < 0.5 && std::abs(curve.points(2, i)) < 0.12;
+    if (!among_the_first || curve.points(1, i) < 0) continue;
+    EXPECT_NEAR(curve.points(1, i), 0.05, 1e-12);
+    ++level;
+  }
+  EXPECT_GT(level, 500);
+}
+
+TEST(SpaceCurve, list_that_alternates_gives_the_bits_of_the_alternating_curve) {
+  CurveScene scene = scene_of(trefoil, 0.1);
+  const SpaceCurve by_turns = curve_of(scene, 0.09, 400);
+  scene.crossings = CrossingList{"OUOUOU"};
+  EXPECT_EQ(curve_of(scene, 0.09, 400).points, by_turns.points);
+}
+
+TEST(SpaceCurve, equal_letters_let_strands_run_closer_than_letters_that_alternate) {
+  CurveScene scene = scene_of(trefoil, 0.1);
+  EXPECT_NE(problem_of(scene, 0.3), "");
+  scene.crossings = CrossingList{"OOOUUU"};
+  EXPECT_EQ(problem_of(scene, 0.3), "");
 }
 
 TEST(SpaceCurve, smoothing_that_would_cross_elsewhere_is_refused) {

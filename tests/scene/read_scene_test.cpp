@@ -104,6 +104,21 @@ TEST(ReadScene, every_key_reaches_its_place) {
   EXPECT_EQ(scene.recording.checkpoint_every_s, 0.5);
 }
 
+TEST(ReadScene, crossings_are_letters_without_their_blanks) {
+  const auto scene = [](const std::string& letters) {
+    return replaced(smallest_scene(), "[curve]\n", "[curve]\ncrossings = '" + letters + "'\n");
+  };
+  EXPECT_FALSE(read_text(smallest_scene()).value().curve.crossings.has_value());
+  const auto list = read_text(scene("OUO UOU")).value().curve.crossings;
+  ASSERT_TRUE(list.has_value());
+  EXPECT_EQ(list->letters, "OUOUOU");
+  EXPECT_THAT(list->place, EndsWith("knot.toml:2:13"));
+  EXPECT_THAT(complaint(scene("OUO XOU")),
+              StartsWith("knot.toml:2:13: letter 4 of 'crossings' is 'X'"));
+  EXPECT_THAT(complaint(replaced(scene("OU"), "[curve]\n", "[curve]\nfirst = 'over'\n")),
+              StartsWith("knot.toml:2:9: [curve] has both 'first' and 'crossings'"));
+}
+
 TEST(ReadScene, a_number_for_gravity_points_down) {
   const Scene scene = read_text(with("[gravity]\nacceleration = 9.81\n")).value();
   EXPECT_EQ(scene.gravity_m_s2, Eigen::Vector3d(0, -9.81, 0));

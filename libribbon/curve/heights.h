@@ -1,0 +1,52 @@
+// How high each passage of the walk runs, so that bands have room where they cross and none rises
+// too steeply between.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ribbon {
+
+// The walk as a chain of ways. Passages are counted from 0 to n - 1.
+struct WalkProfile {
+  // The most that each way may rise or fall: from the start to passage 0, from each passage to the
+  // next, from passage n - 1 to the end. All above 0.
+  std::vector<double> rises;
+  std::vector<std::pair<std::size_t, std::size_t>> crossings;  // passage above, passage below
+
+  [[nodiscard]] std::size_t passage_count() const { return rises.size() - 1; }
+};
+
+// A piece of the walk, from passage `from` - 1 to passage `to`, where the start counts as passage
+// -1 and the end as passage n: the ways `from` to `to`.
+struct Stretch {
+  std::size_t from = 0;
+  std::size_t to = 0;
+};
+
+// Why a profile has no room: round a circle of crossings and stretches of the walk, the crossings
+// take more height than the stretches can rise.
+struct TightCircle {
+  std::size_t crossings = 0;
+  std::vector<Stretch> stretches;
+  double rise = 0;  // of all stretches together
+
+  // The widest gap for which there is room.
+  [[nodiscard]] double gap() const { return rise / static_cast<double>(crossings); }
+};
+
+struct Heights {
+  std::vector<double> passages;  // above the plane of both ends
+  double gap = 0;                // at each crossing: what was asked for, or what there is room for
+  std::optional<TightCircle> tight = std::nullopt;  // where there was no room for it
+};
+
+// Passages `gap` apart at each crossing. If the ways allow it, half of that above and below the
+// plane. Else each passage lies in the middle between the highest and the lowest place that
+// difference constraints leave it (Bellman 1958); where they leave none, the gap is the widest for
+// which they do, to a thousandth.
+Heights passage_heights(const WalkProfile& profile, double gap);
+
+}  // namespace ribbon
