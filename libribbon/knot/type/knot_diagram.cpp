@@ -70,6 +70,10 @@ Index after(const KnotDiagram& knot, Index k) {
   return k + 1 == knot.passes.size() ? 0 : k + 1;
 }
 
+Index before(const KnotDiagram& knot, Index k) {
+  return k == 0 ? knot.passes.size() - 1 : k - 1;
+}
+
 // The crossing that is passed at both ends of a loop without crossings (first Reidemeister move).
 std::optional<int> find_loop(const KnotDiagram& knot) {
   for (Index k = 0; k < knot.passes.size(); ++k)
@@ -109,10 +113,52 @@ void remove(KnotDiagram& knot, int crossing) {
   knot.signs.erase(knot.signs.begin() + crossing);
 }
 
+// The ends of the pieces between passes: where the walk arrives at pass k, 2 k, and where it leaves
+// it, 2 k + 1. Gives, for each, the next one counter-clockwise round its crossing.
+std::vector<Index> next_counter_clockwise(const KnotDiagram& knot) {
+  std::vector<Index> over(knot.signs.size());
+  for (Index k = 0; k < knot.passes.size(); ++k)
+    if (knot.passes[k].over) over[static_cast<Index>(knot.passes[k].crossing)] = k;
+  const std::vector<Index> under = passes_under(knot);
+  std::vector<Index> next(2 * knot.passes.size());
+  for (Index i = 0; i < knot.signs.size(); ++i) {
+    // A right-handed crossing's lower strand goes from the right of the upper one to its left.
+    const Index from_left = knot.signs[i] > 0 ? 0 : 1;
+    const Index left = 2 * under[i] + 1 - from_left;
+    const Index right = 2 * under[i] + from_left;
+    next[2 * over[i] + 1] = left;
+    next[left] = 2 * over[i];
+    next[2 * over[i]] = right;
+    next[right] = 2 * over[i] + 1;
+  }
+  return next;
+}
+
+// The regions of the surface on which the closed knot can be drawn.
+Index count_regions(const KnotDiagram& knot) {
+  const std::vector<Index> next = next_counter_clockwise(knot);
+  const auto other_end = [&](Index end) {
+    return end % 2 == 1 ? 2 * after(knot, end / 2) : 2 * before(knot, end / 2) + 1;
+  };
+  std::vector<bool> seen(next.size(), false);
+  Index regions = 0;
+  for (Index start = 0; start < next.size(); ++start) {
+    if (seen[start]) continue;
+    ++regions;
+    for (Index end = start; !seen[end]; end = next[other_end(end)]) seen[end] = true;
+  }
+  return regions;
+}
+
 }  // namespace
 
 int KnotDiagram::writhe() const {
   return std::accumulate(signs.begin(), signs.end(), 0);
+}
+
+// By Euler's formula for a sphere.
+bool is_planar(const KnotDiagram& diagram) {
+  return diagram.passes.empty() || count_regions(diagram) == diagram.signs.size() + 2;
 }
 
 std::optional<KnotDiagram> diagram(const LongCurve& curve, const ProjectivePoint& view) {

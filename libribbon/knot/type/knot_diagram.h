@@ -22,6 +22,10 @@ struct KnotDiagram {
   [[nodiscard]] int writhe() const;
 };
 
+// Can it be drawn without further crossings so that both ends lead out? Not, for instance, where an
+// end lies inside a loop. Only then is the knot of the diagram that of the curve.
+bool is_planar(const KnotDiagram& diagram);
+
 // The curve as seen from the direction `view`. Nothing when that view is not in general position.
 std::optional<KnotDiagram> diagram(const LongCurve& curve, const ProjectivePoint& view);
 

@@ -65,10 +65,13 @@ void append_names(const NamedBraid& braid, std::vector<NamedPolynomial>& names) 
   }
 }
 
-std::vector<NamedPolynomial> all_names() {
-  std::vector<NamedPolynomial> result;
-  for (const NamedBraid& braid : named_braids()) append_names(braid, result);
-  return result;
+const std::vector<NamedPolynomial>& named_polynomials() {
+  static const std::vector<NamedPolynomial> names = [] {
+    std::vector<NamedPolynomial> result;
+    for (const NamedBraid& braid : named_braids()) append_names(braid, result);
+    return result;
+  }();
+  return names;
 }
 
 // One passage of a strand through all letters, from position `strand` to the one returned.
@@ -97,11 +100,22 @@ KnotDiagram braid_knot(const std::vector<int>& letters) {
 }
 
 std::optional<std::string> knot_name(const LaurentPolynomial& jones) {
-  static const std::vector<NamedPolynomial> names = all_names();
+  const auto& names = named_polynomials();
   const auto found = std::find_if(names.begin(), names.end(),
                                   [&jones](const auto& named) { return named.jones == jones; });
   if (found == names.end()) return {};
   return found->name;
+}
+
+std::vector<std::string> all_knot_names() {
+  std::vector<std::string> names;
+  for (const NamedPolynomial& named : named_polynomials()) names.push_back(named.name);
+  return names;
+}
+
+std::string knot_text(const LaurentPolynomial& jones) {
+  const auto name = knot_name(jones);
+  return name ? *name : "knot with Jones polynomial " + jones.text();
 }
 
 }  // namespace ribbon

@@ -19,4 +19,10 @@ KnotDiagram braid_knot(const std::vector<int>& letters);
 // right-handed if the crossings of its least diagram are so in the sum. Nothing for others.
 std::optional<std::string> knot_name(const LaurentPolynomial& jones);
 
+// All that knot_name() can return.
+std::vector<std::string> all_knot_names();
+
+// The name, or where there is none, "knot with Jones polynomial " and that.
+std::string knot_text(const LaurentPolynomial& jones);
+
 }  // namespace ribbon

@@ -1,0 +1,26 @@
+// Knots as people tie and call them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "knot/type/knot_diagram.h"
+
+namespace ribbon {
+
+// What the knot of a drawing is called, all of them. Its closed type by the Jones polynomial:
+// "reef knot"; "trefoil", "trefoil, left-handed" and "overhand knot". Forms that are slipped close
+// to a simpler knot, so they are told by the drawing itself, whichever way round it is walked, seen
+// or mirrored: "bow". Only the types that can be told are in it: of a drawing that is not
+// is_planar(), none.
+std::vector<std::string> knot_names(const KnotDiagram& drawing);
+
+// All that knot_names() can return.
+const std::vector<std::string>& known_knot_names();
+
+// The signed Gauss code of a drawing as "O1+ U2- O2- U1+": over or under, crossings numbered as
+// they are met, signs.
+std::string gauss_code(const KnotDiagram& drawing);
+
+}  // namespace ribbon
