@@ -27,6 +27,7 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
   };
   const std::array rules = {
       Rule{a.curve == b.curve, "[curve]", "the ribbon has left its drawing"},
+      Rule{a.knot == b.knot, "[knot]", "it is that of the drawing"},
       Rule{size(a) == size(b), "the number of particles", "all frames have the same particles"},
       Rule{a.ribbon.width_m == b.ribbon.width_m, "ribbon.width", "the ribbon has grown to it"},
       Rule{a.obstacle == b.obstacle, "[obstacle]", "the ribbon lies around it"},

@@ -21,6 +21,7 @@ RibbonMesh generate_ribbon_mesh(const SpaceCurve& curve, const RibbonScene& ribb
   mesh.curve = curve.points;
   mesh.length_m = curve.length_m;
   mesh.width_m = ribbon.width_m;
+  mesh.crossings = curve.crossings;
   mesh.squeezed = curve.squeezed;
   mesh.positions.resize(3, mesh.grid.particle_count());
   mesh.uv.resize(2, mesh.grid.particle_count());

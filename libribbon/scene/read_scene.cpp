@@ -131,6 +131,12 @@ Result<CrossingList> crossing_list(const Value& value) {
   return CrossingList{*std::move(list), value.document.place(value.toml.begin)};
 }
 
+Result<KnotScene> expected_knot(const Value& value) {
+  return text(value).map([&](const std::string& name) {
+    return KnotScene{name, value.document.place(value.toml.begin)};
+  });
+}
+
 template <class Meaning>
 auto one_of(std::vector<std::pair<std::string_view, Meaning>> words) {
   return [words = std::move(words)](const Value& value) -> Result<Meaning> {
@@ -378,6 +384,7 @@ const std::vector<Table>& tables() {
                                                      {"paper", ContactMethod::paper}}))},
         {"accuracy", optional, "\"balanced\"", set_level()}}},
       {"curve", required, curve_keys()},
+      {"knot", optional, {{"expect", required, "\"reef knot\"", set(&Scene::knot, expected_knot)}}},
       {"ribbon", required, ribbon_keys()},
       {"springs", optional, spring_keys()},
       {"air",

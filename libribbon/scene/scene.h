@@ -51,6 +51,15 @@ struct CurveScene {
   bool operator==(const CurveScene&) const = default;
 };
 
+// What the drawing is meant to tie.
+struct KnotScene {
+  std::string expect;      // a name: "reef knot"
+  std::string place = {};  // where the scene says it; empty: nowhere
+
+  // Wherever it stands.
+  bool operator==(const KnotScene& other) const { return expect == other.expect; }
+};
+
 struct RibbonScene {
   double width_m = 0;
   int along = 0;
@@ -148,6 +157,7 @@ struct Scene {
   std::filesystem::path file;  // where it stands
   std::string text;            // the file as read
   CurveScene curve;
+  std::optional<KnotScene> knot;
   RibbonScene ribbon;
   SpringScene springs;
   double air_resistance_per_s = 0;  // deceleration per speed

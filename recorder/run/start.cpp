@@ -2,20 +2,23 @@
 
 #include <utility>
 
+#include "recorder/run/drawn_knot.h"
 #include "recorder/run/tying.h"
 
 namespace ribbon {
 
 namespace {
 
-// Growth keeps the knot; the recovery schemes know nothing of it.
+// Growth keeps how the ribbon is tied; the recovery schemes know nothing of it.
 Result<void> start_is_tied_as_drawn(const Scene& scene, const RibbonMesh& ribbon,
                                     const std::optional<TriangleMesh>& obstacle,
                                     const FasteningProcessor& fastening) {
-  if (scene.contact != ContactMethod::gate || fastening.start().kind != StartKind::recovered)
-    return {};
-  auto tied = check_tying(ribbon.grid, object_axis(centre_axis(scene), obstacle), ribbon.positions,
-                          fastening.positions());
+  if (scene.contact != ContactMethod::gate) return {};
+  auto tied = fastening.start().kind == StartKind::recovered
+                  ? check_tying(ribbon.grid, object_axis(centre_axis(scene), obstacle),
+                                ribbon.positions, fastening.positions())
+                  : Result<void>();
+  if (tied) tied = check_first_frame(ribbon, fastening.positions());
   if (!tied) tied.error().place = scene.name;
   return tied;
 }
@@ -26,6 +29,8 @@ Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& 
                          const StartObserver& observer) {
   auto ribbon = draw_ribbon(scene);
   if (!ribbon) return tl::unexpected(ribbon.error());
+  if (auto expected = check_expected_knot(scene, ribbon->crossings); !expected)
+    return tl::unexpected(expected.error());
   auto fastening = FasteningProcessor::create(scene, *ribbon, obstacle, observer);
   if (!fastening) return tl::unexpected(fastening.error());
   if (auto tied = start_is_tied_as_drawn(scene, *ribbon, obstacle, *fastening); !tied)

@@ -18,7 +18,8 @@ struct Start {
 };
 
 // Generates the ribbon from its drawing and finds its start, which may take minutes and tells the
-// observer. Fails when the drawing or the start does not work.
+// observer. Fails when the drawing or the start does not work, when the drawing is not the knot
+// that the scene expects, and when the start is not the knot that was drawn.
 Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& obstacle,
                          const StartObserver& observer = {});
 

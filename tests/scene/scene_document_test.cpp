@@ -63,8 +63,9 @@ std::set<std::string> names_offered(const std::string& table) {
 }
 
 KeysOfTables read_keys() {
-  const std::set<std::string> tables = {"curve",    "ribbon",   "springs",   "air",  "gravity",
-                                        "friction", "obstacle", "fastening", "time", "recording"};
+  const std::set<std::string> tables = {"curve",     "knot",    "ribbon",   "springs",
+                                        "air",       "gravity", "friction", "obstacle",
+                                        "fastening", "time",    "recording"};
   KeysOfTables keys;
   for (const std::string& name : names_offered(""))
     if (tables.count(name) == 0) keys[""].insert(name);

@@ -89,10 +89,15 @@ std::string gauss_code(const KnotDiagram& drawing) {
   return code;
 }
 
+std::optional<std::string_view> tied_form(const KnotDiagram& drawing) {
+  for (const TiedForm& form : forms)
+    if (has_form(drawing, form.code)) return form.name;
+  return std::nullopt;
+}
+
 std::vector<std::string> knot_names(const KnotDiagram& drawing) {
   std::vector<std::string> names;
-  for (const TiedForm& form : forms)
-    if (has_form(drawing, form.code)) names.emplace_back(form.name);
+  if (const auto form = tied_form(drawing)) names.emplace_back(*form);
   if (!is_planar(drawing)) return names;
   if (const auto jones = jones_polynomial(reduced(drawing)))
     if (const auto name = knot_name(*jones))

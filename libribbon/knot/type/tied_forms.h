@@ -1,6 +1,7 @@
 // Knots as people tie and call them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,9 @@ namespace ribbon {
 // or mirrored: "bow". Only the types that can be told are in it: of a drawing that is not
 // is_planar(), none.
 std::vector<std::string> knot_names(const KnotDiagram& drawing);
+
+// The form alone: "bow".
+std::optional<std::string_view> tied_form(const KnotDiagram& drawing);
 
 // All that knot_names() can return.
 const std::vector<std::string>& known_knot_names();

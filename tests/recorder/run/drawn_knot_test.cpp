@@ -1,0 +1,65 @@
+#include "recorder/run/drawn_knot.h"
+
+#include <gtest/gtest.h>
+
+#include "recorder/run/start.h"
+#include "recorder/small_scene.h"
+#include "result/refusal.h"
+
+namespace ribbon::drawn_knot_test {
+
+// Two strands wound round each other, as in crossings_test.cpp, with room for a ribbon.
+constexpr const char* trefoil =
+    "points = [[0, -100], [200, 100], [400, -100], [600, 100], [600, 400], [0, 400], [0, 100],\n"
+    "          [200, -100], [400, 100], [600, -100]]\n";
+
+Scene scene_with(const std::string& curve, const std::string& expect) {
+  std::string text = small_scene_text();
+  const std::size_t points = text.find("points");
+  text.replace(points, text.find("[ribbon]") - points,
+               trefoil + curve + (expect.empty() ? "" : "[knot]\nexpect = '" + expect + "'\n"));
+  return read_scene("knot.toml", text).value();
+}
+
+std::string refusal(const std::string& curve, const std::string& expect) {
+  return refusal_of(find_start(scene_with(curve, expect), std::nullopt));
+}
+
+TEST(DrawnKnot, that_is_expected_is_accepted_under_all_its_names) {
+  for (const char* name : {"trefoil", "overhand knot", "trefoil, right-handed"})
+    EXPECT_EQ(refusal("", name), "") << name;
+  EXPECT_EQ(refusal("crossings = 'OOOUUU'\n", "unknot"), "");
+}
+
+TEST(DrawnKnot, that_is_another_is_refused_with_what_it_ties_and_a_list_that_ties_it) {
+  const std::string sentence = refusal("crossings = 'OOOUUU'\n", "trefoil, left-handed");
+  EXPECT_THAT(sentence, StartsWith("knot.toml:7:10: the drawing ties: unknot; expected is: "
+                                   "trefoil, left-handed; write 'crossings = \""));
+  const std::size_t list = sentence.find("crossings = ");
+  EXPECT_EQ(refusal(sentence.substr(list, sentence.find('\'', list) - list) + "\n",
+                    "trefoil, left-handed"),
+            "");
+}
+
+TEST(DrawnKnot, that_no_list_helps_is_refused_all_the_same) {
+  EXPECT_THAT(refusal("", "reef knot"),
+              HasSubstr("trefoil, right-handed (3 crossings); expected is: reef knot; correct"));
+}
+
+TEST(DrawnKnot, whose_name_nobody_knows_is_asked_for) {
+  EXPECT_THAT(refusal("", "rief knot"), HasSubstr("no knot is known as 'rief knot'; did you mean "
+                                                  "'reef knot'?"));
+  EXPECT_THAT(refusal("", "quetzalcoatlus"), HasSubstr("'expect = \"reef knot\"'"));
+}
+
+TEST(DrawnKnot, of_a_start_that_is_tied_otherwise_is_refused_with_both) {
+  const RibbonMesh drawn = draw_ribbon(scene_with("", "")).value();
+  EXPECT_EQ(refusal_of(check_first_frame(drawn, drawn.positions)), "");
+  Eigen::Matrix3Xd mirrored = drawn.positions;
+  mirrored.row(1) = -mirrored.row(1);
+  EXPECT_THAT(refusal_of(check_first_frame(drawn, mirrored)),
+              AllOf(HasSubstr("at its start is tied as: trefoil, left-handed"),
+                    HasSubstr("its drawing as: trefoil, right-handed")));
+}
+
+}  // namespace ribbon::drawn_knot_test
