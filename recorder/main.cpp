@@ -16,6 +16,7 @@
 #include "recorder/options.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
+#include "recorder/show_crossings.h"
 #include "scene/scene.h"
 #include "text/number_text.h"
 
@@ -144,7 +145,17 @@ bool is_interrupted(const std::optional<RunStatistics>& run, const Watch& watch)
   return run->ending == RunEnding::stopped && !run->limit_reached;
 }
 
+Result<ExitCode> do_crossings(const RecorderOptions& options) {
+  const auto text = read_scene(options.input, options.settings).and_then([&](const Scene& scene) {
+    return show_crossings(scene, options.diagram, options.force ? Overwrite::yes : Overwrite::no);
+  });
+  if (!text) return tl::unexpected(text.error());
+  if (!options.quiet) std::fputs(text->c_str(), stdout);
+  return ExitCode::done;
+}
+
 Result<ExitCode> do_task(const RecorderOptions& options) {
+  if (options.task == RecorderTask::crossings) return do_crossings(options);
   set_thread_limit(options.threads);
   Watch watch(options.progress);
   if (options.task == RecorderTask::compact) {

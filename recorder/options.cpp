@@ -21,6 +21,8 @@ constexpr const char* examples = R"(Examples:
       records the scene with other settings than it has
   ribbon-record --from 200 --set fastening.speed=1 -o fast.rbn knot.rbn
       takes frames 1 to 200 of knot.rbn over and goes on with another speed
+  ribbon-record knot.toml --crossings knot.svg
+      draws the knot with its passages numbered, prints their list and which knot it is
   ribbon-record --compact knot.rbn
       rewrites a recording to be smaller, every frame bit for bit as it was
 Ctrl-C ends the run early and leaves a valid recording of what was done; --resume goes on with it.
@@ -30,7 +32,7 @@ Exit codes: 0 done, 2 could not, 3 ended early (by Ctrl-C, a signal, or because 
 
 // The words of the command line that were used.
 struct Given {
-  bool input, output, resume, from, set, force, compact, of_runs;
+  bool input, output, resume, from, set, force, compact, crossings, of_runs;
 
   // Not at the end of a run.
   [[nodiscard]] bool compact_alone() const { return compact && !resume && !from && !output; }
@@ -41,6 +43,12 @@ Result<void> refuse(const std::string& problem, const std::string& remedy) {
 }
 
 Result<void> goes_together(const Given& given) {
+  if (given.crossings && (given.output || given.resume || given.from || given.compact))
+    return refuse("--crossings shows the drawing of a scene and records nothing",
+                  "name the scene, and record it without --crossings");
+  if (given.crossings && given.of_runs)
+    return refuse("--crossings runs nothing that a limit or figures could be of", "leave them out");
+  if (given.crossings && given.input) return {};
   if (given.resume && given.from)
     return refuse("--resume and --from cannot go together",
                   "--resume goes on in the same file, --from begins another one");
@@ -100,6 +108,9 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   const auto compact = arguments.flag(
       "--compact", options.compact,
       "rewrite the recording to be smaller, without any loss; also at the end of a run");
+  const auto crossings = arguments.add(
+      "--crossings", options.diagram, "FILE",
+      "write the scene's drawing with its passages numbered (.svg), and record nothing");
   const auto statistics =
       arguments.add("--stats", options.statistics, "FILE", "JSON file for the figures of the run");
   arguments.add("--threads", options.threads, {1, 1024}, "N",
@@ -114,8 +125,9 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   if (!*read) return std::nullopt;
   const bool is_of_runs =
       until.is_given() || frames.is_given() || statistics.is_given() || profile.is_given();
-  const Given given{input.is_given(), output.is_given(), resume.is_given(),  from.is_given(),
-                    set.is_given(),   force.is_given(),  compact.is_given(), is_of_runs};
+  const Given given{input.is_given(),   output.is_given(),    resume.is_given(),
+                    from.is_given(),    set.is_given(),       force.is_given(),
+                    compact.is_given(), crossings.is_given(), is_of_runs};
   options.progress = progress_style(progress, options.quiet);
   if (until.is_given()) options.limit.until_s = until_s;
   if (frames.is_given()) options.limit.frames = frame_count;
@@ -126,6 +138,8 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   } else if (given.from) {
     options.task = RecorderTask::branch;
     options.from_frame = from_frame - 1;
+  } else if (given.crossings) {
+    options.task = RecorderTask::crossings;
   } else if (given.compact_alone()) {
     options.task = RecorderTask::compact;
     options.recording = std::exchange(options.input, {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <pugixml.hpp>
 #include <string_view>
 
@@ -115,7 +116,8 @@ Result<SvgFile> load(const std::filesystem::path& path) {
   return file;
 }
 
-Result<pugi::xml_node> only_path(const SvgFile& file, const std::vector<pugi::xml_node>& paths) {
+Result<std::vector<pugi::xml_node>> only_path(const SvgFile& file,
+                                              const std::vector<pugi::xml_node>& paths) {
   if (paths.empty())
     return failure(file.name, "has no path that can be seen",
                    "draw one open path; what is hidden, in <defs> or in a symbol does not count, "
@@ -124,13 +126,22 @@ Result<pugi::xml_node> only_path(const SvgFile& file, const std::vector<pugi::xm
     return failure(file.place(paths[1]),
                    "has " + std::to_string(paths.size()) + " paths: " + list_ids(paths),
                    choice_among(paths));
-  return paths.front();
+  return paths;
 }
 
-Result<pugi::xml_node> path_by_id(const SvgFile& file, const std::vector<pugi::xml_node>& paths,
-                                  const std::string& id) {
-  for (const pugi::xml_node& path : paths)
-    if (id_of(path) == id) return path;
+bool is_in_group(pugi::xml_node node, const std::string& id) {
+  while (node && id_of(node) != id) node = node.parent();
+  return !node.empty();
+}
+
+// The path of that id, or those of the group of that id.
+Result<std::vector<pugi::xml_node>> paths_by_id(const SvgFile& file,
+                                                const std::vector<pugi::xml_node>& paths,
+                                                const std::string& id) {
+  std::vector<pugi::xml_node> chosen;
+  std::copy_if(paths.begin(), paths.end(), std::back_inserter(chosen),
+               [&](const pugi::xml_node& path) { return is_in_group(path, id); });
+  if (!chosen.empty()) return chosen;
   const pugi::xml_node other = file.document.find_node(
       [&](const pugi::xml_node& node) { return id == node.attribute("id").value(); });
   if (other)
@@ -174,44 +185,48 @@ bool is_in_range(const Eigen::Vector2d& point) {
   return point.allFinite() && point.cwiseAbs().maxCoeff() <= largest_coordinate;
 }
 
-Result<Drawing> checked(const std::string& place, const std::string& name, const FlatPath& path) {
+Result<std::vector<Drawing>> checked(const std::string& place, const std::string& name,
+                                     FlatPath path) {
   if (path.closed)
     return failure(place, name + " is closed",
                    "open it: in Inkscape, select two neighbouring nodes with the node tool and "
                    "delete the segment between them");
-  if (path.subpaths > 1)
-    return failure(place, name + " is made of " + std::to_string(path.subpaths) + " pieces",
-                   "in Inkscape, join their ends with the node tool (Shift+J), or split them by "
-                   "Path > Break Apart and choose one");
-  if (!std::all_of(path.points.begin(), path.points.end(), is_in_range))
-    return failure(place, name + " has coordinates beyond 1e9 drawing units",
-                   "draw it smaller or correct its transforms");
-  if (path.points.size() < 2)
+  for (const Drawing& piece : path.pieces)
+    if (!std::all_of(piece.begin(), piece.end(), is_in_range))
+      return failure(place, name + " has coordinates beyond 1e9 drawing units",
+                     "draw it smaller or correct its transforms");
+  std::erase_if(path.pieces, [](const Drawing& piece) { return piece.size() < 2; });
+  if (path.pieces.empty())
     return failure(place, name + " has no length", "draw a curve with at least two points");
-  return path.points;
+  return std::move(path.pieces);
 }
 
 }  // namespace
 
-Result<SvgPath> find_svg_path(const std::filesystem::path& file, const std::string& path_id) {
+Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
+                                            const std::string& id) {
   const auto svg = load(file);
   if (!svg) return tl::unexpected(svg.error());
-  const auto paths = visible_paths(svg->document.document_element());
-  const auto node = path_id.empty() ? only_path(*svg, paths) : path_by_id(*svg, paths, path_id);
-  if (!node) return tl::unexpected(node.error());
-  const auto transform = root_from_path(*svg, *node);
-  if (!transform) return tl::unexpected(transform.error());
-  return SvgPath{svg->place(*node),
-                 id_of(*node).empty() ? "the path" : "path '" + id_of(*node) + "'",
-                 path_data(*node), *transform};
+  const auto visible = visible_paths(svg->document.document_element());
+  const auto nodes = id.empty() ? only_path(*svg, visible) : paths_by_id(*svg, visible, id);
+  if (!nodes) return tl::unexpected(nodes.error());
+  std::vector<SvgPath> paths;
+  for (const pugi::xml_node& node : *nodes) {
+    const auto transform = root_from_path(*svg, node);
+    if (!transform) return tl::unexpected(transform.error());
+    paths.push_back({svg->place(node),
+                     id_of(node).empty() ? "the path" : "path '" + id_of(node) + "'",
+                     path_data(node), *transform});
+  }
+  return paths;
 }
 
-Result<Drawing> flattened(const SvgPath& path, double tolerance) {
-  const auto flat = flatten_path_data(path.data, path.root_from_path, tolerance);
+Result<std::vector<Drawing>> flattened(const SvgPath& path, double tolerance) {
+  auto flat = flatten_path_data(path.data, path.root_from_path, tolerance);
   if (!flat)
     return failure(path.place, path.name + " has data that cannot be read",
                    "correct its numbers and commands, or draw it again");
-  return checked(path.place, path.name, *flat);
+  return checked(path.place, path.name, *std::move(flat));
 }
 
 double extent_of(const Drawing& drawing) {

@@ -21,16 +21,17 @@ struct SvgPath {
   Eigen::Affine2d root_from_path;
 };
 
-// Finds one path (or polyline or line) in an SVG file as drawing programs write it. `path_id`
-// chooses among several; empty: exactly one must be visible; hidden ones, <defs>, symbols, markers
-// and nested <svg> do not count. Fails with file and line when there is no such path.
-Result<SvgPath> find_svg_path(const std::filesystem::path& file, const std::string& path_id);
+// Finds a path (or polyline or line) in an SVG file as drawing programs write it, or all of a
+// group. `id` chooses among several; empty: exactly one must be visible; hidden ones, <defs>,
+// symbols, markers and nested <svg> do not count. Fails with file and line when there is no such
+// path.
+Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
+                                            const std::string& id);
 
-// All transforms applied, curves flattened to within `tolerance` (> 0) drawing units. Those are the
-// user units of the root element: its viewBox, width and height are not applied. Fails with the
-// path's place when it is malformed, closed, empty or made of several pieces, or lies beyond 1e9
-// units.
-Result<Drawing> flattened(const SvgPath& path, double tolerance);
+// Its pieces, all transforms applied, curves flattened to within `tolerance` (> 0) drawing units.
+// Those are the user units of the root element: its viewBox, width and height are not applied.
+// Fails with the path's place when it is malformed, closed or empty, or lies beyond 1e9 units.
+Result<std::vector<Drawing>> flattened(const SvgPath& path, double tolerance);
 
 // The diagonal of the box around it.
 double extent_of(const Drawing& drawing);

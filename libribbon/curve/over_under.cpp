@@ -53,6 +53,32 @@ tl::unexpected<Error> wrong_length(const std::vector<DoublePoint>& points,
                  "write one letter for each passage, in the order of the walk");
 }
 
+bool is_in(std::size_t segment, double parameter) {
+  return parameter >= static_cast<double>(segment) && parameter <= static_cast<double>(segment + 1);
+}
+
+bool is_in_gap(const JoinedDrawing& drawing, double parameter) {
+  return std::any_of(drawing.gaps.begin(), drawing.gaps.end(),
+                     [&](std::size_t gap) { return is_in(gap, parameter); });
+}
+
+Result<void> each_gap_passes_under_one(const std::vector<DoublePoint>& points,
+                                       const JoinedDrawing& drawing) {
+  for (const std::size_t gap : drawing.gaps) {
+    const auto count = std::count_if(points.begin(), points.end(), [&](const DoublePoint& point) {
+      return is_in(gap, point.first) || is_in(gap, point.second);
+    });
+    if (count == 1) continue;
+    const Eigen::Vector2d middle = (drawing.points[gap] + drawing.points[gap + 1]) / 2;
+    return failure(drawing_place(middle),
+                   count == 0 ? "this gap passes under nothing"
+                              : "this gap passes under " + std::to_string(count) + " strands",
+                   count == 0 ? "join its two ends, or draw the strand that passes over it"
+                              : "leave a gap of its own at each of them");
+  }
+  return {};
+}
+
 }  // namespace
 
 // Each crossing is met once at an even and once at an odd place of the walk, unless an end of the
@@ -90,10 +116,40 @@ Result<std::vector<Crossing>> as_listed(const std::vector<DoublePoint>& points,
   return crossings;
 }
 
+Result<std::vector<Crossing>> as_gaps_say(const std::vector<DoublePoint>& points,
+                                          const JoinedDrawing& drawing) {
+  if (auto passed = each_gap_passes_under_one(points, drawing); !passed)
+    return tl::unexpected(passed.error());
+  std::vector<Crossing> crossings;
+  for (const DoublePoint& point : points) {
+    const bool first_under = is_in_gap(drawing, point.first);
+    const bool second_under = is_in_gap(drawing, point.second);
+    if (first_under == second_under)
+      return failure(drawing_place(point.point),
+                     first_under ? "both strands that cross here have a gap"
+                                 : "two strands cross here, and neither has a gap",
+                     first_under ? "close the gap of the one that passes over"
+                                 : "leave a gap in the one that passes under");
+    crossings.push_back(crossing_of(point, second_under));
+  }
+  return crossings;
+}
+
 Result<std::vector<Crossing>> over_and_under(const std::vector<DoublePoint>& points,
+                                             const JoinedDrawing& drawing,
                                              const CurveScene& scene) {
+  if (scene.crossings && !drawing.gaps.empty())
+    return failure(scene.crossings->place, "the gaps of the drawing say already what passes under",
+                   "remove 'crossings', or join the pieces of the drawing");
+  if (!drawing.gaps.empty()) return as_gaps_say(points, drawing);
   return scene.crossings ? as_listed(points, *scene.crossings)
                          : alternating(points, scene.first_passage_over);
+}
+
+std::string letters_of(const std::vector<Crossing>& crossings) {
+  std::string letters;
+  for (const Passage& passage : passages_along(crossings)) letters += passage.over ? 'O' : 'U';
+  return letters;
 }
 
 std::vector<Passage> passages_along(const std::vector<Crossing>& crossings) {

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "curve/crossings.h"
+#include "curve/joined_drawing.h"
 #include "result/result.h"
 #include "scene/scene.h"
 
@@ -39,9 +40,17 @@ Result<std::vector<Crossing>> alternating(const std::vector<DoublePoint>& points
 Result<std::vector<Crossing>> as_listed(const std::vector<DoublePoint>& points,
                                         const CrossingList& list);
 
-// As the scene wants it: by its list, else alternating.
+// Under at each gap of the drawing. Fails, with the place, where a gap passes under nothing or
+// under more than one strand, and where strands cross without a gap, or with two.
+Result<std::vector<Crossing>> as_gaps_say(const std::vector<DoublePoint>& points,
+                                          const JoinedDrawing& drawing);
+
+// As drawing and scene want it: by gaps, by the list (not by both: that fails), else alternating.
 Result<std::vector<Crossing>> over_and_under(const std::vector<DoublePoint>& points,
-                                             const CurveScene& scene);
+                                             const JoinedDrawing& drawing, const CurveScene& scene);
+
+// "OUOUOU", as the scene has it.
+std::string letters_of(const std::vector<Crossing>& crossings);
 
 // In the order of the walk, two of each crossing.
 std::vector<Passage> passages_along(const std::vector<Crossing>& crossings);

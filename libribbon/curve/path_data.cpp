@@ -99,7 +99,7 @@ class Flattener {
   void begin_segment() {
     if (!subpath_is_empty_) return;
     subpath_is_empty_ = false;
-    ++path_.subpaths;
+    path_.pieces.emplace_back();
     add(in_root(current_));
   }
 
@@ -119,8 +119,8 @@ class Flattener {
   }
 
   void add(const Vector2d& point) {
-    if (path_.subpaths == 1 && (path_.points.empty() || path_.points.back() != point))
-      path_.points.push_back(point);
+    std::vector<Vector2d>& piece = path_.pieces.back();
+    if (piece.empty() || piece.back() != point) piece.push_back(point);
   }
 
   // The points between the ends of the curve `point`(0 ... 1).

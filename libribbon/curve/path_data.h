@@ -8,11 +8,11 @@
 
 namespace ribbon {
 
-// The flattened first subpath of some path data.
+// The flattened subpaths of some path data.
 struct FlatPath {
-  std::vector<Eigen::Vector2d> points;  // consecutive points differ; empty if nothing is drawn
-  int subpaths = 0;                     // those that draw something
-  bool closed = false;                  // by Z, in any subpath
+  // Those that draw something; in each, consecutive points differ.
+  std::vector<std::vector<Eigen::Vector2d>> pieces;
+  bool closed = false;  // by Z, in any subpath
 };
 
 // Reads all path commands of SVG 1.1, maps them by `root_from_path` and flattens curves to within

@@ -10,7 +10,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "curve/heights.h"
 #include "curve/place.h"
@@ -24,35 +23,12 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double flatness_per_extent = 1e-5;  // a tenth of what find_double_points calls touching
-constexpr double steepest_slope = 1;          // rise per length in the plan
-constexpr double blend_slope = 1.5;           // of the blend below, at its middle, per mean slope
-constexpr double gentle_lead = 6;             // length per rise from an end to its first passage
-constexpr double finest_turn = 0.003;         // radians per chord: lengths are right to 4e-7
-constexpr double coarse_turn = 0.05;          // enough to find crossings
+constexpr double steepest_slope = 1;   // rise per length in the plan
+constexpr double blend_slope = 1.5;    // of the blend below, at its middle, per mean slope
+constexpr double gentle_lead = 6;      // length per rise from an end to its first passage
+constexpr double finest_turn = 0.003;  // radians per chord: lengths are right to 4e-7
+constexpr double coarse_turn = 0.05;   // enough to find crossings
 constexpr double most_chords = 5e5;
-
-Result<Drawing> read_drawing(const DrawnPoints& drawn) {
-  Drawing drawing;
-  for (const Vector2d& point : drawn.points) {
-    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > 1e9)
-      return failure("drawing", "a point lies beyond 1e9 drawing units", "correct it");
-    if (drawing.empty() || drawing.back() != point) drawing.push_back(point);
-  }
-  if (drawing.size() < 2)
-    return failure("drawing", "the points have no length", "give at least two different points");
-  return drawing;
-}
-
-// Flattened twice: how fine depends on how large the drawing is.
-Result<Drawing> read_drawing(const DrawnSvg& drawn) {
-  if (auto there = check_readable(drawn.file); !there) return tl::unexpected(there.error());
-  const auto path = find_svg_path(drawn.file.path, drawn.path_id);
-  if (!path) return tl::unexpected(path.error());
-  auto coarse = flattened(*path, std::numeric_limits<double>::max());
-  if (!coarse) return coarse;
-  return flattened(*path, flatness_per_extent * extent_of(*coarse));
-}
 
 // What the smooth curve passes through: the drawing's own points and its passages.
 struct Controls {
@@ -317,15 +293,14 @@ Vector3d catmull_rom(const Vector3d& p0, const Vector3d& p1, const Vector3d& p2,
 Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m, int samples,
                                         TightPassage tight_passage) {
   assert(samples >= 2 && scene.unit_m > 0 && ribbon_width_m > 0 && scene.clearance_m >= 0);
-  const auto drawing =
-      std::visit([](const auto& drawn) { return read_drawing(drawn); }, scene.drawing);
+  const auto drawing = read_drawing(scene);
   if (!drawing) return tl::unexpected(drawing.error());
-  const auto points_met_twice = find_double_points(*drawing);
+  const auto points_met_twice = find_double_points(drawing->points);
   if (!points_met_twice) return tl::unexpected(points_met_twice.error());
-  const auto crossings = over_and_under(*points_met_twice, scene);
+  const auto crossings = over_and_under(*points_met_twice, *drawing, scene);
   if (!crossings) return tl::unexpected(crossings.error());
   const auto passages = passages_along(*crossings);
-  const Controls controls = controls_of(*drawing, passages);
+  const Controls controls = controls_of(drawing->points, passages);
   if (auto same = same_crossings(*points_met_twice, controls); !same)
     return tl::unexpected(same.error());
 

@@ -20,7 +20,7 @@ struct RibbonMesh {
   Eigen::Matrix2Xf uv;         // 2 x particles: u along, v across, both from 0 to 1
   double length_m = 0;         // of the flat band
   double width_m = 0;
-  std::vector<Crossing> crossings;  // of the drawing
+  std::vector<Crossing> crossings;               // of the drawing
   std::optional<Error> squeezed = std::nullopt;  // the drawing's passage that is too tight for it
 };
 

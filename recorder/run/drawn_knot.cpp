@@ -40,12 +40,6 @@ bool change_until_called(const std::string& name, int changes, std::size_t from,
   return false;
 }
 
-std::string letters_of(const std::vector<Crossing>& crossings) {
-  std::string letters;
-  for (const Passage& passage : passages_along(crossings)) letters += passage.over ? 'O' : 'U';
-  return letters;
-}
-
 std::string remedy_for(const std::string& name, std::vector<Crossing> crossings) {
   if (crossings.size() <= most_to_change)
     for (int changes = 1; changes <= most_changes; ++changes)

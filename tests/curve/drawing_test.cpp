@@ -30,8 +30,9 @@ std::filesystem::path svg_with(const std::string& body) {
 }
 
 Result<Drawing> read_path(const std::filesystem::path& file, const std::string& id) {
-  return find_svg_path(file, id).and_then(
-      [](const SvgPath& path) { return flattened(path, tolerance); });
+  return find_svg_paths(file, id)
+      .and_then([](const std::vector<SvgPath>& paths) { return flattened(paths.at(0), tolerance); })
+      .map([](const std::vector<Drawing>& pieces) { return pieces.at(0); });
 }
 
 Drawing drawing_of(const std::string& body, const std::string& id = "") {
@@ -291,9 +292,14 @@ TEST(SvgErrors, closed_path) {
                  "path 'ring' is closed; open it: in Inkscape");
 }
 
-TEST(SvgErrors, several_pieces) {
-  expect_problem(problem_of(svg_with(path_of("M 0 0 L 1 1 M 2 2 L 3 3"))), ".svg:2",
-                 "made of 2 pieces; in Inkscape, join");
+TEST(SvgErrors, several_pieces_are_for_who_joins_them) {
+  const auto file = svg_with("<g id='band'>" + path_of("M 0 0 L 1 1 M 2 2 L 3 3") +
+                             path_of("M 4 4 L 5 5") + "</g>" + path_of("M 9 9 L 8 8"));
+  const auto paths = find_svg_paths(file, "band").value();
+  ASSERT_EQ(paths.size(), 2U);
+  EXPECT_EQ(flattened(paths[0], tolerance)->size(), 2U);
+  expect_points(flattened(paths[0], tolerance)->at(1), {{2, 2}, {3, 3}});
+  expect_points(flattened(paths[1], tolerance)->at(0), {{4, 4}, {5, 5}});
   expect_points(data_of("M 9 9 M 0 0 L 1 1 M 5 5"), {{0, 0}, {1, 1}});
 }
 

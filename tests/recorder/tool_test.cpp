@@ -158,6 +158,26 @@ TEST_F(RibbonRecord, a_recording_in_the_place_of_a_scene_is_told_with_what_can_b
   EXPECT_FALSE(fs::exists(folder_ / "other.rbn"));
 }
 
+TEST_F(RibbonRecord, shows_the_crossings_of_a_drawing_and_which_knot_it_is) {
+  EXPECT_THAT(output_of(run("small.toml --crossings small.svg")),
+              AllOf(HasSubstr("crossings = \"OU\""), HasSubstr("Gauss code: O1"),
+                    HasSubstr("knot: unknot")));
+  EXPECT_THAT(read_file(folder_ / "small.svg").value(), HasSubstr(">2</text>"));
+  expect_refusal(run("small.toml --crossings small.svg"), "exists already");
+  EXPECT_THAT(output_of(run("small.toml --crossings small.svg --force --set "
+                            "curve.crossings=\\\"UO\\\"")),
+              HasSubstr("crossings = \"UO\""));
+  expect_refusal(run("small.toml --crossings other.svg -o knot.rbn"), "records nothing");
+  expect_refusal(run("small.toml --crossings other.svg --frames 3"), "leave them out");
+  EXPECT_FALSE(fs::exists(folder_ / "other.svg"));
+}
+
+TEST_F(RibbonRecord, numbers_the_passages_of_a_drawing_whose_list_is_wrong) {
+  expect_refusal(run("small.toml --crossings small.svg --set curve.crossings=\\\"UOU\\\""),
+                 "the drawing has 2 passages");
+  EXPECT_THAT(read_file(folder_ / "small.svg").value(), HasSubstr(">2</text>"));
+}
+
 TEST_F(RibbonRecord, what_does_not_go_together_is_told) {
   ASSERT_EQ(run("small.toml -o knot.rbn --quiet").exit_code, 0);
   expect_refusal(run(""), "no scene to record");

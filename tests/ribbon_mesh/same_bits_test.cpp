@@ -16,7 +16,7 @@ TEST(SameBits, of_a_ribbon_along_arcs_come_from_every_build) {
       *transform, 0.01);
   ASSERT_TRUE(path.has_value());
   CurveScene scene;
-  scene.drawing = DrawnPoints{path->points};
+  scene.drawing = DrawnPoints{path->pieces.at(0)};
   scene.clearance_m = 0.002;
   const auto curve = generate_space_curve(scene, 0.03, 200);
   ASSERT_TRUE(curve.has_value()) << curve.error().sentence();

@@ -7,7 +7,7 @@
 #include <random>
 #include <sstream>
 
-#include "curve/drawing.h"
+#include "curve/joined_drawing.h"
 #include "scene/scene.h"
 
 namespace ribbon {
@@ -16,7 +16,6 @@ namespace {
 
 // Far enough apart that what each point is moved by bends the curve instead of roughening it.
 constexpr double spacing_m = 0.025;
-constexpr double flatness_m = 1e-4;
 
 // Points at equal distances along `line`, its two ends among them.
 Drawing evenly_spaced(const Drawing& line, double spacing) {
@@ -64,12 +63,12 @@ Result<std::string> jittered_scene(const std::filesystem::path& file, std::uint6
     return failure(file.string(), "the curve is not drawn in an SVG file",
                    "jitter a scene that has curve.svg");
   const double unit_m = scene->curve.unit_m;
-  const auto drawing = find_svg_path(svg->file.path, svg->path_id).and_then([&](const auto& path) {
-    return flattened(path, flatness_m / unit_m);
-  });
+  const auto drawing = read_drawing(scene->curve);
   if (!drawing) return tl::unexpected(drawing.error());
+  if (!drawing->gaps.empty())
+    return failure(file.string(), "the curve is drawn with gaps", "jitter a scene that has none");
 
-  Drawing points = evenly_spaced(*drawing, spacing_m / unit_m);
+  Drawing points = evenly_spaced(drawing->points, spacing_m / unit_m);
   std::mt19937_64 random(seed);
   for (Eigen::Vector2d& point : points)
     for (double& coordinate : point)

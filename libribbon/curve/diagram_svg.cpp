@@ -1,0 +1,158 @@
+#include "curve/diagram_svg.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "geometry/vectors.h"
+#include "text/number_text.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// All in the drawing's diagonal.
+constexpr double widest_half_gap = 0.01;
+constexpr double stroke = 0.003;
+constexpr double largest_letter = 0.022;
+constexpr double margin = 0.05;
+
+// All in the room that a passage has: the shorter way to the passages before and behind.
+constexpr double half_gap_per_room = 1.0 / 3;
+constexpr double letter_per_room = 0.4;
+
+constexpr int digits = 9;  // enough to read the same knot again
+
+// The drawing measured by its length.
+class MeasuredDrawing {
+ public:
+  explicit MeasuredDrawing(const Drawing& points) : points_(points), length_at_{0} {
+    for (std::size_t i = 1; i < points.size(); ++i)
+      length_at_.push_back(length_at_.back() + length_of(points[i] - points[i - 1]));
+  }
+
+  [[nodiscard]] double length() const { return length_at_.back(); }
+  [[nodiscard]] double length_at(double parameter) const {
+    const std::size_t i = std::min(static_cast<std::size_t>(parameter), points_.size() - 2);
+    return length_at_[i] +
+           (parameter - static_cast<double>(i)) * (length_at_[i + 1] - length_at_[i]);
+  }
+  [[nodiscard]] Vector2d point_at(double length) const {
+    const std::size_t i = segment_at(length);
+    const double fraction = (length - length_at_[i]) / (length_at_[i + 1] - length_at_[i]);
+    return points_[i] + fraction * (points_[i + 1] - points_[i]);
+  }
+  [[nodiscard]] Vector2d direction_at(double length) const {
+    const std::size_t i = segment_at(length);
+    return (points_[i + 1] - points_[i]) / (length_at_[i + 1] - length_at_[i]);
+  }
+  [[nodiscard]] Drawing piece(double begin, double end) const {
+    Drawing piece{point_at(begin)};
+    for (std::size_t i = segment_at(begin) + 1; i < points_.size() && length_at_[i] < end; ++i)
+      if (length_at_[i] > begin) piece.push_back(points_[i]);
+    piece.push_back(point_at(end));
+    return piece;
+  }
+
+ private:
+  [[nodiscard]] std::size_t segment_at(double length) const {
+    const auto after = std::upper_bound(length_at_.begin() + 1, length_at_.end() - 1, length);
+    return static_cast<std::size_t>(after - length_at_.begin()) - 1;
+  }
+
+  const Drawing& points_;
+  std::vector<double> length_at_;
+};
+
+std::string number(double value) {
+  return short_number(value, digits);
+}
+
+std::string path_of(const Drawing& piece) {
+  std::string path = "    <path d=\"M";
+  for (const Vector2d& point : piece) {
+    path += ' ';
+    path += number(point.x());
+    path += ' ';
+    path += number(point.y());
+  }
+  return path + "\"/>\n";
+}
+
+// A passage as it is drawn, by length.
+struct DrawnPassage {
+  double length;
+  double half_gap;
+  double letter;  // size of its number
+  bool over;
+};
+
+std::vector<DrawnPassage> drawn_passages(const MeasuredDrawing& drawing,
+                                         const std::vector<Passage>& passages, double diagonal) {
+  std::vector<double> lengths;
+  for (const Passage& passage : passages) lengths.push_back(drawing.length_at(passage.parameter));
+  std::vector<DrawnPassage> drawn;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const double before = i == 0 ? lengths[i] : lengths[i] - lengths[i - 1];
+    const double next = i + 1 == lengths.size() ? drawing.length() : lengths[i + 1];
+    const double room = std::min(before, next - lengths[i]);
+    drawn.push_back({lengths[i], std::min(half_gap_per_room * room, widest_half_gap * diagonal),
+                     std::min(letter_per_room * room, largest_letter * diagonal),
+                     passages[i].over});
+  }
+  return drawn;
+}
+
+std::string pieces_of(const MeasuredDrawing& drawing, const std::vector<DrawnPassage>& passages) {
+  std::string paths;
+  double begin = 0;
+  for (const DrawnPassage& passage : passages) {
+    if (passage.over) continue;
+    paths += path_of(drawing.piece(begin, passage.length - passage.half_gap));
+    begin = passage.length + passage.half_gap;
+  }
+  return paths + path_of(drawing.piece(begin, drawing.length()));
+}
+
+// Before the crossing, on the left of the strand.
+std::string label(const MeasuredDrawing& drawing, const DrawnPassage& passage,
+                  const std::string& text) {
+  const double size = passage.letter;
+  const double length = passage.length - 0.8 * size;
+  const Vector2d along = drawing.direction_at(length);
+  const Vector2d aside = 0.7 * size * Vector2d(along.y(), -along.x());
+  const Vector2d at = drawing.point_at(length) + aside + Vector2d(0, 0.35 * size);
+  return "    <text x=\"" + number(at.x()) + "\" y=\"" + number(at.y()) + "\" font-size=\"" +
+         number(size) + "\">" + text + "</text>\n";
+}
+
+std::string view_box(const Drawing& drawing, double room) {
+  Eigen::AlignedBox2d box;
+  for (const Vector2d& point : drawing) box.extend(point);
+  const Vector2d corner = box.min() - Vector2d::Constant(room);
+  const Vector2d size = box.sizes() + Vector2d::Constant(2 * room);
+  return number(corner.x()) + " " + number(corner.y()) + " " + number(size.x()) + " " +
+         number(size.y());
+}
+
+}  // namespace
+
+std::string diagram_svg(const Drawing& drawing, const std::vector<Passage>& passages) {
+  const double diagonal = extent_of(drawing);
+  const MeasuredDrawing measured(drawing);
+  const std::vector<DrawnPassage> drawn = drawn_passages(measured, passages, diagonal);
+  std::string labels;
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    labels += label(measured, drawn[i], std::to_string(i + 1));
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000\" viewBox=\"" +
+         view_box(drawing, margin * diagonal) +
+         "\">\n  <g id=\"band\" fill=\"none\" stroke=\"#8f1d3c\" stroke-width=\"" +
+         number(stroke * diagonal) + "\">\n" + pieces_of(measured, drawn) +
+         "  </g>\n  <g font-family=\"sans-serif\" text-anchor=\"middle\">\n" + labels +
+         "  </g>\n</svg>\n";
+}
+
+}  // namespace ribbon

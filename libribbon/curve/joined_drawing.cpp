@@ -1,0 +1,160 @@
+#include "curve/joined_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+#include "curve/place.h"
+#include "curve/turns.h"
+#include "geometry/vectors.h"
+
+namespace ribbon {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double flatness_per_extent = 1e-5;  // a tenth of what find_double_points calls touching
+constexpr double widest_gap_per_extent = 0.1;
+constexpr double largest_turn = std::numbers::pi / 6;  // at each end of a gap
+
+// Ends 2 i and 2 i + 1 are the first and the last point of piece i.
+std::size_t other_end(std::size_t end) {
+  return end ^ 1U;
+}
+
+class Pieces {
+ public:
+  explicit Pieces(const std::vector<Drawing>& pieces) : pieces_(pieces) {
+    Drawing all;
+    for (const Drawing& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
+    widest_gap_ = widest_gap_per_extent * extent_of(all);
+  }
+
+  [[nodiscard]] std::size_t end_count() const { return 2 * pieces_.size(); }
+  [[nodiscard]] const Vector2d& point(std::size_t end) const {
+    return end % 2 == 0 ? piece(end).front() : piece(end).back();
+  }
+
+  // The end that continues this one and that this one continues; nothing for a free end.
+  [[nodiscard]] std::optional<std::size_t> partner(std::size_t end) const {
+    const auto there = nearest(end);
+    return there && nearest(*there) == end ? there : std::nullopt;
+  }
+
+  // The points of the end's piece, walked from the end.
+  [[nodiscard]] Drawing walked_from(std::size_t end) const {
+    return end % 2 == 0 ? piece(end) : Drawing(piece(end).rbegin(), piece(end).rend());
+  }
+
+ private:
+  [[nodiscard]] const Drawing& piece(std::size_t end) const { return pieces_[end / 2]; }
+  [[nodiscard]] Vector2d outwards(std::size_t end) const {
+    const Drawing& points = piece(end);
+    return end % 2 == 0 ? Vector2d(points[0] - points[1])
+                        : Vector2d(points.back() - points[points.size() - 2]);
+  }
+
+  [[nodiscard]] bool continues(std::size_t end, std::size_t other) const {
+    const Vector2d gap = point(other) - point(end);
+    const double width = length_of(gap);
+    return end / 2 != other / 2 && width > 0 && width <= widest_gap_ &&
+           angle_between(outwards(end), gap) < largest_turn &&
+           angle_between(outwards(other), -gap) < largest_turn;
+  }
+
+  [[nodiscard]] std::optional<std::size_t> nearest(std::size_t end) const {
+    std::optional<std::size_t> result;
+    const auto distance = [&](std::size_t other) { return length_of(point(other) - point(end)); };
+    for (std::size_t other = 0; other < end_count(); ++other)
+      if (continues(end, other) && (!result || distance(other) < distance(*result))) result = other;
+    return result;
+  }
+
+  const std::vector<Drawing>& pieces_;
+  double widest_gap_ = 0;
+};
+
+tl::unexpected<Error> wrong_ends(const Pieces& pieces, const std::vector<std::size_t>& free) {
+  if (free.size() < 2)
+    return failure("drawing", "its pieces close to a loop", "leave two ends of it free");
+  // The first two are the ends of the ribbon, if all others are mistakes.
+  return failure(
+      drawing_place(pieces.point(free[2])),
+      std::to_string(free.size()) +
+          " ends of the drawing's pieces are not continued, this is the third",
+      "join the pieces (Shift+J at two nodes in Inkscape), or leave a gap only where the "
+      "line passes under itself: short, and with both ends in line");
+}
+
+// The walk from a free end over all pieces that hang together.
+JoinedDrawing walk_from(std::size_t end, const Pieces& pieces) {
+  JoinedDrawing drawing{pieces.walked_from(end), {}};
+  for (auto next = pieces.partner(other_end(end)); next; next = pieces.partner(other_end(*next))) {
+    drawing.gaps.push_back(drawing.points.size() - 1);
+    const Drawing piece = pieces.walked_from(*next);
+    drawing.points.insert(drawing.points.end(), piece.begin(), piece.end());
+  }
+  return drawing;
+}
+
+Result<JoinedDrawing> read(const DrawnPoints& drawn) {
+  Drawing drawing;
+  for (const Vector2d& point : drawn.points) {
+    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > 1e9)
+      return failure("drawing", "a point lies beyond 1e9 drawing units", "correct it");
+    if (drawing.empty() || drawing.back() != point) drawing.push_back(point);
+  }
+  if (drawing.size() < 2)
+    return failure("drawing", "the points have no length", "give at least two different points");
+  return JoinedDrawing{std::move(drawing), {}};
+}
+
+Result<std::vector<Drawing>> flattened(const std::vector<SvgPath>& paths, double tolerance) {
+  std::vector<Drawing> pieces;
+  for (const SvgPath& path : paths) {
+    auto drawn = flattened(path, tolerance);
+    if (!drawn) return drawn;
+    std::move(drawn->begin(), drawn->end(), std::back_inserter(pieces));
+  }
+  return pieces;
+}
+
+// Flattened twice: how fine depends on how large the drawing is.
+Result<JoinedDrawing> read(const DrawnSvg& drawn) {
+  if (auto there = check_readable(drawn.file); !there) return tl::unexpected(there.error());
+  const auto paths = find_svg_paths(drawn.file.path, drawn.path_id);
+  if (!paths) return tl::unexpected(paths.error());
+  const auto coarse = flattened(*paths, std::numeric_limits<double>::max());
+  if (!coarse) return tl::unexpected(coarse.error());
+  Drawing all;
+  for (const Drawing& piece : *coarse) all.insert(all.end(), piece.begin(), piece.end());
+  return flattened(*paths, flatness_per_extent * extent_of(all)).and_then(joined);
+}
+
+}  // namespace
+
+Result<JoinedDrawing> joined(const std::vector<Drawing>& pieces) {
+  const Pieces loose(pieces);
+  std::vector<std::size_t> free;
+  for (std::size_t end = 0; end < loose.end_count(); ++end)
+    if (!loose.partner(end)) free.push_back(end);
+  if (free.size() != 2) return wrong_ends(loose, free);
+  JoinedDrawing drawing = walk_from(free.front(), loose);
+  if (drawing.gaps.size() + 1 == pieces.size()) return drawing;
+  return failure("drawing",
+                 "it is made of " + std::to_string(pieces.size()) + " pieces, of which only " +
+                     std::to_string(drawing.gaps.size() + 1) +
+                     " hang together; the others close to a loop",
+                 "draw one line");
+}
+
+Result<JoinedDrawing> read_drawing(const CurveScene& scene) {
+  return std::visit([](const auto& drawn) { return read(drawn); }, scene.drawing);
+}
+
+}  // namespace ribbon

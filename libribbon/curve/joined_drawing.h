@@ -1,0 +1,27 @@
+// A drawing that is one line, with gaps where it passes under itself, as in knot diagrams.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "curve/drawing.h"
+#include "result/result.h"
+#include "scene/scene.h"
+
+namespace ribbon {
+
+struct JoinedDrawing {
+  Drawing points;
+  std::vector<std::size_t> gaps;  // segments that were not drawn, in the order of the walk
+};
+
+// Pieces that were drawn, one after the other: across each gap, the nearest ends that continue one
+// another (both turn by less than 30 degrees, no further apart than a tenth of the drawing's
+// diagonal). It begins at the first free end. Fails, with the place, where more than two ends are
+// free or some pieces close to a loop. At least one piece.
+Result<JoinedDrawing> joined(const std::vector<Drawing>& pieces);
+
+// What the scene's curve draws. Fails, with the place, where it is not one line.
+Result<JoinedDrawing> read_drawing(const CurveScene& scene);
+
+}  // namespace ribbon

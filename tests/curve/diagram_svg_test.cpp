@@ -1,0 +1,50 @@
+#include "curve/diagram_svg.h"
+
+#include <gtest/gtest.h>
+
+#include "curve/joined_drawing.h"
+#include "files/files.h"
+#include "files/temporary_folder.h"
+#include "result/refusal.h"
+
+namespace ribbon::diagram_svg_test {
+
+// As in crossings_test.cpp.
+const Drawing trefoil = {{0, -1}, {2, 1}, {4, -1}, {6, 1}, {6, 4},
+                         {0, 4},  {0, 1}, {2, -1}, {4, 1}, {6, -1}};
+
+std::string diagram_of(const std::string& letters) {
+  const auto crossings = as_listed(find_double_points(trefoil).value(), {letters}).value();
+  return diagram_svg(trefoil, passages_along(crossings));
+}
+
+TEST(DiagramSvg, gaps_read_back_are_the_passages_under) {
+  for (const char* letters : {"OUOUOU", "UOUOUO", "OOOUUU", "OOUUUO"}) {
+    const auto file = temporary_file("diagram.svg");
+    ASSERT_TRUE(write_file(file, diagram_of(letters)).has_value());
+    CurveScene scene;
+    scene.drawing = DrawnSvg{{file}, "band"};
+    const auto drawing = read_drawing(scene);
+    ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+    EXPECT_EQ(drawing->gaps.size(), 3U);
+    const auto crossings =
+        over_and_under(find_double_points(drawing->points).value(), *drawing, scene);
+    ASSERT_TRUE(crossings.has_value()) << crossings.error().sentence();
+    EXPECT_EQ(letters_of(*crossings), letters);
+  }
+}
+
+TEST(DiagramSvg, passages_are_numbered_from_one) {
+  const std::string svg = diagram_of("OUOUOU");
+  for (int passage = 1; passage <= 6; ++passage)
+    EXPECT_THAT(svg, HasSubstr(">" + std::to_string(passage) + "</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr(">7</text>")));
+}
+
+TEST(DiagramSvg, a_drawing_without_crossings_is_one_piece) {
+  const std::string svg = diagram_svg({{0, 0}, {3, 4}}, {});
+  EXPECT_THAT(svg, HasSubstr("<path d=\"M 0 0 3 4\"/>"));
+  EXPECT_THAT(svg, Not(HasSubstr("<text")));
+}
+
+}  // namespace ribbon::diagram_svg_test

@@ -1,0 +1,65 @@
+// The drawings of the gallery tie what they are called, and begin free of intersections.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include "obstacle/obstacle.h"
+#include "recorder/run/drawn_knot.h"
+#include "recorder/run/start.h"
+#include "verification/frame_verifier.h"
+
+namespace ribbon::gallery_test {
+
+using Determinants = std::map<std::string, int>;
+
+// |J(-1)| of the closed type, as the tables of knots have it.
+const Determinants gallery = {{"reef", 9}, {"granny", 9}, {"bow", 3}, {"four-in-hand", 3}};
+
+class Gallery : public testing::TestWithParam<Determinants::value_type> {
+ protected:
+  static Scene scene() {
+    return read_scene(std::filesystem::path(RIBBON_SAMPLES) / "gallery" /
+                      (GetParam().first + ".toml"))
+        .value();
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Gallery, testing::ValuesIn(gallery), [](const auto& knot) {
+  std::string name = knot.param.first;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST_P(Gallery, closes_to_the_type_of_the_books) {
+  const RibbonMesh ribbon = draw_ribbon(scene()).value();
+  const LaurentPolynomial jones = closed_type(diagram_of(ribbon.crossings)).value();
+  std::int64_t determinant = 0;
+  for (std::size_t k = 0; k < jones.coefficients.size(); ++k)
+    determinant += (k % 2 == 0 ? 1 : -1) * jones.coefficients[k];
+  EXPECT_EQ(std::abs(determinant), GetParam().second);
+}
+
+TEST_P(Gallery, is_the_knot_that_its_scene_expects) {
+  const Scene drawn = scene();
+  ASSERT_TRUE(drawn.knot.has_value());
+  EXPECT_TRUE(drawn.knot->expect.starts_with(GetParam().first));
+  EXPECT_TRUE(check_expected_knot(drawn, draw_ribbon(drawn)->crossings).has_value());
+}
+
+TEST_P(Gallery, begins_free_of_intersections_and_tied_as_drawn) {
+  const Scene drawn = scene();
+  const auto obstacle = read_obstacle(*drawn.obstacle).value();
+  const auto start = find_start(drawn, obstacle);
+  ASSERT_TRUE(start.has_value()) << start.error().sentence();
+  const RibbonMesh& ribbon = start->ribbon;
+  const FrameVerifier verifier(ribbon.grid, ribbon.length_m, ribbon.width_m, obstacle);
+  const FrameVerdict verdict = verifier.verify(start->fastening.positions().cast<float>());
+  EXPECT_TRUE(verdict.finite);
+  EXPECT_TRUE(verdict.intersections.pairs.empty());
+}
+
+}  // namespace ribbon::gallery_test
