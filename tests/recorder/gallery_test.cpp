@@ -17,7 +17,9 @@ namespace ribbon::gallery_test {
 using Determinants = std::map<std::string, int>;
 
 // |J(-1)| of the closed type, as the tables of knots have it.
-const Determinants gallery = {{"reef", 9}, {"granny", 9}, {"bow", 3}, {"four-in-hand", 3}};
+const Determinants gallery = {{"reef", 9},         {"granny", 9},       {"bow", 3},
+                              {"four-in-hand", 3}, {"figure-eight", 5}, {"cinquefoil", 5},
+                              {"stevedore", 9}};
 
 class Gallery : public testing::TestWithParam<Determinants::value_type> {
  protected:
