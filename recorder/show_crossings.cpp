@@ -19,6 +19,7 @@ namespace {
 // As if all were over: without gaps.
 std::vector<Passage> numbered(const std::vector<DoublePoint>& points) {
   std::vector<Crossing> crossings;
+  crossings.reserve(points.size());
   for (const DoublePoint& point : points)
     crossings.push_back({point.first, point.second, point.point});
   std::vector<Passage> passages = passages_along(crossings);

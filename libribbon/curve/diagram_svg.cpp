@@ -93,6 +93,7 @@ struct DrawnPassage {
 std::vector<DrawnPassage> drawn_passages(const MeasuredDrawing& drawing,
                                          const std::vector<Passage>& passages, double diagonal) {
   std::vector<double> lengths;
+  lengths.reserve(passages.size());
   for (const Passage& passage : passages) lengths.push_back(drawing.length_at(passage.parameter));
   std::vector<DrawnPassage> drawn;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -147,7 +148,7 @@ std::string diagram_svg(const Drawing& drawing, const std::vector<Passage>& pass
   std::string labels;
   for (std::size_t i = 0; i < drawn.size(); ++i)
     labels += label(measured, drawn[i], std::to_string(i + 1));
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000\" viewBox=\"" +
+  return R"(<svg xmlns="http://www.w3.org/2000/svg" width="1000" viewBox=")" +
          view_box(drawing, margin * diagonal) +
          "\">\n  <g id=\"band\" fill=\"none\" stroke=\"#8f1d3c\" stroke-width=\"" +
          number(stroke * diagonal) + "\">\n" + pieces_of(measured, drawn) +

@@ -115,7 +115,7 @@ std::variant<std::vector<double>, TightCircle> solved(const WalkProfile& profile
   std::vector<Edge> edges = edges_of(profile, gap);
   const std::size_t nodes = profile.passage_count() + 1;
   auto up = shortest_ways(edges, nodes);
-  if (auto* circle = std::get_if<Circle>(&up)) return tight_circle(*std::move(circle), profile);
+  if (auto* circle = std::get_if<Circle>(&up)) return tight_circle(std::move(*circle), profile);
   for (Edge& edge : edges) std::swap(edge.from, edge.to);
   const auto down = std::get<Lengths>(shortest_ways(edges, nodes));
   std::vector<double> heights;
@@ -135,7 +135,7 @@ Heights passage_heights(const WalkProfile& profile, double gap) {
     if (auto* tight = std::get_if<TightCircle>(&heights)) {
       result.passages.clear();
       result.gap = room_for_rounding * tight->gap();
-      result.tight = *std::move(tight);
+      result.tight = std::move(*tight);
     } else {
       result.passages = std::get<std::vector<double>>(std::move(heights));
     }

@@ -108,6 +108,7 @@ std::vector<std::string> knot_names(const KnotDiagram& drawing) {
 const std::vector<std::string>& known_knot_names() {
   static const std::vector<std::string> known = [] {
     std::vector<std::string> names;
+    names.reserve(forms.size());
     for (const TiedForm& form : forms) names.emplace_back(form.name);
     for (const std::string& name : all_knot_names())
       append_with_general(std::string_view(name).substr(0, name.find(" (")), names);
