@@ -12,6 +12,7 @@
 #include "simulation/contact/pair_distances.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/fastening/hands.h"
+#include "simulation/fastening/two_hands.h"
 #include "simulation/start/free_start.h"
 #include "simulation/start/inside_obstacle.h"
 #include "simulation/start/scene_limits.h"
@@ -84,7 +85,6 @@ struct FasteningProcessor::Parts {
   StartReport recover_as_published();
   void go_on_with_other_steps(double other_step_s);
   void visit_state(StateArchive& archive, Settings settings);
-  [[nodiscard]] Hands* hands_if_any() { return hands ? &*hands : nullptr; }
 
   double step_s;
   SpringNetwork springs;
@@ -94,7 +94,7 @@ struct FasteningProcessor::Parts {
   Cloth cloth;
   Bodies bodies;
   TimeStep time_step;
-  std::optional<Hands> hands;
+  std::unique_ptr<Hands> hands;  // null where nothing fastens the ribbon
   RestSize size;
   PairDistances distances;
   StartReport start;
@@ -152,7 +152,7 @@ Result<void> FasteningProcessor::Parts::find_start(const Scene& scene, const Rib
   } else {
     start = recover_as_published();
   }
-  if (scene.fastening) hands.emplace(scene, size, cloth);
+  if (scene.fastening) hands = std::make_unique<TwoHands>(scene, size, cloth);
   time_step.clock().reset();
   return {};
 }
@@ -174,7 +174,7 @@ const StartReport& FasteningProcessor::start() const {
 
 StepReport FasteningProcessor::step() {
   ++parts_->steps;
-  return parts_->time_step.take(parts_->hands_if_any(), parts_->bodies, parts_->cloth);
+  return parts_->time_step.take(parts_->hands.get(), parts_->bodies, parts_->cloth);
 }
 
 double FasteningProcessor::time_s() const {
@@ -215,7 +215,7 @@ std::optional<Tightness> FasteningProcessor::tightness() {
 }
 
 bool FasteningProcessor::is_tight() const {
-  return parts_->hands && parts_->hands->are_stopped();
+  return parts_->hands && parts_->hands->are_done();
 }
 
 double FasteningProcessor::reach_m() const {
@@ -256,7 +256,7 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
                                        Matrix3Xd::Zero(3, size.grid.particle_count()));
   if (auto few = check_substeps(scene, parts->time_step.substeps()); !few)
     return tl::unexpected(few.error());
-  if (scene.fastening) parts->hands.emplace(scene, size, parts->cloth);
+  if (scene.fastening) parts->hands = std::make_unique<TwoHands>(scene, size, parts->cloth);
   StateArchive archive(state);
   parts->visit_state(archive, settings);
   if (auto read = archive.finish(); !read) return refused(read.error());
@@ -267,7 +267,7 @@ void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings sett
   auto& [step_of_scene, springs_of_scene, steps_now, steps_then, then_s, cloth_now, bodies_now,
          time_step_of_scene, hands_now, size_of_scene, distances_of_scene, start_then, gap_m,
          reach_then_m] = *this;
-  StateHead head{size.grid, hands.has_value(), step_s, reach_m};
+  StateHead head{size.grid, hands != nullptr, step_s, reach_m};
   visit_head(archive, head);
   reach_then_m = head.reach_m;
   archive.visit(steps_now, 0, most_steps);

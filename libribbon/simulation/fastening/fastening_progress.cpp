@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "geometry/vectors.h"
 #include "simulation/fastening/decay.h"
@@ -14,27 +16,37 @@ namespace {
 
 constexpr double window_s = 2;
 constexpr int most_slots = 100;
+constexpr double standstill = 0.03;
+
+std::size_t count_groups(const std::vector<int>& group_of_row) {
+  int highest = -1;
+  for (const int group : group_of_row) highest = std::max(highest, group);
+  return static_cast<std::size_t>(highest + 1);
+}
 
 }  // namespace
 
-FasteningProgress::FasteningProgress(const RibbonGrid& grid, double step_s,
-                                     double air_resistance_per_s)
+FasteningProgress::FasteningProgress(const RibbonGrid& grid, std::vector<int> group_of_row,
+                                     double step_s, double air_resistance_per_s)
     : grid_(grid),
+      group_of_row_(std::move(group_of_row)),
+      groups_(count_groups(group_of_row_)),
       step_s_(step_s),
       air_resistance_per_s_(air_resistance_per_s),
       steps_per_slot_(
           static_cast<int>(std::min(1e9, std::ceil(window_s / step_s / most_slots - 1e-9)))),
-      slots_(static_cast<std::size_t>(
-          std::max(1.0, std::round(window_s / step_s / steps_per_slot_)))) {}
+      slots_(
+          static_cast<std::size_t>(std::max(1.0, std::round(window_s / step_s / steps_per_slot_))),
+          Slot{std::vector<double>(groups_), std::vector<double>(groups_)}) {}
 
 void FasteningProgress::visit_memory(StateArchive& archive) {
-  auto& [grid, step, air_resistance, lag, steps_per_slot, steps_in_slot, slot, slots, is_full] =
+  auto& [grid, group_of_row, groups, step, air_resistance, lag, steps_per_slot, steps_in_slot, slot, slots, is_full] =
       *this;
   archive.visit(steps_in_slot, 0, steps_per_slot);
   archive.visit(slot, 0, std::ssize(slots) - 1);
   for (Slot& sums : slots)
-    for (auto* halves : {&sums.moved_m, &sums.commanded_m})
-      for (double& metres : *halves) archive.visit(metres);
+    for (auto* of_groups : {&sums.moved_m, &sums.commanded_m})
+      for (double& metres : *of_groups) archive.visit(metres);
   archive.visit(is_full);
 }
 
@@ -42,7 +54,8 @@ void FasteningProgress::visit_memory(StateArchive& archive) {
 FasteningProgress::Slot& FasteningProgress::slot_of_this_step() {
   if (steps_in_slot_ == steps_per_slot_) {
     slot_ = (slot_ + 1) % std::ssize(slots_);
-    slots_[slot_] = {};
+    std::ranges::fill(slots_[slot_].moved_m, 0);
+    std::ranges::fill(slots_[slot_].commanded_m, 0);
     steps_in_slot_ = 0;
   }
   ++steps_in_slot_;
@@ -65,25 +78,36 @@ void FasteningProgress::add(const Matrix3Xd& command, const Matrix3Xd& before,
   const double travel_s = free_travel_s();
   for (int particle = 0; particle < grid_.particle_count(); ++particle) {
     const double speed_m_s = length_of(command.col(particle));
-    if (speed_m_s == 0) continue;
-    const int half = 2 * grid_.row(particle) < grid_.along ? 0 : 1;
-    slot.moved_m[half] +=
+    const int group = group_of_row_[grid_.row(particle)];
+    if (speed_m_s == 0 || group < 0) continue;
+    slot.moved_m[group] +=
         dot(command.col(particle), after.col(particle) - before.col(particle)) / speed_m_s;
-    slot.commanded_m[half] += speed_m_s * travel_s;
+    slot.commanded_m[group] += speed_m_s * travel_s;
   }
 }
 
 double FasteningProgress::recent() const {
-  Slot sum;
-  for (const Slot& slot : slots_)
-    for (int half = 0; half < 2; ++half) {
-      sum.moved_m[half] += slot.moved_m[half];
-      sum.commanded_m[half] += slot.commanded_m[half];
+  double fastest = -std::numeric_limits<double>::infinity();
+  for (std::size_t group = 0; group < groups_; ++group) {
+    double moved_m = 0;
+    double commanded_m = 0;
+    for (const Slot& slot : slots_) {
+      moved_m += slot.moved_m[group];
+      commanded_m += slot.commanded_m[group];
     }
-  const auto progress = [&sum](int half) {
-    return sum.commanded_m[half] > 0 ? sum.moved_m[half] / sum.commanded_m[half] : 1;
-  };
-  return std::max(progress(0), progress(1));
+    fastest = std::max(fastest, commanded_m > 0 ? moved_m / commanded_m : 1);
+  }
+  return groups_ > 0 ? fastest : 1;
+}
+
+bool FasteningProgress::is_at_standstill() const {
+  return is_full_ && std::abs(recent()) < standstill;
+}
+
+std::vector<int> halves(const RibbonGrid& grid) {
+  std::vector<int> groups(grid.along);
+  for (int row = 0; row < grid.along; ++row) groups[row] = 2 * row < grid.along ? 0 : 1;
+  return groups;
 }
 
 }  // namespace ribbon

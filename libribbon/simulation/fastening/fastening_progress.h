@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,14 +11,16 @@
 
 namespace ribbon {
 
-// The distance that the particles of each half went along the force in the last two seconds, over
-// the distance that they would have gone without springs and contact. A ribbon that slides through
-// its knot from one half to the other is as far from locked as one that is drawn tight, so the
-// faster half counts.
+// The distance that the particles of each group of rows went along the force in the last two
+// seconds, over the distance that they would have gone without springs and contact. A ribbon that
+// slides through its knot from one half to the other is as far from locked as one that is drawn
+// tight, so the fastest group counts.
 class FasteningProgress {
  public:
+  // Groups count from 0; group_of_row: one for each row, -1 for rows that are not asked.
   // air_resistance_per_s > 0: what a free particle is slowed by; steps of step_s.
-  FasteningProgress(const RibbonGrid& grid, double step_s, double air_resistance_per_s);
+  FasteningProgress(const RibbonGrid& grid, std::vector<int> group_of_row, double step_s,
+                    double air_resistance_per_s);
 
   // One step. command: 3 x particles, m/s, the terminal velocities that all of the fastening force
   // would reach against the air; before, after: 3 x particles.
@@ -32,6 +34,9 @@ class FasteningProgress {
   // Have two seconds passed since the start?
   [[nodiscard]] bool knows_all() const { return is_full_; }
 
+  // Is it known, and less than 3 % either way?
+  [[nodiscard]] bool is_at_standstill() const;
+
   // How fast the ribbon already is, and then what is remembered of the last two seconds.
   void visit_state(StateArchive& archive) { archive.visit(lag_); }
   void visit_memory(StateArchive& archive);
@@ -40,14 +45,16 @@ class FasteningProgress {
   // Sums of some steps: the last two seconds are a ring of slots, so that none is stored for each
   // step.
   struct Slot {
-    std::array<double, 2> moved_m{};  // of the first and the second half
-    std::array<double, 2> commanded_m{};
+    std::vector<double> moved_m;  // one for each group
+    std::vector<double> commanded_m;
   };
 
   Slot& slot_of_this_step();
   double free_travel_s();
 
   RibbonGrid grid_;
+  std::vector<int> group_of_row_;
+  std::size_t groups_;
   double step_s_;
   double air_resistance_per_s_;
   double lag_ = 1;  // the fraction of the command that a free particle still falls short of
@@ -57,5 +64,8 @@ class FasteningProgress {
   std::vector<Slot> slots_;
   bool is_full_ = false;
 };
+
+// The groups of a ribbon that is pulled as a whole.
+std::vector<int> halves(const RibbonGrid& grid);
 
 }  // namespace ribbon

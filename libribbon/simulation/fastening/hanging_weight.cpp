@@ -62,4 +62,10 @@ const std::vector<double>& HangingWeight::strains(const Matrix3Xd& positions) {
   return strains_;
 }
 
+std::optional<HangingWeight> hanging_weight(const Scene& scene, const RestSize& size,
+                                            double particle_mass_kg) {
+  if (!scene.gravity_m_s2) return std::nullopt;
+  return HangingWeight(size, scene.springs, particle_mass_kg, *scene.gravity_m_s2);
+}
+
 }  // namespace ribbon

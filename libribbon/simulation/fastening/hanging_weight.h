@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "ribbon_mesh/rest_size.h"
@@ -28,5 +29,9 @@ class HangingWeight {
   double resistance_n_;  // of the ribbon to being stretched along: force over strain
   std::vector<double> strains_;
 };
+
+// Of the scene's gravity; nothing without it.
+std::optional<HangingWeight> hanging_weight(const Scene& scene, const RestSize& size,
+                                            double particle_mass_kg);
 
 }  // namespace ribbon

@@ -25,4 +25,11 @@ void SpeedLimit::apply(const Eigen::Matrix3Xd& velocities, Eigen::Matrix3Xd& for
   }
 }
 
+void limit_speeds(double highest_m_s, Eigen::Matrix3Xd& velocities) {
+  for (auto velocity : velocities.colwise()) {
+    const double speed_m_s = length_of(velocity);
+    if (speed_m_s > highest_m_s) velocity *= highest_m_s / speed_m_s;
+  }
+}
+
 }  // namespace ribbon

@@ -23,4 +23,7 @@ class SpeedLimit {
   double newton_per_gained_;  // force that makes a particle gain 1 m/s in a step
 };
 
+// Shortens velocities (3 x particles, m/s) that are beyond the highest.
+void limit_speeds(double highest_m_s, Eigen::Matrix3Xd& velocities);
+
 }  // namespace ribbon

@@ -33,7 +33,7 @@ class Progress : public testing::Test {
   }
 
   Matrix3Xd at_ = flat_ribbon(grid);
-  FasteningProgress progress_{grid, step_s, air_per_s};
+  FasteningProgress progress_{grid, halves(grid), step_s, air_per_s};
 };
 
 TEST_F(Progress, is_1_before_anything_was_commanded) {
@@ -84,7 +84,7 @@ TEST_F(Progress, only_motion_along_the_force_counts) {
 
 TEST(FasteningProgress, knows_two_seconds_for_any_step) {
   for (const double tried_s : {1e-12, 1e-3, 0.013, 0.3, 5.0}) {
-    FasteningProgress progress(grid, tried_s, air_per_s);
+    FasteningProgress progress(grid, halves(grid), tried_s, air_per_s);
     const Matrix3Xd at = flat_ribbon(grid);
     for (int step = 0; step < 2200 && !progress.knows_all(); ++step)
       progress.add(command(), at, at);

@@ -1,10 +1,10 @@
-#include "simulation/fastening/hands.h"
+#include "simulation/fastening/two_hands.h"
 
 #include <gtest/gtest.h>
 
 #include "simulation/published/planted_penetrations.h"
 
-namespace ribbon::hands_test {
+namespace ribbon::two_hands_test {
 
 using Eigen::Matrix3Xd;
 
@@ -25,24 +25,24 @@ Cloth cloth_at_rest(double stretch = 1) {
   return cloth;
 }
 
-Hands hands_of(const Scene& scene) {
+TwoHands hands_of(const Scene& scene) {
   return {scene, size, cloth_at_rest()};
 }
 
-TEST(Hands, pull_with_all_of_the_force_whatever_the_stretch_unless_they_yield) {
+TEST(TwoHands, pull_with_all_of_the_force_whatever_the_stretch_unless_they_yield) {
   Scene scene = scene_of_hands();
   const Cloth stretched = cloth_at_rest(1.05);
   const Matrix3Xd stubborn = hands_of(scene).pull(stretched);
   EXPECT_GT(stubborn.norm(), 0);
   scene.fastening->yield_strain = 0.05;
-  Hands yielding = hands_of(scene);
+  TwoHands yielding = hands_of(scene);
   EXPECT_TRUE(yielding.pull(stretched).isApprox(0.5 * stubborn));
   EXPECT_NEAR(yielding.force_fraction(), 0.5, 1e-9);
 }
 
-TEST(Hands, ease_by_half_and_then_pull_a_little_more_in_every_step) {
+TEST(TwoHands, ease_by_half_and_then_pull_a_little_more_in_every_step) {
   const Cloth cloth = cloth_at_rest();
-  Hands hands = hands_of(scene_of_hands());
+  TwoHands hands = hands_of(scene_of_hands());
   const Matrix3Xd all = hands.pull(cloth);
   hands.ease();
   EXPECT_TRUE(hands.pull(cloth).isApprox(0.5 * all));
@@ -56,7 +56,7 @@ TEST(Hands, ease_by_half_and_then_pull_a_little_more_in_every_step) {
   EXPECT_LT(steps, 20);
 }
 
-TEST(Hands, with_a_speed_limit_do_not_pull_what_is_too_fast) {
+TEST(TwoHands, with_a_speed_limit_do_not_pull_what_is_too_fast) {
   Scene scene = scene_of_hands();
   scene.fastening->max_speed_m_s = 1;
   Cloth cloth = cloth_at_rest();
@@ -66,7 +66,7 @@ TEST(Hands, with_a_speed_limit_do_not_pull_what_is_too_fast) {
 
 // Hands that pull for `steps` steps, in each of which the ribbon moves so far along their pull, and
 // is then put back.
-void pull(Hands& hands, int steps, double moved_m) {
+void pull(TwoHands& hands, int steps, double moved_m) {
   Cloth cloth = cloth_at_rest();
   for (int step = 0; step < steps; ++step) {
     const Eigen::RowVectorXd direction = hands.pull(cloth).row(0).cwiseSign();
@@ -77,31 +77,31 @@ void pull(Hands& hands, int steps, double moved_m) {
 }
 
 // By hand: those who want at most 1 m/s and get it lack nothing.
-TEST(Hands, command_no_more_than_the_speed_limit) {
+TEST(TwoHands, command_no_more_than_the_speed_limit) {
   Scene scene = scene_of_hands();
   scene.fastening->speed_m_s = 1000;
   scene.fastening->max_speed_m_s = 1;
   scene.air_resistance_per_s = 1000;
-  Hands hands = hands_of(scene);
+  TwoHands hands = hands_of(scene);
   pull(hands, 30, 0.1);
   EXPECT_NEAR(hands.progress(), 1, 1e-2);
 }
 
-TEST(Hands, are_stopped_when_nothing_followed_for_two_seconds) {
-  Hands hands = hands_of(scene_of_hands());
+TEST(TwoHands, are_done_when_nothing_followed_for_two_seconds) {
+  TwoHands hands = hands_of(scene_of_hands());
   for (int step = 0; step < 20; ++step) {
-    EXPECT_FALSE(hands.are_stopped()) << "too early to tell";
+    EXPECT_FALSE(hands.are_done()) << "too early to tell";
     pull(hands, 1, 0);
   }
-  EXPECT_TRUE(hands.are_stopped());
+  EXPECT_TRUE(hands.are_done());
   EXPECT_EQ(hands.progress(), 0);
 }
 
-TEST(Hands, are_not_stopped_while_the_ribbon_springs_back) {
-  Hands hands = hands_of(scene_of_hands());
+TEST(TwoHands, are_not_done_while_the_ribbon_springs_back) {
+  TwoHands hands = hands_of(scene_of_hands());
   pull(hands, 40, -0.05);
   EXPECT_LT(hands.progress(), -0.03);
-  EXPECT_FALSE(hands.are_stopped());
+  EXPECT_FALSE(hands.are_done());
 }
 
-}  // namespace ribbon::hands_test
+}  // namespace ribbon::two_hands_test

@@ -1,0 +1,29 @@
+// Hands learn how much of their force the cloth can bear.
+#pragma once
+
+#include <algorithm>
+
+#include "simulation/state/state_archive.h"
+
+namespace ribbon {
+
+class EasedForce {
+ public:
+  // 0 to 1, as far as is known.
+  [[nodiscard]] double bearable() const { return bearable_; }
+
+  // It was too much.
+  void ease() { bearable_ = std::max(least, bearable_ / 2); }
+  // A step went well.
+  void pull_more() { bearable_ = std::min(1.0, more * bearable_); }
+
+  void visit_state(StateArchive& archive) { archive.visit(bearable_); }
+
+ private:
+  static constexpr double least = 1e-9;
+  static constexpr double more = 1.05;  // in each step
+
+  double bearable_ = 1;
+};
+
+}  // namespace ribbon
