@@ -18,12 +18,31 @@ TomlPosition position_at(std::string_view text, std::size_t offset) {
           static_cast<std::uint32_t>(offset - begin + 1)};
 }
 
+// The table "name", or the one of several that "name[2]" counts, from 1; null where there is none.
+const TomlValue* element(const TomlTable& table, std::string_view step) {
+  const std::size_t bracket = std::min(step.find('['), step.size());
+  const TomlValue* found = table.find(step.substr(0, bracket));
+  if (found != nullptr && bracket < step.size()) {
+    const auto* array = found->as<TomlArray>();
+    std::size_t number = 0;
+    std::from_chars(step.data() + bracket + 1, step.data() + step.size(), number);
+    const bool is_there = array != nullptr && number >= 1 && number <= array->size();
+    found = is_there ? &(*array)[number - 1] : nullptr;
+  }
+  return found != nullptr && found->as<TomlTable>() != nullptr ? found : nullptr;
+}
+
 }  // namespace
 
 const TomlValue* Document::find(std::string_view table) const {
   if (table.empty()) return &root;
-  const TomlValue* found = root.as<TomlTable>()->find(table);
-  return found != nullptr && found->as<TomlTable>() != nullptr ? found : nullptr;
+  const TomlValue* found = &root;
+  for (std::size_t begin = 0; found != nullptr && begin <= table.size();) {
+    const std::size_t end = std::min(table.find('.', begin), table.size());
+    found = element(*found->as<TomlTable>(), table.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return found;
 }
 
 const TomlValue* Document::find(std::string_view table, std::string_view key) const {

@@ -14,7 +14,8 @@ struct Document {
   std::filesystem::path file;
   TomlValue root;  // a table
 
-  // The table of that name, the whole file for the empty name; null when there is none.
+  // The table of that name, the whole file for the empty name; null when there is none. Of several
+  // tables of one name "stage[2]" is the second, and "stage[2].hand[1]" the first in that.
   [[nodiscard]] const TomlValue* find(std::string_view table) const;
   // The key of a table; null when there is none.
   [[nodiscard]] const TomlValue* find(std::string_view table, std::string_view key) const;

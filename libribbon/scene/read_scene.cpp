@@ -14,6 +14,7 @@
 #include "scene/nearest_word.h"
 #include "scene/scene.h"
 #include "scene/setting.h"
+#include "scene/stage_rules.h"
 
 namespace ribbon {
 
@@ -207,6 +208,25 @@ Result<std::vector<Eigen::Vector2d>> points(const Value& value) {
   return points;
 }
 
+Result<std::optional<double>> seconds_or_tight(const Value& value) {
+  if (const auto* text = value.toml.as<std::string>(); text != nullptr && *text == "tight")
+    return std::nullopt;
+  if (const auto seconds = number_within(positive, value.toml)) return seconds;
+  return wrong(value, value.toml, "\"tight\" or a number of seconds");
+}
+
+// Two shares of its length, or a mark.
+Result<std::variant<Span, Mark>> part_of_band(const Value& value) {
+  if (value.toml.as<std::string>() != nullptr)
+    return text(value).map([](std::string id) { return Mark{std::move(id)}; });
+  const auto shares = coordinates<2>(value);
+  if (shares && 0 <= shares->x() && shares->x() <= shares->y() && shares->y() <= 1)
+    return Span{shares->x(), shares->y()};
+  return wrong(value, value.toml,
+               "two shares of the band's length from 0 to 1, the smaller first, or the id of a "
+               "circle in the drawing");
+}
+
 // ---- Where values go
 
 using Reader = std::function<Result<void>(const Value&, Scene&)>;
@@ -257,6 +277,33 @@ Reader set_level() {
   };
 }
 
+// Of the stage, or of its hand, that is being read.
+template <class Member>
+auto in_stage(Member StageScene::*member) {
+  return [=](Scene& scene) -> Member& { return scene.stages.back().*member; };
+}
+template <class Member>
+auto in_hand(Member HandScene::*member) {
+  return [=](Scene& scene) -> Member& { return scene.stages.back().hands.back().*member; };
+}
+
+Result<void> read_pull(const Value& value, Scene& scene) {
+  HandScene& hand = scene.stages.back().hands.back();
+  if (value.toml.as<std::string>() != nullptr)
+    return one_of<HandTask>({{"along", HandTask::pull_along},
+                             {"outwards", HandTask::pull_outwards}})(value)
+        .map([&](HandTask task) { hand.task = task; });
+  hand.task = HandTask::pull;
+  return direction(value).map([&](const Coordinates<3>& unit) { hand.direction = unit; });
+}
+
+Result<void> read_hold(const Value& value, Scene& scene) {
+  const auto* truth = value.toml.as<bool>();
+  if (truth == nullptr || !*truth) return wrong(value, value.toml, "true, or not there");
+  scene.stages.back().hands.back().task = HandTask::hold;
+  return {};
+}
+
 // ---- The table of keys. docs/scene.md tells users about each; a test compares the two.
 
 enum class Need { optional, required };
@@ -275,6 +322,29 @@ struct Table {
 };
 
 using enum Need;
+
+// Reads the entries of one table.
+Result<void> read_entries(const Document& document, const Table& table, const TomlValue& found,
+                          Scene& scene);
+
+// Tables that there may be several of: `add` makes room for what is read from the next.
+template <class Add>
+Reader each_of(const Table& table, Add add) {
+  return [&table, add](const Value& value, Scene& scene) -> Result<void> {
+    const std::string title = "[" + std::string(table.name) + "]";
+    const auto* all = value.toml.as<TomlArray>();
+    Result<void> read;
+    for (const TomlValue& one : all != nullptr ? *all : TomlArray{value.toml}) {
+      if (all == nullptr || one.as<TomlTable>() == nullptr)
+        return failure(value.document.place(one.begin),
+                       in_quotes(value.key) + " must be tables, not " + written(one),
+                       "write '" + title + "' and its keys on the lines below, as often as needed");
+      add(scene);
+      if (read) read = read_entries(value.document, table, one, scene);
+    }
+    return read;
+  };
+}
 
 std::vector<Key> curve_keys() {
   return {
@@ -374,6 +444,38 @@ std::vector<Key> recording_keys() {
   };
 }
 
+std::vector<Key> hand_keys() {
+  return {
+      {"at", required, "[0, 0.02]", set(in_hand(&HandScene::at), part_of_band)},
+      {"pull", optional, "[1, 0, 0]", read_pull},
+      {"hold", optional, "true", read_hold},
+      {"speed", optional, "0.3", set(in_hand(&HandScene::speed_m_s), number(positive))},
+      {"yield", optional, "0.05", set(in_hand(&HandScene::yield_strain), number(yield_strain))},
+  };
+}
+
+const Table& hand_table() {
+  static const Table table{"[stage.hand]", required, hand_keys()};
+  return table;
+}
+
+std::vector<Key> stage_keys() {
+  return {
+      {"name", optional, "\"half knot\"", set(in_stage(&StageScene::name), text)},
+      {"until", optional, "\"tight\"", set(in_stage(&StageScene::until_s), seconds_or_tight)},
+      {"at_most", optional, "12", set(in_stage(&StageScene::at_most_s), number(positive))},
+      {"friction", optional, "0.3", set(in_stage(&StageScene::friction), number(not_negative))},
+      {"hand", optional, "", each_of(hand_table(), [](Scene& scene) {
+         scene.stages.back().hands.emplace_back();
+       })},
+  };
+}
+
+const Table& stage_table() {
+  static const Table table{"[stage]", required, stage_keys()};
+  return table;
+}
+
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = {
       {"",
@@ -382,7 +484,9 @@ const std::vector<Table>& tables() {
         {"contact", optional, "\"gate\"",
          set(&Scene::contact, one_of<ContactMethod>({{"gate", ContactMethod::gate},
                                                      {"paper", ContactMethod::paper}}))},
-        {"accuracy", optional, "\"balanced\"", set_level()}}},
+        {"accuracy", optional, "\"balanced\"", set_level()},
+        {"stage", optional, "",
+         each_of(stage_table(), [](Scene& scene) { scene.stages.emplace_back(); })}}},
       {"curve", required, curve_keys()},
       {"knot", optional, {{"expect", required, "\"reef knot\"", set(&Scene::knot, expected_knot)}}},
       {"ribbon", required, ribbon_keys()},
@@ -424,10 +528,20 @@ bool knows(const Table& table, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// Where a key may belong; in a stage first of all there.
+std::vector<const Table*> tables_near(const Table& table) {
+  std::vector<const Table*> all;
+  for (const Table& other : tables()) all.push_back(&other);
+  const bool is_of_stages = table.name.starts_with('[');
+  for (const Table* other : {&hand_table(), &stage_table()})
+    all.insert(is_of_stages ? all.begin() : all.end(), other);
+  return all;
+}
+
 // What whoever wrote the unknown `name` into `table` may have wanted.
 std::string remedy_for_unknown(const Table& table, std::string_view name) {
-  for (const Table& other : tables())
-    if (knows(other, name)) return "it belongs in " + title(other);
+  for (const Table* other : tables_near(table))
+    if (knows(*other, name)) return "it belongs in " + title(*other);
   const std::vector<std::string_view> names = known_names(table);
   if (const auto meant = nearest_word(name, names))
     return "did you mean " + in_quotes(*meant) + "?";
@@ -452,11 +566,12 @@ std::string assignment_example(const Key& key) {
   return "'" + std::string(key.name) + " = " + std::string(key.example) + "'";
 }
 
-Result<void> read_key(const Document& document, const Table& table, const Key& key, Scene& scene) {
-  if (const TomlValue* value = document.find(table.name, key.name))
+Result<void> read_key(const Document& document, const Table& table, const TomlValue& found,
+                      const Key& key, Scene& scene) {
+  if (const TomlValue* value = found.as<TomlTable>()->find(key.name))
     return key.read({key.name, key.example, *value, document}, scene);
   if (key.need == optional) return {};
-  return failure(document.place(table.name, ""),
+  return failure(document.place(found.begin),
                  in_quotes(key.name) + " is missing in " + title(table),
                  "add for example " + assignment_example(key));
 }
@@ -478,9 +593,14 @@ Result<void> missing_table(const Document& document, const Table& table) {
 Result<void> read_table(const Document& document, const Table& table, Scene& scene) {
   const TomlValue* found = document.find(table.name);
   if (found == nullptr) return missing_table(document, table);
-  Result<void> read = refuse_unknown(document, table, *found->as<TomlTable>());
+  return read_entries(document, table, *found, scene);
+}
+
+Result<void> read_entries(const Document& document, const Table& table, const TomlValue& found,
+                          Scene& scene) {
+  Result<void> read = refuse_unknown(document, table, *found.as<TomlTable>());
   for (const Key& key : table.keys)
-    if (read) read = read_key(document, table, key, scene);
+    if (read) read = read_key(document, table, found, key, scene);
   return read;
 }
 
@@ -581,14 +701,29 @@ void set_defaults(const Document& document, Scene& scene) {
         default_frames_per_checkpoint / scene.recording.frames_per_second;
 }
 
+// Hands pull and yield as [fastening] says, unless they say otherwise.
+void set_defaults_of_stages(Scene& scene) {
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    StageScene& stage = scene.stages[i];
+    if (stage.name.empty()) stage.name = "stage " + std::to_string(i + 1);
+    for (HandScene& hand : stage.hands) {
+      if (!scene.fastening) continue;
+      if (hand.speed_m_s == 0) hand.speed_m_s = scene.fastening->speed_m_s;
+      if (!hand.yield_strain && hand.task != HandTask::hold)
+        hand.yield_strain = scene.fastening->yield_strain;
+    }
+  }
+}
+
 Result<Scene> scene_of(const Document& document) {
   Scene scene;
   for (const Table& table : tables())
     if (auto read = read_table(document, table, scene); !read) return tl::unexpected(read.error());
   set_defaults(document, scene);
+  set_defaults_of_stages(scene);
   for (const auto& rule :
        {one_drawing, one_way_to_pass_over, countable_particles, cloth_is_flat, countable_steps,
-        at_most_a_frame_a_step, fastening_against_air, tight_by_fastening})
+        at_most_a_frame_a_step, fastening_against_air, tight_by_fastening, check_stages})
     if (auto kept = rule(document, scene); !kept) return tl::unexpected(kept.error());
   return scene;
 }

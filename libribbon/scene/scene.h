@@ -10,6 +10,7 @@
 
 #include "result/result.h"
 #include "scene/named_file.h"
+#include "scene/stage_scene.h"
 
 namespace ribbon {
 
@@ -167,6 +168,7 @@ struct Scene {
   ContactMethod contact = ContactMethod::gate;
   std::optional<ObstacleScene> obstacle;
   std::optional<FasteningScene> fastening;
+  std::vector<StageScene> stages;  // none: the ribbon is fastened as a whole
   TimeScene time;
   StrainCorrectionScene strain_correction;
   RecordingScene recording;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <string_view>
 
 #include "scene/document.h"
 
@@ -11,7 +12,7 @@ namespace ribbon {
 namespace {
 
 struct Setting {
-  std::string table;  // empty: above all tables
+  std::string table;  // as Document::find() names it
   std::string key;
   std::string value;  // TOML
 };
@@ -28,21 +29,41 @@ std::string trimmed(const std::string& text) {
                                     : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+bool is_bare(std::string_view word) {
+  return std::ranges::all_of(word, [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '_' || letter == '-';
+  });
+}
+
+// "stage[2]"
+bool is_counted_step(std::string_view step) {
+  const std::size_t bracket = step.find('[');
+  if (bracket == std::string_view::npos || bracket == 0 || !step.ends_with(']')) return false;
+  const std::string_view number = step.substr(bracket + 1, step.size() - bracket - 2);
+  return is_bare(step.substr(0, bracket)) && !number.empty() && number.size() <= 6 &&
+         std::ranges::all_of(number, [](unsigned char letter) { return std::isdigit(letter) != 0; });
+}
+
+// "stage[2]" or "stage[2].hand[1]"
+bool is_counted(std::string_view table) {
+  for (std::size_t begin = 0; begin <= table.size();) {
+    const std::size_t end = std::min(table.find('.', begin), table.size());
+    if (!is_counted_step(table.substr(begin, end - begin))) return false;
+    begin = end + 1;
+  }
+  return true;
+}
+
 std::optional<Setting> parse_setting(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) return std::nullopt;
   const std::string name = trimmed(text.substr(0, equals));
-  const auto dot = name.find('.');
+  const auto dot = name.rfind('.');
   Setting setting{dot == std::string::npos ? "" : name.substr(0, dot),
                   dot == std::string::npos ? name : name.substr(dot + 1),
                   trimmed(text.substr(equals + 1))};
-  const auto is_bare = [](const std::string& word) {
-    return std::all_of(word.begin(), word.end(), [](unsigned char letter) {
-      return std::isalnum(letter) != 0 || letter == '_' || letter == '-';
-    });
-  };
   if (setting.key.empty() || setting.value.empty() || !is_bare(setting.key) ||
-      !is_bare(setting.table))
+      !(is_bare(setting.table) || is_counted(setting.table)))
     return std::nullopt;
   if (!is_toml(setting.value)) setting.value = '"' + setting.value + '"';
   return is_toml(setting.value) ? std::optional(setting) : std::nullopt;
@@ -65,6 +86,7 @@ std::string changed_text(const Document& document, std::string text, const Setti
   const std::string line = setting.key + " = " + setting.value;
   const TomlValue* table = document.find(setting.table);
   if (table == nullptr) {
+    if (is_counted(setting.table)) return text;
     if (!text.empty() && text.back() != '\n') text += '\n';
     return text + "\n[" + setting.table + "]\n" + line + "\n";
   }

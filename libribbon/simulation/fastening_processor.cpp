@@ -12,6 +12,7 @@
 #include "simulation/contact/pair_distances.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/fastening/hands.h"
+#include "simulation/fastening/staged_hands.h"
 #include "simulation/fastening/two_hands.h"
 #include "simulation/start/free_start.h"
 #include "simulation/start/inside_obstacle.h"
@@ -41,13 +42,13 @@ std::optional<ObstacleBody> obstacle_body(const std::optional<TriangleMesh>& obs
 // What the bytes are, and for whom.
 struct StateHead {
   RibbonGrid grid;
-  bool is_fastened = false;
+  int fastened = 0;  // 0: not; 1: as a whole; 1 + n: in n stages
   double step_s = 0;
   double reach_m = 0;
 };
 
 void visit_head(StateArchive& archive, StateHead& head) {
-  auto& [grid, is_fastened, step_s, reach_m] = head;
+  auto& [grid, fastened, step_s, reach_m] = head;
   const auto agree = [&archive](std::int64_t expected, const char* problem) {
     std::int64_t found = expected;
     archive.visit(found, std::numeric_limits<std::int64_t>::min(),
@@ -57,10 +58,16 @@ void visit_head(StateArchive& archive, StateHead& head) {
   agree(state_version, "it was written by another version of the simulation");
   agree(grid.along, "it has another number of particles along");
   agree(grid.across, "it has another number of particles across");
-  agree(is_fastened ? 1 : 0, is_fastened ? "nothing fastens its ribbon" : "its ribbon is fastened");
+  agree(fastened, fastened == 0   ? "its ribbon is fastened"
+                  : fastened == 1 ? "nothing fastens its ribbon, or stages do"
+                                  : "it has another number of stages");
   archive.visit(step_s);
   archive.visit(reach_m);
   if (reach_m < 0) archive.refuse("it reaches nowhere");
+}
+
+int fastened(const Scene& scene) {
+  return scene.fastening ? 1 + static_cast<int>(scene.stages.size()) : 0;
 }
 
 void visit_start(StateArchive& archive, StartReport& start) {
@@ -83,6 +90,8 @@ struct FasteningProcessor::Parts {
   Result<void> find_start(const Scene& scene, const RibbonMesh& ribbon,
                           const ContactLengths& lengths, const StartObserver& observer);
   StartReport recover_as_published();
+  void employ_hands(const Scene& scene);
+  void look_at_loose_ends();
   void go_on_with_other_steps(double other_step_s);
   void visit_state(StateArchive& archive, Settings settings);
 
@@ -94,7 +103,9 @@ struct FasteningProcessor::Parts {
   Cloth cloth;
   Bodies bodies;
   TimeStep time_step;
-  std::unique_ptr<Hands> hands;  // null where nothing fastens the ribbon
+  std::unique_ptr<Hands> hands;    // null where nothing fastens the ribbon
+  StagedHands* staged = nullptr;   // the same, where there are stages
+  int fastened_as = 0;             // StateHead::fastened
   RestSize size;
   PairDistances distances;
   StartReport start;
@@ -152,9 +163,21 @@ Result<void> FasteningProcessor::Parts::find_start(const Scene& scene, const Rib
   } else {
     start = recover_as_published();
   }
-  if (scene.fastening) hands = std::make_unique<TwoHands>(scene, size, cloth);
+  employ_hands(scene);
   time_step.clock().reset();
   return {};
+}
+
+void FasteningProcessor::Parts::employ_hands(const Scene& scene) {
+  fastened_as = fastened(scene);
+  if (fastened_as == 0) return;
+  if (fastened_as == 1) {
+    hands = std::make_unique<TwoHands>(scene, size, cloth);
+    return;
+  }
+  auto in_stages = std::make_unique<StagedHands>(scene, size, cloth);
+  staged = in_stages.get();
+  hands = std::move(in_stages);
 }
 
 // A band that was bent into a drawn curve is strained here and there, and may be pierced. Before
@@ -174,7 +197,19 @@ const StartReport& FasteningProcessor::start() const {
 
 StepReport FasteningProcessor::step() {
   ++parts_->steps;
-  return parts_->time_step.take(parts_->hands.get(), parts_->bodies, parts_->cloth);
+  if (parts_->staged != nullptr) {
+    parts_->staged->begin_step(parts_->cloth);
+    parts_->time_step.set_friction(parts_->staged->friction());
+  }
+  const StepReport report =
+      parts_->time_step.take(parts_->hands.get(), parts_->bodies, parts_->cloth);
+  if (parts_->staged != nullptr && parts_->staged->guard_is_due()) parts_->look_at_loose_ends();
+  return report;
+}
+
+// Costs a detection.
+void FasteningProcessor::Parts::look_at_loose_ends() {
+  staged->guard().look(contact_extent(bodies, size, distances, cloth.positions).loose_ends_m);
 }
 
 double FasteningProcessor::time_s() const {
@@ -218,6 +253,20 @@ bool FasteningProcessor::is_tight() const {
   return parts_->hands && parts_->hands->are_done();
 }
 
+std::optional<int> FasteningProcessor::stage() const {
+  if (parts_->staged == nullptr) return std::nullopt;
+  return parts_->staged->stage();
+}
+
+bool FasteningProcessor::stages_are_over() const {
+  return parts_->staged != nullptr && parts_->staged->are_over();
+}
+
+std::optional<int> FasteningProcessor::slipping_end() const {
+  if (parts_->staged == nullptr) return std::nullopt;
+  return parts_->staged->guard().slipping_end();
+}
+
 double FasteningProcessor::reach_m() const {
   return parts_->reach_m;
 }
@@ -246,7 +295,7 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
     error.place = as_read.name;
     return tl::unexpected(std::move(error));
   };
-  StateHead head{.grid = size.grid, .is_fastened = as_read.fastening.has_value()};
+  StateHead head{.grid = size.grid, .fastened = fastened(as_read)};
   StateArchive beginning(state);
   visit_head(beginning, head);
   beginning.ignore_rest();
@@ -256,7 +305,7 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
                                        Matrix3Xd::Zero(3, size.grid.particle_count()));
   if (auto few = check_substeps(scene, parts->time_step.substeps()); !few)
     return tl::unexpected(few.error());
-  if (scene.fastening) parts->hands = std::make_unique<TwoHands>(scene, size, parts->cloth);
+  parts->employ_hands(scene);
   StateArchive archive(state);
   parts->visit_state(archive, settings);
   if (auto read = archive.finish(); !read) return refused(read.error());
@@ -265,9 +314,9 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
 
 void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings settings) {
   auto& [step_of_scene, springs_of_scene, steps_now, steps_then, then_s, cloth_now, bodies_now,
-         time_step_of_scene, hands_now, size_of_scene, distances_of_scene, start_then, gap_m,
+         time_step_of_scene, hands_now, staged_hands_now, fastened_as_of_scene, size_of_scene, distances_of_scene, start_then, gap_m,
          reach_then_m] = *this;
-  StateHead head{size.grid, hands != nullptr, step_s, reach_m};
+  StateHead head{size.grid, fastened_as_of_scene, step_s, reach_m};
   visit_head(archive, head);
   reach_then_m = head.reach_m;
   archive.visit(steps_now, 0, most_steps);

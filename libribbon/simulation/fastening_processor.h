@@ -45,7 +45,7 @@ class FasteningProcessor {
   // Goes on from a state() of the same scene, ribbon size and obstacle to the same bits as the
   // processor that was asked for it. With changed settings, which may be any but the particles, the
   // contact, the recording's rounding and whether there are obstacle and fastening, from the same
-  // places and speeds; tightness is then measured anew. Fails where the state is not one of such a
+  // places and speeds; tightness is then measured anew. The number of stages cannot change. Fails where the state is not one of such a
   // scene, and where springs and air divide each step into too many parts.
   static Result<FasteningProcessor> restore(const Scene& as_read, const RestSize& size,
                                             const std::optional<TriangleMesh>& obstacle,
@@ -70,8 +70,17 @@ class FasteningProcessor {
   // Costs a detection. Nothing where the scene has no fastening.
   std::optional<Tightness> tightness();
 
-  // Has the ribbon come to a stop although it is pulled (hands.h)? Never without a fastening.
+  // Has the ribbon come to a stop although it is pulled? Of stages: in the last one. Never without
+  // a fastening.
   [[nodiscard]] bool is_tight() const;
+
+  // The stage of the last step, from 0; nothing where the scene has none.
+  [[nodiscard]] std::optional<int> stage() const;
+  // Are all stages over? Never without them.
+  [[nodiscard]] bool stages_are_over() const;
+  // The end of the ribbon, 0 or 1, that was about to slip out of its knot when the hands of a stage
+  // let go.
+  [[nodiscard]] std::optional<int> slipping_end() const;
 
   // A recording without loss (max_position_error = 0) keeps the guaranteed gap as long as no
   // coordinate of a particle is farther from 0 than this: several times as far as at the start.

@@ -70,8 +70,10 @@ ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairDis
   extent.share = 1 - static_cast<double>(free) / static_cast<double>(rows.size());
   const auto first = std::find(rows.begin(), rows.end(), Touches::ribbon);
   const auto last = std::find(rows.rbegin(), rows.rend(), Touches::ribbon);
-  if (first != rows.end())
-    extent.knotted_m = size.along_m() * static_cast<double>(last.base() - first - 1);
+  if (first == rows.end()) return extent;
+  extent.knotted_m = size.along_m() * static_cast<double>(last.base() - first - 1);
+  extent.loose_ends_m = {size.along_m() * static_cast<double>(first - rows.begin()),
+                         size.along_m() * static_cast<double>(last - rows.rbegin())};
   return extent;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <optional>
 
 #include "ribbon_mesh/rest_size.h"
 #include "simulation/contact/pair_distances.h"
@@ -12,6 +14,9 @@ namespace ribbon {
 struct ContactExtent {
   double share = 0;      // of the rows, that touch another part of the ribbon or the obstacle
   double knotted_m = 0;  // rest length from the first to the last row that touches the ribbon
+  // Rest lengths from the first end to that first row, and from the last row to the second end;
+  // nothing where no row touches the ribbon.
+  std::array<std::optional<double>, 2> loose_ends_m;
 };
 
 // Rows touch where two features that share no vertex lie within one and a half times the distance

@@ -8,6 +8,7 @@
 
 #include "ribbon_mesh/springs.h"
 #include "simulation/fastening/hanging_weight.h"
+#include "simulation/fastening/held_rows.h"
 
 namespace ribbon {
 
@@ -20,8 +21,10 @@ class Yielding {
   // half of `strain` (> 0) it is met with all of the force, at one and a half of it with none.
   // `hanging`: of what gravity pulls; hands do not feel the part of a row's strain that is due to
   // what hangs from it.
+  // `felt`: the rows between which the strain is felt; nothing: all.
   Yielding(const RestSize& size, double strain,
-           std::optional<HangingWeight> hanging = std::nullopt);
+           std::optional<HangingWeight> hanging = std::nullopt,
+           std::optional<HeldRows> felt = std::nullopt);
 
   // The fraction of the force to be applied, 0 to 1. positions: 3 x particles.
   double force_fraction(const Eigen::Matrix3Xd& positions);
@@ -30,6 +33,7 @@ class Yielding {
   RibbonGrid grid_;
   SpringFamily along_;
   double strain_;
+  HeldRows felt_;
   std::optional<HangingWeight> hanging_;
   std::vector<double> lengths_;  // m, mean of the edges along from each row
 };

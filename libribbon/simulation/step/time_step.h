@@ -66,6 +66,9 @@ class TimeStep {
   // which guarantees nothing.
   [[nodiscard]] double guaranteed_strain() const;
 
+  // Coulomb's coefficient from the next step on; at first it is the scene's.
+  void set_friction(double coefficient) { repulsion_.friction = coefficient; }
+
   // Into how many parts the springs divide a step.
   [[nodiscard]] int substeps() const { return integrator_->substeps(); }
   // Charged with the stages of all steps.

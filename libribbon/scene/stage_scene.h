@@ -1,0 +1,56 @@
+// Fastening in stages, as a scene asks for it: knots fastened one by one (paper, section 7).
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ribbon {
+
+// A part of the band, as shares of its length: 0 is the end where its path begins.
+struct Span {
+  double begin = 0;
+  double end = 0;  // not below begin
+
+  bool operator==(const Span&) const = default;
+};
+
+// A circle of the drawing: the hand holds the band where its path comes nearest, as much of it as
+// it is wide.
+struct Mark {
+  std::string id;
+
+  bool operator==(const Mark&) const = default;
+};
+
+// What a hand does with its part of the band: pulls it in one direction, along the band with the
+// fastening force, or away from the axis; or holds it where it is when the stage begins.
+enum class HandTask { pull, pull_along, pull_outwards, hold };
+
+struct HandScene {
+  std::variant<Span, Mark> at;
+  std::optional<HandTask> task = std::nullopt;  // in a scene that has been read there is one
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // of HandTask::pull, of unit length
+  double speed_m_s = 0;  // at which it would draw half of the band if nothing held that; along: as
+                         // FasteningScene::speed_m_s. Its force is never more.
+  std::optional<double> yield_strain = std::nullopt;  // at which a hand that pulls gives way
+
+  bool operator==(const HandScene&) const = default;
+};
+
+struct StageScene {
+  std::string name;
+  std::optional<double> until_s = std::nullopt;    // how long it lasts; none: until tight
+  std::optional<double> at_most_s = std::nullopt;  // how long that may take; none: any time
+  std::optional<double> friction = std::nullopt;   // while it lasts; none: the scene's
+  std::vector<HandScene> hands;                    // at least one
+
+  bool operator==(const StageScene&) const = default;
+};
+
+// A recording numbers them by one byte.
+inline constexpr int most_stages = 200;
+
+}  // namespace ribbon

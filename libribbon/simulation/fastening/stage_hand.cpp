@@ -1,0 +1,93 @@
+#include "simulation/fastening/stage_hand.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <variant>
+
+#include "geometry/vectors.h"
+
+namespace ribbon {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double felt_widths = 2;  // to either side of what the hand has
+// Of a step, what a held particle is slower than. The force stands still during a step: beyond some
+// 0.8 a held particle would swing up.
+constexpr double hold_per_step = 0.5;
+
+HeldRows felt_rows(const HeldRows& held, const RestSize& size) {
+  const double reach = std::ceil(felt_widths * size.width_m / size.along_m());
+  const int rows = static_cast<int>(std::min<double>(size.grid.along, reach));
+  return {std::max(0, held.first - rows), std::min(size.grid.along - 1, held.last + rows)};
+}
+
+}  // namespace
+
+StageHand::StageHand(const HandScene& hand, const Scene& scene, const RestSize& size,
+                     double particle_mass_kg)
+    : hand_(hand),
+      fastening_(*scene.fastening),
+      grid_(size.grid),
+      rows_(held_rows(std::get<Span>(hand.at), size.grid)),
+      newton_per_m_s_(particle_mass_kg * scene.air_resistance_per_s),
+      draws_(0.5 * size.grid.along / rows_.count()),
+      hold_per_s_(hold_per_step / scene.time.step_s),
+      air_per_s_(scene.air_resistance_per_s),
+      particle_mass_kg_(particle_mass_kg) {
+  if (hand.yield_strain)
+    yielding_.emplace(size, *hand.yield_strain, hanging_weight(scene, size, particle_mass_kg),
+                      felt_rows(rows_, size));
+}
+
+// Of all that it has; none where it is to pull away from the axis and lies on it.
+Vector3d StageHand::direction(const Cloth& cloth) const {
+  if (hand_.task == HandTask::pull) return hand_.direction;
+  const int first = grid_.particle(rows_.first, 0);
+  const Vector3d middle =
+      mean_of_columns(cloth.positions.middleCols(first, rows_.count() * grid_.across));
+  const Vector3d from_point = middle - fastening_.axis_point_m;
+  return normalised(
+      (from_point - dot(from_point, fastening_.axis_direction) * fastening_.axis_direction).eval());
+}
+
+// Critically damped, with what the air takes: x'' = -2 w x' - w^2 x.
+Vector3d StageHand::holding_force(const Cloth& cloth, int particle, const Vector3d& anchor) const {
+  const double damping_per_s = std::max(0.0, 2 * hold_per_s_ - air_per_s_);
+  Vector3d force_n = -particle_mass_kg_ *
+                     (hold_per_s_ * hold_per_s_ * (cloth.positions.col(particle) - anchor) +
+                      damping_per_s * cloth.velocities.col(particle));
+  const double most_n = newton_per_m_s_ * draws_ * hand_.speed_m_s;
+  const double asked_n = length_of(force_n);
+  if (asked_n > most_n) force_n *= most_n / asked_n;
+  return force_n;
+}
+
+double StageHand::pull(const Cloth& cloth, const Workplace& place, Matrix3Xd& force,
+                       Matrix3Xd& command) {
+  const double fraction = yielding_ ? yielding_->force_fraction(cloth.positions) : 1;
+  const bool is_along = hand_.task == HandTask::pull_along;
+  const Vector3d velocity =
+      pulls() && !is_along ? Vector3d(hand_.speed_m_s * direction(cloth)) : Vector3d::Zero();
+  const double newton_per_m_s = is_along ? newton_per_m_s_ : newton_per_m_s_ * draws_;
+  const int end = grid_.particle(rows_.last + 1, 0);
+  for (int particle = grid_.particle(rows_.first, 0); particle < end; ++particle) {
+    if (!pulls()) {
+      force.col(particle) =
+          place.bearable * holding_force(cloth, particle, place.begun.col(particle));
+      continue;
+    }
+    const Vector3d wanted_m_s =
+        is_along
+            ? Vector3d(hand_.speed_m_s / fastening_.speed_m_s * place.along.col(particle))
+            : velocity;
+    command.col(particle) = place.bearable * wanted_m_s;
+    force.col(particle) = fraction * newton_per_m_s * command.col(particle);
+  }
+  return place.bearable * fraction;
+}
+
+}  // namespace ribbon

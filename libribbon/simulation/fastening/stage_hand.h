@@ -1,0 +1,55 @@
+// One hand that has a part of the band in one stage.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "ribbon_mesh/rest_size.h"
+#include "scene/scene.h"
+#include "simulation/fastening/held_rows.h"
+#include "simulation/fastening/yielding.h"
+#include "simulation/state/cloth.h"
+
+namespace ribbon {
+
+// What a hand is to know beside the cloth.
+struct Workplace {
+  const Eigen::Matrix3Xd& begun;  // 3 x particles, where they were when the stage began
+  const Eigen::Matrix3Xd& along;  // 3 x particles, m/s: FasteningForce as a velocity; no columns
+                                  // where no hand pulls along
+  double bearable = 1;            // the fraction of its force that the cloth can bear
+};
+
+class StageHand {
+ public:
+  // Its span is known: marks have been found in the drawing.
+  StageHand(const HandScene& hand, const Scene& scene, const RestSize& size,
+            double particle_mass_kg);
+
+  [[nodiscard]] const HeldRows& rows() const { return rows_; }
+  [[nodiscard]] bool pulls() const { return hand_.task != HandTask::hold; }
+
+  // Writes, for the particles that it has, the force of the next step (3 x particles, N) and, where
+  // it pulls, the velocity that all of its bearable force would reach against the air (m/s). Gives
+  // the fraction of its force that it applies.
+  double pull(const Cloth& cloth, const Workplace& place, Eigen::Matrix3Xd& force,
+              Eigen::Matrix3Xd& command);
+
+ private:
+  [[nodiscard]] Eigen::Vector3d direction(const Cloth& cloth) const;
+  [[nodiscard]] Eigen::Vector3d holding_force(const Cloth& cloth, int particle,
+                                              const Eigen::Vector3d& anchor) const;
+
+  HandScene hand_;
+  FasteningScene fastening_;
+  RibbonGrid grid_;
+  HeldRows rows_;
+  double newton_per_m_s_;  // of particles that are pulled along: their force for each m/s
+  double draws_;           // so many particles each of those that the hand has draws
+  double hold_per_s_;      // how fast a held particle goes back to its place
+  double air_per_s_;
+  double particle_mass_kg_;
+  std::optional<Yielding> yielding_;
+};
+
+}  // namespace ribbon

@@ -1,0 +1,146 @@
+#include "simulation/fastening/staged_hands.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ribbon {
+
+using Eigen::Matrix3Xd;
+
+namespace {
+
+constexpr double guard_every_s = 0.05;
+
+// The force on all of the band as published, of which hands take their part.
+FasteningForce whole_force(const Scene& scene, const RestSize& size, const Cloth& cloth) {
+  FasteningScene fastening = *scene.fastening;
+  fastening.pull = FasteningPull::distributed;
+  return {fastening, scene.air_resistance_per_s, size.grid, cloth.positions,
+          cloth.particle_mass_kg};
+}
+
+bool any_pulls_along(const StageScene& stage) {
+  return std::ranges::any_of(
+      stage.hands, [](const HandScene& hand) { return hand.task == HandTask::pull_along; });
+}
+
+// Each hand that pulls is asked by itself.
+std::vector<int> groups_of(const std::vector<StageHand>& hands, const RibbonGrid& grid) {
+  std::vector<int> groups(grid.along, -1);
+  int group = 0;
+  for (const StageHand& hand : hands) {
+    if (!hand.pulls()) continue;
+    std::fill_n(groups.begin() + hand.rows().first, hand.rows().count(), group);
+    ++group;
+  }
+  return groups;
+}
+
+}  // namespace
+
+StagedHands::StagedHands(const Scene& scene, const RestSize& size, const Cloth& cloth)
+    : scene_(scene),
+      size_(size),
+      particle_mass_kg_(cloth.particle_mass_kg),
+      along_(whole_force(scene, size, cloth)),
+      begun_(cloth.positions),
+      progress_(size.grid, {}, scene.time.step_s, scene.air_resistance_per_s),
+      guard_(size.width_m) {
+  if (scene.fastening->max_speed_m_s)
+    speed_limit_.emplace(*scene.fastening->max_speed_m_s, cloth.particle_mass_kg,
+                         scene.air_resistance_per_s, scene.time.step_s);
+  take_places();
+}
+
+// The hands of the present stage.
+void StagedHands::take_places() {
+  hands_.clear();
+  for (const HandScene& hand : present().hands)
+    hands_.emplace_back(hand, scene_, size_, particle_mass_kg_);
+  progress_ = FasteningProgress(size_.grid, groups_of(hands_, size_.grid), scene_.time.step_s,
+                                scene_.air_resistance_per_s);
+}
+
+void StagedHands::begin_step(const Cloth& cloth) {
+  if (!is_over() || are_over() || guard_.slipping_end()) return;
+  ++stage_;
+  elapsed_s_ = 0;
+  begun_ = cloth.positions;
+  take_places();
+}
+
+const Matrix3Xd& StagedHands::pull(const Cloth& cloth) {
+  before_ = cloth.positions;
+  force_.setZero(3, cloth.particle_count());
+  command_.setZero(3, cloth.particle_count());
+  force_fraction_ = 0;
+  if (are_over() || guard_.slipping_end()) return force_;
+  if (any_pulls_along(present()))
+    along_m_s_ = along_.at(cloth.positions) / along_.newton_per_m_s();
+  const Workplace place{begun_, along_m_s_, eased_.bearable()};
+  int pulling = 0;
+  for (StageHand& hand : hands_) {
+    const double fraction = hand.pull(cloth, place, force_, command_);
+    if (!hand.pulls()) continue;
+    force_fraction_ += fraction;
+    ++pulling;
+  }
+  force_fraction_ = pulling > 0 ? force_fraction_ / pulling : eased_.bearable();
+  if (speed_limit_) {
+    limit_speeds(*scene_.fastening->max_speed_m_s, command_);
+    speed_limit_->apply(cloth.velocities, force_);
+  }
+  return force_;
+}
+
+void StagedHands::follow(const Cloth& cloth) {
+  eased_.pull_more();
+  if (are_over()) return;
+  progress_.add(command_, before_, cloth.positions);
+  elapsed_s_ += scene_.time.step_s;
+}
+
+bool StagedHands::is_over() const {
+  const auto has_lasted = [this](const std::optional<double>& time_s) {
+    return time_s && elapsed_s_ >= *time_s * (1 - 1e-9);
+  };
+  return present().until_s ? has_lasted(present().until_s)
+                           : progress_.is_at_standstill() || has_lasted(present().at_most_s);
+}
+
+bool StagedHands::are_over() const {
+  return stage_ + 1 == std::ssize(scene_.stages) && is_over();
+}
+
+bool StagedHands::are_done() const {
+  return are_over() && !present().until_s && progress_.is_at_standstill();
+}
+
+double StagedHands::friction() const {
+  return present().friction.value_or(scene_.friction);
+}
+
+bool StagedHands::guard_is_due() const {
+  const auto looks = [this](double time_s) { return std::floor(time_s / guard_every_s + 1e-9); };
+  return !are_over() && looks(elapsed_s_) > looks(elapsed_s_ - scene_.time.step_s);
+}
+
+void StagedHands::visit_state(StateArchive& archive) {
+  auto& [scene, size, mass, along, speed_limit, stage, elapsed, begun, hands, progress, guard,
+         eased, force_fraction, along_of_step, force_of_step, command_of_step, before_step] = *this;
+  along.visit_state(archive);
+  archive.visit(stage, 0, static_cast<int>(scene.stages.size()) - 1);
+  archive.visit(elapsed);
+  archive.visit(begun);
+  eased.visit_state(archive);
+  archive.visit(force_fraction);
+  if (archive.is_reading()) take_places();
+  progress.visit_state(archive);
+}
+
+void StagedHands::visit_memory(StateArchive& archive) {
+  progress_.visit_memory(archive);
+  guard_.visit_memory(archive);
+}
+
+}  // namespace ribbon

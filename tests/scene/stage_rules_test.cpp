@@ -1,0 +1,120 @@
+// Stages and hands as a scene names them.
+#include "scene/stage_rules.h"
+
+#include <gtest/gtest.h>
+
+#include "result/refusal.h"
+#include "scene/scene_files.h"
+#include "scene/setting.h"
+
+namespace ribbon::stage_rules_test {
+
+// Lasts 4 s.
+std::string fastened(const std::string& lines) {
+  return smallest_scene() + "[air]\nresistance = 10\n[fastening]\nspeed = 0.5\nyield = 0.04\n" +
+         lines;
+}
+
+std::string one_stage(const std::string& stage, const std::string& hand) {
+  return fastened("[[stage]]\n" + stage + "[[stage.hand]]\n" + hand);
+}
+
+const std::string pulling_hand = "at = [0, 0.25]\npull = [0, 3, 4]\n";
+
+TEST(Stages, every_key_reaches_its_place) {
+  const Scene scene = read_text(fastened("[[stage]]\n"
+                                         "name = 'half knot'\nuntil = 'tight'\nat_most = 3\n"
+                                         "friction = 0.25\n"
+                                         "[[stage.hand]]\nat = [0.25, 0.5]\npull = [0, 3, 4]\n"
+                                         "speed = 0.25\nyield = 0.125\n"
+                                         "[[stage.hand]]\nat = 'tip'\nhold = true\n"
+                                         "[[stage]]\nuntil = 2\n"
+                                         "[[stage.hand]]\nat = [0, 0.5]\npull = 'along'\n"
+                                         "[[stage.hand]]\nat = [0.5, 1]\npull = 'outwards'\n"))
+                          .value();
+  ASSERT_EQ(scene.stages.size(), 2U);
+  EXPECT_EQ(scene.stages[0],
+            (StageScene{"half knot",
+                        std::nullopt,
+                        3,
+                        0.25,
+                        {{Span{0.25, 0.5}, HandTask::pull, {0, 0.6, 0.8}, 0.25, 0.125},
+                         {Mark{"tip"}, HandTask::hold, {0, 0, 0}, 0.5, std::nullopt}}}));
+  EXPECT_EQ(scene.stages[1],
+            (StageScene{"stage 2",
+                        2,
+                        std::nullopt,
+                        std::nullopt,
+                        {{Span{0, 0.5}, HandTask::pull_along, {0, 0, 0}, 0.5, 0.04},
+                         {Span{0.5, 1}, HandTask::pull_outwards, {0, 0, 0}, 0.5, 0.04}}}))
+      << "what it does not say, [fastening] says";
+}
+
+TEST(Stages, a_scene_without_them_has_none) {
+  EXPECT_TRUE(read_text(fastened(""))->stages.empty());
+}
+
+TEST(Stages, what_cannot_be_is_refused_where_it_stands) {
+  struct Case {
+    std::string text;
+    std::string place;
+    std::string words;
+  };
+  const std::string hand = "[[stage.hand]]\n" + pulling_hand;
+  for (const Case& wrong : std::vector<Case>{
+           {one_stage("", "at = [0, 1.5]\npull = [1, 0, 0]\n"), ":17:6", "from 0 to 1"},
+           {one_stage("", "at = [0.5, 0.25]\npull = [1, 0, 0]\n"), ":17:6", "the smaller first"},
+           {one_stage("", "pull = [1, 0, 0]\n"), ":16:1", "'at' is missing in [[stage.hand]]"},
+           {one_stage("", "at = [0, 1]\npull = [0, 0, 0]\n"), ":18:8", "not all zeros"},
+           {one_stage("", "at = [0, 1]\npull = 'up'\n"), ":18:8", "\"outwards\""},
+           {one_stage("", "at = [0, 1]\nhold = false\n"), ":18:8", "true, or not there"},
+           {one_stage("", "at = [0, 1]\nuntil = 3\n"), ":18:1", "it belongs in [[stage]]"},
+           {one_stage("speed = 1\n", pulling_hand), ":16:1", "it belongs in [[stage.hand]]"},
+           {one_stage("until = 0\n", pulling_hand), ":16:9", "\"tight\" or a number of seconds"},
+           {one_stage("", "at = [0, 1]\n"), ":16:1", "neither pulls nor holds"},
+           {one_stage("", pulling_hand + "hold = true\n"), ":19:8", "both pull and hold"},
+           {one_stage("until = 1\n", "at = [0, 1]\nhold = true\nyield = 0.1\n"), ":20:9",
+            "does not yield"},
+           {fastened("[[stage]]\nname = 'knot'\n"), ":15:1", "'knot' has no hands"},
+           {one_stage("", pulling_hand + "[[stage.hand]]\nat = [0.2, 0.3]\nhold = true\n"),
+            ":20:6", "fight over one part of the band: one has 0 to 0.25, the other 0.2 to 0.3"},
+           {one_stage("", "at = [0, 1]\nhold = true\n"), ":15:1", "can never end: what nobody"},
+           {one_stage("until = 5\n", pulling_hand), ":16:9", "the run is over after 4 s"},
+           {one_stage("until = 4\n", pulling_hand) + "[[stage]]\n" + hand, ":20:1",
+            "begins after 4 s at the earliest"},
+           {one_stage("until = 1\nat_most = 2\n", pulling_hand), ":17:11", "'at_most' is for"},
+           {fastened("pull = 'ends'\n[[stage]]\n" + hand), ":15:8", "scenes without stages"},
+           {smallest_scene() + "[[stage]]\n" + hand, ":10:1", "[[stage]] needs [fastening]"},
+           {fastened("[stage]\nname = 'x'\n"), ":15:1", "write '[[stage]]'"}}) {
+    const std::string sentence = complaint(wrong.text);
+    EXPECT_THAT(sentence, HasSubstr("knot.toml" + wrong.place)) << sentence;
+    EXPECT_THAT(sentence, HasSubstr(wrong.words)) << sentence;
+  }
+}
+
+TEST(Stages, hands_that_meet_do_not_fight_and_those_of_other_stages_are_others) {
+  EXPECT_EQ(complaint(one_stage("", pulling_hand + "[[stage.hand]]\nat = [0.25, 1]\nhold = true\n") +
+                      "[[stage]]\n[[stage.hand]]\n" + pulling_hand),
+            "");
+}
+
+TEST(Stages, settings_count_them_from_1) {
+  const std::string text =
+      one_stage("until = 1\n", pulling_hand + "[[stage.hand]]\nat = [0.5, 1]\nhold = true\n") +
+      "[[stage]]\nname = 'last'\n[[stage.hand]]\n" + pulling_hand;
+  const auto changed = [&](const std::string& setting) {
+    return with_setting("knot.toml", text, setting).value();
+  };
+  EXPECT_EQ(changed("stage[1].until=2.5"), replaced(text, "until = 1", "until = 2.5"));
+  EXPECT_EQ(changed("stage[1].hand[2].at=[0.6, 1]"), replaced(text, "[0.5, 1]", "[0.6, 1]"));
+  EXPECT_EQ(changed("stage[1].hand[2].at=tip"), replaced(text, "[0.5, 1]", "\"tip\""));
+  EXPECT_EQ(read_text(changed("stage[2].at_most=3"))->stages[1].at_most_s, 3);
+  EXPECT_EQ(read_text(changed("stage[2].hand[1].speed=3"))->stages[1].hands[0].speed_m_s, 3);
+  for (const std::string nowhere : {"stage[3].until=2", "stage[0].until=2", "stage[1].hand[3].at=x"})
+    EXPECT_THAT(refusal_of(with_setting("knot.toml", text, nowhere)),
+                HasSubstr("there is no place for '" + nowhere + "'"));
+  for (const std::string wrong : {"stage[].until=2", "stage[1].until[1]=2", "stage[x].until=2"})
+    EXPECT_THAT(refusal_of(with_setting("knot.toml", text, wrong)), HasSubstr("is not a setting"));
+}
+
+}  // namespace ribbon::stage_rules_test
