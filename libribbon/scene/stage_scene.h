@@ -41,7 +41,7 @@ struct HandScene {
 };
 
 struct StageScene {
-  std::string name;
+  std::string name = {};
   std::optional<double> until_s = std::nullopt;    // how long it lasts; none: until tight
   std::optional<double> at_most_s = std::nullopt;  // how long that may take; none: any time
   std::optional<double> friction = std::nullopt;   // while it lasts; none: the scene's

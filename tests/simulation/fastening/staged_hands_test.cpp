@@ -1,0 +1,211 @@
+#include "simulation/fastening/staged_hands.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/flat_ribbon.h"
+
+namespace ribbon::staged_hands_test {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr RestSize size{{101, 2}, 100, 1};
+
+HandScene hand(double begin, double end, HandTask task, const Vector3d& direction = {0, 0, 0}) {
+  return {.at = Span{begin, end}, .task = task, .direction = direction, .speed_m_s = 3};
+}
+
+Scene scene_of(std::vector<StageScene> stages) {
+  Scene scene;
+  scene.air_resistance_per_s = 2;
+  scene.friction = 0.25;
+  scene.fastening = FasteningScene{.speed_m_s = 3};
+  scene.fastening->axis_point_m = {50, 0, 7};
+  scene.time = {.step_s = 0.1, .duration_s = 100};
+  scene.stages = std::move(stages);
+  return scene;
+}
+
+Cloth cloth_at_rest(double stretch = 1) {
+  Cloth cloth{flat_ribbon(size.grid), Matrix3Xd::Zero(3, size.grid.particle_count()), 0.5};
+  cloth.positions.row(0) *= stretch;
+  return cloth;
+}
+
+StagedHands hands_of(const Scene& scene) {
+  return {scene, size, cloth_at_rest()};
+}
+
+Matrix3Xd rows(const Matrix3Xd& of_particles, int first, int count) {
+  return of_particles.middleCols(size.grid.particle(first, 0), count * size.grid.across);
+}
+
+TEST(StagedHands, pull_the_rows_that_they_have_and_no_others) {
+  const Vector3d up{0, 0.6, 0.8};
+  StagedHands hands = hands_of(scene_of({{.hands = {hand(0.1, 0.19, HandTask::pull, up)}}}));
+  const Matrix3Xd force = hands.pull(cloth_at_rest());
+  // By hand: ten rows draw half of 101, whose particles have 0.5 kg, at 3 m/s against the air.
+  const Vector3d each = 0.5 * 2 * 3 * (0.5 * 101 / 10) * up;
+  EXPECT_TRUE(rows(force, 10, 10).isApprox(each.replicate(1, 20)));
+  EXPECT_EQ(rows(force, 0, 10).norm(), 0);
+  EXPECT_EQ(rows(force, 20, 81).norm(), 0);
+}
+
+TEST(StagedHands, along_on_all_of_the_band_is_the_fastening_force) {
+  const Scene scene = scene_of({{.hands = {hand(0, 1, HandTask::pull_along)}}});
+  const Cloth cloth = cloth_at_rest();
+  FasteningForce published(*scene.fastening, 2, size.grid, cloth.positions, 0.5);
+  EXPECT_TRUE(hands_of(scene).pull(cloth).isApprox(published.at(cloth.positions)));
+}
+
+TEST(StagedHands, outwards_is_straight_away_from_the_axis) {
+  Scene scene = scene_of({{.hands = {hand(0.5, 0.5, HandTask::pull_outwards)}}});
+  const Cloth cloth = cloth_at_rest();
+  const Vector3d force = hands_of(scene).pull(cloth).col(size.grid.particle(50, 0));
+  EXPECT_TRUE(force.normalized().isApprox(Vector3d(0, 0, -1)));
+  // A part that lies on the axis is not pulled anywhere.
+  scene.fastening->axis_point_m = {50, 0, cloth.positions(2, size.grid.particle(50, 0)) + 0.5};
+  EXPECT_TRUE(hands_of(scene).pull(cloth).allFinite());
+}
+
+TEST(StagedHands, yield_to_the_strain_near_them_alone) {
+  Scene scene = scene_of({{.hands = {hand(0, 0.05, HandTask::pull, {1, 0, 0}),
+                                     hand(0.9, 1, HandTask::pull, {1, 0, 0})}}});
+  for (HandScene& one : scene.stages[0].hands) one.yield_strain = 0.05;
+  StagedHands hands = hands_of(scene);
+  Cloth cloth = cloth_at_rest();
+  const Matrix3Xd all = hands.pull(cloth);
+  EXPECT_EQ(hands.force_fraction(), 1);
+  cloth.positions.row(0).rightCols(8 * size.grid.across) *= 1.5;  // beside the second
+  const Matrix3Xd felt = hands.pull(cloth);
+  EXPECT_TRUE(rows(felt, 0, 6).isApprox(rows(all, 0, 6)));
+  EXPECT_EQ(rows(felt, 90, 11).norm(), 0);
+  EXPECT_EQ(hands.force_fraction(), 0.5);
+}
+
+TEST(StagedHands, hold_with_a_spring_that_is_no_stronger_than_they_pull) {
+  StagedHands hands = hands_of(scene_of({{.until_s = 9, .hands = {hand(0, 0, HandTask::hold)}}}));
+  Cloth cloth = cloth_at_rest();
+  EXPECT_EQ(hands.pull(cloth).norm(), 0) << "it is where it was";
+  cloth.positions.col(0) += Vector3d(0, 1e-3, 0);
+  const Vector3d little = hands.pull(cloth).col(0);
+  EXPECT_LT(little.y(), 0);
+  cloth.positions.col(0) += Vector3d(0, 1e3, 0);
+  const double most_n = 0.5 * 2 * 3 * (0.5 * 101);
+  EXPECT_NEAR(hands.pull(cloth).col(0).y(), -most_n, 1e-9 * most_n);
+}
+
+// A particle alone, on which nothing else acts, with the semi-implicit steps of the simulation.
+TEST(StagedHands, what_they_hold_comes_back_without_swinging) {
+  for (const double air_per_s : {0.1, 2.0, 8.0}) {
+    Scene scene = scene_of({{.until_s = 9, .hands = {hand(0, 0, HandTask::hold)}}});
+    scene.air_resistance_per_s = air_per_s;
+    scene.stages[0].hands[0].speed_m_s = 1e6;
+    StagedHands hands(scene, size, cloth_at_rest());
+    Cloth cloth = cloth_at_rest();
+    const double place_m = cloth.positions(1, 0);
+    cloth.positions(1, 0) += 1;
+    for (int step = 0; step < 60; ++step) {
+      const Matrix3Xd force = hands.pull(cloth);
+      cloth.velocities.col(0) += 0.1 * force.col(0) / 0.5;
+      cloth.velocities.col(0) /= 1 + 0.1 * air_per_s;
+      cloth.positions.col(0) += 0.1 * cloth.velocities.col(0);
+      EXPECT_GT(cloth.positions(1, 0) - place_m, -0.1) << step;
+    }
+    EXPECT_NEAR(cloth.positions(1, 0), place_m, 1e-3);
+  }
+}
+
+// Steps in which each particle moves along its pull by so much.
+void pull(StagedHands& hands, int steps, double moved_m) {
+  Cloth cloth = cloth_at_rest();
+  for (int step = 0; step < steps; ++step) {
+    hands.begin_step(cloth);
+    const Matrix3Xd way = moved_m * hands.pull(cloth).cwiseSign();
+    cloth.positions += way;
+    hands.follow(cloth);
+    cloth.positions -= way;
+  }
+}
+
+Scene two_stages() {
+  return scene_of({{.friction = 0.5, .hands = {hand(0, 0.1, HandTask::pull, {1, 0, 0})}},
+                   {.until_s = 1, .hands = {hand(0.5, 0.6, HandTask::pull, {0, 1, 0})}}});
+}
+
+TEST(StagedHands, a_stage_that_is_tight_is_followed_by_the_next) {
+  StagedHands hands = hands_of(two_stages());
+  EXPECT_EQ(hands.friction(), 0.5);
+  pull(hands, 20, 0);
+  EXPECT_EQ(hands.stage(), 0) << "the frame after its last step is still its own";
+  EXPECT_EQ(hands.progress(), 0);
+  pull(hands, 1, 0.3);
+  EXPECT_EQ(hands.stage(), 1);
+  EXPECT_EQ(hands.friction(), 0.25) << "as in the scene";
+  EXPECT_GT(hands.progress(), 0.5) << "measured anew";
+}
+
+TEST(StagedHands, a_stage_that_moves_on_is_not_over_until_its_time_is) {
+  Scene scene = two_stages();
+  StagedHands patient = hands_of(scene);
+  pull(patient, 40, 0.2);
+  EXPECT_EQ(patient.stage(), 0);
+  scene.stages[0].at_most_s = 3;
+  StagedHands hurried = hands_of(scene);
+  pull(hurried, 30, 0.2);
+  EXPECT_EQ(hurried.stage(), 0);
+  pull(hurried, 1, 0.2);
+  EXPECT_EQ(hurried.stage(), 1);
+}
+
+TEST(StagedHands, let_go_when_all_stages_are_over) {
+  StagedHands hands = hands_of(two_stages());
+  pull(hands, 20 + 10, 0);
+  EXPECT_TRUE(hands.are_over());
+  EXPECT_FALSE(hands.are_done()) << "it was over by its time";
+  EXPECT_EQ(hands.pull(cloth_at_rest()).norm(), 0);
+  EXPECT_EQ(hands.force_fraction(), 0);
+  pull(hands, 10, 0);
+  EXPECT_EQ(hands.stage(), 1);
+  EXPECT_TRUE(hands.are_over());
+}
+
+TEST(StagedHands, are_done_when_the_last_stage_is_tight) {
+  StagedHands hands =
+      hands_of(scene_of({{.hands = {hand(0, 0.1, HandTask::pull, {1, 0, 0})}}}));
+  pull(hands, 19, 0);
+  EXPECT_FALSE(hands.are_done());
+  pull(hands, 30, 0);
+  EXPECT_TRUE(hands.are_done());
+}
+
+TEST(StagedHands, let_go_when_an_end_slips) {
+  StagedHands hands = hands_of(two_stages());
+  hands.guard().look({2.0, 50.0});
+  EXPECT_GT(hands.pull(cloth_at_rest()).norm(), 0);
+  hands.guard().look({1.4, 50.0});
+  EXPECT_EQ(hands.guard().slipping_end(), 0);
+  EXPECT_EQ(hands.pull(cloth_at_rest()).norm(), 0);
+  pull(hands, 40, 0);
+  EXPECT_EQ(hands.stage(), 0);
+}
+
+// By hand, of a ribbon 2 m wide: 3 m are too short.
+TEST(SlipGuard, sees_an_end_that_is_drawn_in_and_not_one_that_comes_to_lie_on_the_knot) {
+  SlipGuard slips(2);
+  for (const double loose_m : {20.0, 8.0, 5.0, 3.1}) slips.look({50.0, loose_m});
+  EXPECT_FALSE(slips.slipping_end().has_value());
+  slips.look({50.0, 2.9});
+  EXPECT_EQ(slips.slipping_end(), 1);
+
+  SlipGuard lies(2);
+  for (const double loose_m : {20.0, 1.0, 0.5, 20.0}) lies.look({loose_m, 50.0});
+  EXPECT_FALSE(lies.slipping_end().has_value());
+
+  SlipGuard untied(2);
+  untied.look({std::nullopt, std::nullopt});
+  untied.look({1.0, std::nullopt});
+  EXPECT_FALSE(untied.slipping_end().has_value());
+}
+
+}  // namespace ribbon::staged_hands_test
