@@ -63,10 +63,11 @@ void Annotations::draw_curve(const RenderScene& scene, const Camera& camera, flo
 }
 
 void Annotations::draw_words(int index, Picture& picture) const {
-  if (overlays_.has_caption())
-    draw_caption(
-        frame_caption(overlays_, index + 1, reader_.numbers(index).value_or(FrameNumbers{})),
-        painter_, picture);
+  if (overlays_.has_caption()) {
+    const FrameNumbers numbers = reader_.numbers(index).value_or(FrameNumbers{});
+    const std::string stage(stage_name(reader_.header(), numbers));
+    draw_caption(frame_caption(overlays_, index + 1, numbers, stage), painter_, picture);
+  }
   if (legend_) draw_corner_legend(*legend_, painter_, picture);
 }
 

@@ -1,5 +1,6 @@
 #include "player/write_sheet.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "player/frame_painter.h"
@@ -14,6 +15,18 @@ namespace ribbon {
 namespace {
 
 constexpr int sheet_columns = 5;
+constexpr int most_stage_columns = 12;
+
+// Of a ribbon that is fastened in stages: its start, and how each of them ended.
+std::vector<int> frames_to_show(const std::vector<int>& frames, const RecordingInfo& info) {
+  std::vector<int> ends;
+  for (const StageFrames& stage : info.stages()) ends.push_back(stage.last - 1);
+  const bool all_are_wanted = std::ranges::all_of(
+      ends, [&](int end) { return std::ranges::find(frames, end) != frames.end(); });
+  if (ends.empty() || !all_are_wanted) return spread_frames(frames, sheet_columns);
+  if (ends.front() != frames.front()) ends.insert(ends.begin(), frames.front());
+  return spread_frames(ends, most_stage_columns);
+}
 
 }  // namespace
 
@@ -27,9 +40,10 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   if (!painter) return tl::unexpected(painter.error());
   painter->set_lowest(cameras.lowest_m());
   std::vector<SheetColumn> columns;
-  for (const int index : spread_frames(frames, sheet_columns)) {
+  for (const int index : frames_to_show(frames, info)) {
     if (auto shown = painter->show(index); !shown) return tl::unexpected(shown.error());
     SheetColumn column{index + 1, reader.numbers(index).value_or(FrameNumbers{}), {}};
+    column.stage = stage_name(reader.header(), column.numbers);
     for (std::size_t shot = 0; shot < shots.size(); ++shot) {
       auto picture = painter->picture(cameras.camera(shot, {index}), sheet_cell);
       if (!picture) return tl::unexpected(picture.error());

@@ -6,6 +6,7 @@
 #include "recorder/copied_frames.h"
 #include "recorder/run/recorded_run.h"
 #include "recorder/run/start.h"
+#include "ribbon_mesh/marks.h"
 #include "ribbon_mesh/springs.h"
 #include "text/number_text.h"
 
@@ -34,6 +35,8 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
       Rule{a.contact == b.contact, "contact", "the header tells what gap all frames keep"},
       Rule{a.fastening.has_value() == b.fastening.has_value(), "whether there is a [fastening]",
            "all frames tell how tight the ribbon is, or none does"},
+      Rule{a.stages.size() == b.stages.size(), "the number of stages",
+           "the ribbon is in one of them"},
       Rule{centre_axis(a) == centre_axis(b), "the axis of [fastening]",
            "the header names one axis for all frames"},
       Rule{a.recording.frames_per_second == b.recording.frames_per_second,
@@ -48,9 +51,9 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
 // The recorded scene with the changes, as far as they are possible.
 Result<RunPlan> plan_of_take(const Scene& recorded, const std::vector<std::string>& settings,
                              const RunLimit& limit) {
-  auto plan = read_scene(recorded.file, recorded.text, settings).and_then([&](const Scene& scene) {
-    return plan_of(scene, limit);
-  });
+  auto plan = read_scene(recorded.file, recorded.text, settings)
+                  .and_then(with_marks_found)
+                  .and_then([&](const Scene& scene) { return plan_of(scene, limit); });
   if (!plan) return plan;
   const auto fixed = common_to_both_that_differs(recorded, plan->scene);
   if (!fixed) return plan;
@@ -106,6 +109,7 @@ RecordingHeader header_of_take(const RecordingReader& source, int frame, const N
                          .changed_settings = take.settings_text()};
   header.scene_name = scene.name;
   header.scene_text = scene.text;
+  for (std::size_t i = 0; i < header.stages.size(); ++i) header.stages[i] = scene.stages[i].name;
   header.writer = take.program;
   // Of the frames that are copied and of those that follow.
   header.limited_edges = common(header.limited_edges, limited_edges(scene));

@@ -6,6 +6,7 @@
 #include "recorder/run/start.h"
 #include "recorder/run/stopwatch.h"
 #include "recording/codec/entropy_tables.h"
+#include "ribbon_mesh/marks.h"
 #include "ribbon_mesh/springs.h"
 
 namespace ribbon {
@@ -34,6 +35,7 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
   header.centre_axis = centre_axis(scene);
   header.limited_edges = limited_edges(scene);
   header.strain_limit = start.fastening.guaranteed_strain();
+  for (const StageScene& stage : scene.stages) header.stages.push_back(stage.name);
   header.input_curve = ribbon.curve.cast<float>();
   return header;
 }
@@ -43,7 +45,8 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
 Result<RunStatistics> record(const Scene& wanted, const NewRecording& recording,
                              const RunObserver& observer, const RunLimit& limit) {
   if (auto place = recording.check_place(); !place) return tl::unexpected(place.error());
-  const auto plan = plan_of(wanted, limit);
+  const auto plan = with_marks_found(wanted).and_then(
+      [&limit](const Scene& scene) { return plan_of(scene, limit); });
   if (!plan) return tl::unexpected(plan.error());
   const Scene& scene = plan->scene;
   const auto obstacle = read_obstacle(scene);

@@ -21,10 +21,20 @@ bool has_checkpoint_of(const RecordingReader& reader, int index) {
          checkpoints.end();
 }
 
-// Has the run got to the end of its scene, or of the limit?
+// Did it end before its duration was over, because there was nothing more to pull?
+bool has_ended_by_itself(const RecordingReader& reader) {
+  return reader.ending() == RunEnding::tight || reader.ending() == RunEnding::stages_over;
+}
+
+bool is_slipping(const RecordingReader& reader) {
+  return reader.ending() == RunEnding::first_end_slips ||
+         reader.ending() == RunEnding::second_end_slips;
+}
+
+// Has the run got to the end of its scene, or of the limit? One whose end slips is not drawn on.
 bool is_done(const RecordingReader& reader, const RunPlan& plan) {
   if (!reader.finished()) return false;
-  if (plan.until_tight() && reader.ending() == RunEnding::tight) return true;
+  if (is_slipping(reader) || (plan.until_tight() && has_ended_by_itself(reader))) return true;
   return reader.frame_count() >= plan.frames;
 }
 
@@ -49,7 +59,7 @@ Result<Continuation> continuation(const fs::path& path, const RunLimit& limit) {
   std::string changed;
   if (plan->frames > frame_count(run->scene))
     changed = setting_of("time.duration", plan->scene.time.duration_s) + "\n";
-  if (limit.is_set() && plan->until_tight() && run->reader.ending() == RunEnding::tight) {
+  if (limit.is_set() && plan->until_tight() && has_ended_by_itself(run->reader)) {
     changed += std::string(drawn_on) + "\n";
     plan->scene.time.until = RunsUntil::duration;
   }

@@ -58,20 +58,25 @@ bool is_hidden(const pugi::xml_node& node) {
          (";" + style + ";").find(";display:none;") != std::string::npos;
 }
 
-// All paths that the viewer sees, in document order.
-std::vector<pugi::xml_node> visible_paths(const pugi::xml_node& root) {
-  std::vector<pugi::xml_node> paths;
+bool is_circle(std::string_view name) {
+  return name == "circle" || name == "ellipse";
+}
+
+// What the viewer sees of some shapes, in document order.
+std::vector<pugi::xml_node> visible(bool (&is_wanted)(std::string_view),
+                                    const pugi::xml_node& root) {
+  std::vector<pugi::xml_node> shapes;
   std::vector<pugi::xml_node> stack{root};
   while (!stack.empty()) {
     const pugi::xml_node node = stack.back();
     stack.pop_back();
     if (is_hidden(node)) continue;
-    if (is_path(svg_name(node))) paths.push_back(node);
+    if (is_wanted(svg_name(node))) shapes.push_back(node);
     if (node != root && !is_container(svg_name(node))) continue;
     for (pugi::xml_node child = node.last_child(); child; child = child.previous_sibling())
       stack.push_back(child);
   }
-  return paths;
+  return shapes;
 }
 
 std::string id_of(const pugi::xml_node& node) {
@@ -207,7 +212,7 @@ Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
                                             const std::string& id) {
   const auto svg = load(file);
   if (!svg) return tl::unexpected(svg.error());
-  const auto visible = visible_paths(svg->document.document_element());
+  const auto visible = visible(is_path, svg->document.document_element());
   const auto nodes = id.empty() ? only_path(*svg, visible) : paths_by_id(*svg, visible, id);
   if (!nodes) return tl::unexpected(nodes.error());
   std::vector<SvgPath> paths;
@@ -227,6 +232,24 @@ Result<std::vector<Drawing>> flattened(const SvgPath& path, double tolerance) {
     return failure(path.place, path.name + " has data that cannot be read",
                    "correct its numbers and commands, or draw it again");
   return checked(path.place, path.name, *std::move(flat));
+}
+
+Result<std::vector<DrawnMark>> find_svg_marks(const std::filesystem::path& file) {
+  const auto svg = load(file);
+  if (!svg) return tl::unexpected(svg.error());
+  std::vector<DrawnMark> marks;
+  for (const pugi::xml_node& circle : visible(is_circle, svg->document.document_element())) {
+    if (id_of(circle).empty()) continue;
+    const auto transform = root_from_path(*svg, circle);
+    if (!transform) return tl::unexpected(transform.error());
+    const Eigen::Vector2d middle(circle.attribute("cx").as_double(),
+                                 circle.attribute("cy").as_double());
+    marks.push_back({id_of(circle), *transform * middle});
+    if (!is_in_range(marks.back().middle))
+      return failure(svg->place(circle), "mark '" + id_of(circle) + "' lies beyond 1e9 drawing units",
+                     "correct its place");
+  }
+  return marks;
 }
 
 double extent_of(const Drawing& drawing) {

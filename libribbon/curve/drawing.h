@@ -33,6 +33,15 @@ Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
 // Fails with the path's place when it is malformed, closed or empty, or lies beyond 1e9 units.
 Result<std::vector<Drawing>> flattened(const SvgPath& path, double tolerance);
 
+// A circle that is not hidden and has an id: a place in the drawing that a scene can name.
+struct DrawnMark {
+  std::string id;
+  Eigen::Vector2d middle;  // drawing units, all transforms applied
+};
+
+// In document order. Fails where the file cannot be read.
+Result<std::vector<DrawnMark>> find_svg_marks(const std::filesystem::path& file);
+
 // The diagonal of the box around it.
 double extent_of(const Drawing& drawing);
 

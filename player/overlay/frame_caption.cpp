@@ -32,10 +32,11 @@ std::string tightness_line(const TightnessNumbers& tightness) {
 }  // namespace
 
 std::vector<std::string> frame_caption(const Overlays& overlays, int frame_number,
-                                       const FrameNumbers& numbers) {
+                                       const FrameNumbers& numbers, const std::string& stage) {
   std::vector<std::string> lines;
   if (overlays.frame || overlays.time)
-    lines.push_back(where_line(overlays, frame_number, numbers.time_s));
+    lines.push_back(where_line(overlays, frame_number, numbers.time_s) +
+                    (stage.empty() ? "" : " · " + stage));
   if (!overlays.numbers) return lines;
   lines.push_back(strain_line(numbers));
   if (numbers.tightness) lines.push_back(tightness_line(*numbers.tightness));

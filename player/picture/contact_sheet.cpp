@@ -30,7 +30,7 @@ void draw_column(const SheetColumn& column, int left, const CaptionPainter& pain
     paste(view, left, top, sheet);
     top += sheet_cell.height + cell_gap;
   }
-  for (const std::string& line : sheet_caption(column.frame_number, column.numbers)) {
+  for (const std::string& line : sheet_caption(column.frame_number, column.numbers, column.stage)) {
     painter.draw(line, left, top + text_height, text_height, page_ink, sheet);
     top += line_height;
   }
@@ -38,9 +38,11 @@ void draw_column(const SheetColumn& column, int left, const CaptionPainter& pain
 
 }  // namespace
 
-std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& numbers) {
+std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& numbers,
+                                       const std::string& stage) {
   const std::uint32_t edges = numbers.penetrating_edges;
-  return {filled_in("frame {} · {:.2f} s", frame_number, numbers.time_s),
+  return {filled_in("frame {} · {:.2f} s", frame_number, numbers.time_s) +
+              (stage.empty() ? "" : " · " + stage),
           filled_in("strain {:.1f} % · {} {}", 100 * numbers.worst_strain, edges,
                     edges == 1 ? "penetration" : "penetrations")};
 }

@@ -15,6 +15,7 @@ struct SheetColumn {
   int frame_number = 1;  // as users see it, from 1
   FrameNumbers numbers;
   std::vector<Picture> views;
+  std::string stage = {};  // of the fastening; empty: none
 };
 
 inline constexpr PictureSize sheet_cell{520, 300};
@@ -27,7 +28,8 @@ Picture contact_sheet(const std::string& title, const std::string& subtitle,
 void draw_sheet_legend(const Legend& legend, Picture& sheet);
 
 // What stands under a column: two lines.
-std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& numbers);
+std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& numbers,
+                                       const std::string& stage = {});
 
 // At most `most` (at least 2) of the frames, evenly spread, the first and the last among them.
 std::vector<int> spread_frames(const std::vector<int>& frames, int most);

@@ -134,10 +134,23 @@ std::string ending_text(RunEnding ending) {
       return report_line("ended", "when the ribbon was tight");
     case RunEnding::stopped:
       return report_line("ended", "early, as the user asked: stopped, or at a limit");
+    case RunEnding::stages_over:
+      return report_line("ended", "when its stages were over");
+    case RunEnding::first_end_slips:
+      return report_line("ended", "when its first end was about to slip out of its knot");
+    case RunEnding::second_end_slips:
+      return report_line("ended", "when its second end was about to slip out of its knot");
     case RunEnding::unknown:
       break;
   }
   return "";
+}
+
+std::string stages_text(const RecordingInfo& info) {
+  std::string text;
+  for (const StageFrames& stage : info.stages())
+    text += report_line("stage", filled_in("{}, frames {} to {}", stage.name, stage.first, stage.last));
+  return text;
 }
 
 std::string tightness_text(const RecordingInfo& info) {
@@ -196,6 +209,19 @@ std::optional<TightnessNumbers> RecordingInfo::last_tightness() const {
   return last == nullptr ? std::nullopt : last->tightness;
 }
 
+std::vector<StageFrames> RecordingInfo::stages() const {
+  std::vector<StageFrames> stages;
+  for (int index = 0; index < frame_count(); ++index) {
+    const std::string name(numbers[index] ? stage_name(header, *numbers[index]) : "");
+    if (name.empty()) continue;
+    const int number = numbers[index]->stage;
+    if (stages.empty() || stages.back().number != number)
+      stages.push_back({number, name, index + 1, index + 1});
+    stages.back().last = index + 1;
+  }
+  return stages;
+}
+
 double RecordingInfo::bytes_per_vertex_and_frame() const {
   if (numbers.empty()) return 0;
   return static_cast<double>(file_bytes) / static_cast<double>(numbers.size()) /
@@ -228,7 +254,8 @@ std::string info_text(const RecordingInfo& info) {
   const RecordingHeader& header = info.header;
   return report_line("recording", info.file.string()) + report_line("scene", header.scene_name) +
          origin_text(header.origin) + report_line("written by", header.writer) +
-         sessions_text(info) + report_line("frames", frames_text(info)) + ending_text(info.ending) +
+         sessions_text(info) + report_line("frames", frames_text(info)) + stages_text(info) +
+         ending_text(info.ending) +
          (info.outcome ? report_line("outcome", outcome_text(*info.outcome)) : "") +
          checkpoints_text(info) +
          report_line("ribbon", filled_in("{} x {} particles, {:.6g} m wide, {:.6g} m long",

@@ -18,6 +18,14 @@ struct WorstFrame {
   int frame = 0;
 };
 
+// A stage of fastening; all from 1.
+struct StageFrames {
+  int number = 0;
+  std::string name;
+  int first = 0;
+  int last = 0;
+};
+
 struct RecordingInfo {
   std::filesystem::path file;
   std::uint64_t file_bytes = 0;
@@ -43,6 +51,8 @@ struct RecordingInfo {
   [[nodiscard]] std::optional<std::uint32_t> last_penetrations() const;
   // Of the last frame whose numbers are known; nothing where there is none or it tells none.
   [[nodiscard]] std::optional<TightnessNumbers> last_tightness() const;
+  // Those that frames are known to lie in, in their order.
+  [[nodiscard]] std::vector<StageFrames> stages() const;
   // Size of the file over particles and frames; 0 without frames.
   [[nodiscard]] double bytes_per_vertex_and_frame() const;
 };

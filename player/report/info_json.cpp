@@ -68,6 +68,13 @@ Json sessions_json(const std::vector<Session>& sessions) {
   return list;
 }
 
+Json stages_json(const RecordingInfo& info) {
+  Json list = Json::list({});
+  for (const StageFrames& stage : info.stages())
+    list.add({{"name", stage.name}, {"first_frame", stage.first}, {"last_frame", stage.last}});
+  return list;
+}
+
 Json frames_json(const RecordingInfo& info) {
   Json list = Json::list({});
   for (int index = 0; index < info.frame_count(); ++index) {
@@ -99,6 +106,7 @@ std::string info_json(const RecordingInfo& info) {
                   {"scene", {{"name", header.scene_name}, {"text", header.scene_text}}},
                   {"origin", origin_json(header.origin)},
                   {"sessions", sessions_json(info.sessions)},
+                  {"stages", stages_json(info)},
                   {"ribbon",
                    {{"along", header.grid.along},
                     {"across", header.grid.across},

@@ -36,7 +36,11 @@ Result<void> check_reach(const SimulatedFrame& frame, const FasteningProcessor& 
 
 RunEnding ending_at(SimulatedFrames& frames, const RunPlan& plan) {
   if (frames.index() < 0) return RunEnding::unknown;
-  if (plan.until_tight() && frames.fastening().is_tight()) return RunEnding::tight;
+  const FasteningProcessor& fastening = frames.fastening();
+  if (const auto end = fastening.slipping_end())
+    return *end == 0 ? RunEnding::first_end_slips : RunEnding::second_end_slips;
+  if (plan.until_tight() && fastening.is_tight()) return RunEnding::tight;
+  if (plan.until_tight() && fastening.stages_are_over()) return RunEnding::stages_over;
   if (frames.index() + 1 < plan.frames) return RunEnding::unknown;
   return plan.is_cut_short ? RunEnding::stopped : RunEnding::duration;
 }

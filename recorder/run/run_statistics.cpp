@@ -56,11 +56,23 @@ std::string tightness_text(const TightnessNumbers& tightness) {
                    tightness.rope_length);
 }
 
+std::string slip_text(std::string_view end, double time_s) {
+  return filled_in("; ended at {:.1f} s: the {} end would slip out of its knot; draw a longer tail, or "
+                   "hold it",
+                   time_s, end);
+}
+
 // Nothing where the run lasted as long as it was to.
 std::string ending_text(const RunStatistics& statistics) {
   if (statistics.limit_reached)
     return filled_in("; ended at {:.1f} s, as asked", statistics.simulated_s);
   if (statistics.ending == RunEnding::stopped) return "; ended early by the user";
+  if (statistics.ending == RunEnding::first_end_slips)
+    return slip_text("first", statistics.simulated_s);
+  if (statistics.ending == RunEnding::second_end_slips)
+    return slip_text("second", statistics.simulated_s);
+  if (statistics.ending == RunEnding::stages_over)
+    return filled_in("; ended at {:.1f} s, when its stages were over", statistics.simulated_s);
   if (!statistics.until_tight || !statistics.tightness) return "";
   return (statistics.ending == RunEnding::tight ? "; ended tight: " : "; not yet tight: ") +
          tightness_text(*statistics.tightness);

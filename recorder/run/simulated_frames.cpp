@@ -56,7 +56,8 @@ FrameNumbers frame_numbers(FasteningProcessor& fastening, const StepSums& sums,
           .worst_strain = fastening.strain(),
           .penetrating_edges = sums.penetrating_edges(),
           .recovery_iterations = sums.recovery_iterations(),
-          .tightness = tightness_numbers(fastening, sums, particles)};
+          .tightness = tightness_numbers(fastening, sums, particles),
+          .stage = static_cast<std::uint8_t>(fastening.stage().value_or(-1) + 1)};
 }
 
 }  // namespace

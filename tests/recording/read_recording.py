@@ -93,6 +93,8 @@ class Header:
         self.limited_edges = {name for bit, name in enumerate(EDGES) if edges >> bit & 1}
         points = fields.take("I") if self.minor >= 2 else 0
         self.input_curve = self.take_points(fields, points) if points else np.zeros((0, 3), "<f4")
+        stages = fields.take("I") if self.minor >= 3 else 0
+        self.stages = [fields.text() for _ in range(stages)]
 
     @property
     def particles(self):
@@ -152,6 +154,7 @@ class Frame:
         self.penetrating_edges, self.recovery_iterations = fields.take("II")
         self.references = [fields.take("I") for _ in range(references)]
         self.tightness = fields.take("5f") if flags & 1 else None
+        self.stage = fields.take("B") if flags & 2 else 0
         if references > 4 or not fields.at <= geometry_at <= len(payload):
             raise Damaged(f"frame {self.frame} contradicts itself")
         self.geometry = payload[geometry_at:]
@@ -166,6 +169,7 @@ class Frame:
             self.frame,
             self.references,
             self.tightness,
+            self.stage,
         )
 
 
@@ -189,19 +193,20 @@ class Index:
         rows = list(zip(*columns(fields.block(), frames, forms)))
         others = fields.take("I")
         self.others = list(zip(*columns(fields.block(), others, ["u4", "u4", "u8", "u8"])))
-        self.frames = list(self.placed(rows))
+        stages = fields.block() if fields.at < len(payload) else bytes(frames)
+        self.frames = list(self.placed(rows, stages))
 
     @staticmethod
-    def placed(rows):
+    def placed(rows, stages):
         """(offset, record bytes, numbers as Frame.numbers()) of each frame."""
         frame, end = -1, 0
-        for row in rows:
+        for row, stage in zip(rows, stages, strict=True):
             frame = (frame + row[4] + 1) % 2**32
             begin = end + row[5]
             end = begin + row[6]
             references = [(frame - distance) % 2**32 for distance in row[8 : 8 + row[7]]]
             tightness = row[13:18] if row[12] else None
-            yield begin, row[6], (*row[:4], frame, references, tightness)
+            yield begin, row[6], (*row[:4], frame, references, tightness, stage)
 
 
 class Recording:
@@ -272,6 +277,7 @@ class Recording:
         frame = self.frames[numbers[4]]
         whole = frame.numbers()
         same = whole[:6] == numbers[:6] and (whole[6] and tuple(whole[6])) == numbers[6]
+        same = same and whole[7] == numbers[7]
         head = RECORD_HEAD_BYTES + 40 + 4 * len(frame.references) + (20 if frame.tightness else 0)
         if not same or self.offsets[frame.frame] != begin or size < head + len(frame.geometry):
             raise Damaged(f"an index is wrong about frame {frame.frame}")
@@ -321,6 +327,7 @@ def main():
     print(f"{header.scene_name}, {header.across}x{header.along}, {len(recording.frames)} frames")
     print(f"limited edges: {sorted(header.limited_edges)}, to {100 * header.strain_limit:g} %")
     print(f"input curve: {len(header.input_curve)} points")
+    print(f"stages: {', '.join(header.stages) or 'none'}")
     for number in sorted(recording.frames):
         frame = recording.frames[number]
         positions = recording.positions(number)

@@ -36,6 +36,20 @@ Scene fast_loop(IntegrationMethod integrator, ContactMethod contact) {
   return scene;
 }
 
+// One that is over when its time is, and one that is not over before the end.
+std::vector<StageScene> stages() {
+  const auto hand = [](double begin, double end, HandTask task) {
+    return HandScene{Span{begin, end}, task, {1, 0, 0}, 2, 0.05};
+  };
+  return {{.until_s = 0.155,
+           .friction = 0.4,
+           .hands = {hand(0, 0.4, HandTask::pull_along), hand(0.48, 0.52, HandTask::hold),
+                     hand(0.6, 1, HandTask::pull_along)}},
+          {.at_most_s = 9,
+           .hands = {hand(0, 0.05, HandTask::pull), hand(0.5, 0.6, HandTask::pull_outwards),
+                     hand(0.95, 1, HandTask::hold)}}};
+}
+
 std::vector<Case> runs() {
   std::vector<Case> all;
   for (const auto& [word, integrator] :
@@ -53,6 +67,8 @@ std::vector<Case> runs() {
     }
   all.push_back({"by its ends", all.front().scene, post(post_radius_m)});
   all.back().scene.fastening->pull = FasteningPull::ends;
+  all.push_back({"in stages", all.front().scene});
+  all.back().scene.stages = stages();
   all.push_back({"without loss", all.front().scene, post(post_radius_m)});
   all.back().scene.recording.max_position_error = 0;
   return all;
@@ -83,7 +99,8 @@ bool are_equal(FasteningProcessor& a, FasteningProcessor& b) {
     return std::vector{now.progress, now.contact_share, now.rope_length,
                        of.strain(),  of.time_s(),       of.guaranteed_gap_m()};
   };
-  return a.state() == b.state() && tightness(a) == tightness(b) && a.is_tight() == b.is_tight();
+  return a.state() == b.state() && tightness(a) == tightness(b) && a.is_tight() == b.is_tight() &&
+         a.stage() == b.stage() && a.slipping_end() == b.slipping_end();
 }
 
 bool are_equal(const StepReport& a, const StepReport& b) {

@@ -13,9 +13,10 @@ namespace ribbon {
 namespace {
 
 constexpr std::uint16_t major_version = 2;
-constexpr std::uint16_t minor_version = 2;
+constexpr std::uint16_t minor_version = 3;
 constexpr std::uint16_t first_minor_with_limits = 1;
 constexpr std::uint16_t first_minor_with_curve = 2;
+constexpr std::uint16_t first_minor_with_stages = 3;
 constexpr std::uint32_t position_codec = 2;
 constexpr std::uint32_t most_entropy_tables = 64;
 constexpr std::int64_t most_particles = std::int64_t{1} << 24;
@@ -23,6 +24,7 @@ constexpr std::int64_t most_particles = std::int64_t{1} << 24;
 constexpr int most_columns = 1 << 20;
 constexpr std::uint64_t largest_mesh = std::uint64_t{1} << 26;
 constexpr std::uint32_t most_curve_points = 1U << 20;
+constexpr std::uint32_t most_stages = 255;
 
 // A matrix column by column, as little-endian numbers in one compressed block.
 template <class Stored, class Matrix>
@@ -99,16 +101,15 @@ bool take_axis(ByteTaker& taker, std::optional<CentreAxis>& axis) {
   return taker.complete() && is_axis(*axis);
 }
 
-void put_tables(std::string& bytes, const std::vector<std::string>& tables) {
-  assert(tables.size() <= most_entropy_tables);
-  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(tables.size()));
-  for (const std::string& table : tables) put_string(bytes, table);
+void put_strings(std::string& bytes, const std::vector<std::string>& strings) {
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(strings.size()));
+  for (const std::string& string : strings) put_string(bytes, string);
 }
 
-bool take_tables(ByteTaker& taker, std::vector<std::string>& tables) {
+bool take_strings(ByteTaker& taker, std::uint32_t most, std::vector<std::string>& strings) {
   const auto count = taker.take<std::uint32_t>();
-  if (count > most_entropy_tables) return false;
-  for (std::uint32_t i = 0; i < count; ++i) tables.push_back(take_string(taker));
+  if (count > most) return false;
+  for (std::uint32_t i = 0; i < count; ++i) strings.push_back(take_string(taker));
   return taker.complete();
 }
 
@@ -215,11 +216,14 @@ std::string header_payload(const RecordingHeader& header) {
   if (header.obstacle) put_obstacle(bytes, *header.obstacle);
   put<double>(bytes, header.stated_gap_m);
   put_axis(bytes, header.centre_axis);
-  put_tables(bytes, header.entropy_tables);
+  assert(header.entropy_tables.size() <= most_entropy_tables);
+  put_strings(bytes, header.entropy_tables);
   put_origin(bytes, header.origin);
   put_limited_edges(bytes, header.limited_edges);
   put<double>(bytes, header.strain_limit);
   put_curve(bytes, header.input_curve);
+  assert(header.stages.size() <= most_stages);
+  put_strings(bytes, header.stages);
   return bytes;
 }
 
@@ -248,7 +252,7 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (taker.take<std::uint8_t>() != 0 && !take_obstacle(taker, header.obstacle.emplace()))
     return damaged();
   header.stated_gap_m = taker.take<double>();
-  if (!take_axis(taker, header.centre_axis) || !take_tables(taker, header.entropy_tables) ||
+  if (!take_axis(taker, header.centre_axis) || !take_strings(taker, most_entropy_tables, header.entropy_tables) ||
       !take_origin(taker, header.origin))
     return damaged();
   if (minor >= first_minor_with_limits) {
@@ -256,6 +260,8 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
     header.strain_limit = taker.take<double>();
   }
   if (minor >= first_minor_with_curve && !take_curve(taker, header.input_curve)) return damaged();
+  if (minor >= first_minor_with_stages && !take_strings(taker, most_stages, header.stages))
+    return damaged();
   const bool valid = taker.complete() && !header.scene_name.empty() &&
                      is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&
                      is_positive(header.frames_per_second) &&

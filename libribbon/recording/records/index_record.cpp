@@ -76,6 +76,26 @@ std::string frame_table(const std::vector<IndexedFrame>& frames) {
   return bytes;
 }
 
+// Behind all else, and only where some frame has one.
+void put_stages(std::string& bytes, const std::vector<IndexedFrame>& frames) {
+  std::string stages;
+  bool any = false;
+  for (const IndexedFrame& frame : frames) {
+    put<std::uint8_t>(stages, frame.numbers.stage);
+    any = any || frame.numbers.stage != 0;
+  }
+  if (any) put_block(bytes, stages);
+}
+
+bool take_stages(ByteTaker& taker, std::vector<IndexedFrame>& frames) {
+  if (taker.rest().empty()) return true;
+  const auto content = take_block(taker, frames.size());
+  if (!content || content->size() != frames.size()) return false;
+  ByteTaker stages(*content);
+  for (IndexedFrame& frame : frames) frame.numbers.stage = stages.take<std::uint8_t>();
+  return true;
+}
+
 // From gaps to offsets; false where a frame does not lie before `limit`.
 bool set_offsets(std::vector<IndexedFrame>& frames, std::uint64_t limit) {
   std::uint64_t end = 0;
@@ -148,6 +168,7 @@ std::string index_payload(std::uint32_t recording_id, const Index& index) {
   put_block(bytes, frame_table(index.frames));
   put<std::uint32_t>(bytes, static_cast<std::uint32_t>(index.others.size()));
   put_block(bytes, table_of_others(index.others));
+  put_stages(bytes, index.frames);
   return bytes;
 }
 
@@ -168,7 +189,8 @@ std::optional<Index> parse_index_payload(std::string_view payload, std::uint32_t
   index.frames.resize(frames);
   index.others.resize(others);
   if (!parse_frame_table(*frame_content, offset, index.frames) ||
-      !parse_table_of_others(*other_content, offset, index.others))
+      !parse_table_of_others(*other_content, offset, index.others) ||
+      !take_stages(taker, index.frames))
     return std::nullopt;
   return index;
 }

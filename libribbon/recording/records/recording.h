@@ -52,6 +52,7 @@ struct RecordingHeader {
   // The writer guarantees that |length / rest length - 1| of none of them is larger, in frames as
   // they are decoded. 0: nothing is stated.
   double strain_limit = 0;
+  std::vector<std::string> stages;  // names of those that it is fastened in; at most 255
   // 3 x points, metres: the drawing, pulled apart where it crosses itself, that the ribbon was put
   // on. Empty: not told; else at least 2.
   Eigen::Matrix3Xf input_curve;
@@ -89,11 +90,21 @@ inline constexpr std::array<TightnessColumn, 5> tightness_columns = {
      {"rope_length", &TightnessNumbers::rope_length}}};
 
 // What ended the run; the numbers are those of the file.
-enum class RunEnding : std::uint8_t { unknown = 0, duration = 1, tight = 2, stopped = 3 };
+enum class RunEnding : std::uint8_t {
+  unknown = 0,
+  duration = 1,
+  tight = 2,
+  stopped = 3,
+  stages_over = 4,
+  first_end_slips = 5,
+  second_end_slips = 6
+};
 
-// "unknown", "duration", "tight", "stopped".
+// "unknown", "duration", "tight", "stopped", ...
 inline std::string_view word_for(RunEnding ending) {
-  constexpr std::array<std::string_view, 4> words = {"unknown", "duration", "tight", "stopped"};
+  constexpr std::array<std::string_view, 7> words = {
+      "unknown",     "duration",        "tight",           "stopped",
+      "stages over", "first end slips", "second end slips"};
   return words[static_cast<std::size_t>(ending)];
 }
 
@@ -142,8 +153,16 @@ struct FrameNumbers {
   std::uint32_t recovery_iterations = 0;  // of Figure 15, summed over the steps since the last
                                           // frame
   std::optional<TightnessNumbers> tightness = std::nullopt;  // where something fastens the ribbon
+  std::uint8_t stage = 0;  // from 1, of the header's, in which the last step was made; 0: none
 
   bool operator==(const FrameNumbers&) const = default;
 };
+
+// Of the stage that the frame lies in; empty where there is none, or none that the header names.
+inline std::string_view stage_name(const RecordingHeader& header, const FrameNumbers& numbers) {
+  return numbers.stage > 0 && numbers.stage <= header.stages.size()
+             ? std::string_view(header.stages[numbers.stage - 1])
+             : std::string_view();
+}
 
 }  // namespace ribbon

@@ -38,6 +38,7 @@ TEST(ContactSheet, every_picture_is_on_it_whole) {
 TEST(ContactSheet, captions_tell_frame_time_strain_and_penetrations) {
   EXPECT_EQ(sheet_caption(12, {0.4, 0.0412, 3, 5}),
             (std::vector<std::string>{"frame 12 · 0.40 s", "strain 4.1 % · 3 penetrations"}));
+  EXPECT_EQ(sheet_caption(12, {0.4, 0, 0, 0}, "bow")[0], "frame 12 · 0.40 s · bow");
   EXPECT_EQ(sheet_caption(1, {0, 0, 1, 0})[1], "strain 0.0 % · 1 penetration");
 }
 

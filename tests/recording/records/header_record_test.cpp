@@ -93,7 +93,7 @@ TEST(HeaderRecord, a_recording_need_not_tell_its_curve) {
 
 TEST(HeaderRecord, minor_version_1_tells_no_curve) {
   std::string payload = header_payload(without_curve());
-  payload.resize(payload.size() - count_bytes);
+  payload.resize(payload.size() - 2 * count_bytes);
   EXPECT_FALSE(parse_header_payload(payload).has_value());
   payload[2] = 1;
   const auto read = parse_header_payload(payload);
@@ -105,7 +105,7 @@ TEST(HeaderRecord, minor_version_1_tells_no_curve) {
 // In the place of the count of no points, and what is behind it the last curve that was written.
 bool is_taken_with_curve_points(std::uint32_t count) {
   const std::string with_curve = header_payload(sample_header());
-  const std::size_t count_at = header_payload(without_curve()).size() - count_bytes;
+  const std::size_t count_at = header_payload(without_curve()).size() - 2 * count_bytes;
   std::string bytes;
   put<std::uint32_t>(bytes, count);
   return parse_header_payload(std::string(with_curve).replace(count_at, count_bytes, bytes))
@@ -120,15 +120,38 @@ TEST(HeaderRecord, curve_points_that_are_not_there_are_refused) {
 
 TEST(HeaderRecord, a_curve_of_a_single_point_is_none) {
   std::string payload = header_payload(without_curve());
-  payload.resize(payload.size() - count_bytes);
+  payload.resize(payload.size() - 2 * count_bytes);
   put<std::uint32_t>(payload, 1);
   put_block(payload, std::string(3 * sizeof(float), '\0'));
+  put<std::uint32_t>(payload, 0);
   EXPECT_FALSE(parse_header_payload(payload).has_value());
+}
+
+TEST(HeaderRecord, minor_version_2_has_no_stages) {
+  std::string payload = header_payload(sample_header());
+  payload.resize(payload.size() - count_bytes);
+  EXPECT_FALSE(parse_header_payload(payload).has_value());
+  payload[2] = 2;
+  const auto read = parse_header_payload(payload);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_TRUE(read->stages.empty());
+}
+
+TEST(HeaderRecord, stages_come_back_but_not_more_than_a_byte_counts) {
+  RecordingHeader header = sample_header();
+  header.stages = {"half knot", ""};
+  EXPECT_EQ(parse_header_payload(header_payload(header))->stages, header.stages);
+  header.stages.assign(255, "x");
+  std::string payload = header_payload(header);
+  EXPECT_EQ(parse_header_payload(payload)->stages.size(), 255U);
+  payload[payload.size() - 255 * 5 - count_bytes + 1] = 1;
+  payload[payload.size() - 255 * 5 - count_bytes] = 0;
+  EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
 }
 
 TEST(HeaderRecord, minor_version_0_names_no_limited_edges) {
   std::string payload = header_payload(without_curve());
-  payload.resize(payload.size() - count_bytes);
+  payload.resize(payload.size() - 2 * count_bytes);
   payload.resize(payload.size() - limit_bytes);
   EXPECT_FALSE(parse_header_payload(payload).has_value());
   payload[2] = 0;
@@ -159,9 +182,9 @@ TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
   header.entropy_tables.resize(64);
   std::string payload = header_payload(header);
   EXPECT_TRUE(parse_header_payload(payload).has_value());
-  // 64 empty tables, no origin, the limit of strain and no curve stand behind the count.
+  // 64 empty tables, no origin, the limit of strain, no curve and no stages stand behind the count.
   const std::size_t count_at =
-      payload.size() - count_bytes - limit_bytes - 1 - std::size_t{64} * 4 - 4;
+      payload.size() - 2 * count_bytes - limit_bytes - 1 - std::size_t{64} * 4 - 4;
   ASSERT_EQ(payload[count_at], 64);
   payload[count_at] = 65;
   EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());

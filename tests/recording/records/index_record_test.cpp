@@ -30,6 +30,17 @@ TEST(IndexRecord, everything_comes_back) {
   EXPECT_EQ(parse_index_payload(index_payload(id, index()), id, here), index());
 }
 
+TEST(IndexRecord, stages_come_back_and_cost_nothing_where_there_are_none) {
+  Index staged = index();
+  staged.frames[1].numbers.stage = 3;
+  const std::string payload = index_payload(id, staged);
+  EXPECT_EQ(parse_index_payload(payload, id, here), staged);
+  const std::size_t without = index_payload(id, index()).size();
+  EXPECT_EQ(payload.substr(0, without), index_payload(id, index()));
+  for (std::size_t size = without + 1; size < payload.size(); ++size)
+    EXPECT_FALSE(parse_index_payload(payload.substr(0, size), id, here).has_value()) << size;
+}
+
 TEST(IndexRecord, one_of_another_recording_is_refused) {
   EXPECT_FALSE(parse_index_payload(index_payload(id, index()), id + 1, here).has_value());
 }

@@ -1,0 +1,135 @@
+// Runs in stages: what their recordings tell, how they go on and branch off.
+#include <gtest/gtest.h>
+
+#include "files/files.h"
+#include "playback/frames_of.h"
+#include "recorder/branch.h"
+#include "recorder/record.h"
+#include "recorder/resume.h"
+#include "recorder/small_scene.h"
+#include "recorder/test_runs.h"
+#include "result/refusal.h"
+
+namespace ribbon::stages_test {
+
+namespace fs = std::filesystem;
+
+std::string staged_scene_text(const std::string& first_hand_at = "[0, 0.1]") {
+  return small_scene_text("2") +
+         "checkpoint_every = 0.5\n"
+         "[[stage]]\nname = 'half knot'\nuntil = 0.5\nfriction = 0.5\n"
+         "[[stage.hand]]\nat = " +
+         first_hand_at +
+         "\npull = [-1, 0, 0]\n"
+         "[[stage.hand]]\nat = [0.9, 1]\nhold = true\n"
+         "[[stage]]\nname = 'tails'\nuntil = 1\n"
+         "[[stage.hand]]\nat = [0.8, 1]\npull = 'along'\n";
+}
+
+class Stages : public TestInFolder {
+ protected:
+  [[nodiscard]] Result<RunStatistics> recorded(const std::vector<std::string>& settings = {},
+                                               const std::string& text = staged_scene_text(),
+                                               const RunLimit& limit = {}) const {
+    (void)write_file(folder_ / "knot.toml", text);
+    return read_scene(folder_ / "knot.toml", settings).and_then([&](const Scene& scene) {
+      return record(scene, replacing(file()), goes_on, limit);
+    });
+  }
+  [[nodiscard]] fs::path file() const { return folder_ / "knot.rbn"; }
+  [[nodiscard]] fs::path take() const { return folder_ / "take.rbn"; }
+
+  // How many frames lie in each of the header's two stages.
+  static std::array<int, 3> frames_in_stages(const fs::path& file) {
+    const auto reader = RecordingReader::open(file).value();
+    std::array<int, 3> counts{};
+    for (int frame = 0; frame < reader.frame_count(); ++frame)
+      ++counts.at(reader.numbers(frame)->stage);
+    return counts;
+  }
+};
+
+// By hand: 30 frames a second, the start among them.
+TEST_F(Stages, frames_know_theirs_and_the_header_their_names) {
+  ASSERT_EQ(refusal_of(recorded()), "");
+  EXPECT_EQ(RecordingReader::open(file())->header().stages,
+            (std::vector<std::string>{"half knot", "tails"}));
+  EXPECT_EQ(frames_in_stages(file()), (std::array{0, 16, 45}));
+}
+
+TEST_F(Stages, until_tight_ends_the_run_when_all_are_over) {
+  EXPECT_EQ(recorded({"time.until=tight"})->ending, RunEnding::stages_over);
+  EXPECT_EQ(frames_in_stages(file()), (std::array{0, 16, 30}));
+  EXPECT_EQ(RecordingReader::open(file())->ending(), RunEnding::stages_over);
+  EXPECT_FALSE(resume(file(), "test", goes_on)->has_value()) << "there is nothing to add";
+}
+
+TEST_F(Stages, a_run_that_was_cut_short_goes_on_to_the_same_bits) {
+  ASSERT_EQ(refusal_of(recorded()), "");
+  const auto whole = frames_of(file());
+  for (const int frames : {8, 15, 17, 30, 50}) {
+    ASSERT_EQ(refusal_of(recorded({}, staged_scene_text(), {.frames = frames})), "");
+    ASSERT_TRUE(resume(file(), "test", goes_on).has_value());
+    EXPECT_EQ(first_difference(frames_of(file()), whole), -1) << frames;
+  }
+}
+
+TEST_F(Stages, a_take_can_time_them_anew) {
+  ASSERT_EQ(refusal_of(recorded()), "");
+  const auto taken = [&](int frame, const std::string& setting) {
+    return refusal_of(
+        branch(file(), frame, {take(), "brancher", {setting}, Overwrite::yes}, goes_on));
+  };
+  ASSERT_EQ(taken(9, "stage[1].until=0.8"), "");
+  EXPECT_EQ(frames_in_stages(take()), (std::array{0, 25, 36}));
+  EXPECT_EQ(first_difference(frames_of(take()), frames_of(file())), 16) << "alike until then";
+  ASSERT_EQ(taken(9, "stage[1].until=0.1"), "");
+  EXPECT_EQ(frames_in_stages(take()), (std::array{0, 10, 51})) << "its time is over already";
+  ASSERT_EQ(taken(9, "stage[1].hand[2].at=[0.8, 1]"), "");
+  EXPECT_EQ(first_difference(frames_of(take()), frames_of(file())), 10);
+  EXPECT_THAT(taken(9, "stage[3].until=1"), HasSubstr("there is no place"));
+  EXPECT_THAT(taken(9, "stage[2].hand[1].at=tip"), HasSubstr("the drawing is a list of points"));
+}
+
+std::string drawing_with_marks() {
+  return "<svg xmlns='http://www.w3.org/2000/svg'><path id='band' d='M -300 0 L 300 0'/>"
+         "<g transform='translate(100 0)'><circle id='middle' cx='-100' cy='5' r='4'/></g>"
+         "<circle id='tip' cx='-310' cy='0' r='4'/><circle cx='1' cy='1' r='1'/></svg>";
+}
+
+TEST_F(Stages, marks_are_found_in_the_drawing_and_told_as_spans) {
+  (void)write_file(folder_ / "line.svg", drawing_with_marks());
+  const auto span_of = [&](const std::string& id) -> Span {
+    const auto done = recorded({}, drawn_in_a_file(staged_scene_text("'" + id + "'")), {.frames = 3});
+    EXPECT_EQ(refusal_of(done), "");
+    const auto reader = RecordingReader::open(file()).value();
+    return std::get<Span>(
+        read_scene(file(), reader.header().scene_text)->stages[0].hands[0].at);
+  };
+  // The line is 0.6 m long, the band 3 cm wide, its rows a 59th of the length apart.
+  EXPECT_NEAR(span_of("middle").begin, 0.5 - 0.025, 0.5 / 59 + 1e-9);
+  EXPECT_NEAR(span_of("middle").end - span_of("middle").begin, 0.05, 1e-9);
+  EXPECT_EQ(span_of("tip").begin, 0);
+  EXPECT_NEAR(span_of("tip").end, 0.025, 1e-9);
+  fs::remove(folder_ / "line.svg");
+  EXPECT_TRUE(resume(file(), "test", goes_on)->has_value()) << "without its drawing";
+}
+
+TEST_F(Stages, marks_that_are_not_there_are_refused_where_the_scene_names_them) {
+  (void)write_file(folder_ / "line.svg", drawing_with_marks());
+  const std::string sentence =
+      refusal_of(recorded({}, drawn_in_a_file(staged_scene_text("'top'"))));
+  EXPECT_THAT(sentence, HasSubstr("knot.toml:"));
+  EXPECT_THAT(sentence, HasSubstr("the drawing has no mark 'top'; it has 'middle', 'tip'"));
+  EXPECT_FALSE(fs::exists(file()));
+}
+
+TEST_F(Stages, a_mark_between_two_parts_of_the_band_is_refused) {
+  (void)write_file(folder_ / "line.svg",
+                   "<svg xmlns='http://www.w3.org/2000/svg'><path id='band' d='M -300 0 L 300 0 "
+                   "L 300 60 L -300 60'/><circle id='between' cx='0' cy='31' r='4'/></svg>");
+  EXPECT_THAT(refusal_of(recorded({}, drawn_in_a_file(staged_scene_text("'between'")))),
+              HasSubstr("two parts of the band pass about as near to the mark 'between'"));
+}
+
+}  // namespace ribbon::stages_test
