@@ -246,7 +246,8 @@ Result<std::vector<DrawnMark>> find_svg_marks(const std::filesystem::path& file)
                                  circle.attribute("cy").as_double());
     marks.push_back({id_of(circle), *transform * middle});
     if (!is_in_range(marks.back().middle))
-      return failure(svg->place(circle), "mark '" + id_of(circle) + "' lies beyond 1e9 drawing units",
+      return failure(svg->place(circle),
+                     "mark '" + id_of(circle) + "' lies beyond 1e9 drawing units",
                      "correct its place");
   }
   return marks;

@@ -33,8 +33,8 @@ std::vector<MarkedHand> marked_hands(const Scene& scene) {
   for (std::size_t i = 0; i < scene.stages.size(); ++i)
     for (std::size_t j = 0; j < scene.stages[i].hands.size(); ++j)
       if (const auto* mark = std::get_if<Mark>(&scene.stages[i].hands[j].at))
-        hands.push_back({"stage[" + std::to_string(i + 1) + "].hand[" + std::to_string(j + 1) + "]",
-                         mark->id});
+        hands.push_back(
+            {"stage[" + std::to_string(i + 1) + "].hand[" + std::to_string(j + 1) + "]", mark->id});
   return hands;
 }
 
@@ -69,7 +69,8 @@ Result<Span> span_at(const CurveScene& curve, const RibbonMesh& ribbon, const Dr
   for (std::size_t other = 0; other < distances.size(); ++other)
     if (std::abs(static_cast<double>(other) - row) * row_m > another_part * ribbon.width_m &&
         distances[other] < *nearest + about_as_near * ribbon.width_m)
-      return failure("", "two parts of the band pass about as near to the mark " + in_quotes(mark.id),
+      return failure("",
+                     "two parts of the band pass about as near to the mark " + in_quotes(mark.id),
                      "move the circle to where only one of them is");
   const double middle = row / (ribbon.grid.along - 1);
   const double half = 0.5 * ribbon.width_m / ribbon.length_m;

@@ -290,8 +290,8 @@ auto in_hand(Member HandScene::*member) {
 Result<void> read_pull(const Value& value, Scene& scene) {
   HandScene& hand = scene.stages.back().hands.back();
   if (value.toml.as<std::string>() != nullptr)
-    return one_of<HandTask>({{"along", HandTask::pull_along},
-                             {"outwards", HandTask::pull_outwards}})(value)
+    return one_of<HandTask>(
+               {{"along", HandTask::pull_along}, {"outwards", HandTask::pull_outwards}})(value)
         .map([&](HandTask task) { hand.task = task; });
   hand.task = HandTask::pull;
   return direction(value).map([&](const Coordinates<3>& unit) { hand.direction = unit; });
@@ -465,9 +465,8 @@ std::vector<Key> stage_keys() {
       {"until", optional, "\"tight\"", set(in_stage(&StageScene::until_s), seconds_or_tight)},
       {"at_most", optional, "12", set(in_stage(&StageScene::at_most_s), number(positive))},
       {"friction", optional, "0.3", set(in_stage(&StageScene::friction), number(not_negative))},
-      {"hand", optional, "", each_of(hand_table(), [](Scene& scene) {
-         scene.stages.back().hands.emplace_back();
-       })},
+      {"hand", optional, "",
+       each_of(hand_table(), [](Scene& scene) { scene.stages.back().hands.emplace_back(); })},
   };
 }
 

@@ -41,7 +41,8 @@ bool is_counted_step(std::string_view step) {
   if (bracket == std::string_view::npos || bracket == 0 || !step.ends_with(']')) return false;
   const std::string_view number = step.substr(bracket + 1, step.size() - bracket - 2);
   return is_bare(step.substr(0, bracket)) && !number.empty() && number.size() <= 6 &&
-         std::ranges::all_of(number, [](unsigned char letter) { return std::isdigit(letter) != 0; });
+         std::ranges::all_of(number,
+                             [](unsigned char letter) { return std::isdigit(letter) != 0; });
 }
 
 // "stage[2]" or "stage[2].hand[1]"

@@ -103,9 +103,9 @@ struct FasteningProcessor::Parts {
   Cloth cloth;
   Bodies bodies;
   TimeStep time_step;
-  std::unique_ptr<Hands> hands;    // null where nothing fastens the ribbon
-  StagedHands* staged = nullptr;   // the same, where there are stages
-  int fastened_as = 0;             // StateHead::fastened
+  std::unique_ptr<Hands> hands;   // null where nothing fastens the ribbon
+  StagedHands* staged = nullptr;  // the same, where there are stages
+  int fastened_as = 0;            // StateHead::fastened
   RestSize size;
   PairDistances distances;
   StartReport start;
@@ -314,8 +314,8 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
 
 void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings settings) {
   auto& [step_of_scene, springs_of_scene, steps_now, steps_then, then_s, cloth_now, bodies_now,
-         time_step_of_scene, hands_now, staged_hands_now, fastened_as_of_scene, size_of_scene, distances_of_scene, start_then, gap_m,
-         reach_then_m] = *this;
+         time_step_of_scene, hands_now, staged_hands_now, fastened_as_of_scene, size_of_scene,
+         distances_of_scene, start_then, gap_m, reach_then_m] = *this;
   StateHead head{size.grid, fastened_as_of_scene, step_s, reach_m};
   visit_head(archive, head);
   reach_then_m = head.reach_m;

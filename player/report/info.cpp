@@ -149,7 +149,8 @@ std::string ending_text(RunEnding ending) {
 std::string stages_text(const RecordingInfo& info) {
   std::string text;
   for (const StageFrames& stage : info.stages())
-    text += report_line("stage", filled_in("{}, frames {} to {}", stage.name, stage.first, stage.last));
+    text +=
+        report_line("stage", filled_in("{}, frames {} to {}", stage.name, stage.first, stage.last));
   return text;
 }
 

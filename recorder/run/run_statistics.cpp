@@ -57,9 +57,10 @@ std::string tightness_text(const TightnessNumbers& tightness) {
 }
 
 std::string slip_text(std::string_view end, double time_s) {
-  return filled_in("; ended at {:.1f} s: the {} end would slip out of its knot; draw a longer tail, or "
-                   "hold it",
-                   time_s, end);
+  return filled_in(
+      "; ended at {:.1f} s: the {} end would slip out of its knot; draw a longer tail, or "
+      "hold it",
+      time_s, end);
 }
 
 // Nothing where the run lasted as long as it was to.

@@ -100,11 +100,11 @@ std::string drawing_with_marks() {
 TEST_F(Stages, marks_are_found_in_the_drawing_and_told_as_spans) {
   (void)write_file(folder_ / "line.svg", drawing_with_marks());
   const auto span_of = [&](const std::string& id) -> Span {
-    const auto done = recorded({}, drawn_in_a_file(staged_scene_text("'" + id + "'")), {.frames = 3});
+    const auto done =
+        recorded({}, drawn_in_a_file(staged_scene_text("'" + id + "'")), {.frames = 3});
     EXPECT_EQ(refusal_of(done), "");
     const auto reader = RecordingReader::open(file()).value();
-    return std::get<Span>(
-        read_scene(file(), reader.header().scene_text)->stages[0].hands[0].at);
+    return std::get<Span>(read_scene(file(), reader.header().scene_text)->stages[0].hands[0].at);
   };
   // The line is 0.6 m long, the band 3 cm wide, its rows a 59th of the length apart.
   EXPECT_NEAR(span_of("middle").begin, 0.5 - 0.025, 0.5 / 59 + 1e-9);

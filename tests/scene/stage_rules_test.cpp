@@ -76,8 +76,8 @@ TEST(Stages, what_cannot_be_is_refused_where_it_stands) {
            {one_stage("until = 1\n", "at = [0, 1]\nhold = true\nyield = 0.1\n"), ":20:9",
             "does not yield"},
            {fastened("[[stage]]\nname = 'knot'\n"), ":15:1", "'knot' has no hands"},
-           {one_stage("", pulling_hand + "[[stage.hand]]\nat = [0.2, 0.3]\nhold = true\n"),
-            ":20:6", "fight over one part of the band: one has 0 to 0.25, the other 0.2 to 0.3"},
+           {one_stage("", pulling_hand + "[[stage.hand]]\nat = [0.2, 0.3]\nhold = true\n"), ":20:6",
+            "fight over one part of the band: one has 0 to 0.25, the other 0.2 to 0.3"},
            {one_stage("", "at = [0, 1]\nhold = true\n"), ":15:1", "can never end: what nobody"},
            {one_stage("until = 5\n", pulling_hand), ":16:9", "the run is over after 4 s"},
            {one_stage("until = 4\n", pulling_hand) + "[[stage]]\n" + hand, ":20:1",
@@ -93,9 +93,10 @@ TEST(Stages, what_cannot_be_is_refused_where_it_stands) {
 }
 
 TEST(Stages, hands_that_meet_do_not_fight_and_those_of_other_stages_are_others) {
-  EXPECT_EQ(complaint(one_stage("", pulling_hand + "[[stage.hand]]\nat = [0.25, 1]\nhold = true\n") +
-                      "[[stage]]\n[[stage.hand]]\n" + pulling_hand),
-            "");
+  EXPECT_EQ(
+      complaint(one_stage("", pulling_hand + "[[stage.hand]]\nat = [0.25, 1]\nhold = true\n") +
+                "[[stage]]\n[[stage.hand]]\n" + pulling_hand),
+      "");
 }
 
 TEST(Stages, settings_count_them_from_1) {
@@ -110,7 +111,8 @@ TEST(Stages, settings_count_them_from_1) {
   EXPECT_EQ(changed("stage[1].hand[2].at=tip"), replaced(text, "[0.5, 1]", "\"tip\""));
   EXPECT_EQ(read_text(changed("stage[2].at_most=3"))->stages[1].at_most_s, 3);
   EXPECT_EQ(read_text(changed("stage[2].hand[1].speed=3"))->stages[1].hands[0].speed_m_s, 3);
-  for (const std::string nowhere : {"stage[3].until=2", "stage[0].until=2", "stage[1].hand[3].at=x"})
+  for (const std::string nowhere :
+       {"stage[3].until=2", "stage[0].until=2", "stage[1].hand[3].at=x"})
     EXPECT_THAT(refusal_of(with_setting("knot.toml", text, nowhere)),
                 HasSubstr("there is no place for '" + nowhere + "'"));
   for (const std::string wrong : {"stage[].until=2", "stage[1].until[1]=2", "stage[x].until=2"})

@@ -252,7 +252,8 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (taker.take<std::uint8_t>() != 0 && !take_obstacle(taker, header.obstacle.emplace()))
     return damaged();
   header.stated_gap_m = taker.take<double>();
-  if (!take_axis(taker, header.centre_axis) || !take_strings(taker, most_entropy_tables, header.entropy_tables) ||
+  if (!take_axis(taker, header.centre_axis) ||
+      !take_strings(taker, most_entropy_tables, header.entropy_tables) ||
       !take_origin(taker, header.origin))
     return damaged();
   if (minor >= first_minor_with_limits) {

@@ -40,8 +40,8 @@ FasteningProgress::FasteningProgress(const RibbonGrid& grid, std::vector<int> gr
           Slot{std::vector<double>(groups_), std::vector<double>(groups_)}) {}
 
 void FasteningProgress::visit_memory(StateArchive& archive) {
-  auto& [grid, group_of_row, groups, step, air_resistance, lag, steps_per_slot, steps_in_slot, slot, slots, is_full] =
-      *this;
+  auto& [grid, group_of_row, groups, step, air_resistance, lag, steps_per_slot, steps_in_slot, slot,
+         slots, is_full] = *this;
   archive.visit(steps_in_slot, 0, steps_per_slot);
   archive.visit(slot, 0, std::ssize(slots) - 1);
   for (Slot& sums : slots)

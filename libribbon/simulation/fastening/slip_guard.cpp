@@ -6,8 +6,8 @@ namespace ribbon {
 
 namespace {
 
-constexpr double too_short = 1.5;     // widths
-constexpr double moment_before = 2;   // widths more, at most
+constexpr double too_short = 1.5;    // widths
+constexpr double moment_before = 2;  // widths more, at most
 
 }  // namespace
 
@@ -15,8 +15,8 @@ void SlipGuard::look(const LooseEnds& ends) {
   for (std::size_t end = 0; end < ends.size(); ++end) {
     const double before_m = loose_m_[end];
     loose_m_[end] = ends[end].value_or(0);
-    const bool was_long = before_m >= too_short * width_m_ &&
-                          before_m < (too_short + moment_before) * width_m_;
+    const bool was_long =
+        before_m >= too_short * width_m_ && before_m < (too_short + moment_before) * width_m_;
     if (was_long && ends[end] && *ends[end] < too_short * width_m_ && slipping_ < 0)
       slipping_ = static_cast<int>(end);
   }

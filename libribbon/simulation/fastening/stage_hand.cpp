@@ -57,9 +57,9 @@ Vector3d StageHand::direction(const Cloth& cloth) const {
 // Critically damped, with what the air takes: x'' = -2 w x' - w^2 x.
 Vector3d StageHand::holding_force(const Cloth& cloth, int particle, const Vector3d& anchor) const {
   const double damping_per_s = std::max(0.0, 2 * hold_per_s_ - air_per_s_);
-  Vector3d force_n = -particle_mass_kg_ *
-                     (hold_per_s_ * hold_per_s_ * (cloth.positions.col(particle) - anchor) +
-                      damping_per_s * cloth.velocities.col(particle));
+  Vector3d force_n =
+      -particle_mass_kg_ * (hold_per_s_ * hold_per_s_ * (cloth.positions.col(particle) - anchor) +
+                            damping_per_s * cloth.velocities.col(particle));
   const double most_n = newton_per_m_s_ * draws_ * hand_.speed_m_s;
   const double asked_n = length_of(force_n);
   if (asked_n > most_n) force_n *= most_n / asked_n;
@@ -81,9 +81,8 @@ double StageHand::pull(const Cloth& cloth, const Workplace& place, Matrix3Xd& fo
       continue;
     }
     const Vector3d wanted_m_s =
-        is_along
-            ? Vector3d(hand_.speed_m_s / fastening_.speed_m_s * place.along.col(particle))
-            : velocity;
+        is_along ? Vector3d(hand_.speed_m_s / fastening_.speed_m_s * place.along.col(particle))
+                 : velocity;
     command.col(particle) = place.bearable * wanted_m_s;
     force.col(particle) = fraction * newton_per_m_s * command.col(particle);
   }

@@ -75,8 +75,7 @@ const Matrix3Xd& StagedHands::pull(const Cloth& cloth) {
   command_.setZero(3, cloth.particle_count());
   force_fraction_ = 0;
   if (are_over() || guard_.slipping_end()) return force_;
-  if (any_pulls_along(present()))
-    along_m_s_ = along_.at(cloth.positions) / along_.newton_per_m_s();
+  if (any_pulls_along(present())) along_m_s_ = along_.at(cloth.positions) / along_.newton_per_m_s();
   const Workplace place{begun_, along_m_s_, eased_.bearable()};
   int pulling = 0;
   for (StageHand& hand : hands_) {

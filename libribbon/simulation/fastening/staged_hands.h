@@ -62,10 +62,10 @@ class StagedHands : public Hands {
   FasteningForce along_;
   std::optional<SpeedLimit> speed_limit_;
   int stage_ = 0;
-  double elapsed_s_ = 0;         // of the present stage
-  Eigen::Matrix3Xd begun_;       // positions, when it began
+  double elapsed_s_ = 0;          // of the present stage
+  Eigen::Matrix3Xd begun_;        // positions, when it began
   std::vector<StageHand> hands_;  // of it
-  FasteningProgress progress_;   // in it
+  FasteningProgress progress_;    // in it
   SlipGuard guard_;
   EasedForce eased_;
   double force_fraction_ = 1;

@@ -22,8 +22,7 @@ class Yielding {
   // `hanging`: of what gravity pulls; hands do not feel the part of a row's strain that is due to
   // what hangs from it.
   // `felt`: the rows between which the strain is felt; nothing: all.
-  Yielding(const RestSize& size, double strain,
-           std::optional<HangingWeight> hanging = std::nullopt,
+  Yielding(const RestSize& size, double strain, std::optional<HangingWeight> hanging = std::nullopt,
            std::optional<HeldRows> felt = std::nullopt);
 
   // The fraction of the force to be applied, 0 to 1. positions: 3 x particles.

@@ -75,6 +75,13 @@ std::vector<FeatureScene> feature_scenes(const Scene& full) {
   list.add_choice("sample, `implicit`", full, integrator(IntegrationMethod::implicit));
   list.add_choice("sample, `pull = \"ends\"`", full,
                   [](Scene& s) { s.fastening->pull = FasteningPull::ends; });
+  list.add_choice("sample, in a stage", full, [](Scene& s) {
+    const HandScene all{.at = Span{0, 1},
+                        .task = HandTask::pull_along,
+                        .speed_m_s = s.fastening->speed_m_s,
+                        .yield_strain = s.fastening->yield_strain};
+    s.stages = {{.hands = {all}}};
+  });
   list.add_choice("sample, `contact = \"paper\"`", full,
                   [](Scene& s) { s.contact = ContactMethod::paper; });
   return std::move(list).scenes();

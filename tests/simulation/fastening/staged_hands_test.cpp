@@ -171,8 +171,7 @@ TEST(StagedHands, let_go_when_all_stages_are_over) {
 }
 
 TEST(StagedHands, are_done_when_the_last_stage_is_tight) {
-  StagedHands hands =
-      hands_of(scene_of({{.hands = {hand(0, 0.1, HandTask::pull, {1, 0, 0})}}}));
+  StagedHands hands = hands_of(scene_of({{.hands = {hand(0, 0.1, HandTask::pull, {1, 0, 0})}}}));
   pull(hands, 19, 0);
   EXPECT_FALSE(hands.are_done());
   pull(hands, 30, 0);
