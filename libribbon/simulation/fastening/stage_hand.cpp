@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "geometry/vectors.h"
+#include "simulation/fastening/hanging_weight.h"
 
 namespace ribbon {
 
