@@ -34,6 +34,7 @@ TEST(FrameCaption, tells_what_was_asked_for) {
   EXPECT_THAT(frame_caption({}, 12, numbers), IsEmpty());
   EXPECT_THAT(frame_caption({.frame = true}, 12, numbers), ElementsAre("frame 12"));
   EXPECT_THAT(frame_caption({.time = true}, 12, numbers), ElementsAre("0.40 s"));
+  EXPECT_THAT(frame_caption({.time = true}, 12, numbers, "bow"), ElementsAre("0.40 s · bow"));
   EXPECT_THAT(frame_caption({.frame = true, .time = true, .numbers = true}, 12, numbers),
               ElementsAre("frame 12 · 0.40 s", "strain 4.1 %"));
   numbers.penetrating_edges = 1;

@@ -47,6 +47,19 @@ TEST(RecordingInfo, without_frames_there_is_nothing_to_sum_up) {
   EXPECT_THAT(info_text(info), HasSubstr("0 in 0.00 s"));
 }
 
+// A number that the header does not name is nobody's.
+TEST(RecordingInfo, tells_the_frames_of_each_stage) {
+  RecordingInfo info = three_frames();
+  info.header.stages = {"half knot", "bow"};
+  for (const int stage : {1, 2, 2, 3}) {
+    info.numbers.emplace_back(FrameNumbers{2, 0, 0, 0});
+    info.numbers.back()->stage = static_cast<std::uint8_t>(stage);
+  }
+  EXPECT_THAT(info_text(info), HasSubstr("stage           half knot, frames 4 to 4\n"
+                                         "stage           bow, frames 5 to 6\n"));
+  EXPECT_EQ(info.stages().size(), 2U);
+}
+
 TEST(RecordingInfo, the_text_is_readable) {
   EXPECT_EQ(info_text(three_frames()),
             "recording       knot.rbn\n"
