@@ -1,7 +1,11 @@
 // Runs in stages: what their recordings tell, how they go on and branch off.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <filesystem>
+
 #include "files/files.h"
+#include "files/temporary_folder.h"
 #include "playback/frames_of.h"
 #include "recorder/branch.h"
 #include "recorder/record.h"
@@ -9,6 +13,7 @@
 #include "recorder/small_scene.h"
 #include "recorder/test_runs.h"
 #include "result/refusal.h"
+#include "scene/scene.h"
 
 namespace ribbon::stages_test {
 
