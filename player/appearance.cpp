@@ -14,6 +14,22 @@ std::optional<Quantity> quantity_for(const std::string& word) {
 
 }  // namespace
 
+void add_appearance_options(Arguments& arguments, AppearanceTexts& texts) {
+  const auto color_by = arguments
+                            .add("--color-by", texts.color_by, "QUANTITY",
+                                 "colour the ribbon by strain, speed, contact or gap, with a "
+                                 "legend (default: its cloth)")
+                            .one_of({quantity_words.begin(), quantity_words.end()});
+  arguments
+      .add("--color-range", texts.color_range, "A:B",
+           "values of the first and the last colour, in the legend's unit (default: of the frames "
+           "asked for)")
+      .needs(color_by);
+  arguments.add("--overlay", texts.overlays, "WORDS",
+                "draw over the pictures: some of wireframe, obstacle-wireframe, curve, frame, "
+                "time, numbers, with commas between them");
+}
+
 Result<Appearance> parse_appearance(const AppearanceTexts& texts, bool follows) {
   Appearance appearance;
   appearance.color_by = quantity_for(texts.color_by);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "commandline/arguments.h"
 #include "player/measure/quantity.h"
 #include "player/overlay/overlays.h"
 #include "result/result.h"
@@ -22,6 +23,8 @@ struct AppearanceTexts {
   std::string color_range;
   std::string overlays;
 };
+
+void add_appearance_options(Arguments& arguments, AppearanceTexts& texts);
 
 // Fails when a text cannot be understood, and when a range would have to be found out of frames
 // that are still to come.

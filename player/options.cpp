@@ -1,12 +1,12 @@
 #include "player/options.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <memory>
 #include <utility>
 
 #include "commandline/arguments.h"
+#include "player/look_options.h"
+#include "player/order_options.h"
+#include "player/preview_options.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -67,119 +67,13 @@ Result<PictureSize> parse_size(const std::string& text) {
 struct Texts {
   std::string size = "1280x720";
   std::vector<std::string> views;
-  std::string quality = "standard";
-  int samples = 0;   // 0: as the quality says
-  double noise = 0;  // likewise
   std::string progress = "line";
   std::string shard;
-  double frames_per_second = 0;  // 0: as recorded
-  double thickness_mm = 0;
-  std::filesystem::path texture;
-  std::filesystem::path texture_back;
-  std::filesystem::path environment;
-  double sun = 1;
-  double exposure = 0;
-  std::string tone = "linear";
+  LookTexts look;
   AppearanceTexts appearance;
+  OrderTexts order;
   bool preview = false;
 };
-
-void add_quality_options(Arguments& arguments, Texts& texts) {
-  arguments
-      .add("--quality", texts.quality, "NAME",
-           "draft (sun and its shadow), standard (and what the sky cannot reach), final (and light "
-           "from cloth to cloth)")
-      .one_of({"draft", "standard", "final"})
-      .with_default_shown();
-  const auto samples = arguments.add(
-      "--samples", texts.samples, {1, 4096}, "N",
-      "samples in every pixel, whatever the quality says; no smoothing (of a preview 1, or "
-      "with more than 1 always 4)");
-  arguments
-      .add(
-          "--noise", texts.noise, {0.01, 100}, "X",
-          "samples until the estimated error of each region is below X levels of 255; no smoothing")
-      .excludes(samples);
-}
-
-void add_look_options(Arguments& arguments, Options& options, Texts& texts) {
-  const auto texture = arguments.add(
-      "--texture", texts.texture, "FILE",
-      "PNG on the cloth instead of the built-in pattern: as high as the ribbon is wide, repeated");
-  arguments.add("--texture-back", texts.texture_back, "FILE", "PNG on its back (default: the same)")
-      .needs(texture);
-  arguments.add("--thickness", texts.thickness_mm, {0, 1000}, "MM",
-                "of the cloth, as it is seen at the selvages; layers that are pressed together get "
-                "less (default: 0)");
-  arguments.flag("--ground", options.render.ground, "a floor that shows the shadows");
-  arguments.add("--environment", texts.environment, "FILE",
-                "PNG of a panorama, whose light takes the place of the even sky's");
-  arguments.add("--sun", texts.sun, {0, 100}, "X", "the sun X times as bright; 0: none")
-      .with_default_shown();
-  arguments
-      .add("--exposure", texts.exposure, {-10, 10}, "STOPS",
-           "each doubles the light of the picture")
-      .with_default_shown();
-  arguments
-      .add("--tone", texts.tone, "NAME",
-           "linear: what is brighter than white is cut off; soft: it comes ever closer to white")
-      .one_of({"linear", "soft"})
-      .with_default_shown();
-}
-
-Result<std::shared_ptr<const Texture>> texture_of(const std::filesystem::path& file) {
-  if (file.empty()) return nullptr;
-  return Texture::read(file).map(
-      [](Texture&& texture) { return std::make_shared<const Texture>(std::move(texture)); });
-}
-
-Result<Lighting> lighting_of(const Texts& texts) {
-  Lighting lighting;
-  lighting.sun *= static_cast<float>(texts.sun);
-  if (texts.environment.empty()) return lighting;
-  auto panorama = Texture::read(texts.environment);
-  if (!panorama) return tl::unexpected(panorama.error());
-  lighting.environment = std::make_shared<const Environment>(std::move(*panorama));
-  return lighting;
-}
-
-Result<Cloth> cloth_of(const Texts& texts) {
-  auto front = texture_of(texts.texture);
-  if (!front) return tl::unexpected(front.error());
-  auto back = texture_of(texts.texture_back);
-  if (!back) return tl::unexpected(back.error());
-  return Cloth{std::move(*front), std::move(*back)};
-}
-
-constexpr int most_samples_for_noise = 4096;
-
-Quality quality_of(const Texts& texts) {
-  Quality quality = *quality_named(texts.quality);
-  if (texts.samples == 0 && texts.noise == 0) return quality;
-  quality.smooth_sky = false;
-  quality.noise = static_cast<float>(texts.noise);
-  if (texts.samples > 0)
-    quality.samples = quality.most_samples = texts.samples;
-  else
-    quality.most_samples = most_samples_for_noise;
-  return quality;
-}
-
-void add_appearance_options(Arguments& arguments, AppearanceTexts& texts) {
-  const auto color_by = arguments
-                            .add("--color-by", texts.color_by, "QUANTITY",
-                                 "colour the ribbon by strain, speed, contact or gap, with a "
-                                 "legend (default: its cloth)")
-                            .one_of({quantity_words.begin(), quantity_words.end()});
-  arguments
-      .add("--color-range", texts.color_range, "A:B",
-           "values of the first and the last colour, in the legend's unit (default: of the frames "
-           "asked for)")
-      .needs(color_by);
-  arguments.add("--overlay", texts.overlays, "WORDS",
-                "draw over the pictures: some of wireframe, obstacle-wireframe, curve, frame, "
-                "time, numbers, with commas between them");
-}
 
 void add_view_options(Arguments& arguments, Options& options, Texts& texts, Argument sheet) {
   arguments.add("--view", texts.views, "VIEW",
@@ -200,40 +94,6 @@ Result<void> check_plot(const std::filesystem::path& file) {
   if (file.empty() || file.extension() == ".svg" || file.extension() == ".png") return {};
   return failure("--plot " + file.string(), "is neither .svg nor .png",
                  "let the name end in one of them");
-}
-
-// What only the ray tracer does; machines of different makers may draw previews differently.
-constexpr std::array without_preview{"--quality",   "--noise",  "--texture",     "--texture-back",
-                                     "--thickness", "--ground", "--environment", "--sun",
-                                     "--exposure",  "--tone",   "--color-by",    "--shard",
-                                     "--isa",       "--bench"};
-
-Result<void> check_preview(const std::vector<GivenArgument>& given, const Overlays& overlays) {
-  const auto refuse = [](const std::string& other) {
-    return failure("--preview", "does not go with " + other, "leave one of them out");
-  };
-  for (const GivenArgument& argument : given)
-    if (std::find(without_preview.begin(), without_preview.end(), argument.name) !=
-        without_preview.end())
-      return refuse(argument.name);
-  if (overlays.wireframe || overlays.obstacle_wireframe) return refuse("wireframe overlays");
-  return {};
-}
-
-void add_order_options(Arguments& arguments, Options& options, Texts& texts, Argument pictures,
-                       Argument follow) {
-  arguments.flag("--reverse", options.order.reverse, "play backwards")
-      .needs(pictures)
-      .excludes(follow);
-  arguments.flag("--ping-pong", options.order.ping_pong, "play there and back, to be repeated")
-      .needs(pictures)
-      .excludes(follow);
-  arguments
-      .add("--fps", texts.frames_per_second, {1e-3, 1e4}, "RATE",
-           "so many pictures a second, each of the nearest recorded frame; also of a video "
-           "(default: as recorded)")
-      .needs(pictures)
-      .excludes(follow);
 }
 
 void add_job_options(Arguments& arguments, Options& options, Texts& texts, Argument follow) {
@@ -265,8 +125,7 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
   arguments.flag("--preview", texts.preview,
                  "draw instead of ray tracing: fast, no shadows, the object as a wireframe, the "
                  "drawn curve");
-  add_quality_options(arguments, texts);
-  add_look_options(arguments, options, texts);
+  add_look_options(arguments, texts.look);
   add_view_options(arguments, options, texts, sheet);
   add_appearance_options(arguments, texts.appearance);
   const auto plot = arguments.add("--plot", options.plot, "FILE",
@@ -306,8 +165,43 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
                 "use at most this many threads (default: all cores)");
   arguments.add_progress(texts.progress);
   arguments.flag("--quiet", options.quiet, "no progress and no summary");
-  add_order_options(arguments, options, texts, pictures, follow);
+  add_order_options(arguments, texts.order, pictures, follow);
   add_job_options(arguments, options, texts, follow);
+}
+
+// Several machines must not mix pixels of different instructions.
+Result<Shard> read_shard(const std::string& text, const std::string& isa) {
+  if (text.empty()) return Shard{};
+  auto shard = parse_shard(text);
+  if (shard && shard->parts > 1 && isa.empty())
+    return failure("--shard " + text, "leaves open which pixels the machines make",
+                   "add --isa avx2, or --isa sse2 where one of them has no AVX2");
+  return shard;
+}
+
+// Puts what a text stands for where it belongs.
+template <class Value>
+Result<void> take(Result<Value> read, Value& value) {
+  if (!read) return tl::unexpected(read.error());
+  value = std::move(*read);
+  return {};
+}
+
+Result<void> understand(const Texts& texts, Options& options) {
+  options.order = read_order(texts.order);
+  options.progress = progress_style(texts.progress, options.quiet);
+  return take(parse_size(texts.size), options.size)
+      .and_then([&] { return take(read_look(texts.look), options.render); })
+      .and_then([&] { return take(parse_views(texts.views), options.views); })
+      .and_then([&] { return take(read_shard(texts.shard, options.isa), options.shard); })
+      .and_then([&] {
+        return take(parse_appearance(texts.appearance, options.follow), options.appearance);
+      })
+      .and_then([&]() -> Result<void> {
+        if (!texts.preview) return {};
+        return take(read_preview(options, texts.look.samples), options.preview.emplace());
+      })
+      .and_then([&] { return check_plot(options.plot); });
 }
 
 }  // namespace
@@ -322,42 +216,8 @@ Result<std::optional<Options>> parse_options(int argc, const char* const* argv) 
   const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
-  const auto size = parse_size(texts.size);
-  if (!size) return tl::unexpected(size.error());
-  options.size = *size;
-  options.render.quality = quality_of(texts);
-  auto cloth = cloth_of(texts);
-  if (!cloth) return tl::unexpected(cloth.error());
-  options.render.cloth = std::move(*cloth);
-  auto lighting = lighting_of(texts);
-  if (!lighting) return tl::unexpected(lighting.error());
-  options.render.lighting = std::move(*lighting);
-  options.render.tone = {static_cast<float>(texts.exposure), texts.tone == "soft"};
-  options.render.thickness_m = static_cast<float>(texts.thickness_mm / 1000);
-  auto views = parse_views(texts.views);
-  if (!views) return tl::unexpected(views.error());
-  options.views = std::move(*views);
-  if (!texts.shard.empty()) {
-    const auto shard = parse_shard(texts.shard);
-    if (!shard) return tl::unexpected(shard.error());
-    options.shard = *shard;
-    if (options.isa.empty() && shard->parts > 1)
-      return failure("--shard " + texts.shard, "leaves open which pixels the machines make",
-                     "add --isa avx2, or --isa sse2 where one of them has no AVX2");
-  }
-  if (texts.frames_per_second > 0) options.order.frames_per_second = texts.frames_per_second;
-  options.progress = progress_style(texts.progress, options.quiet);
   options.given = arguments.given();
-  const auto appearance = parse_appearance(texts.appearance, options.follow);
-  if (!appearance) return tl::unexpected(appearance.error());
-  options.appearance = *appearance;
-  if (texts.preview) {
-    const auto checked = check_preview(options.given, options.appearance.overlays);
-    if (!checked) return tl::unexpected(checked.error());
-    options.preview = {texts.samples > 1, options.threads};
-  }
-  if (const auto plot = check_plot(options.plot); !plot) return tl::unexpected(plot.error());
-  return options;
+  return understand(texts, options).map([&] { return std::optional(std::move(options)); });
 }
 
 }  // namespace ribbon

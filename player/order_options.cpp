@@ -1,0 +1,25 @@
+#include "player/order_options.h"
+
+namespace ribbon {
+
+void add_order_options(Arguments& arguments, OrderTexts& texts, Argument pictures,
+                       Argument follow) {
+  arguments.flag("--reverse", texts.reverse, "play backwards").needs(pictures).excludes(follow);
+  arguments.flag("--ping-pong", texts.ping_pong, "play there and back, to be repeated")
+      .needs(pictures)
+      .excludes(follow);
+  arguments
+      .add("--fps", texts.frames_per_second, {1e-3, 1e4}, "RATE",
+           "so many pictures a second, each of the nearest recorded frame; also of a video "
+           "(default: as recorded)")
+      .needs(pictures)
+      .excludes(follow);
+}
+
+PlayOrder read_order(const OrderTexts& texts) {
+  PlayOrder order{.reverse = texts.reverse, .ping_pong = texts.ping_pong};
+  if (texts.frames_per_second > 0) order.frames_per_second = texts.frames_per_second;
+  return order;
+}
+
+}  // namespace ribbon
