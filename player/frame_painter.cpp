@@ -36,8 +36,11 @@ void FramePainter::set_lowest(float lowest_m) {
 }
 
 Result<void> FramePainter::show(int index) {
-  shown_ = index;
-  return std::visit([=](auto& renderer) { return renderer.show(index); }, renderer_);
+  if (index == shown_) return {};  // a frame that stands
+  shown_.reset();
+  auto shown = std::visit([=](auto& renderer) { return renderer.show(index); }, renderer_);
+  if (shown) shown_ = index;
+  return shown;
 }
 
 Result<Picture> FramePainter::picture(const Camera& camera, PictureSize size) {
@@ -55,7 +58,7 @@ Result<LightPicture> FramePainter::light(const Camera& camera, PictureSize size)
 void FramePainter::annotate(const Camera& camera, Picture& picture) const {
   if (const auto* ray_tracer = std::get_if<SequenceRenderer>(&renderer_))
     annotations_.draw_lines_of(ray_tracer->scene(), camera, picture);
-  annotations_.draw_words(shown_, picture);
+  annotations_.draw_words(*shown_, picture);
 }
 
 std::optional<Legend> FramePainter::legend() const {

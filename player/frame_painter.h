@@ -42,7 +42,7 @@ class FramePainter {
 
   Renderer renderer_;
   Annotations annotations_;
-  int shown_ = 0;
+  std::optional<int> shown_;
 };
 
 }  // namespace ribbon

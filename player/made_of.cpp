@@ -20,12 +20,12 @@ constexpr std::size_t piece_bytes = std::size_t{1} << 20;
 // Whatever is not named here counts: an option that is added and forgotten here makes pictures anew
 // that need not be, never the other way round.
 constexpr std::array changes_no_pixel{
-    "RECORDING", "--output", "--frames", "--reverse", "--ping-pong", "--fps",
-    "--shard",   "--resume", "--force",  "--isa",     "--threads",   "--progress",
-    "--quiet",   "--sheet",  "--plot",   "--info",    "--json"};
+    "RECORDING",  "--output", "--frames", "--reverse", "--ping-pong", "--fps",
+    "--hold",     "--shard",  "--resume", "--force",   "--isa",       "--threads",
+    "--progress", "--quiet",  "--sheet",  "--plot",    "--info",      "--json"};
 // But where the camera turns, or colours are chosen by what there is, a picture depends on the
 // others.
-constexpr std::array changes_the_film{"--frames", "--reverse", "--ping-pong", "--fps"};
+constexpr std::array changes_the_film{"--frames", "--reverse", "--ping-pong", "--fps", "--hold"};
 
 template <class Names>
 bool is_among(const Names& names, const std::string& name) {

@@ -23,6 +23,8 @@ constexpr const char* examples = R"(Examples:
       renders the last frame, large and smooth
   ribbon-play knot.rbn -o '{view}/{frame:04}.png' --view front --view knot
       the same frames from two cameras, the second framed on the knot and following it
+  ribbon-play knot.rbn -o turn.mp4 --frames -1 --turns 1 --hold 8s
+      a turntable: the camera goes once round the last frame, in eight seconds
   ribbon-play knot.rbn -o knot.mp4 --fps 30
       a video, by ffmpeg; also .webm and .gif
   ribbon-play knot.rbn -o 'frames/{frame:04}.png' --resume --shard 2/8 --isa avx2
@@ -188,11 +190,11 @@ Result<void> take(Result<Value> read, Value& value) {
 }
 
 Result<void> understand(const Texts& texts, Options& options) {
-  options.order = read_order(texts.order);
   options.progress = progress_style(texts.progress, options.quiet);
   return take(parse_size(texts.size), options.size)
       .and_then([&] { return take(read_look(texts.look), options.render); })
       .and_then([&] { return take(parse_views(texts.views), options.views); })
+      .and_then([&] { return take(read_order(texts.order), options.order); })
       .and_then([&] { return take(read_shard(texts.shard, options.isa), options.shard); })
       .and_then([&] {
         return take(parse_appearance(texts.appearance, options.follow), options.appearance);

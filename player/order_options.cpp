@@ -14,12 +14,22 @@ void add_order_options(Arguments& arguments, OrderTexts& texts, Argument picture
            "(default: as recorded)")
       .needs(pictures)
       .excludes(follow);
+  arguments
+      .add("--hold", texts.hold, "N",
+           "show each frame in N pictures, or as 4s for so many seconds: with --turns a turntable "
+           "of one frame")
+      .needs(pictures)
+      .excludes(follow);
 }
 
-PlayOrder read_order(const OrderTexts& texts) {
+Result<PlayOrder> read_order(const OrderTexts& texts) {
   PlayOrder order{.reverse = texts.reverse, .ping_pong = texts.ping_pong};
   if (texts.frames_per_second > 0) order.frames_per_second = texts.frames_per_second;
-  return order;
+  if (texts.hold.empty()) return order;
+  return parse_hold(texts.hold).map([&](const Hold& hold) {
+    order.hold = hold;
+    return order;
+  });
 }
 
 }  // namespace ribbon

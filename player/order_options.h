@@ -1,6 +1,8 @@
 // Options that tell which frame is shown when.
 #pragma once
 
+#include <string>
+
 #include "commandline/arguments.h"
 #include "player/output/play_order.h"
 #include "result/result.h"
@@ -12,11 +14,13 @@ struct OrderTexts {
   bool reverse = false;
   bool ping_pong = false;
   double frames_per_second = 0;  // 0: as recorded
+  std::string hold;              // as parse_hold reads it; empty: none
 };
 
 // They need pictures, and a recording that does not grow.
 void add_order_options(Arguments& arguments, OrderTexts& texts, Argument pictures, Argument follow);
 
-PlayOrder read_order(const OrderTexts& texts);
+// Fails when a text cannot be understood.
+Result<PlayOrder> read_order(const OrderTexts& texts);
 
 }  // namespace ribbon

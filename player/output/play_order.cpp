@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "text/number_text.h"
@@ -23,15 +24,32 @@ void append_way_back(std::vector<int>& frames) {
   for (std::size_t i = frames.size(); i-- > 2;) frames.push_back(frames[i - 1]);
 }
 
+Result<void> check_count(const std::string& option, double count, std::size_t frames) {
+  if (count <= most_pictures) return {};
+  return failure(option, filled_in("makes {:.3g} pictures of {} frames", count, frames),
+                 "ask for fewer");
+}
+
+Result<std::vector<int>> held(const std::vector<int>& frames, const Hold& hold, double rate) {
+  const double pictures = hold.is_seconds ? std::floor(hold.length * rate + 0.5) : hold.length;
+  const double each = std::max(pictures, 1.0);
+  const std::string option = filled_in("--hold {:.6g}{}", hold.length, hold.is_seconds ? "s" : "");
+  const double count = each * static_cast<double>(frames.size());
+  if (auto few = check_count(option, count, frames.size()); !few)
+    return tl::unexpected(few.error());
+  std::vector<int> longer;
+  longer.reserve(static_cast<std::size_t>(count));
+  for (const int frame : frames) longer.insert(longer.end(), static_cast<std::size_t>(each), frame);
+  return longer;
+}
+
 // Each moment k / rate gets the frame that is nearest to it.
 Result<std::vector<int>> resampled(const std::vector<int>& frames, double recorded, double rate) {
   const double last = static_cast<double>(frames.size()) - 1;
   // A hair more, so that rounding does not lose the last moment.
   const double count = std::floor(last * rate / recorded * (1 + 1e-12)) + 1;
-  if (!(count <= most_pictures))
-    return failure(filled_in("--fps {:.6g}", rate),
-                   filled_in("makes {:.3g} pictures of {} frames", count, frames.size()),
-                   "ask for fewer a second");
+  if (auto few = check_count(filled_in("--fps {:.6g}", rate), count, frames.size()); !few)
+    return tl::unexpected(few.error());
   std::vector<int> nearest;
   nearest.reserve(static_cast<std::size_t>(count));
   for (double k = 0; k < count; ++k) {
@@ -39,6 +57,13 @@ Result<std::vector<int>> resampled(const std::vector<int>& frames, double record
     nearest.push_back(frames[static_cast<std::size_t>(place)]);
   }
   return nearest;
+}
+
+Result<std::vector<int>> in_time(std::vector<int> frames, double recorded, const PlayOrder& order) {
+  const double rate = order.frames_per_second.value_or(recorded);
+  if (order.hold) return held(frames, *order.hold, rate);
+  if (order.frames_per_second && !frames.empty()) return resampled(frames, recorded, rate);
+  return frames;
 }
 
 bool is_in(const std::vector<int>& ascending, int index) {
@@ -60,15 +85,27 @@ Result<Shard> parse_shard(const std::string& text) {
                  "write I/N for part I of N, I from 1 to N, as in 2/8");
 }
 
+Result<Hold> parse_hold(const std::string& text) {
+  Hold hold;
+  const char* end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, hold.length);
+  hold.is_seconds = std::string_view(stop, end) == "s";
+  const bool is_whole = hold.length == std::floor(hold.length);
+  if (problem == std::errc() && hold.length > 0 && std::isfinite(hold.length) &&
+      (hold.is_seconds || (stop == end && is_whole)))
+    return hold;
+  return failure("--hold " + text, "is no time for which a frame could stand",
+                 "write a number of pictures or seconds, as in 96 or 4s");
+}
+
 Result<std::vector<PlayedFrame>> played_frames(std::vector<int> frames, double recorded,
                                                const PlayOrder& order) {
   if (order.reverse) reverse(frames);
   if (order.ping_pong) append_way_back(frames);
-  if (order.frames_per_second && !frames.empty()) {
-    auto others = resampled(frames, recorded, *order.frames_per_second);
-    if (!others) return tl::unexpected(others.error());
-    frames = *std::move(others);
-  }
+  if (auto timed = in_time(std::move(frames), recorded, order); timed)
+    frames = *std::move(timed);
+  else
+    return tl::unexpected(timed.error());
   std::vector<PlayedFrame> played;
   played.reserve(frames.size());
   for (const int index : frames) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "result/result.h"
@@ -17,15 +18,28 @@ struct Shard {
 // Reads "2/8". Fails for anything that is no part.
 Result<Shard> parse_shard(const std::string& text);
 
+// How long a frame is shown.
+struct Hold {
+  double length = 1;        // at least one picture, however short
+  bool is_seconds = false;  // otherwise pictures
+
+  bool operator==(const Hold&) const = default;
+};
+
+// Reads "24" (pictures) or "1.5s". Fails for anything else.
+Result<Hold> parse_hold(const std::string& text);
+
 // What to do with the frames that were chosen.
 struct PlayOrder {
   bool reverse = false;    // from the last to the first
   bool ping_pong = false;  // there and back, so that it can be repeated
   // Other than recorded: of each moment the nearest frame.
   std::optional<double> frames_per_second = std::nullopt;
+  // Each frame stands for so long, whatever time lies between them.
+  std::optional<Hold> hold = std::nullopt;
 
   // Is a picture's place in the order something else than its frame?
-  [[nodiscard]] bool renumbers() const { return reverse || ping_pong || frames_per_second; }
+  [[nodiscard]] bool renumbers() const { return reverse || ping_pong || frames_per_second || hold; }
 };
 
 struct PlayedFrame {
@@ -37,7 +51,7 @@ struct PlayedFrame {
 };
 
 // `frames`: indices from 0, as far apart in time as the recording's frames are, `recorded` a
-// second. Fails where the other rate makes too many of them.
+// second. Fails where the other rate, or the hold, makes too many of them.
 Result<std::vector<PlayedFrame>> played_frames(std::vector<int> frames, double recorded,
                                                const PlayOrder& order);
 

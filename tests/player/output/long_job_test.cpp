@@ -107,6 +107,22 @@ TEST_F(LongJob, a_turning_camera_turns_alike_in_all_shards) {
               StartsWith("4 pictures, "));
 }
 
+TEST_F(LongJob, a_turntable_of_one_frame_is_made_of_different_pictures_that_can_be_resumed) {
+  const std::string turntable = "--isa sse2 --turns 1 --frames 3 --hold ";
+  ASSERT_EQ(render_into("one", turntable + "4").exit_code, 0);
+  const auto whole = all("one");
+  ASSERT_EQ(whole.size(), 4U);
+  EXPECT_NE(whole.at("01.png"), whole.at("03.png")) << "seen from the other side";
+  for (const std::string shard : {"1/2", "2/2"})
+    ASSERT_EQ(render_into("two", turntable + "4 --shard " + shard).exit_code, 0);
+  EXPECT_TRUE(all("two") == whole);
+  fs::remove(folder_ / "one/02.png");
+  EXPECT_THAT(output_of(render_into("one", turntable + "4")),
+              StartsWith("1 picture, 3 were complete"));
+  EXPECT_TRUE(all("one") == whole);
+  EXPECT_THAT(output_of(render_into("one", turntable + "8")), StartsWith("8 pictures, "));
+}
+
 TEST_F(LongJob, colours_are_those_of_all_frames_in_all_shards) {
   ASSERT_EQ(render_into("one", "--color-by strain --isa sse2").exit_code, 0);
   for (const std::string shard : {"1/2", "2/2"})

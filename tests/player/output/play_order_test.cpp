@@ -49,6 +49,33 @@ TEST(PlayOrder, progress_runs_from_0_to_below_1) {
   EXPECT_EQ(frames.back().progress, 0.75);
 }
 
+TEST(Hold, a_frame_stands_for_so_many_pictures_or_seconds) {
+  EXPECT_EQ(indices(played({7}, {.hold = Hold{3}})), (Numbers{7, 7, 7}));
+  EXPECT_EQ(numbers(played({7}, {.hold = Hold{3}})), (Numbers{1, 2, 3}));
+  EXPECT_EQ(played({7}, {.hold = Hold{4, true}}).size(), 200U) << "recorded at 50 a second";
+  EXPECT_EQ(played({7}, {.frames_per_second = 24, .hold = Hold{4, true}}).size(), 96U);
+  EXPECT_EQ(played({7}, {.hold = Hold{1e-6, true}}).size(), 1U);
+}
+
+TEST(Hold, goes_with_every_order) {
+  EXPECT_EQ(indices(played({0, 1, 2}, {.reverse = true, .hold = Hold{2}})),
+            (Numbers{2, 2, 1, 1, 0, 0}));
+  EXPECT_EQ(indices(played({0, 1, 2}, {.ping_pong = true, .hold = Hold{2}})),
+            (Numbers{0, 0, 1, 1, 2, 2, 1, 1}));
+  EXPECT_EQ(indices(played({0, 1, 2}, {.frames_per_second = 25, .hold = Hold{1}})),
+            (Numbers{0, 1, 2}))
+      << "each frame once, at another pace";
+}
+
+TEST(Hold, is_read_as_pictures_or_seconds) {
+  EXPECT_EQ(parse_hold("24").value(), (Hold{24, false}));
+  EXPECT_EQ(parse_hold("1.5s").value(), (Hold{1.5, true}));
+  for (const char* text : {"", "s", "0", "0s", "-2", "1.5", "2 s", "2m", "infs", "nan", "2ss"})
+    EXPECT_THAT(refusal_of(parse_hold(text)), HasSubstr("as in 96 or 4s")) << text;
+  EXPECT_THAT(refusal_of(played_frames({0, 1}, 50, {.hold = Hold{1e9}})),
+              HasSubstr("--hold 1e+09: makes 2e+09 pictures of 2 frames"));
+}
+
 // Recorded at 50 a second.
 TEST(Resampling, takes_the_nearest_frame_of_each_moment) {
   EXPECT_EQ(indices(played({0, 1, 2, 3, 4}, {.frames_per_second = 25})), (Numbers{0, 2, 4}));
