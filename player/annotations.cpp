@@ -62,11 +62,20 @@ void Annotations::draw_curve(const RenderScene& scene, const Camera& camera, flo
              camera, picture);
 }
 
-void Annotations::draw_words(int index, Picture& picture) const {
+FrameNumbers Annotations::numbers(int index, double after) const {
+  const FrameNumbers before = reader_.numbers(index).value_or(FrameNumbers{});
+  if (after == 0) return before;
+  const FrameNumbers next = reader_.numbers(index + 1).value_or(before);
+  FrameNumbers nearer = after < 0.5 ? before : next;
+  nearer.time_s = before.time_s + after * (next.time_s - before.time_s);
+  return nearer;
+}
+
+void Annotations::draw_words(int index, double after, Picture& picture) const {
   if (overlays_.has_caption()) {
-    const FrameNumbers numbers = reader_.numbers(index).value_or(FrameNumbers{});
-    const std::string stage(stage_name(reader_.header(), numbers));
-    draw_caption(frame_caption(overlays_, index + 1, numbers, stage), painter_, picture);
+    const FrameNumbers shown = numbers(index, after);
+    const std::string stage(stage_name(reader_.header(), shown));
+    draw_caption(frame_caption(overlays_, index + 1 + after, shown, stage), painter_, picture);
   }
   if (legend_) draw_corner_legend(*legend_, painter_, picture);
 }

@@ -24,10 +24,12 @@ class Annotations {
 
   // Lines in space, over a picture that `camera` took of `scene`.
   void draw_lines_of(const RenderScene& scene, const Camera& camera, Picture& picture) const;
-  // Caption and legend, over any picture of frame `index`.
-  void draw_words(int index, Picture& picture) const;
+  // Caption and legend, over any picture of frame `index`, or of what lies `after` of the way to
+  // the next: then the numbers are those of the nearer one.
+  void draw_words(int index, double after, Picture& picture) const;
 
  private:
+  [[nodiscard]] FrameNumbers numbers(int index, double after) const;
   void draw_curve(const RenderScene& scene, const Camera& camera, float width,
                   Picture& picture) const;
 

@@ -16,7 +16,7 @@ int wanted(const std::vector<Output>& outputs) {
 
 Result<OutputPicture> rendered(FramePainter& painter, const Camera& camera, PictureSize size,
                                PictureFormat format, const PlayedFrame& frame) {
-  OutputPicture output{frame.number, frame.index + 1};
+  OutputPicture output{frame.number, frame.frame()};
   if (format == PictureFormat::exr) {
     auto light = painter.light(camera, size);
     if (!light) return tl::unexpected(light.error());
@@ -37,7 +37,8 @@ FilmRenderer::FilmRenderer(RecordingReader& reader, const Options& options, std:
       outputs_(outputs),
       cameras_(reader, std::move(shots)),
       next_(outputs.size()),
-      progress_("picture", wanted(outputs), options.progress) {}
+      progress_("picture", wanted(outputs), options.progress),
+      check_(reader) {}
 
 Result<void> FilmRenderer::prepare(const std::vector<int>& asked) {
   auto painter = FramePainter::create(reader_, options_, asked);
@@ -52,15 +53,21 @@ Result<void> FilmRenderer::render(const PlayedFrame& frame) {
   for (std::size_t shot = 0; shot < outputs_.size(); ++shot) {
     if (!is_wanted(shot, frame)) continue;
     if (!std::exchange(is_shown, true))
-      if (auto shown = painter_->show(frame.index); !shown) return shown;
+      if (auto shown = show(frame); !shown) return shown;
     const Output& output = outputs_[shot];
-    const Camera camera = cameras_.camera(shot, {frame.index, frame.progress});
+    const Camera camera = cameras_.camera(shot, {frame.index, frame.progress, frame.after});
     auto picture = rendered(*painter_, camera, options_.size, output.format, frame);
     if (!picture) return tl::unexpected(picture.error());
     if (auto taken = output.sink->put(*std::move(picture)); !taken) return taken;
     progress_.update(++done_);
   }
   return {};
+}
+
+Result<void> FilmRenderer::show(const PlayedFrame& frame) {
+  if (auto shown = painter_->show(frame.index, frame.after); !shown) return shown;
+  if (!frame.is_interpolated()) return {};
+  return check_.add(frame, interpolated_);
 }
 
 // What an output wants is a part of the film, in the same order.

@@ -6,6 +6,7 @@
 
 #include "commandline/progress.h"
 #include "player/frame_painter.h"
+#include "player/interpolation_check.h"
 #include "player/options.h"
 #include "player/output/open_output.h"
 #include "player/view/camera_work.h"
@@ -35,8 +36,11 @@ class FilmRenderer {
 
   // How many pictures have been rendered.
   [[nodiscard]] int done() const { return done_; }
+  // Of what was rendered.
+  [[nodiscard]] const Interpolated& interpolated() const { return interpolated_; }
 
  private:
+  Result<void> show(const PlayedFrame& frame);
   bool is_wanted(std::size_t shot, const PlayedFrame& frame);
 
   RecordingReader& reader_;
@@ -47,6 +51,8 @@ class FilmRenderer {
   std::vector<std::size_t> next_;        // of each output's frames
   ProgressLine progress_;
   int done_ = 0;
+  InterpolationCheck check_;
+  Interpolated interpolated_;
 };
 
 }  // namespace ribbon

@@ -35,12 +35,13 @@ void FramePainter::set_lowest(float lowest_m) {
     ray_tracer->set_lowest(lowest_m);
 }
 
-Result<void> FramePainter::show(int index) {
-  if (index == shown_) return {};  // a frame that stands
+Result<void> FramePainter::show(int index, double after) {
+  const Shown asked{index, after};
+  if (shown_ == asked) return {};  // a frame that stands
   shown_.reset();
-  auto shown = std::visit([=](auto& renderer) { return renderer.show(index); }, renderer_);
-  if (shown) shown_ = index;
-  return shown;
+  auto loaded = std::visit([=](auto& renderer) { return renderer.show(index, after); }, renderer_);
+  if (loaded) shown_ = asked;
+  return loaded;
 }
 
 Result<Picture> FramePainter::picture(const Camera& camera, PictureSize size) {
@@ -58,7 +59,7 @@ Result<LightPicture> FramePainter::light(const Camera& camera, PictureSize size)
 void FramePainter::annotate(const Camera& camera, Picture& picture) const {
   if (const auto* ray_tracer = std::get_if<SequenceRenderer>(&renderer_))
     annotations_.draw_lines_of(ray_tracer->scene(), camera, picture);
-  annotations_.draw_words(*shown_, picture);
+  annotations_.draw_words(shown_->index, shown_->after, picture);
 }
 
 std::optional<Legend> FramePainter::legend() const {

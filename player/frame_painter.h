@@ -23,8 +23,9 @@ class FramePainter {
   // The height of the ground, where there is one.
   void set_lowest(float lowest_m);
 
-  // Loads frame `index`. Fails when it cannot be read.
-  Result<void> show(int index);
+  // Loads frame `index`, or what lies `after` of the way to the next (BetweenFrames). Fails when a
+  // frame cannot be read.
+  Result<void> show(int index, double after = 0);
   // The frame that was shown last. Fails where a preview is too large.
   Result<Picture> picture(const Camera& camera, PictureSize size);
   // As linear light, with nothing drawn over it. Fails for previews, which know none.
@@ -42,7 +43,12 @@ class FramePainter {
 
   Renderer renderer_;
   Annotations annotations_;
-  std::optional<int> shown_;
+  struct Shown {
+    int index;
+    double after;
+    bool operator==(const Shown&) const = default;
+  };
+  std::optional<Shown> shown_;
 };
 
 }  // namespace ribbon

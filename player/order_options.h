@@ -14,7 +14,8 @@ struct OrderTexts {
   bool reverse = false;
   bool ping_pong = false;
   double frames_per_second = 0;  // 0: as recorded
-  std::string hold;              // as parse_hold reads it; empty: none
+  bool interpolates = false;
+  std::string hold;  // as parse_hold reads it; empty: none
 };
 
 // They need pictures, and a recording that does not grow.

@@ -1,6 +1,7 @@
 #include "player/write_pictures.h"
 
 #include <chrono>
+#include <cstdio>
 #include <utility>
 
 #include "commandline/interrupt.h"
@@ -95,6 +96,8 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
     if (auto done = renderer.render(frame); !done) return tl::unexpected(done.error());
   }
   if (auto finished = finish(*outputs); !finished) return tl::unexpected(finished.error());
+  if (renderer.interpolated().moments > 0)
+    std::fprintf(stderr, "ribbon-play: %s\n", sentence_on(renderer.interpolated()).c_str());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   return summary(renderer.done(), elapsed.count(), *outputs);
 }

@@ -212,8 +212,8 @@ Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
                                             const std::string& id) {
   const auto svg = load(file);
   if (!svg) return tl::unexpected(svg.error());
-  const auto visible = visible(is_path, svg->document.document_element());
-  const auto nodes = id.empty() ? only_path(*svg, visible) : paths_by_id(*svg, visible, id);
+  const auto shown = visible(is_path, svg->document.document_element());
+  const auto nodes = id.empty() ? only_path(*svg, shown) : paths_by_id(*svg, shown, id);
   if (!nodes) return tl::unexpected(nodes.error());
   std::vector<SvgPath> paths;
   for (const pugi::xml_node& node : *nodes) {

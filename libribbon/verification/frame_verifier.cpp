@@ -46,6 +46,12 @@ LayerGaps FrameVerifier::layer_gaps(const Eigen::Matrix3Xf& positions) const {
   return {soup(positions), grid_, length_m_, width_m_, obstacle_};
 }
 
+bool FrameVerifier::intersects(const Eigen::Matrix3Xf& positions) const {
+  const TriangleSoup frame = soup(positions);
+  const BoxTree ribbon(frame, 0, frame.judged);
+  return !intersecting_pairs(frame, ribbon, obstacle_, 1).pairs.empty();
+}
+
 FrameVerdict FrameVerifier::verify(const Eigen::Matrix3Xf& positions) const {
   assert(positions.cols() == grid_.particle_count());
   FrameVerdict verdict;

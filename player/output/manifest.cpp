@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -20,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view made_of_mark = "made of ";
+constexpr std::string_view interpolated_mark = ", interpolated";
 constexpr std::string_view ending = ".txt";
 
 // "frames/manifest.png" of all shards of 'frames/{frame}.png'.
@@ -33,20 +35,21 @@ fs::path name_of(const FramePattern& pattern, const Shard& shard) {
   return name += ending;
 }
 
-std::string picture_line(int number, int frame, std::uint64_t bytes, std::uint32_t checksum) {
+std::string picture_line(int number, double frame, std::uint64_t bytes, std::uint32_t checksum) {
   std::array<char, 9> digits{};
   std::snprintf(digits.data(), digits.size(), "%08x", checksum);
-  return filled_in("picture {} of frame {}: {} bytes, checksum {}\n", number, frame, bytes,
+  return filled_in("picture {} of frame {:.12g}{}: {} bytes, checksum {}\n", number, frame,
+                   frame == std::floor(frame) ? "" : interpolated_mark, bytes,
                    std::string_view(digits.data()));
 }
 
 // Takes `words` and then a number off the beginning of a line.
-template <class Number>
-std::optional<Number> taken(std::string_view& line, std::string_view words, int base = 10) {
+template <class Number, class... Base>
+std::optional<Number> taken(std::string_view& line, std::string_view words, Base... base) {
   if (!line.starts_with(words)) return std::nullopt;
   Number number = 0;
   const char* begin = line.data() + words.size();
-  const auto [stop, problem] = std::from_chars(begin, line.data() + line.size(), number, base);
+  const auto [stop, problem] = std::from_chars(begin, line.data() + line.size(), number, base...);
   if (problem != std::errc()) return std::nullopt;
   line.remove_prefix(static_cast<std::size_t>(stop - line.data()));
   return number;
@@ -96,7 +99,8 @@ void Manifest::read(std::string_view text) {
 
 void Manifest::read_picture(std::string_view line, bool is_current) {
   const auto number = taken<int>(line, "picture ");
-  const auto frame = taken<int>(line, " of frame ");
+  const auto frame = taken<double>(line, " of frame ");
+  if (line.starts_with(interpolated_mark)) line.remove_prefix(interpolated_mark.size());
   const auto bytes = taken<std::uint64_t>(line, ": ");
   const auto checksum = taken<std::uint32_t>(line, " bytes, checksum ", 16);
   if (!number || !frame || !bytes || !checksum || !line.empty()) return;
@@ -104,19 +108,20 @@ void Manifest::read_picture(std::string_view line, bool is_current) {
   if (is_current || !entry.is_current) entry = {*frame, *bytes, *checksum, is_current};
 }
 
-bool Manifest::is_complete(int number, int frame) const {
+bool Manifest::is_complete(int number, double frame) const {
   const auto entry = pictures_.find(number);
   if (entry == pictures_.end()) return false;
   const Entry& noted = entry->second;
   std::error_code code;
   const fs::path picture = pattern_.file(number);
-  if (!noted.is_current || noted.frame != frame || fs::file_size(picture, code) != noted.bytes)
+  if (!noted.is_current || std::abs(noted.frame - frame) > same_moment ||
+      fs::file_size(picture, code) != noted.bytes)
     return false;
   const auto bytes = read_file(picture);
   return bytes && checksum(*bytes) == noted.checksum;
 }
 
-Result<void> Manifest::note(int number, int frame, std::string_view bytes) {
+Result<void> Manifest::note(int number, double frame, std::string_view bytes) {
   return append(picture_line(number, frame, bytes.size(), checksum(bytes)));
 }
 

@@ -27,18 +27,18 @@ class Manifest {
   static Result<Manifest> open(const FramePattern& pattern, const MadeOf& made_of,
                                const Shard& shard);
 
-  // Is picture `number` there, with the bytes that it was written with, shows this frame and was
-  // made of the same?
-  [[nodiscard]] bool is_complete(int number, int frame) const;
+  // Is picture `number` there, with the bytes that it was written with, shows this frame, or
+  // what lies between two, and was made of the same?
+  [[nodiscard]] bool is_complete(int number, double frame) const;
   // Was a picture written under that number at all? Then it may be replaced.
   [[nodiscard]] bool is_known(int number) const { return pictures_.contains(number); }
 
   // Tells what is about to be written as picture `number`.
-  Result<void> note(int number, int frame, std::string_view bytes);
+  Result<void> note(int number, double frame, std::string_view bytes);
 
  private:
   struct Entry {
-    int frame = 0;
+    double frame = 0;
     std::uint64_t bytes = 0;
     std::uint32_t checksum = 0;
     bool is_current = false;  // made of what is asked for now

@@ -66,7 +66,7 @@ std::vector<PlayedFrame> still_to_render(std::vector<PlayedFrame> frames,
                                          const FramePattern& pattern, const Manifest& manifest) {
   remove_leftovers(frames, pattern);
   std::erase_if(frames, [&](const PlayedFrame& frame) {
-    return manifest.is_complete(frame.number, frame.index + 1);
+    return manifest.is_complete(frame.number, frame.frame());
   });
   return frames;
 }

@@ -9,8 +9,8 @@
 namespace ribbon {
 
 struct OutputPicture {
-  int number = 1;  // in the order of playing, or of its frame: what stands in its file's name
-  int frame = 1;   // that it shows, from 1
+  int number = 1;    // in the order of playing, or of its frame: what stands in its file's name
+  double frame = 1;  // that it shows, from 1; what is interpolated lies between two
   // As it is shown on a screen, or linear light where that is what is stored.
   std::variant<Picture, LightPicture> image = Picture{};
 };

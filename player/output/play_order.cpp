@@ -30,44 +30,76 @@ Result<void> check_count(const std::string& option, double count, std::size_t fr
                  "ask for fewer");
 }
 
-Result<std::vector<int>> held(const std::vector<int>& frames, const Hold& hold, double rate) {
+// Frames as they are.
+std::vector<PlayedFrame> shown(const std::vector<int>& frames) {
+  std::vector<PlayedFrame> played;
+  played.reserve(frames.size());
+  for (const int index : frames) played.push_back({.index = index});
+  return played;
+}
+
+Result<std::vector<PlayedFrame>> held(const std::vector<int>& frames, const Hold& hold,
+                                      double rate) {
   const double pictures = hold.is_seconds ? std::floor(hold.length * rate + 0.5) : hold.length;
   const double each = std::max(pictures, 1.0);
   const std::string option = filled_in("--hold {:.6g}{}", hold.length, hold.is_seconds ? "s" : "");
   const double count = each * static_cast<double>(frames.size());
   if (auto few = check_count(option, count, frames.size()); !few)
     return tl::unexpected(few.error());
-  std::vector<int> longer;
+  std::vector<PlayedFrame> longer;
   longer.reserve(static_cast<std::size_t>(count));
-  for (const int frame : frames) longer.insert(longer.end(), static_cast<std::size_t>(each), frame);
+  for (const int frame : frames)
+    longer.insert(longer.end(), static_cast<std::size_t>(each), {.index = frame});
   return longer;
 }
 
-// Each moment k / rate gets the frame that is nearest to it.
-Result<std::vector<int>> resampled(const std::vector<int>& frames, double recorded, double rate) {
+PlayedFrame nearest(const std::vector<int>& frames, double place) {
+  return {.index = frames[static_cast<std::size_t>(std::floor(place + 0.5))]};
+}
+
+// Between two frames of the film lies what the recording has between them, be it other frames.
+PlayedFrame between(const std::vector<int>& frames, double place) {
+  const auto before = static_cast<std::size_t>(place);
+  const std::size_t next = std::min(before + 1, frames.size() - 1);
+  const double share = place - static_cast<double>(before);
+  const double recorded = frames[before] + share * (frames[next] - frames[before]);
+  const double frame = std::floor(recorded + same_moment);
+  const double after = recorded - frame;
+  return {.index = static_cast<int>(frame), .after = after < same_moment ? 0 : after};
+}
+
+// What each moment k / rate shows.
+Result<std::vector<PlayedFrame>> resampled(const std::vector<int>& frames, double recorded,
+                                           double rate, bool interpolates) {
   const double last = static_cast<double>(frames.size()) - 1;
   // A hair more, so that rounding does not lose the last moment.
   const double count = std::floor(last * rate / recorded * (1 + 1e-12)) + 1;
   if (auto few = check_count(filled_in("--fps {:.6g}", rate), count, frames.size()); !few)
     return tl::unexpected(few.error());
-  std::vector<int> nearest;
-  nearest.reserve(static_cast<std::size_t>(count));
+  std::vector<PlayedFrame> played;
+  played.reserve(static_cast<std::size_t>(count));
   for (double k = 0; k < count; ++k) {
-    const double place = std::min(std::floor(k * recorded / rate + 0.5), last);
-    nearest.push_back(frames[static_cast<std::size_t>(place)]);
+    const double place = std::min(k * recorded / rate, last);
+    played.push_back(interpolates ? between(frames, place) : nearest(frames, place));
   }
-  return nearest;
+  return played;
 }
 
-Result<std::vector<int>> in_time(std::vector<int> frames, double recorded, const PlayOrder& order) {
+Result<std::vector<PlayedFrame>> in_time(const std::vector<int>& frames, double recorded,
+                                         const PlayOrder& order) {
   const double rate = order.frames_per_second.value_or(recorded);
   if (order.hold) return held(frames, *order.hold, rate);
-  if (order.frames_per_second && !frames.empty()) return resampled(frames, recorded, rate);
-  return frames;
+  if (order.frames_per_second && !frames.empty())
+    return resampled(frames, recorded, rate, order.interpolates);
+  return shown(frames);
 }
 
 bool is_in(const std::vector<int>& ascending, int index) {
   return std::binary_search(ascending.begin(), ascending.end(), index);
+}
+
+bool is_there(const PlayedFrame& frame, const std::vector<int>& lost) {
+  return !is_in(lost, frame.index) && !(frame.is_interpolated() && is_in(lost, frame.index + 1));
 }
 
 }  // namespace
@@ -102,16 +134,12 @@ Result<std::vector<PlayedFrame>> played_frames(std::vector<int> frames, double r
                                                const PlayOrder& order) {
   if (order.reverse) reverse(frames);
   if (order.ping_pong) append_way_back(frames);
-  if (auto timed = in_time(std::move(frames), recorded, order); timed)
-    frames = *std::move(timed);
-  else
-    return tl::unexpected(timed.error());
-  std::vector<PlayedFrame> played;
-  played.reserve(frames.size());
-  for (const int index : frames) {
-    const auto place = static_cast<int>(played.size());
-    played.push_back({index, order.renumbers() ? place + 1 : index + 1,
-                      static_cast<double>(place) / static_cast<double>(frames.size())});
+  auto played = in_time(frames, recorded, order);
+  if (!played) return played;
+  for (std::size_t place = 0; place < played->size(); ++place) {
+    PlayedFrame& frame = (*played)[place];
+    frame.number = order.renumbers() ? static_cast<int>(place) + 1 : frame.index + 1;
+    frame.progress = static_cast<double>(place) / static_cast<double>(played->size());
   }
   return played;
 }
@@ -130,18 +158,19 @@ std::vector<int> readable_frames(std::vector<int> frames, const std::vector<int>
 }
 
 std::vector<PlayedFrame> without(std::vector<PlayedFrame> frames, const std::vector<int>& lost) {
-  std::erase_if(frames, [&](const PlayedFrame& frame) { return is_in(lost, frame.index); });
+  std::erase_if(frames, [&](const PlayedFrame& frame) { return !is_there(frame, lost); });
   return frames;
 }
 
 std::vector<PlayedFrame> held_over(std::vector<PlayedFrame> frames, const std::vector<int>& lost) {
-  const auto readable = [&](const PlayedFrame& frame) { return !is_in(lost, frame.index); };
+  const auto readable = [&](const PlayedFrame& frame) { return is_there(frame, lost); };
   const auto first = std::find_if(frames.begin(), frames.end(), readable);
   if (first == frames.end()) return {};
-  int held = first->index;
+  PlayedFrame held = *first;
   for (PlayedFrame& frame : frames) {
-    if (readable(frame)) held = frame.index;
-    frame.index = held;
+    if (readable(frame)) held = frame;
+    frame.index = held.index;
+    frame.after = held.after;
   }
   return frames;
 }

@@ -33,8 +33,9 @@ Result<Hold> parse_hold(const std::string& text);
 struct PlayOrder {
   bool reverse = false;    // from the last to the first
   bool ping_pong = false;  // there and back, so that it can be repeated
-  // Other than recorded: of each moment the nearest frame.
+  // Other than recorded: of each moment the nearest frame...
   std::optional<double> frames_per_second = std::nullopt;
+  bool interpolates = false;  // ... or what lies between two frames
   // Each frame stands for so long, whatever time lies between them.
   std::optional<Hold> hold = std::nullopt;
 
@@ -42,11 +43,18 @@ struct PlayOrder {
   [[nodiscard]] bool renumbers() const { return reverse || ping_pong || frames_per_second || hold; }
 };
 
+// Moments that are nearer to each other, in frames, are the same.
+inline constexpr double same_moment = 1e-6;
+
 struct PlayedFrame {
   int index = 0;   // in the recording, from 0
   int number = 1;  // of the picture: in the order of playing where that renumbers, else its frame's
   double progress = 0;  // through the film: 0 at the first picture, below 1 at the last
+  double after = 0;     // of the way to the recording's next frame, below 1; 0: the frame itself
 
+  [[nodiscard]] bool is_interpolated() const { return after > 0; }
+  // As users count them, from 1, and what lies between them.
+  [[nodiscard]] double frame() const { return index + 1 + after; }
   bool operator==(const PlayedFrame&) const = default;
 };
 
@@ -61,7 +69,7 @@ std::vector<PlayedFrame> part_of(const std::vector<PlayedFrame>& frames, const S
 // Those of `frames` that are not lost (indices from 0; lost: ascending).
 std::vector<int> readable_frames(std::vector<int> frames, const std::vector<int>& lost);
 
-// What is lost (likewise) is left out of a film...
+// What is lost (likewise), or lies beside what is, is left out of a film...
 std::vector<PlayedFrame> without(std::vector<PlayedFrame> frames, const std::vector<int>& lost);
 
 // ... or the frame before is held, and at the start the first one after, so that the others keep

@@ -1,6 +1,7 @@
 #include "player/overlay/frame_caption.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "player/picture/legend.h"
 #include "player/picture/page_colors.h"
@@ -10,9 +11,9 @@ namespace ribbon {
 
 namespace {
 
-std::string where_line(const Overlays& overlays, int frame_number, double time_s) {
+std::string where_line(const Overlays& overlays, double frame, double time_s) {
   std::string text;
-  if (overlays.frame) text = filled_in("frame {}", frame_number);
+  if (overlays.frame) text = "frame " + short_number(frame, 9);
   if (overlays.time) text += (text.empty() ? "" : " · ") + filled_in("{:.2f} s", time_s);
   return text;
 }
@@ -31,12 +32,13 @@ std::string tightness_line(const TightnessNumbers& tightness) {
 
 }  // namespace
 
-std::vector<std::string> frame_caption(const Overlays& overlays, int frame_number,
+std::vector<std::string> frame_caption(const Overlays& overlays, double frame,
                                        const FrameNumbers& numbers, const std::string& stage) {
   std::vector<std::string> lines;
   if (overlays.frame || overlays.time)
-    lines.push_back(where_line(overlays, frame_number, numbers.time_s) +
+    lines.push_back(where_line(overlays, frame, numbers.time_s) +
                     (stage.empty() ? "" : " · " + stage));
+  if (overlays.has_caption() && frame != std::floor(frame)) lines.emplace_back("interpolated");
   if (!overlays.numbers) return lines;
   lines.push_back(strain_line(numbers));
   if (numbers.tightness) lines.push_back(tightness_line(*numbers.tightness));

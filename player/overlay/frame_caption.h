@@ -11,8 +11,9 @@
 
 namespace ribbon {
 
-// The lines of the caption; frame_number counts from 1. stage: its name, empty where there is none.
-std::vector<std::string> frame_caption(const Overlays& overlays, int frame_number,
+// The lines of the caption. frame: counted from 1; one that lies between two is told to be
+// interpolated. stage: its name, empty where there is none.
+std::vector<std::string> frame_caption(const Overlays& overlays, double frame,
                                        const FrameNumbers& numbers, const std::string& stage = {});
 
 // In the upper left corner, as large as suits the picture's height. Nothing without lines.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "playback/between_frames.h"
 #include "player/preview/composition.h"
 #include "player/preview/preview_scene.h"
 #include "player/preview/render_target.h"
@@ -12,7 +13,7 @@ namespace ribbon {
 
 struct PreviewRenderer::State {
   State(RecordingReader& recording, OffscreenContext opened, const Gl& functions, bool antialiased)
-      : reader(recording), context(std::move(opened)), gl(functions), target(gl, antialiased) {}
+      : frames(recording), context(std::move(opened)), gl(functions), target(gl, antialiased) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -26,7 +27,7 @@ struct PreviewRenderer::State {
     return {};
   }
 
-  RecordingReader& reader;
+  BetweenFrames frames;
   OffscreenContext context;
   Gl gl;
   RenderTarget target;
@@ -53,8 +54,8 @@ PreviewRenderer::PreviewRenderer(PreviewRenderer&&) noexcept = default;
 PreviewRenderer& PreviewRenderer::operator=(PreviewRenderer&&) noexcept = default;
 PreviewRenderer::~PreviewRenderer() = default;
 
-Result<void> PreviewRenderer::show(int index) {
-  if (auto read = state_->reader.read(index, state_->positions); !read) return read;
+Result<void> PreviewRenderer::show(int index, double after) {
+  if (auto read = state_->frames.read(index, after, state_->positions); !read) return read;
   state_->context.make_current();
   state_->scene->set_ribbon(state_->positions);
   return {};

@@ -22,8 +22,9 @@ class PreviewRenderer {
   PreviewRenderer& operator=(PreviewRenderer&&) noexcept;
   ~PreviewRenderer();
 
-  // Loads frame `index`. Fails when it cannot be read.
-  Result<void> show(int index);
+  // Loads frame `index`, or what lies `after` of the way to the next (BetweenFrames). Fails when a
+  // frame cannot be read.
+  Result<void> show(int index, double after = 0);
   // The frame that was shown last. Fails when there is not enough memory.
   Result<Picture> picture(const Camera& camera, PictureSize size);
 

@@ -7,6 +7,7 @@ namespace ribbon {
 
 SequenceRenderer::SequenceRenderer(RecordingReader& reader, RenderSettings settings)
     : reader_(reader),
+      between_(reader),
       scene_(reader.header(), settings.thickness_m > 0),
       renderer_(std::move(settings)) {
   scene_.set_cloth(renderer_.settings().cloth);
@@ -28,10 +29,18 @@ void SequenceRenderer::set_lowest(float height_m) {
   if (renderer_.settings().ground) scene_.set_ground(height_m);
 }
 
-Result<void> SequenceRenderer::show(int index) {
-  if (auto read = reader_.read(index, positions_); !read) return read;
+Result<void> SequenceRenderer::show(int index, double after) {
+  if (auto read = between_.read(index, after, positions_); !read) return read;
   scene_.set_ribbon(positions_, half_thickness(index));
-  if (colors_) scene_.color_ribbon(colors_->places(index, positions_), colors_->map());
+  return colors_ ? color(index, after) : Result<void>();
+}
+
+Result<void> SequenceRenderer::color(int index, double after) {
+  const int nearer = after < 0.5 ? index : index + 1;
+  if (after > 0)
+    if (auto read = reader_.read(nearer, measured_); !read) return read;
+  const Eigen::Matrix3Xf& measured = after > 0 ? measured_ : positions_;
+  scene_.color_ribbon(colors_->places(nearer, measured), colors_->map());
   return {};
 }
 

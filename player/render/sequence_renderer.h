@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "playback/between_frames.h"
 #include "playback/recording_reader.h"
 #include "player/measure/particle_measure.h"
 #include "player/measure/value_colors.h"
@@ -27,8 +28,9 @@ class SequenceRenderer {
   // Where the ground lies, if there is to be one: below everything in any frame.
   void set_lowest(float height_m);
 
-  // Loads frame `index`. Fails when it cannot be read.
-  Result<void> show(int index);
+  // Loads frame `index`, or what lies `after` of the way to the next (BetweenFrames): measured
+  // values are then those of the nearer one. Fails when a frame cannot be read.
+  Result<void> show(int index, double after = 0);
   // The frame that was shown last: as linear light, and as it is shown on a screen.
   LightPicture light(const Camera& camera, PictureSize size);
   Picture picture(const Camera& camera, PictureSize size);
@@ -40,12 +42,16 @@ class SequenceRenderer {
  private:
   std::vector<float> half_thickness(int index);
 
+  Result<void> color(int index, double after);
+
   RecordingReader& reader_;
+  BetweenFrames between_;
   RenderScene scene_;
   Renderer renderer_;
   std::optional<ValueColors> colors_;
   std::optional<ParticleMeasure> gaps_;  // where the cloth is to be seen to be thick
   Eigen::Matrix3Xf positions_;
+  Eigen::Matrix3Xf measured_;  // of the nearer frame, where positions_ lie between two
 };
 
 }  // namespace ribbon

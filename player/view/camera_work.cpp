@@ -93,15 +93,20 @@ CameraWork::CameraWork(RecordingReader& reader, std::vector<Shot> shots)
   if (knotted) knots_ = followed(times_s, knots);
 }
 
-Sphere CameraWork::subject(Subject subject, int frame) const {
+Sphere CameraWork::subject(Subject subject, const Moment& moment) const {
   if (subject == Subject::everything || knots_.empty()) return everything_;
   // A growing recording has frames that were not there when it was read.
-  return knots_[std::min(static_cast<std::size_t>(frame), knots_.size() - 1)];
+  const std::size_t last = knots_.size() - 1;
+  const Sphere& knot = knots_[std::min(static_cast<std::size_t>(moment.frame), last)];
+  const Sphere& next = knots_[std::min(static_cast<std::size_t>(moment.frame) + 1, last)];
+  const auto share = static_cast<float>(moment.after);
+  return {knot.center + share * (next.center - knot.center),
+          knot.radius_m + share * (next.radius_m - knot.radius_m)};
 }
 
 CameraPose CameraWork::pose(const Shot& shot, const Moment& moment) const {
   CameraPose pose{shot.view, std::nullopt};
-  if (shot.path) pose = shot.path->at(moment.frame / frames_per_second_);
+  if (shot.path) pose = shot.path->at((moment.frame + moment.after) / frames_per_second_);
   pose.view.azimuth_deg += static_cast<float>(360 * shot.turns * moment.progress);
   return pose;
 }
@@ -110,7 +115,7 @@ Camera CameraWork::camera(std::size_t number, const Moment& moment) const {
   const Shot& shot = shots_[number];
   if (is_still(shot)) return still_[number];
   const CameraPose pose = this->pose(shot, moment);
-  const Sphere looked_at = subject(pose.view.subject, moment.frame);
+  const Sphere looked_at = subject(pose.view.subject, moment);
   float distance_m = pose.view.distance_m;
   if (distance_m == 0)
     distance_m = looks_at_knot(shot) ? distance_to_hold(looked_at.radius_m, pose.view, shot.size)

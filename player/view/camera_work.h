@@ -24,6 +24,7 @@ struct Shot {
 struct Moment {
   int frame = 0;        // index, from 0
   double progress = 0;  // through the film: 0 at the first picture, below 1 at the last
+  double after = 0;     // of the way to the next frame
 };
 
 // A still camera stands so that the obstacle and the ribbon of every frame that can be read just
@@ -39,7 +40,7 @@ class CameraWork {
 
  private:
   [[nodiscard]] CameraPose pose(const Shot& shot, const Moment& moment) const;
-  [[nodiscard]] Sphere subject(Subject subject, int frame) const;
+  [[nodiscard]] Sphere subject(Subject subject, const Moment& moment) const;
 
   std::vector<Shot> shots_;
   std::vector<Camera> still_;     // of each shot, if nothing moves it

@@ -57,6 +57,9 @@ TEST(FrameVerifier, a_ribbon_folded_onto_itself_is_found) {
   const FrameVerdict verdict = verdict_on(positions);
   EXPECT_FALSE(verdict.intersections.pairs.empty());
   EXPECT_EQ(verdict.gap.certain_m, 0);
+  const FrameVerifier verifier(grid, length_m, width_m, std::nullopt);
+  EXPECT_TRUE(verifier.intersects(positions));
+  EXPECT_FALSE(verifier.intersects(flat));
 }
 
 TEST(FrameVerifier, what_an_obstacle_touches_is_named_and_the_obstacle_itself_is_not_judged) {

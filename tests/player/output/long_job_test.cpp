@@ -123,6 +123,30 @@ TEST_F(LongJob, a_turntable_of_one_frame_is_made_of_different_pictures_that_can_
   EXPECT_THAT(output_of(render_into("one", turntable + "8")), StartsWith("8 pictures, "));
 }
 
+TEST_F(LongJob, what_is_interpolated_is_told_and_goes_on_in_shards_and_after_a_stop) {
+  const std::string slow = "--isa sse2 --fps 100 --interpolate ";
+  const ToolRun whole = render_into("one", slow);
+  EXPECT_EQ(whole.exit_code, 0);
+  EXPECT_THAT(whole.errors, HasSubstr("6 moments lie between recorded frames, and interpolated: "
+                                      "not certified; nothing intersects there"));
+  EXPECT_THAT(bytes("one/manifest.png.txt"), HasSubstr("picture 4 of frame 2.5, interpolated: "));
+  const auto pictures = all("one");
+  ASSERT_EQ(pictures.size(), 13U);
+  ASSERT_EQ(render_into("recorded", "--isa sse2").exit_code, 0);
+  EXPECT_TRUE(pictures.at("03.png") == bytes("recorded/02.png"));
+  EXPECT_TRUE(pictures.at("05.png") == bytes("recorded/03.png"));
+  EXPECT_NE(pictures.at("04.png"), pictures.at("03.png"));
+  EXPECT_NE(pictures.at("04.png"), pictures.at("05.png"));
+  for (const std::string shard : {"2/2", "1/2"})
+    ASSERT_EQ(render_into("two", slow + "--shard " + shard).exit_code, 0);
+  EXPECT_TRUE(all("two") == pictures);
+  fs::remove(folder_ / "one/04.png");
+  EXPECT_THAT(render_into("one", slow).output, StartsWith("1 picture, 12 were complete"));
+  EXPECT_TRUE(all("one") == pictures);
+  expect_refusal(render_into("one", "--interpolate"), "--fps");
+  expect_refusal(render_into("one", slow + "--hold 2"), "--hold");
+}
+
 TEST_F(LongJob, colours_are_those_of_all_frames_in_all_shards) {
   ASSERT_EQ(render_into("one", "--color-by strain --isa sse2").exit_code, 0);
   for (const std::string shard : {"1/2", "2/2"})

@@ -103,6 +103,41 @@ TEST(Resampling, absurd_numbers_of_pictures_are_refused) {
               HasSubstr("makes 2e+13 pictures of 3 frames"));
 }
 
+std::vector<double> shown(Numbers frames, const PlayOrder& order) {
+  std::vector<double> shown;
+  for (const PlayedFrame& frame : played(std::move(frames), order)) shown.push_back(frame.frame());
+  return shown;
+}
+
+// Recorded at 50 a second.
+TEST(Interpolation, shows_what_lies_between_frames_and_frames_themselves_where_they_are) {
+  EXPECT_EQ(shown({0, 1, 2}, {.frames_per_second = 100, .interpolates = true}),
+            (std::vector<double>{1, 1.5, 2, 2.5, 3}));
+  EXPECT_EQ(shown({0, 1, 2, 3}, {.frames_per_second = 40, .interpolates = true}),
+            (std::vector<double>{1, 2.25, 3.5}));
+  Numbers all(301);
+  for (int i = 0; i < 301; ++i) all[static_cast<std::size_t>(i)] = i;
+  int recorded = 0;
+  for (const PlayedFrame& frame : played(all, {.frames_per_second = 150, .interpolates = true}))
+    recorded += frame.is_interpolated() ? 0 : 1;
+  EXPECT_EQ(recorded, 301) << "whatever rounding does";
+}
+
+TEST(Interpolation, goes_through_the_recording_also_where_frames_were_left_out_or_backwards) {
+  EXPECT_EQ(shown({0, 10}, {.frames_per_second = 200, .interpolates = true}),
+            (std::vector<double>{1, 3.5, 6, 8.5, 11}));
+  EXPECT_EQ(shown({0, 1, 2}, {.reverse = true, .frames_per_second = 100, .interpolates = true}),
+            (std::vector<double>{3, 2.5, 2, 1.5, 1}));
+}
+
+TEST(Interpolation, needs_both_frames) {
+  const auto all = played({0, 1, 2}, {.frames_per_second = 100, .interpolates = true});
+  EXPECT_EQ(numbers(without(all, {2})), (Numbers{1, 2, 3}));
+  const auto held = held_over(all, {2});
+  EXPECT_EQ(held[3].frame(), 2);
+  EXPECT_EQ(held[4].frame(), 2);
+}
+
 TEST(Shards, cover_everything_once) {
   const auto all = played({0, 1, 2, 3, 4, 5, 6}, {});
   EXPECT_EQ(indices(part_of(all, {1, 3})), (Numbers{0, 3, 6}));

@@ -37,6 +37,9 @@ TEST(FrameCaption, tells_what_was_asked_for) {
   EXPECT_THAT(frame_caption({.time = true}, 12, numbers, "bow"), ElementsAre("0.40 s · bow"));
   EXPECT_THAT(frame_caption({.frame = true, .time = true, .numbers = true}, 12, numbers),
               ElementsAre("frame 12 · 0.40 s", "strain 4.1 %"));
+  EXPECT_THAT(frame_caption({.frame = true}, 12.25, numbers),
+              ElementsAre("frame 12.25", "interpolated"));
+  EXPECT_THAT(frame_caption({}, 12.25, numbers), IsEmpty());
   numbers.penetrating_edges = 1;
   numbers.tightness = TightnessNumbers{0.5F, 0, 0.75F, 0.25F, 0};
   EXPECT_THAT(frame_caption({.numbers = true}, 12, numbers),
