@@ -29,7 +29,8 @@ Result<ExitCode> follow_recording(RecordingReader& reader, const Options& option
   auto followed = follow(reader, {tell_frame, [&] { return interrupt.requested(); }});
   if (!followed) return tl::unexpected(followed.error());
   if (pictures)
-    if (auto finished = pictures->finish(); !finished) return tl::unexpected(finished.error());
+    if (auto finished = pictures->finish(interrupt); !finished)
+      return tl::unexpected(finished.error());
   const RecordingInfo info = recording_info(options.recording, reader);
   if (options.info) std::fputs(info_text(info).c_str(), stdout);
   if (!info.missing.empty())

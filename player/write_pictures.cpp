@@ -127,6 +127,14 @@ Result<void> LivePictures::show(int index) {
     cameras_.emplace(reader_, shots_);
     painter_->set_lowest(cameras_->lowest_m());
   }
+  cameras_->follow(reader_);
+  waiting_.push_back(index);
+  for (; !waiting_.empty() && cameras_->is_settled(waiting_.front()); waiting_.pop_front())
+    if (auto rendered = render(waiting_.front()); !rendered) return rendered;
+  return {};
+}
+
+Result<void> LivePictures::render(int index) {
   if (auto shown = painter_->show(index); !shown) return shown;
   for (std::size_t shot = 0; shot < shots_.size(); ++shot) {
     const Camera camera = cameras_->camera(shot, {index, 0});
@@ -138,7 +146,10 @@ Result<void> LivePictures::show(int index) {
   return {};
 }
 
-Result<void> LivePictures::finish() {
+Result<void> LivePictures::finish(const Interrupt& interrupt) {
+  if (cameras_) cameras_->end();
+  for (; !waiting_.empty() && !interrupt.requested(); waiting_.pop_front())
+    if (auto rendered = render(waiting_.front()); !rendered) return rendered;
   return ribbon::finish(outputs_);
 }
 

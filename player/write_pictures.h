@@ -1,10 +1,12 @@
 // Frames of a recording become pictures, and these files, a video or a stream.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "commandline/interrupt.h"
 #include "playback/recording_reader.h"
 #include "player/frame_painter.h"
 #include "player/options.h"
@@ -21,7 +23,9 @@ namespace ribbon {
 Result<std::string> write_pictures(RecordingReader& reader, const std::vector<int>& frames,
                                    const std::vector<int>& lost, const Options& options);
 
-// Renders frames as they come; cameras stand where the frames of the first look put them.
+// Renders frames as they come. Cameras stand where the frames of the first look put them; one that
+// follows the knot waits until it is known where that goes, so that its pictures are those of a
+// later run.
 class LivePictures {
  public:
   // Keeps references to `reader` and `options`.
@@ -30,18 +34,21 @@ class LivePictures {
   // Comes before all else. Fails when names, cameras or colours make no sense, or
   // a preview cannot be drawn.
   Result<void> begin();
-  // Renders frame `index` and has it written.
+  // Takes frame `index`, and renders what no longer has to wait.
   Result<void> show(int index);
-  // After the last one.
-  Result<void> finish();
+  // After the last one: renders the rest, unless interrupted.
+  Result<void> finish(const Interrupt& interrupt);
 
  private:
+  Result<void> render(int index);
+
   RecordingReader& reader_;
   const Options& options_;
   std::vector<Shot> shots_;
   std::vector<Output> outputs_;          // of each shot
   std::optional<FramePainter> painter_;  // from begin() on
   std::optional<CameraWork> cameras_;    // once there is a frame
+  std::deque<int> waiting_;              // frames that came and are not rendered
 };
 
 }  // namespace ribbon

@@ -55,9 +55,9 @@ struct Extent {
 }  // namespace
 
 CameraWork::CameraWork(RecordingReader& reader, std::vector<Shot> shots)
-    : shots_(std::move(shots)), frames_per_second_(reader.header().frames_per_second) {
-  const RecordingHeader& header = reader.header();
-  const bool watches = std::any_of(shots_.begin(), shots_.end(), looks_at_knot);
+    : shots_(std::move(shots)),
+      frames_per_second_(reader.header().frames_per_second),
+      follows_knot_(std::any_of(shots_.begin(), shots_.end(), looks_at_knot)) {
   std::vector<std::vector<Framing>> framings;
   for (const Shot& shot : shots_) framings.push_back(framings_of(shot));
   Extent extent;
@@ -66,18 +66,12 @@ CameraWork::CameraWork(RecordingReader& reader, std::vector<Shot> shots)
     for (auto& directions : framings)
       for (Framing& framing : directions) framing.include(points);
   };
-  if (header.obstacle) include(header.obstacle->vertices);
-  std::vector<std::optional<Sphere>> knots;
-  std::vector<double> times_s;
+  if (reader.header().obstacle) include(reader.header().obstacle->vertices);
   Eigen::Matrix3Xf positions;
   for (int index = 0; index < reader.frame_count(); ++index) {
-    times_s.push_back(index / frames_per_second_);
-    knots.emplace_back();
-    if (!reader.readable(index) || !reader.read(index, positions)) continue;
-    include(positions);
-    if (watches)
-      knots.back() = knot_sphere(header.grid, static_cast<float>(header.ribbon_width_m),
-                                 static_cast<float>(header.ribbon_length_m), positions);
+    const bool is_there = reader.readable(index) && reader.read(index, positions);
+    if (is_there) include(positions);
+    if (follows_knot_) add_knot(reader.header(), is_there ? &positions : nullptr);
   }
   everything_ = extent.sphere();
   lowest_m_ = extent.low.y();
@@ -88,20 +82,33 @@ CameraWork::CameraWork(RecordingReader& reader, std::vector<Shot> shots)
       distance_m = std::max(distance_m, framing.distance_from(everything_.center));
     distances_.push_back(distance_m * between_factor);
   }
-  const bool knotted = std::any_of(knots.begin(), knots.end(),
-                                   [](const auto& sphere) { return sphere.has_value(); });
-  if (knotted) knots_ = followed(times_s, knots);
+}
+
+void CameraWork::follow(RecordingReader& reader) {
+  if (!follows_knot_) return;
+  Eigen::Matrix3Xf positions;
+  for (int index = knot_.frame_count(); index < reader.frame_count(); ++index) {
+    const bool is_there = reader.readable(index) && reader.read(index, positions);
+    add_knot(reader.header(), is_there ? &positions : nullptr);
+  }
+}
+
+void CameraWork::add_knot(const RecordingHeader& header, const Eigen::Matrix3Xf* positions) {
+  std::optional<Sphere> sphere;
+  if (positions != nullptr)
+    sphere = knot_sphere(header.grid, static_cast<float>(header.ribbon_width_m),
+                         static_cast<float>(header.ribbon_length_m), *positions);
+  knot_.add(knot_.frame_count() / frames_per_second_, sphere);
 }
 
 Sphere CameraWork::subject(Subject subject, const Moment& moment) const {
-  if (subject == Subject::everything || knots_.empty()) return everything_;
-  // A growing recording has frames that were not there when it was read.
-  const std::size_t last = knots_.size() - 1;
-  const Sphere& knot = knots_[std::min(static_cast<std::size_t>(moment.frame), last)];
-  const Sphere& next = knots_[std::min(static_cast<std::size_t>(moment.frame) + 1, last)];
+  if (subject == Subject::everything) return everything_;
+  const auto knot = knot_.at(moment.frame);
+  if (!knot || moment.after == 0) return knot.value_or(everything_);
+  const Sphere next = *knot_.at(moment.frame + 1);
   const auto share = static_cast<float>(moment.after);
-  return {knot.center + share * (next.center - knot.center),
-          knot.radius_m + share * (next.radius_m - knot.radius_m)};
+  return {knot->center + share * (next.center - knot->center),
+          knot->radius_m + share * (next.radius_m - knot->radius_m)};
 }
 
 CameraPose CameraWork::pose(const Shot& shot, const Moment& moment) const {

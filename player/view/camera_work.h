@@ -34,11 +34,23 @@ class CameraWork {
   // Reads every frame once. At least one must be readable.
   CameraWork(RecordingReader& reader, std::vector<Shot> shots);
 
+  // Follows the knot into the frames that the recording has gained. Other cameras stand where those
+  // before put them.
+  void follow(RecordingReader& reader);
+  // The recording gains no more.
+  void end() { knot_.end(); }
+  // Will camera() stay what it is for this frame, whatever the recording gains?
+  [[nodiscard]] bool is_settled(int frame) const {
+    return !follows_knot_ || knot_.is_settled(frame);
+  }
+
   [[nodiscard]] Camera camera(std::size_t shot, const Moment& moment) const;
   // Of everything in any frame.
   [[nodiscard]] float lowest_m() const { return lowest_m_; }
 
  private:
+  // positions: of the next frame; null where it cannot be read.
+  void add_knot(const RecordingHeader& header, const Eigen::Matrix3Xf* positions);
   [[nodiscard]] CameraPose pose(const Shot& shot, const Moment& moment) const;
   [[nodiscard]] Sphere subject(Subject subject, const Moment& moment) const;
 
@@ -48,7 +60,8 @@ class CameraWork {
   double frames_per_second_;
   Sphere everything_;
   float lowest_m_ = 0;
-  std::vector<Sphere> knots_;  // of all frames; empty: no shot looks at the knot
+  bool follows_knot_;  // some shot does
+  FollowedKnot knot_;  // of all frames, where one does
 };
 
 }  // namespace ribbon

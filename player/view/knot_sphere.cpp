@@ -1,7 +1,6 @@
 #include "player/view/knot_sphere.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -14,7 +13,7 @@ constexpr float near_widths =
     1.2F;  // between the middles of rows that lie on each other, or soon will
 constexpr float apart_widths = 2.5F;  // along the ribbon, or they are neighbours
 constexpr double bell_deviation_s = 0.25;
-constexpr double bell_reach = 3;  // deviations; beyond it counts for nothing
+constexpr double reach_s = 3 * bell_deviation_s;  // what is farther away counts for nothing
 
 Eigen::Matrix3Xf row_middles(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions) {
   Eigen::Matrix3Xf middles(3, grid.along);
@@ -44,29 +43,6 @@ std::vector<bool> rows_near_others(const Eigen::Matrix3Xf& middles, float near_m
   return near_another;
 }
 
-// Centre and radius of every frame; between two that are known they change evenly, before the first
-// and after the last they stay.
-std::vector<Eigen::Vector4d> filled(const std::vector<double>& times_s,
-                                    const std::vector<std::optional<Sphere>>& spheres) {
-  std::vector<Eigen::Vector4d> values(spheres.size());
-  std::optional<std::size_t> before;
-  for (std::size_t f = 0; f < spheres.size(); ++f) {
-    if (!spheres[f]) continue;
-    values[f] << spheres[f]->center.cast<double>(), spheres[f]->radius_m;
-    for (std::size_t gap = before ? *before + 1 : 0; gap < f; ++gap) {
-      const double share =
-          before ? (times_s[gap] - times_s[*before]) / (times_s[f] - times_s[*before]) : 1;
-      values[gap] = before
-                        ? Eigen::Vector4d(values[*before] + share * (values[f] - values[*before]))
-                        : values[f];
-    }
-    before = f;
-  }
-  assert(before);
-  std::fill(values.begin() + static_cast<std::ptrdiff_t>(*before), values.end(), values[*before]);
-  return values;
-}
-
 }  // namespace
 
 std::optional<Sphere> knot_sphere(const RibbonGrid& grid, float width_m, float length_m,
@@ -88,27 +64,43 @@ std::optional<Sphere> knot_sphere(const RibbonGrid& grid, float width_m, float l
   return Sphere{(low + high) / 2, (high - low).norm() / 2};
 }
 
-std::vector<Sphere> followed(const std::vector<double>& times_s,
-                             const std::vector<std::optional<Sphere>>& spheres) {
-  assert(times_s.size() == spheres.size());
-  const std::vector<Eigen::Vector4d> whole = filled(times_s, spheres);
-  std::vector<Sphere> result;
-  std::size_t first = 0;  // of the frames within reach
-  for (const double time_s : times_s) {
-    while (times_s[first] < time_s - bell_reach * bell_deviation_s) ++first;
-    double weights = 0;
-    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-    for (std::size_t f = first; f < times_s.size(); ++f) {
-      const double away = (times_s[f] - time_s) / bell_deviation_s;
-      if (away > bell_reach) break;
-      const double weight = std::exp(-away * away / 2);
-      weights += weight;
-      sum += weight * whole[f];
-    }
-    const Eigen::Vector4f mean = (sum / weights).cast<float>();
-    result.push_back({mean.head<3>(), mean[3]});
+void FollowedKnot::add(double time_s, const std::optional<Sphere>& sphere) {
+  const std::size_t frame = times_s_.size();
+  times_s_.push_back(time_s);
+  spheres_.push_back(last_known_ ? spheres_[*last_known_] : Eigen::Vector4d::Zero());
+  if (!sphere) return;
+  const Eigen::Vector4d value(sphere->center.x(), sphere->center.y(), sphere->center.z(),
+                              sphere->radius_m);
+  const std::size_t before = last_known_.value_or(0);
+  const Eigen::Vector4d start = last_known_ ? spheres_[before] : value;
+  for (std::size_t gap = last_known_ ? before + 1 : 0; gap < frame; ++gap) {
+    const double share = (times_s_[gap] - times_s_[before]) / (time_s - times_s_[before]);
+    spheres_[gap] = start + share * (value - start);
   }
-  return result;
+  spheres_[frame] = value;
+  last_known_ = frame;
+}
+
+bool FollowedKnot::is_settled(int frame) const {
+  return has_ended_ || (last_known_ && times_s_[*last_known_] >=
+                                           times_s_[static_cast<std::size_t>(frame)] + reach_s);
+}
+
+std::optional<Sphere> FollowedKnot::at(int frame) const {
+  if (!last_known_) return std::nullopt;
+  const double time_s = times_s_[static_cast<std::size_t>(frame)];
+  auto first = static_cast<std::size_t>(frame);
+  while (first > 0 && times_s_[first - 1] >= time_s - reach_s) --first;
+  double weights = 0;
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  for (std::size_t f = first; f < times_s_.size() && times_s_[f] <= time_s + reach_s; ++f) {
+    const double away = (times_s_[f] - time_s) / bell_deviation_s;
+    const double weight = std::exp(-away * away / 2);
+    weights += weight;
+    sum += weight * spheres_[f];
+  }
+  const Eigen::Vector4f mean = (sum / weights).cast<float>();
+  return Sphere{mean.head<3>(), mean[3]};
 }
 
 }  // namespace ribbon

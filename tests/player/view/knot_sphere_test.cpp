@@ -49,32 +49,56 @@ Sphere at_x(float x) {
   return {Eigen::Vector3f(x, 0, 0), 1};
 }
 
-TEST(KnotSphere, a_jump_is_followed_smoothly) {
-  std::vector<double> times_s;
-  std::vector<std::optional<Sphere>> spheres;
-  for (int f = 0; f < 200; ++f) {
-    times_s.push_back(f / 50.0);
-    spheres.emplace_back(at_x(f < 100 ? 0 : 1));
-  }
-  const auto result = followed(times_s, spheres);
-  EXPECT_FLOAT_EQ(result.front().center.x(), 0);
-  EXPECT_FLOAT_EQ(result.back().center.x(), 1);
-  for (std::size_t f = 1; f < result.size(); ++f) {
-    EXPECT_GE(result[f].center.x(), result[f - 1].center.x());
-    EXPECT_LT(result[f].center.x() - result[f - 1].center.x(), 0.05F);
+// The knot at x = 0, and from frame 100 on at x = 1; 50 frames a second.
+FollowedKnot jumping(int frames) {
+  FollowedKnot knot;
+  for (int f = 0; f < frames; ++f) knot.add(f / 50.0, at_x(f < 100 ? 0 : 1));
+  return knot;
+}
+
+TEST(FollowedKnot, a_jump_is_followed_smoothly) {
+  const FollowedKnot knot = jumping(200);
+  EXPECT_FLOAT_EQ(knot.at(0)->center.x(), 0);
+  EXPECT_FLOAT_EQ(knot.at(199)->center.x(), 1);
+  for (int f = 1; f < 200; ++f) {
+    const float moved = knot.at(f)->center.x() - knot.at(f - 1)->center.x();
+    EXPECT_GE(moved, 0);
+    EXPECT_LT(moved, 0.05F);
   }
 }
 
-TEST(KnotSphere, frames_without_one_get_theirs_from_their_neighbours) {
-  std::vector<double> times_s;
-  std::vector<std::optional<Sphere>> spheres(40);
-  for (int f = 0; f < 40; ++f) times_s.push_back(f);
-  spheres[10] = at_x(0);
-  spheres[20] = at_x(10);
-  const auto result = followed(times_s, spheres);
-  EXPECT_NEAR(result[0].center.x(), 0, 1e-6F);
-  EXPECT_NEAR(result[15].center.x(), 5, 1e-4F);
-  EXPECT_NEAR(result[39].center.x(), 10, 1e-6F);
+TEST(FollowedKnot, frames_without_one_get_theirs_from_their_neighbours) {
+  FollowedKnot knot;
+  for (int f = 0; f < 40; ++f)
+    knot.add(f,
+             f == 10 || f == 20 ? std::optional(at_x(static_cast<float>(f - 10))) : std::nullopt);
+  EXPECT_NEAR(knot.at(0)->center.x(), 0, 1e-6F);
+  EXPECT_NEAR(knot.at(15)->center.x(), 5, 1e-4F);
+  EXPECT_NEAR(knot.at(39)->center.x(), 10, 1e-6F);
+}
+
+TEST(FollowedKnot, what_is_settled_stays_whatever_comes) {
+  const FollowedKnot all = jumping(200);
+  int settled = 0;
+  for (int came = 1; came < 200; ++came) {
+    const FollowedKnot knot = jumping(came);
+    for (; settled < came && knot.is_settled(settled); ++settled)
+      EXPECT_EQ(knot.at(settled)->center, all.at(settled)->center) << settled << " of " << came;
+  }
+  EXPECT_EQ(settled, 161) << "0.75 s after them are known of all but the last";
+  EXPECT_NE(jumping(101).at(99)->center, all.at(99)->center) << "not yet settled";
+}
+
+TEST(FollowedKnot, waits_in_a_gap_and_knows_all_at_the_end) {
+  FollowedKnot knot;
+  knot.add(0, at_x(0));
+  for (int f = 1; f < 10; ++f) knot.add(f, std::nullopt);
+  EXPECT_FALSE(knot.is_settled(0));
+  knot.add(10, at_x(1));
+  EXPECT_TRUE(knot.is_settled(9));
+  EXPECT_FALSE(knot.is_settled(10));
+  knot.end();
+  EXPECT_TRUE(knot.is_settled(10));
 }
 
 }  // namespace ribbon::knot_sphere_test
