@@ -37,6 +37,11 @@ void add_scene_options(Arguments& arguments, LookTexts& texts) {
   arguments.flag("--ground", texts.ground, "a floor that shows the shadows");
   arguments.add("--environment", texts.environment, "FILE",
                 "PNG of a panorama, whose light takes the place of the even sky's");
+  arguments
+      .add("--backdrop", texts.backdrop, "WORD",
+           "what is seen behind everything: a gradient, or the environment")
+      .one_of({"gradient", "environment"})
+      .with_default_shown();
   arguments.add("--sun", texts.sun, {0, 100}, "X", "the sun X times as bright; 0: none")
       .with_default_shown();
   arguments
@@ -107,6 +112,11 @@ Result<RenderSettings> read_look(const LookTexts& texts) {
   auto lighting = lighting_of(texts);
   if (!lighting) return tl::unexpected(lighting.error());
   settings.lighting = std::move(*lighting);
+  if (texts.backdrop == "environment") {
+    if (!settings.lighting.environment)
+      return failure("--backdrop environment", "there is no environment", "add --environment FILE");
+    settings.backdrop.environment = settings.lighting.environment;
+  }
   return settings;
 }
 

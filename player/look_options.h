@@ -20,6 +20,7 @@ struct LookTexts {
   double thickness_mm = 0;
   bool ground = false;
   std::filesystem::path environment;
+  std::string backdrop = "gradient";
   double sun = 1;
   double exposure = 0;
   std::string tone = "linear";

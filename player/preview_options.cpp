@@ -9,10 +9,10 @@ namespace ribbon {
 namespace {
 
 // What only the ray tracer does; machines of different makers may draw previews differently.
-constexpr std::array without_preview{"--quality",   "--noise",  "--texture",     "--texture-back",
-                                     "--thickness", "--ground", "--environment", "--sun",
-                                     "--exposure",  "--tone",   "--color-by",    "--shard",
-                                     "--isa",       "--bench"};
+constexpr std::array without_preview{"--quality",   "--noise",    "--texture",     "--texture-back",
+                                     "--thickness", "--ground",   "--environment", "--sun",
+                                     "--backdrop",  "--exposure", "--tone",        "--color-by",
+                                     "--shard",     "--isa",      "--bench"};
 
 tl::unexpected<Error> refusal(const std::string& other) {
   return failure("--preview", "does not go with " + other, "leave one of them out");

@@ -91,6 +91,12 @@ Texture::Level Texture::halved(const Level& level) {
   return half;
 }
 
+std::size_t Texture::bytes() const {
+  std::size_t pixels = 0;
+  for (const Level& level : levels_) pixels += level.pixels.size();
+  return pixels * sizeof(Color);
+}
+
 float Texture::aspect() const {
   return static_cast<float>(levels_.front().width) / static_cast<float>(levels_.front().height);
 }

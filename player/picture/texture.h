@@ -1,6 +1,7 @@
 // A picture that is laid on cloth.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <vector>
 
@@ -17,6 +18,8 @@ class Texture {
   // 16384 x 16384.
   static Result<Texture> read(const std::filesystem::path& file);
 
+  // That it takes in memory.
+  [[nodiscard]] std::size_t bytes() const;
   // Width over height of the file's picture.
   [[nodiscard]] float aspect() const;
   // At x from the left, 0 to 1 and repeated beyond, and y from the bottom, 0 to 1; `reach` is how

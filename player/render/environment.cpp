@@ -11,8 +11,7 @@ namespace ribbon {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-// Of the panorama's height: finer detail would only be noise in the light of cloth.
-constexpr float width_of_look = 1.0F / 32;
+constexpr float width_of_look = std::numbers::pi_v<float> / 32;
 constexpr int map_rows = 64;  // directions that are summed up, twice as many columns
 
 Eigen::Vector3f direction_at(int column, int row) {
@@ -42,11 +41,15 @@ Environment::Environment(Texture panorama) : panorama_(std::move(panorama)) {
 }
 
 Color Environment::sky(const Eigen::Vector3f& direction) const {
+  return seen(direction, width_of_look);
+}
+
+Color Environment::seen(const Eigen::Vector3f& direction, float angle) const {
   const double level = std::sqrt(direction.x() * direction.x() + direction.z() * direction.z());
   const double round = polar_angle(direction.z(), direction.x());
   const double up = polar_angle(level, direction.y());
   return panorama_.at(static_cast<float>(round / (2 * pi) + 0.5), static_cast<float>(up / pi + 0.5),
-                      width_of_look);
+                      angle / std::numbers::pi_v<float>);
 }
 
 std::array<float, Environment::harmonics> Environment::harmonics_at(

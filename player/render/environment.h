@@ -15,7 +15,12 @@ class Environment {
  public:
   explicit Environment(Texture panorama);
 
-  // Radiance from a direction of unit length, of a part of the sky some degrees wide.
+  // That it takes in memory.
+  [[nodiscard]] std::size_t bytes() const { return panorama_.bytes(); }
+  // Radiance from a direction of unit length, of a part that is `angle` wide (radians).
+  [[nodiscard]] Color seen(const Eigen::Vector3f& direction, float angle) const;
+  // Likewise, of a part of the sky some degrees wide: finer detail would only be noise in the light
+  // of cloth.
   [[nodiscard]] Color sky(const Eigen::Vector3f& direction) const;
   // Mean over the directions about a unit normal, weighted by their cosine (R. Ramamoorthi and P.
   // Hanrahan, An Efficient Representation for Irradiance Environment Maps, SIGGRAPH 2001: within a

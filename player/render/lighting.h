@@ -37,12 +37,15 @@ struct Lighting {
   }
 };
 
-// Behind everything, from the top to the bottom of the picture; it does not light the scene.
+// Behind everything; it does not light the scene.
 struct Backdrop {
+  // From the top to the bottom of the picture.
   Color top = from_srgb(0xDDE2E8);
   Color bottom = from_srgb(0xF7F5F1);
+  // Takes the place of these: what lies in each direction.
+  std::shared_ptr<const Environment> environment = nullptr;
 
-  // In row `y` of a picture `height` rows high.
+  // Of the colours: in row `y` of a picture `height` rows high.
   [[nodiscard]] Color at(int y, int height) const {
     const float down = (static_cast<float>(y) + 0.5F) / static_cast<float>(height);
     return top + (bottom - top) * down;

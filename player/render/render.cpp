@@ -35,8 +35,8 @@ class PicturePainter {
                  const RenderSettings& settings, const SamplePatterns& patterns)
       : size_(size),
         rays_(camera, size, patterns),
-        setting_{scene, rays_, patterns, settings.quality, settings.lighting, settings.backdrop,
-                 size},
+        backdrop_(settings.backdrop, camera, size),
+        setting_{scene, rays_, patterns, settings.quality, settings.lighting, backdrop_, size},
         tiles_(camera, size, tile_side),
         counts_(static_cast<std::size_t>(tiles_.columns()) * tiles_.rows()) {
     tiles_.mark(scene.ribbon());
@@ -99,10 +99,8 @@ class PicturePainter {
   void leave_tile(int left, int top, const Leave& leave) const {
     const int right = std::min(left + tile_side, size_.width);
     const int bottom = std::min(top + tile_side, size_.height);
-    for (int y = top; y < bottom; ++y) {
-      const Color backdrop = setting_.backdrop.at(y, size_.height);
-      for (int x = left; x < right; ++x) leave(x, y, backdrop);
-    }
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x) leave(x, y, backdrop_.at(x, y));
   }
 
   void count(const TilePainter& painter, int x, int y, TileCount& tile) const {
@@ -118,6 +116,7 @@ class PicturePainter {
 
   PictureSize size_;
   CameraRays rays_;
+  BackdropView backdrop_;
   Setting setting_;
   TileCoverage tiles_;
   std::vector<TileCount> counts_;

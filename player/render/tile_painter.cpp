@@ -89,7 +89,9 @@ void TilePainter::paint(int left, int top) {
   height_ = std::min(tile_side, s_.size.height - top);
   for (PixelSums& sums : sums_) sums.clear();
   for (int row = 0; row < height_; ++row)
-    backdrop_[static_cast<std::size_t>(row)] = four(s_.backdrop.at(top_ + row, s_.size.height));
+    for (int column = 0; column < width_; ++column)
+      backdrop_[static_cast<std::size_t>(row) * tile_side + column] =
+          four(s_.backdrop.at(left_ + column, top_ + row));
   int taken = 0;
   for (int wanted = s_.quality.samples;; wanted = 2 * taken) {
     wanted = std::min(wanted, s_.quality.most_samples);
@@ -179,7 +181,7 @@ void TilePainter::sort_hits() {
 
 void TilePainter::add_backdrop(std::size_t lane) {
   const std::size_t place = samples_.place[lane];
-  const Eigen::Array4f& backdrop = backdrop_[place / tile_side];
+  const Eigen::Array4f& backdrop = backdrop_[place];
   const float light = luminance({backdrop[0], backdrop[1], backdrop[2]});
   PixelSums& sums = sums_[place];
   sums.shown += backdrop;
@@ -193,7 +195,7 @@ bool TilePainter::add_ground(std::size_t lane) {
   if (!s_.scene.add_ground(rays_, lane, seen_)) return false;
   seen_samples_.set(to, samples_, {{static_cast<std::uint16_t>(lane)}, 1});
   // In full light the floor cannot be told from the backdrop.
-  const Color backdrop = backdrop_[samples_.place[lane] / tile_side].head<3>();
+  const Color backdrop = backdrop_[samples_.place[lane]].head<3>();
   seen_.albedo.set(to, (backdrop / full_light_on_ground(s_.lighting)).matrix());
   return true;
 }

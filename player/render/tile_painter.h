@@ -6,6 +6,7 @@
 #include <bitset>
 #include <cstdint>
 
+#include "player/render/backdrop_view.h"
 #include "player/render/camera_rays.h"
 #include "player/render/lighting.h"
 #include "player/render/quality.h"
@@ -41,7 +42,7 @@ struct Setting {
   const SamplePatterns& patterns;  // as many as quality.most_samples
   const Quality& quality;
   const Lighting& lighting;
-  const Backdrop& backdrop;
+  const BackdropView& backdrop;
   PictureSize size;
 };
 
@@ -93,7 +94,7 @@ class TilePainter {
   int height_ = 0;
   std::array<PixelSums, tile_pixels> sums_;
   std::bitset<tile_pixels> wanting_;
-  std::array<Eigen::Array4f, tile_side> backdrop_;  // of each row
+  std::array<Eigen::Array4f, tile_pixels> backdrop_;  // of each pixel
 
   Samples samples_;
   Lanes<float> place_x_;  // where they look, in pixels

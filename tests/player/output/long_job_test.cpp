@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "parallel/instruction_set.h"
+#include "player/picture/png_encoder.h"
 #include "player/ribbon_play.h"
 #include "recorder/process.h"
 
@@ -260,6 +261,18 @@ TEST_F(LongJob, info_tells_how_much_memory_pictures_take) {
       EXPECT_LT(peak, forecast) << name << " " << size;
       EXPECT_GT(2.5 * peak, forecast) << name << " " << size;
     }
+}
+
+TEST_F(LongJob, info_counts_the_memory_of_a_panorama_behind_the_scene) {
+  ASSERT_TRUE(write_png(folder_ / "sky.png", blank_picture({2048, 1024}, Color::Ones())));
+  const double peak = peak_of({RIBBON_PLAY, recording_, "--environment", folder_ / "sky.png",
+                               "--backdrop", "environment", "--quality", "draft", "--frames", "2",
+                               "--force", "--quiet", "-o", folder_ / "1.png"});
+  const auto json = nlohmann::json::parse(output_of(
+      run("knot.rbn --json --quality draft --environment sky.png --backdrop environment")));
+  const double forecast = json["memory_bytes"];
+  EXPECT_LT(peak, forecast);
+  EXPECT_GT(2.5 * peak, forecast);
 }
 
 TEST_F(LongJob, info_tells_how_much_memory_previews_take) {
