@@ -31,8 +31,11 @@ Result<ExitCode> follow_recording(RecordingReader& reader, const Options& option
   if (pictures)
     if (auto finished = pictures->finish(interrupt); !finished)
       return tl::unexpected(finished.error());
-  const RecordingInfo info = recording_info(options.recording, reader);
-  if (options.info) std::fputs(info_text(info).c_str(), stdout);
+  RecordingInfo info = recording_info(options.recording, reader);
+  if (options.info) {
+    info.outcome = outcome(reader);
+    std::fputs(info_text(info).c_str(), stdout);
+  }
   if (!info.missing.empty())
     std::fprintf(stderr, "ribbon-play: %s: lost to damage: frames %s\n", info.file.c_str(),
                  number_list(info.missing).c_str());

@@ -140,6 +140,8 @@ Result<ExitCode> play(const Options& options) {
   if (options.follow) return follow_recording(*reader, options);
   RecordingInfo info = recording_info(options.recording, *reader);
   info.memory_bytes = memory_forecast(info.header, options);
+  if (options.info || options.json || !options.sheet.empty() || !options.plot.empty())
+    info.outcome = outcome(*reader);
   if (options.info || options.json)
     std::fputs((options.json ? info_json(info) : info_text(info)).c_str(), stdout);
   if (!options.pictures.empty() || !options.sheet.empty() || !options.plot.empty())

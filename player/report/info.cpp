@@ -247,7 +247,6 @@ RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader&
     info.numbers.push_back(reader.numbers(index));
     if (!reader.readable(index)) info.missing.push_back(index + 1);
   }
-  info.outcome = outcome(reader);
   return info;
 }
 

@@ -19,14 +19,17 @@ struct Column {
   double most;
 };
 
-// In the order of CameraPath::Values.
-constexpr std::array<Column, 7> columns{{{"azimuth", -36000, 36000},
-                                         {"elevation", -90, 90},
-                                         {"distance", 1e-3, 1e4},
-                                         {"lens", 8, 1200},
-                                         {"x", -1e4, 1e4},
-                                         {"y", -1e4, 1e4},
-                                         {"z", -1e4, 1e4}}};
+// In the order of CameraPath::Values: the settings of a view, then the point that is looked at.
+constexpr std::array<Column, 7> make_columns() {
+  std::array<Column, 7> columns{};
+  for (std::size_t i = 0; i < view_settings.size(); ++i)
+    columns[i] = {view_settings[i].name, view_settings[i].least, view_settings[i].most};
+  constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    columns[view_settings.size() + i] = {axes[i], -1e4, 1e4};
+  return columns;
+}
+constexpr std::array<Column, 7> columns = make_columns();
 constexpr int time_column = -1;
 
 std::vector<std::string_view> fields_of(std::string_view line) {
@@ -97,7 +100,9 @@ Result<CameraPath> CameraPath::parse(const std::string& text, const std::string&
                      filled_in("has {} fields, the first line {}", fields.size(), order->size()),
                      "write one for each column");
     Values values;
-    values << start.azimuth_deg, start.elevation_deg, start.distance_m, start.lens_mm, 0, 0, 0;
+    values.setZero();
+    for (std::size_t i = 0; i < view_settings.size(); ++i)
+      values[static_cast<Eigen::Index>(i)] = start.*view_settings[i].value;
     double time_s = 0;
     for (std::size_t f = 0; f < fields.size(); ++f) {
       const int column = (*order)[f];
@@ -145,10 +150,10 @@ CameraPose CameraPath::at(double time_s) const {
     values[1] = std::clamp(values[1], -90.0, 90.0);
   }
   CameraPose pose{start_, std::nullopt};
-  pose.view.azimuth_deg = static_cast<float>(values[0]);
-  pose.view.elevation_deg = static_cast<float>(values[1]);
-  pose.view.distance_m = static_cast<float>(std::max(values[2], 0.0));
-  pose.view.lens_mm = static_cast<float>(std::max(values[3], columns[3].least));
+  for (std::size_t i = 0; i < view_settings.size(); ++i)
+    pose.view.*view_settings[i].value = static_cast<float>(values[static_cast<Eigen::Index>(i)]);
+  pose.view.distance_m = std::max(pose.view.distance_m, 0.0F);  // cubics may shoot beyond
+  pose.view.lens_mm = std::max(pose.view.lens_mm, shortest_lens_mm);
   if (has_target_) pose.target = values.tail<3>().cast<float>().matrix();
   return pose;
 }

@@ -19,20 +19,6 @@ constexpr std::array<std::pair<std::string_view, View>, 4> named_views{{
     {"knot", knot_view},
 }};
 
-struct Setting {
-  std::string_view name;
-  float View::*value;
-  float least;
-  float most;
-};
-
-constexpr std::array<Setting, 4> settings{{
-    {"azimuth", &View::azimuth_deg, -3600, 3600},
-    {"elevation", &View::elevation_deg, -90, 90},
-    {"distance", &View::distance_m, 1e-3F, 1e4F},
-    {"lens", &View::lens_mm, 8, 1200},
-}};
-
 tl::unexpected<Error> unknown(const std::string& text) {
   return failure("view '" + text + "'", "is not known",
                  "write front, top, three-quarter, knot, or settings as in "
@@ -48,7 +34,7 @@ std::optional<float> number_in(std::string_view text) {
 }
 
 Result<void> set_number(std::string_view name, std::string_view value, View& view) {
-  for (const Setting& setting : settings) {
+  for (const ViewSetting& setting : view_settings) {
     if (setting.name != name) continue;
     const auto number = number_in(value);
     if (!number || !(*number >= setting.least && *number <= setting.most))

@@ -1,7 +1,9 @@
 // From where the scene is looked at, in words.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "result/result.h"
@@ -22,6 +24,22 @@ struct View {
 
   bool operator==(const View&) const = default;
 };
+
+// A number of a view by the name that users give it, and from where to where it may be.
+struct ViewSetting {
+  std::string_view name;
+  float View::*value;
+  float least;
+  float most;
+};
+
+inline constexpr float shortest_lens_mm = 8;
+inline constexpr std::array<ViewSetting, 4> view_settings{{
+    {"azimuth", &View::azimuth_deg, -36000, 36000},
+    {"elevation", &View::elevation_deg, -90, 90},
+    {"distance", &View::distance_m, 1e-3F, 1e4F},
+    {"lens", &View::lens_mm, shortest_lens_mm, 1200},
+}};
 
 inline constexpr View front_view{0, 8};
 inline constexpr View top_view{0, 90};
