@@ -62,9 +62,9 @@ std::uint64_t memory_forecast(const RecordingHeader& header, const Options& opti
   const double views = std::max<double>(1, static_cast<double>(options.views.size()));
   const double preview = options.preview ? preview_bytes(*options.preview, options.size) : 0;
   return static_cast<std::uint64_t>(
-      reserve *
-      (program_bytes + texture_bytes(options.render) + preview + bytes_of_a_vertex * vertices +
-       pixel_bytes * views * static_cast<double>(options.size.pixel_count())));
+      reserve * (program_bytes + (options.preview ? 2 : 1) * texture_bytes(options.render) +
+                 preview + bytes_of_a_vertex * vertices +
+                 pixel_bytes * views * static_cast<double>(options.size.pixel_count())));
 }
 
 }  // namespace ribbon

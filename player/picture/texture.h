@@ -20,7 +20,9 @@ class Texture {
 
   // That it takes in memory.
   [[nodiscard]] std::size_t bytes() const;
-  // Width over height of the file's picture.
+  // Of the file's picture, in pixels, and width over height.
+  [[nodiscard]] int width() const { return levels_.front().width; }
+  [[nodiscard]] int height() const { return levels_.front().height; }
   [[nodiscard]] float aspect() const;
   // At x from the left, 0 to 1 and repeated beyond, and y from the bottom, 0 to 1; `reach` is how
   // wide the look is, where the picture's height is 1.

@@ -1,18 +1,26 @@
-// The cloth's pattern as an image that repeats along the ribbon.
+// The cloth as images that repeat along the ribbon.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
+#include "player/render/cloth.h"
+
 namespace ribbon {
 
-inline constexpr int texels_along = 128;
-inline constexpr int texels_across = 256;
-// After this part of the ribbon's width the pattern begins anew.
-inline constexpr float pattern_period = 0.5F;
+// Textures that are larger are shown coarser.
+inline constexpr int most_texels = 2048;  // each way
 
-// Front, then back; of each row by row from one selvage to the other, four bytes a texel: the
-// square roots of red, green and blue, and 255.
-std::vector<std::uint8_t> cloth_texels();
+struct ClothTexels {
+  int along = 0;
+  int across = 0;
+  Eigen::Vector2f period;  // of front and back: after so many ribbon widths it begins anew
+  // Front, then back; of each row by row from one selvage to the other, four bytes a texel: the
+  // square roots of red, green and blue, and 255.
+  std::vector<std::uint8_t> bytes;
+};
+
+ClothTexels cloth_texels(const Cloth& cloth);
 
 }  // namespace ribbon

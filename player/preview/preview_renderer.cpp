@@ -43,7 +43,7 @@ Result<PreviewRenderer> PreviewRenderer::create(RecordingReader& reader,
   const auto gl = load_gl(*context);
   if (!gl) return tl::unexpected(gl.error());
   auto state = std::make_unique<State>(reader, *std::move(context), *gl, settings.antialiased);
-  auto scene = PreviewScene::create(state->gl, reader.header());
+  auto scene = PreviewScene::create(state->gl, reader.header(), settings.cloth);
   if (!scene) return tl::unexpected(scene.error());
   state->scene.emplace(*std::move(scene));
   return PreviewRenderer(std::move(state));

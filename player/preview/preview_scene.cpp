@@ -29,17 +29,6 @@ float scale_of(PictureSize size) {
   return std::max(0.6F, static_cast<float>(std::min(size.width, size.height)) / 720);
 }
 
-void load_cloth(const Gl& gl) {
-  GLuint texture = 0;
-  gl.GenTextures(1, &texture);
-  gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
-  gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, texels_along, texels_across, 2, 0, GL_RGBA,
-                GL_UNSIGNED_BYTE, cloth_texels().data());
-  gl.GenerateMipmap(GL_TEXTURE_2D_ARRAY);
-  gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
 }  // namespace
 
 Result<PreviewScene::Programs> PreviewScene::make_programs(const Gl& gl) {
@@ -52,13 +41,15 @@ Result<PreviewScene::Programs> PreviewScene::make_programs(const Gl& gl) {
   return Programs{*cloth, *line};
 }
 
-Result<PreviewScene> PreviewScene::create(const Gl& gl, const RecordingHeader& header) {
+Result<PreviewScene> PreviewScene::create(const Gl& gl, const RecordingHeader& header,
+                                          const Cloth& cloth) {
   const auto programs = make_programs(gl);
   if (!programs) return tl::unexpected(programs.error());
-  return PreviewScene(gl, header, *programs);
+  return PreviewScene(gl, header, cloth, *programs);
 }
 
-PreviewScene::PreviewScene(const Gl& gl, const RecordingHeader& header, Programs programs)
+PreviewScene::PreviewScene(const Gl& gl, const RecordingHeader& header, const Cloth& cloth,
+                           Programs programs)
     : gl_(&gl),
       programs_(programs),
       grid_(header.grid),
@@ -66,9 +57,9 @@ PreviewScene::PreviewScene(const Gl& gl, const RecordingHeader& header, Programs
       surface_(ribbon_surface(header.grid)),
       vertices_(8, header.grid.particle_count()),
       ribbon_(gl, {3, 3, 2}) {
-  load_cloth(gl);
+  load(cloth);
   const auto widths_long = static_cast<float>(header.ribbon_length_m / header.ribbon_width_m);
-  vertices_.row(6) = header.uv.row(0) * (widths_long / pattern_period);
+  vertices_.row(6) = header.uv.row(0) * widths_long;
   vertices_.row(7) = header.uv.row(1);
   ribbon_.set_triangles(surface_.triangles);
   if (header.obstacle && header.obstacle->triangles.cols() > 0)
@@ -77,6 +68,19 @@ PreviewScene::PreviewScene(const Gl& gl, const RecordingHeader& header, Programs
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void PreviewScene::load(const Cloth& cloth) {
+  const ClothTexels texels = cloth_texels(cloth);
+  periods_ = texels.period;
+  GLuint texture = 0;
+  gl_->GenTextures(1, &texture);
+  gl_->BindTexture(GL_TEXTURE_2D_ARRAY, texture);
+  gl_->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, texels.along, texels.across, 2, 0, GL_RGBA,
+                  GL_UNSIGNED_BYTE, texels.bytes.data());
+  gl_->GenerateMipmap(GL_TEXTURE_2D_ARRAY);
+  gl_->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl_->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
 void PreviewScene::set_lines(const LineBands& bands, std::optional<VertexArray>& lines) {
@@ -108,6 +112,7 @@ void PreviewScene::draw_ribbon(const Eigen::Matrix4f& clip_from_world) const {
   const ShaderProgram& program = programs_.cloth;
   program.use();
   program.set("clip_from_world", clip_from_world);
+  program.set("periods", periods_);
   program.set("sun_direction", lighting.sun_direction);
   program.set("sun", vector(lighting.sun));
   program.set("sky_above", vector(lighting.sky_above));

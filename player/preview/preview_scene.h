@@ -8,6 +8,7 @@
 #include "player/preview/projection.h"
 #include "player/preview/shader_program.h"
 #include "player/preview/vertex_array.h"
+#include "player/render/cloth.h"
 #include "player/render/surface.h"
 #include "recording/records/recording.h"
 
@@ -23,7 +24,8 @@ class PreviewScene {
  public:
   // Obstacle and curve are there, as far as the recording has them; the ribbon is not yet. Keeps a
   // reference to `gl`. Fails where OpenGL does.
-  static Result<PreviewScene> create(const Gl& gl, const RecordingHeader& header);
+  static Result<PreviewScene> create(const Gl& gl, const RecordingHeader& header,
+                                     const Cloth& cloth);
 
   // positions: 3 x particles, in metres.
   void set_ribbon(const Eigen::Matrix3Xf& positions);
@@ -39,7 +41,8 @@ class PreviewScene {
   };
   static Result<Programs> make_programs(const Gl& gl);
 
-  PreviewScene(const Gl& gl, const RecordingHeader& header, Programs programs);
+  PreviewScene(const Gl& gl, const RecordingHeader& header, const Cloth& cloth, Programs programs);
+  void load(const Cloth& cloth);
   void set_lines(const LineBands& bands, std::optional<VertexArray>& lines);
   void draw_ribbon(const Eigen::Matrix4f& clip_from_world) const;
   void draw_lines(const PreviewShot& shot, const Eigen::Matrix4f& clip_from_world) const;
@@ -50,8 +53,9 @@ class PreviewScene {
   Programs programs_;
   RibbonGrid grid_;
   float ribbon_width_m_;
+  Eigen::Vector2f periods_;     // of front and back: ribbon widths after which they begin anew
   Surface surface_;             // of the ribbon
-  Eigen::MatrixXf vertices_;    // of the ribbon: position, normal, place in the pattern
+  Eigen::MatrixXf vertices_;    // of the ribbon: position, normal, place in ribbon widths
   Eigen::AlignedBox3f still_;   // around obstacle and curve
   Eigen::AlignedBox3f moving_;  // around the ribbon
   VertexArray ribbon_;

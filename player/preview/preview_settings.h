@@ -1,6 +1,8 @@
 // How previews are drawn.
 #pragma once
 
+#include "player/render/cloth.h"
+
 namespace ribbon {
 
 // Larger pictures are drawn in parts, so that memory stays bounded.
@@ -8,7 +10,8 @@ inline constexpr int largest_preview_part = 2048;  // pixels, each way
 
 struct PreviewSettings {
   bool antialiased = true;  // edges with four samples a pixel
-  int threads = 0;          // at most so many; 0: as many as there are cores
+  Cloth cloth = {};
+  int threads = 0;  // at most so many; 0: as many as there are cores
 };
 
 }  // namespace ribbon

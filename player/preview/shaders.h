@@ -22,6 +22,7 @@ inline constexpr const char* cloth_fragment_shader = R"(#version 330 core
 in vec3 world_normal;
 in vec2 texture_place;
 uniform sampler2DArray cloth;  // front, back
+uniform vec2 periods;          // of both, along the ribbon
 uniform vec3 sun_direction;
 uniform vec3 sun;
 uniform vec3 sky_above;
@@ -32,7 +33,9 @@ void main() {
   vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
   vec3 light = sun * max(dot(normal, sun_direction), 0.0)
              + mix(sky_below, sky_above, 0.5 + normal.y / 3.0);
-  vec3 thread = texture(cloth, vec3(texture_place, gl_FrontFacing ? 0.0 : 1.0)).rgb;
+  float side = gl_FrontFacing ? 0.0 : 1.0;
+  float along = texture_place.x / mix(periods.x, periods.y, side);
+  vec3 thread = texture(cloth, vec3(along, texture_place.y, side)).rgb;
   color = vec4(thread * sqrt(light), 1);
 })";
 

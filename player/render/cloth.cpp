@@ -9,7 +9,17 @@ namespace {
 // A texture's white is paper; no cloth returns so much.
 constexpr float whitest = 0.85F;
 
+Color textured(const Texture& texture, float along, float across, float reach) {
+  return whitest * texture.at(along / texture.aspect(), across, reach);
+}
+
 }  // namespace
+
+Color Cloth::color(float along, float across, bool shows_front, float reach) const {
+  const Texture* texture = shows_front || !back ? front.get() : back.get();
+  if (texture != nullptr) return textured(*texture, along, across, reach);
+  return shows_front ? cloth_front(along, across, reach) : cloth_back(along, across, reach);
+}
 
 void Cloth::find_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
                         std::size_t first) const {
@@ -17,8 +27,7 @@ void Cloth::find_colors(const LookBatch& looks, std::size_t count, VectorLanes& 
   for (std::size_t i = 0; i < count; ++i) {
     const Texture* texture = looks.front[i] > 0 || !back ? front.get() : back.get();
     if (texture == nullptr) continue;
-    const Color color =
-        whitest * texture->at(looks.x[i] / texture->aspect(), looks.y[i], looks.reach[i]);
+    const Color color = textured(*texture, looks.x[i], looks.y[i], looks.reach[i]);
     colors.set(first + i, color.matrix());
   }
 }

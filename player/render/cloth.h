@@ -16,7 +16,10 @@ struct Cloth {
   std::shared_ptr<const Texture> front;
   std::shared_ptr<const Texture> back;
 
-  // What fraction of the light it returns where `count` looks fall, whose x is measured along and
+  // What fraction of the light it returns: `along` and `across` in ribbon widths, as is `reach`,
+  // how wide the look is.
+  [[nodiscard]] Color color(float along, float across, bool shows_front, float reach) const;
+  // The same where `count` looks fall, whose x is measured along and
   // whose y across, both in ribbon widths: colors from `first` on.
   void find_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
                    std::size_t first) const;

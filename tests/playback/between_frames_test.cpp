@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "files/files.h"
 #include "files/flipped.h"
 #include "recording/sample_recording.h"
