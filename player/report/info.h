@@ -39,7 +39,7 @@ struct RecordingInfo {
   std::vector<Damage> damage;
   std::vector<int> checkpoints;  // numbers, from 1, of the frames that have one
   std::vector<Session> sessions;
-  std::optional<Outcome> outcome;  // nothing also where nobody asked
+  std::optional<Outcome> outcome;             // nothing also where nobody asked
   std::optional<std::uint64_t> memory_bytes;  // that pictures will take; nothing: nobody asked
 
   [[nodiscard]] int frame_count() const { return static_cast<int>(numbers.size()); }
@@ -57,8 +57,8 @@ struct RecordingInfo {
   [[nodiscard]] double bytes_per_vertex_and_frame() const;
 };
 
-// Reads every record once, so that a frame that is said to be there is. How the run came out is left
-// open: outcome() decodes frames for it.
+// Reads every record once, so that a frame that is said to be there is. How the run came out is
+// left open: outcome() decodes frames for it.
 RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader& reader);
 
 // Several lines to read.
