@@ -81,15 +81,24 @@ Result<Cloth> cloth_of(const LookTexts& texts) {
 
 constexpr int most_samples_for_noise = 4096;
 
+// The first samples of a pixel must find what is there. So many do when they are about half of what
+// it takes in the end.
+int first_samples_for(float noise) {
+  if (noise >= 8) return 4;
+  return noise >= 4 ? 8 : 16;
+}
+
 Quality quality_of(const LookTexts& texts) {
   Quality quality = *quality_named(texts.quality);
   if (texts.samples == 0 && texts.noise == 0) return quality;
   quality.smooth_sky = false;
   quality.noise = static_cast<float>(texts.noise);
-  if (texts.samples > 0)
+  if (texts.samples > 0) {
     quality.samples = quality.most_samples = texts.samples;
-  else
+  } else {
+    quality.samples = first_samples_for(quality.noise);
     quality.most_samples = most_samples_for_noise;
+  }
   return quality;
 }
 

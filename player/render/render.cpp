@@ -23,10 +23,9 @@ constexpr std::size_t tiles_at_once =
 // What one tile adds to the report.
 struct TileCount {
   double samples = 0;
-  double squared_error = 0;
+  double error = 0;  // root of the mean square over its pixels
   double paint_s = 0;
   int pixels = 0;
-  int wanting = 0;
 };
 
 class PicturePainter {
@@ -62,28 +61,33 @@ class PicturePainter {
         const ThreadTimer timer;
         painter.paint(column * tile_side, row * tile_side);
         counts_[tile].paint_s = timer.seconds();
+        counts_[tile].error = painter.error();
         for_pixels(column * tile_side, row * tile_side, [&](int x, int y) {
           const int tile_x = x - column * tile_side;
           const int tile_y = y - row * tile_side;
           take(x, y, painter.pixel(tile_x, tile_y));
-          count(painter, tile_x, tile_y, counts_[tile]);
+          counts_[tile].samples += painter.pixel(tile_x, tile_y).shown[3];
+          ++counts_[tile].pixels;
         });
       }
     });
   }
 
   [[nodiscard]] RenderReport report() const {
-    TileCount all;
+    RenderReport report;
+    double pixels = 0;
     for (const TileCount& tile : counts_) {
-      all.samples += tile.samples;
-      all.squared_error += tile.squared_error;
-      all.paint_s += tile.paint_s;
-      all.pixels += tile.pixels;
-      all.wanting += tile.wanting;
+      pixels += tile.pixels;
+      report.samples += tile.samples;
+      report.paint_s += tile.paint_s;
+      report.error += tile.error * tile.error * tile.pixels;
+      if (tile.error > setting_.quality.noise) report.wanting += tile.pixels;
     }
-    const auto pixels = static_cast<double>(size_.pixel_count());
-    return {all.samples / std::max(all.pixels, 1), std::sqrt(all.squared_error / pixels),
-            all.paint_s, all.wanting / pixels};
+    pixels = std::max(pixels, 1.0);
+    report.samples /= pixels;
+    report.wanting /= pixels;
+    report.error = std::sqrt(report.error / pixels);
+    return report;
   }
 
  private:
@@ -101,17 +105,6 @@ class PicturePainter {
     const int bottom = std::min(top + tile_side, size_.height);
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x) leave(x, y, backdrop_.at(x, y));
-  }
-
-  void count(const TilePainter& painter, int x, int y, TileCount& tile) const {
-    const float samples = painter.pixel(x, y).shown[3];
-    const float error = samples < 2 ? 0 : painter.error(x, y);
-    tile.samples += samples;
-    tile.squared_error += error * error;
-    ++tile.pixels;
-    const float noise = setting_.quality.noise;
-    if (noise > 0 && error > noise && samples >= static_cast<float>(setting_.quality.most_samples))
-      ++tile.wanting;
   }
 
   PictureSize size_;

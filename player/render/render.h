@@ -25,13 +25,14 @@ struct RenderSettings {
   bool ground = false;  // a floor in the backdrop's colours that shows the shadows
 };
 
-// What the estimate of noise reached.
+// What it took, and what the estimate of noise reached. Pixels: those of the tiles that may show
+// anything but the backdrop.
 struct RenderReport {
-  double samples = 0;  // per pixel that may show anything but the backdrop, mean
-  double error = 0;    // of the picture, in 8-bit levels: root of the mean square over its pixels;
-                       // 0 where pixels have one sample
+  double samples = 0;  // of a pixel, mean
+  double error = 0;    // in 8-bit levels: root of the mean square over the pixels; 0 where
+                       // Quality::noise is
   double paint_s = 0;  // tracing and shading, of all threads together
-  double wanting = 0;  // share of the pixels whose region is still above Quality::noise
+  double wanting = 0;  // share of the pixels whose tile is still above Quality::noise
 };
 
 struct Rendered {

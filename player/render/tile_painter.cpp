@@ -1,7 +1,6 @@
 #include "player/render/tile_painter.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "parallel/vector_loop.h"
@@ -92,46 +91,48 @@ void TilePainter::paint(int left, int top) {
     for (int column = 0; column < width_; ++column)
       backdrop_[static_cast<std::size_t>(row) * tile_side + column] =
           four(s_.backdrop.at(left_ + column, top_ + row));
-  int taken = 0;
-  for (int wanted = s_.quality.samples;; wanted = 2 * taken) {
-    wanted = std::min(wanted, s_.quality.most_samples);
-    sample_wanting(taken, wanted);
-    finish_batch();
-    taken = wanted;
-    if (s_.quality.noise == 0 || taken == s_.quality.most_samples || !find_wanting(taken)) return;
+  wanting_.set();
+  if (s_.quality.noise == 0) {
+    sample_wanting(s_.quality.samples);
+    return;
   }
+  noise_.begin(width_, height_);
+  const int first = s_.quality.samples / 2;
+  sample_wanting(first);
+  estimate_noise();
+  do {
+    sample_wanting(first);
+    estimate_noise();
+    wanting_ = noise_.worth_doubling(s_.quality.most_samples);
+  } while (wanting_.any() && noise_.error() > s_.quality.noise);
 }
 
 // In small blocks, whose rays travel together.
-void TilePainter::sample_wanting(int first, int end) {
+void TilePainter::sample_wanting(int first_samples) {
   for (int top = 0; top < height_; top += block_side)
     for (int left = 0; left < width_; left += block_side)
       for (int row = top; row < std::min(top + block_side, height_); ++row)
-        for (int column = left; column < std::min(left + block_side, width_); ++column) {
-          const int pixel = row * tile_side + column;
-          if (first > 0 && !wanting_[static_cast<std::size_t>(pixel)]) continue;
-          for (int number = first; number < end; ++number) add(row, column, number);
-        }
+        for (int column = left; column < std::min(left + block_side, width_); ++column)
+          sample_again(row, column, first_samples);
+  finish_batch();
 }
 
-// A pixel whose samples agree may have missed what its neighbours found: it wants more as they do,
-// if it has as many as any. Returns whether any wants more.
-bool TilePainter::find_wanting(int taken) {
-  std::array<bool, tile_pixels> uncertain{};
-  for (int row = 0; row < height_; ++row)
-    for (int column = 0; column < width_; ++column)
-      uncertain[row * tile_side + column] =
-          pixel(column, row).shown[3] == static_cast<float>(taken) &&
-          error(column, row) > s_.quality.noise;
-  wanting_.reset();
+// If it wants samples: its first ones, or as many again.
+void TilePainter::sample_again(int row, int column, int first_samples) {
+  if (!wanting_[static_cast<std::size_t>(row * tile_side + column)]) return;
+  const int taken = static_cast<int>(pixel(column, row).shown[3]);
+  const int end = taken == 0 ? first_samples : 2 * taken;
+  for (int number = taken; number < end; ++number) add(row, column, number);
+}
+
+void TilePainter::estimate_noise() {
   for (int row = 0; row < height_; ++row)
     for (int column = 0; column < width_; ++column) {
-      if (pixel(column, row).shown[3] != static_cast<float>(taken)) continue;
-      for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height_ - 1); ++y)
-        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width_ - 1); ++x)
-          if (uncertain[y * tile_side + x]) wanting_.set(row * tile_side + column);
+      if (!wanting_[static_cast<std::size_t>(row * tile_side + column)]) continue;
+      const PixelSums& sums = pixel(column, row);
+      noise_.update(column, row, sums.shown[3],
+                    luminance({sums.shown[0], sums.shown[1], sums.shown[2]}), sums.position[3]);
     }
-  return wanting_.any();
 }
 
 void TilePainter::add(int row, int column, int number) {
@@ -284,12 +285,16 @@ void TilePainter::add_up() {
   VectorLanes direct;
   VectorLanes shown;
   Lanes<float> squared_light;
+  const bool smooth = s_.quality.smooth_sky;
+  const LaneVector even_sky = lane_vector(Color::Constant(0.5F));
   vectorised([&]() RIBBON_INLINED {
     RIBBON_EACH_LANE
     for (std::size_t i = 0; i < seen_.count; ++i) {
       const LaneVector albedo = lane_of(seen_.albedo, i);
       const LaneVector returned = albedo * lane_of(sunlight_, i);
-      const LaneVector all = returned + albedo * lane_of(skylight_, i);
+      // What smoothing takes away is no noise that takes samples.
+      const LaneVector sky = smooth ? even_sky : lane_of(skylight_, i);
+      const LaneVector all = returned + albedo * sky;
       set_lane(direct, i, returned);
       set_lane(shown, i, all);
       squared_light[i] = luminance(all) * luminance(all);
@@ -313,17 +318,6 @@ void TilePainter::add_up() {
     sums.normal += sum_of(seen_.normal, begin, end);
     sums.position += sum_of(seen_.position, begin, end);
   }
-}
-
-// A pixel shows the mean of its samples; sRGB is near enough to a square root here.
-float TilePainter::error(int column, int row) const {
-  const PixelSums& sums = pixel(column, row);
-  const float count = sums.shown[3];
-  assert(count >= 2);
-  const float mean = luminance({sums.shown[0], sums.shown[1], sums.shown[2]}) / count;
-  const float variance = std::max(0.0F, sums.position[3] / count - mean * mean) / (count - 1);
-  constexpr float darkest = 0.002F;
-  return 127.5F * std::sqrt(variance / std::max(mean, darkest));
 }
 
 }  // namespace ribbon

@@ -13,11 +13,9 @@
 #include "player/render/ray_batch.h"
 #include "player/render/render_scene.h"
 #include "player/render/sampling.h"
+#include "player/render/tile_noise.h"
 
 namespace ribbon {
-
-inline constexpr int tile_side = 16;  // pixels
-inline constexpr int tile_pixels = tile_side * tile_side;
 
 // Sums over the samples of a pixel, and what they are good for.
 struct PixelSums {
@@ -58,8 +56,8 @@ class TilePainter {
   [[nodiscard]] const PixelSums& pixel(int column, int row) const {
     return sums_[static_cast<std::size_t>(row) * tile_side + column];
   }
-  // Estimated standard error of that pixel, in 8-bit levels. Needs two samples at least.
-  [[nodiscard]] float error(int column, int row) const;
+  // Estimated error of the tile, in 8-bit levels; 0 where quality.noise is, as nobody asked.
+  [[nodiscard]] float error() const { return s_.quality.noise == 0 ? 0 : noise_.error(); }
 
  private:
   // Which samples the lanes are.
@@ -71,8 +69,9 @@ class TilePainter {
     // Lanes from `first` on become those of `others` that are listed.
     void set(std::size_t first, const Samples& others, const LaneList& list);
   };
-  void sample_wanting(int first, int end);
-  bool find_wanting(int taken);
+  void sample_wanting(int first_samples);
+  void sample_again(int row, int column, int first_samples);
+  void estimate_noise();
   void add(int row, int column, int number);
   void finish_batch();
   void sort_hits();
@@ -94,6 +93,7 @@ class TilePainter {
   int height_ = 0;
   std::array<PixelSums, tile_pixels> sums_;
   std::bitset<tile_pixels> wanting_;
+  TileNoise noise_;
   std::array<Eigen::Array4f, tile_pixels> backdrop_;  // of each pixel
 
   Samples samples_;

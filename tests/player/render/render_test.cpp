@@ -271,12 +271,18 @@ TEST(Render, noise_is_sampled_away_until_it_is_below_what_was_asked_for) {
   const Picture reference = encode_srgb(picture(with_samples(1024)).light);
   double samples = 0;
   for (const float noise : {4.0F, 2.0F}) {
-    const Rendered rendered = picture({.samples = 4, .most_samples = 4096, .noise = noise});
-    EXPECT_LT(std::sqrt(mean_square(encode_srgb(rendered.light), reference)), noise);
+    const Rendered rendered = picture({.samples = 8, .most_samples = 4096, .noise = noise});
+    const double error = std::sqrt(mean_square(encode_srgb(rendered.light), reference));
+    EXPECT_LT(error, noise);
+    EXPECT_GT(error, noise / 2.5) << "more samples than it takes";
     EXPECT_LE(rendered.report.error, noise);
     EXPECT_EQ(rendered.report.wanting, 0);
     EXPECT_GT(rendered.report.samples, samples) << "less noise takes more samples";
     samples = rendered.report.samples;
+    const auto as_many = static_cast<int>(std::ceil(samples));
+    EXPECT_LT(error,
+              std::sqrt(mean_square(encode_srgb(picture(with_samples(as_many)).light), reference)))
+        << "samples went where they help less";
   }
   EXPECT_GT(picture({.samples = 4, .most_samples = 8, .noise = 0.5F}).report.wanting, 0.01);
 }

@@ -1,0 +1,78 @@
+#include "player/render/tile_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ribbon {
+
+namespace {
+
+// Of light, in squared 8-bit levels where the picture shows `mean`; sRGB is near enough to a square
+// root here.
+float in_levels(float square, float mean) {
+  constexpr float darkest = 0.002F;
+  return 127.5F * 127.5F * square / std::max(mean, darkest);
+}
+
+std::size_t index_of(int column, int row) {
+  return static_cast<std::size_t>(row) * tile_side + static_cast<std::size_t>(column);
+}
+
+}  // namespace
+
+void TileNoise::begin(int width, int height) {
+  width_ = width;
+  height_ = height;
+  pixels_.fill({});
+}
+
+void TileNoise::update(int column, int row, float samples, float luminance,
+                       float squared_luminance) {
+  Pixel& pixel = pixels_[index_of(column, row)];
+  const float first_half = pixel.mean;
+  pixel.samples = samples;
+  pixel.mean = luminance / samples;
+  const float half_difference = pixel.mean - first_half;
+  pixel.squared_error = in_levels(half_difference * half_difference, pixel.mean);
+  const float variance = std::max(0.0F, squared_luminance / samples - pixel.mean * pixel.mean);
+  pixel.variance = in_levels(variance / std::max(samples - 1, 1.0F), pixel.mean);
+}
+
+float TileNoise::error() const {
+  float sum = 0;
+  for (const Pixel& pixel : pixels_) sum += pixel.squared_error;
+  return std::sqrt(sum / static_cast<float>(width_ * height_));
+}
+
+// Where samples differ there is most to gain; that the halves of a pixel's few samples agree may be
+// chance. A pixel whose samples agree may have missed what its neighbours found.
+float TileNoise::variance_around(int column, int row) const {
+  float sum = 0;
+  int count = 0;
+  for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height_ - 1); ++y)
+    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width_ - 1); ++x, ++count)
+      sum += pixels_[index_of(x, y)].variance;
+  return sum / static_cast<float>(count);
+}
+
+// What a further sample can take away.
+float TileNoise::worth(int column, int row, int most_samples) const {
+  const float samples = pixels_[index_of(column, row)].samples;
+  if (2 * samples > static_cast<float>(most_samples)) return 0;
+  return variance_around(column, row) / samples;
+}
+
+std::bitset<tile_pixels> TileNoise::worth_doubling(int most_samples) const {
+  constexpr float of_the_most = 0.25F;  // less would be more rounds for hardly fewer samples
+  std::array<float, tile_pixels> worth{};
+  for (int row = 0; row < height_; ++row)
+    for (int column = 0; column < width_; ++column)
+      worth[index_of(column, row)] = this->worth(column, row, most_samples);
+  const float most = *std::max_element(worth.begin(), worth.end());
+  std::bitset<tile_pixels> doubling;
+  for (std::size_t pixel = 0; pixel < worth.size(); ++pixel)
+    doubling[pixel] = worth[pixel] > 0 && worth[pixel] >= of_the_most * most;
+  return doubling;
+}
+
+}  // namespace ribbon

@@ -1,0 +1,48 @@
+// How noisy a tile still is, and where more samples help most.
+#pragma once
+
+#include <array>
+#include <bitset>
+
+namespace ribbon {
+
+inline constexpr int tile_side = 16;  // pixels
+inline constexpr int tile_pixels = tile_side * tile_side;
+
+// Samples are spread so evenly that their mean is far better than that of independent ones: what
+// they say about it by how much they differ is useless. But the first and the second half of them
+// are as evenly spread, each, so the means of both tell by how much they differ. Half of that
+// difference has 2^(2p) - 1 times the variance of the mean of all, where errors fall as
+// samples^-p: 1 for independent samples, 1.5 for ours (p is about 2/3). The factor is kept as a
+// reserve for what no sample has found.
+class TileNoise {
+ public:
+  // A tile of which so many columns and rows lie in the picture; no samples yet.
+  void begin(int width, int height);
+  // A pixel has its first samples, or twice as many as before: how many there are, the sums of
+  // their luminance and of its square.
+  void update(int column, int row, float samples, float luminance, float squared_luminance);
+
+  // Estimated error of the tile, in 8-bit levels: root of the mean square over its pixels. Wants
+  // every pixel to have been updated twice.
+  [[nodiscard]] float error() const;
+  // The pixels that are to have twice as many samples; none where all have so many that twice of
+  // them are more than `most_samples`.
+  [[nodiscard]] std::bitset<tile_pixels> worth_doubling(int most_samples) const;
+
+ private:
+  struct Pixel {
+    float samples = 0;
+    float mean = 0;
+    float squared_error = 0;  // by the halves of its samples
+    float variance = 0;       // of the mean, if samples were independent
+  };
+  [[nodiscard]] float variance_around(int column, int row) const;
+  [[nodiscard]] float worth(int column, int row, int most_samples) const;
+
+  int width_ = 0;
+  int height_ = 0;
+  std::array<Pixel, tile_pixels> pixels_;
+};
+
+}  // namespace ribbon
