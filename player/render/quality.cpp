@@ -6,8 +6,8 @@ namespace ribbon {
 // more.
 std::optional<Quality> quality_named(const std::string& name) {
   if (name == "draft") return Quality{SkyLight::open, 1, 1, 0, false};
-  if (name == "standard") return Quality{SkyLight::occluded, 4, 32, 12, true};
-  if (name == "final") return Quality{SkyLight::bounced, 16, 256, 2.7F, false};
+  if (name == "standard") return Quality{SkyLight::occluded, 4, 32, 3, true};
+  if (name == "final") return Quality{SkyLight::bounced, 16, 256, 1.1F, false};
   return std::nullopt;
 }
 
