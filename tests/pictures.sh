@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Records two samples, renders frames of them with few and with many samples, and puts the table and
-# the plot of what quality costs into docs/play.md and docs/play.svg. Takes about ten minutes. Not
-# part of run.sh.
+# Records the samples, renders frames of them with few and with many samples in a pixel, and puts the
+# tables and the plot of what quality costs and of what --noise reaches into docs/play.md and
+# docs/play.svg. Takes about twenty minutes. Not part of run.sh.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
@@ -11,12 +11,17 @@ build release -DRIBBON_BUILD_TESTS=OFF -- ribbon-record ribbon-play
 results=$root/out/pictures
 mkdir -p "$results"
 
+# Until they are tight, but for the largest.
 recordings=()
-for sample in overhand-hourglass-8x400 overhand-small-object-16x400; do
-  recording=$results/$sample.rbn
+for scene in "$root"/samples/*.toml; do
+  recording=$results/$(basename "$scene" .toml).rbn
+  limit=()
+  [[ $scene != *32x800* ]] || limit=(--frames 100)
   [[ -e $recording ]] || "$root/build/release/recorder/ribbon-record" --quiet \
-    "$root/samples/$sample.toml" --output "$recording"
+    "$scene" --output "$recording" "${limit[@]}"
   recordings+=("$recording")
 done
-python3 -B "$root/tests/benchmarks/picture_quality.py" "$root/build/release/player/ribbon-play" \
-  "$root/docs/play.md" "$root/docs/play.svg" "${recordings[@]}"
+play=$root/build/release/player/ribbon-play
+python3 -B "$root/tests/benchmarks/picture_noise.py" "$play" "$root/docs/play.md" "${recordings[@]}"
+python3 -B "$root/tests/benchmarks/picture_quality.py" "$play" "$root/docs/play.md" "$root/docs/play.svg" \
+  "$results"/overhand-{hourglass-8x400,small-object-16x400}.rbn
