@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -288,6 +289,32 @@ TEST_F(LongJob, info_tells_how_much_memory_previews_take) {
       EXPECT_LT(peak, forecast) << samples << " " << size;
       EXPECT_GT(2.5 * peak, forecast) << samples << " " << size;
     }
+}
+
+// A strip that sways again and again.
+void write_long_recording(const fs::path& path, int frames) {
+  const RibbonGrid grid{60, 8};
+  auto writer = RecordingWriter::create(path, sample_header(grid)).value();
+  Eigen::Matrix3Xd positions(3, grid.particle_count());
+  for (int frame = 0; frame < frames; ++frame) {
+    for (int p = 0; p < grid.particle_count(); ++p)
+      positions.col(p) << 0.01 * grid.row(p), 0.01 * grid.column(p),
+          0.001 * (frame % 100) * std::sin(0.2 * grid.row(p));
+    ASSERT_TRUE(writer.append(sample_numbers(frame), positions).has_value());
+  }
+  ASSERT_TRUE(writer.finish().has_value());
+}
+
+TEST_F(LongJob, memory_does_not_grow_with_the_number_of_frames) {
+  const auto peak = [&](int frames) {
+    write_long_recording(folder_ / "long.rbn", frames);
+    return peak_of({RIBBON_PLAY, folder_ / "long.rbn", "--quality", "draft", "--size", "16x16",
+                    "--quiet", "-o", folder_ / ("{frame}-" + std::to_string(frames) + ".png"),
+                    "--plot", folder_ / (std::to_string(frames) + ".svg")});
+  };
+  // But for the numbers and the place of each frame: a fifth of the 5760 bytes of its positions.
+  constexpr double bytes_a_frame = 1000;
+  EXPECT_LT(peak(500), peak(50) + 450 * bytes_a_frame);
 }
 
 TEST_F(LongJob, damage_is_told_and_the_rest_is_rendered) {
