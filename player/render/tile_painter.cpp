@@ -1,7 +1,6 @@
 #include "player/render/tile_painter.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "parallel/vector_loop.h"
 #include "player/render/lane_vector.h"
