@@ -17,11 +17,10 @@ struct Quality {
   SkyLight sky = SkyLight::occluded;
   // Per pixel: all get the first number. In tiles whose estimated error exceeds `noise`, pixels
   // where that helps most get twice as many, again and again, until it does not, or until they have
-  // the second.
+  // the second. Where there is a `noise`, the first is even.
   int samples = 4;
   int most_samples = 64;
-  float noise =
-      0;  // in 8-bit levels, of 255; 0: all pixels get `samples`, otherwise those are even
+  float noise = 0;  // in 8-bit levels, of 255; 0: all pixels get `samples`
   // Light of the sky is averaged over neighbouring pixels of the same smooth surface.
   bool smooth_sky = false;
 };
