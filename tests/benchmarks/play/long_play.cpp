@@ -65,6 +65,11 @@ struct Cost {
   double megabytes = 0;
 };
 
+// Its answer may be no, as of a recording that is not certified.
+bool did_its_task(int status) {
+  return WIFEXITED(status) && WEXITSTATUS(status) <= static_cast<int>(ExitCode::answer_is_no);
+}
+
 // The command's standard output is thrown away.
 Result<Cost> cost_of(std::vector<std::string> words) {
   const auto start = std::chrono::steady_clock::now();
@@ -79,7 +84,7 @@ Result<Cost> cost_of(std::vector<std::string> words) {
   }
   rusage usage{};
   int status = -1;
-  if (process < 0 || ::wait4(process, &status, 0, &usage) != process || status != 0)
+  if (process < 0 || ::wait4(process, &status, 0, &usage) != process || !did_its_task(status))
     return failure(words[0], "did not do its task", "run it alone");
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   return Cost{elapsed.count(), static_cast<double>(usage.ru_maxrss) / 1024};
