@@ -120,7 +120,7 @@ double StagedHands::friction() const {
 }
 
 bool StagedHands::guard_is_due() const {
-  const auto looks = [this](double time_s) { return std::floor(time_s / guard_every_s + 1e-9); };
+  const auto looks = [](double time_s) { return std::floor(time_s / guard_every_s + 1e-9); };
   return !are_over() && looks(elapsed_s_) > looks(elapsed_s_ - scene_.time.step_s);
 }
 
