@@ -15,9 +15,6 @@ constexpr int block_side = 4;  // pixels whose rays travel together
 // Light from all sides mixes what it comes from: a pattern there would only be noise.
 constexpr float bounce_spread = 0.5F;
 
-// Smoothing takes the noise of fewer rays out as well.
-constexpr std::uint32_t samples_a_smoothed_sky_ray = 2;
-
 Eigen::Array4f four(const Color& color) {
   return {color[0], color[1], color[2], 0};
 }
@@ -159,8 +156,7 @@ void TilePainter::finish_batch() {
   if (s_.quality.sky == SkyLight::bounced)
     add_bounced_skylight(skylight_);
   else
-    add_skylight(Pattern::sky, seen_, seen_samples_, s_.lighting.bounce,
-                 s_.quality.smooth_sky ? samples_a_smoothed_sky_ray : 1, skylight_);
+    add_skylight(Pattern::sky, seen_, seen_samples_, s_.lighting.bounce, skylight_);
   add_up();
 }
 
@@ -236,45 +232,31 @@ void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface, con
   }
 }
 
-// A ray of every so many samples, into a direction of the sky that is as likely as its light
-// counts. Those that ask take the points of the pattern one after the other, so that all are used.
-void TilePainter::ask_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
-                          std::uint32_t every) {
-  asked_for_.count = 0;
-  for (std::size_t i = 0; i < surface.count; ++i)
-    asked_for_.add_if(i, samples.number[i] % every == 0);
-  VectorLanes normals;
-  Samples asking;
-  asking.set(0, samples, asked_for_);
-  for (std::size_t r = 0; r < asked_for_.count; ++r) {
-    const std::size_t i = asked_for_.lanes[r];
-    asking.number[r] /= every;
-    set_lane(normals, r, lane_of(surface.normal, i));
-    set_lane(light_rays_.origin, r, lane_of(surface.start, i));
-  }
-  look(pattern, asking, asked_for_.count);
-  to_sky(normals, disc_x_, disc_y_, asked_for_.count, light_rays_.direction);
-  light_rays_.count = asked_for_.count;
+// One ray a surface, into a direction of the sky that is as likely as its light counts.
+void TilePainter::ask_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples) {
+  look(pattern, samples, surface.count);
+  to_sky(surface.normal, disc_x_, disc_y_, surface.count, light_rays_.direction);
+  light_rays_.origin = surface.start;
+  light_rays_.count = surface.count;
 }
 
 // All of the sky's light, which has no noise, less what is hidden. What hides it sends back the
-// part `returned`. One sample of `every` asks, for the others as well.
+// part `returned`.
 void TilePainter::add_skylight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
-                               float returned, std::uint32_t every, VectorLanes& light) {
+                               float returned, VectorLanes& light) {
   add_mean_sky(s_.lighting, surface, light);
   if (s_.quality.sky == SkyLight::open) return;
-  ask_sky(pattern, surface, samples, every);
+  ask_sky(pattern, surface, samples);
   s_.scene.rays().unblocked(light_rays_, Coherence::mixed, free_);
-  const float lost = (returned - 1) * static_cast<float>(every);
-  for (std::size_t r = 0; r < light_rays_.count; ++r)
-    if (free_[r] == 0)
-      add_to(light, asked_for_.lanes[r], s_.lighting.sky(light_rays_.direction.at(r)) * lost);
+  for (std::size_t i = 0; i < surface.count; ++i)
+    if (free_[i] == 0)
+      add_to(light, i, s_.lighting.sky(light_rays_.direction.at(i)) * (returned - 1));
 }
 
 // Instead of hidden sky, the light that the hiding surface itself receives and returns.
 void TilePainter::add_bounced_skylight(VectorLanes& light) {
   add_mean_sky(s_.lighting, seen_, light);
-  ask_sky(Pattern::sky, seen_, seen_samples_, 1);
+  ask_sky(Pattern::sky, seen_, seen_samples_);
   s_.scene.rays().first_hits(light_rays_, Coherence::mixed, hits_);
   bounce_.count = 0;
   bounce_of_.count = 0;
@@ -293,7 +275,7 @@ void TilePainter::add_bounced_skylight(VectorLanes& light) {
   VectorLanes received;
   clear(received, bounce_.count);
   add_sunlight(Pattern::sun_on_bounce, bounce_, bounce_samples_, received);
-  add_skylight(Pattern::sky_on_bounce, bounce_, bounce_samples_, 0, 1, received);
+  add_skylight(Pattern::sky_on_bounce, bounce_, bounce_samples_, 0, received);
   for (std::size_t i = 0; i < bounce_.count; ++i)
     add_to(light, bounce_of_.lanes[i], received.at(i).array() * bounce_.albedo.at(i).array());
 }

@@ -80,11 +80,10 @@ class TilePainter {
   void add_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                     VectorLanes& light);
   void add_skylight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
-                    float returned, std::uint32_t every, VectorLanes& light);
+                    float returned, VectorLanes& light);
   void add_bounced_skylight(VectorLanes& light);
   void look(Pattern pattern, const Samples& samples, std::size_t count);
-  void ask_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
-               std::uint32_t every);
+  void ask_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples);
   void add_up();
 
   const Setting& s_;
