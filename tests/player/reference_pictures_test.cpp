@@ -2,6 +2,7 @@
 #include "player/reference_pictures.h"
 
 #include <cmath>
+#include <ostream>
 
 #include "player/picture/png_encoder.h"
 #include "player/render/sequence_renderer.h"
@@ -64,6 +65,10 @@ struct Shown {
   const char* name;
   const char* options;
 };
+
+void PrintTo(const Shown& shown, std::ostream* stream) {
+  *stream << shown.options;
+}
 
 class Kept : public Reference, public testing::WithParamInterface<Shown> {};
 
