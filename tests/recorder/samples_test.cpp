@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(All, Sample, testing::ValuesIn(sample_scenes()), [](con
 });
 
 TEST(Samples,
-     are_the_three_overhand_knots_in_two_granularities_one_in_a_third_one_hangs_and_a_granny) {
+     are_three_overhand_knots_in_two_granularities_one_in_a_third_one_hangs_and_two_double_knots) {
   std::vector<std::string> names;
   for (const fs::path& scene : sample_scenes()) names.push_back(scene.stem().string());
   EXPECT_EQ(names,
@@ -72,7 +72,7 @@ TEST(Samples,
                                       "overhand-cylinder-8x400", "overhand-hanging-8x400",
                                       "overhand-hourglass-16x400", "overhand-hourglass-32x800",
                                       "overhand-hourglass-8x400", "overhand-small-object-16x400",
-                                      "overhand-small-object-8x400"}));
+                                      "overhand-small-object-8x400", "reef-cylinder-8x500"}));
 }
 
 }  // namespace ribbon::samples_test
