@@ -38,6 +38,7 @@ class FilmRenderer {
   [[nodiscard]] int done() const { return done_; }
   // Of what was rendered.
   [[nodiscard]] const Interpolated& interpolated() const { return interpolated_; }
+  [[nodiscard]] NoiseReached noise() const { return painter_->noise(); }
 
  private:
   Result<void> show(const PlayedFrame& frame);

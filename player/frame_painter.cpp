@@ -62,6 +62,11 @@ void FramePainter::annotate(const Camera& camera, Picture& picture) const {
   annotations_.draw_words(shown_->index, shown_->after, picture);
 }
 
+NoiseReached FramePainter::noise() const {
+  const auto* ray_tracer = std::get_if<SequenceRenderer>(&renderer_);
+  return ray_tracer == nullptr ? NoiseReached{} : ray_tracer->noise();
+}
+
 std::optional<Legend> FramePainter::legend() const {
   const auto* ray_tracer = std::get_if<SequenceRenderer>(&renderer_);
   return ray_tracer == nullptr ? std::nullopt : ray_tracer->legend();

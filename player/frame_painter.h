@@ -33,6 +33,8 @@ class FramePainter {
   // Draws over a picture that this camera took of it what is to be.
   void annotate(const Camera& camera, Picture& picture) const;
 
+  // Of all pictures so far; nothing of previews.
+  [[nodiscard]] NoiseReached noise() const;
   // Of the colours that the ribbon shows instead of its cloth.
   [[nodiscard]] std::optional<Legend> legend() const;
 

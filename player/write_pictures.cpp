@@ -65,6 +65,16 @@ std::string pictures_text(std::size_t count) {
   return filled_in("{} {}", count, count == 1 ? "picture" : "pictures");
 }
 
+// Nothing where all pixels have the same number of samples.
+std::string noise_text(const NoiseReached& noise) {
+  if (noise.error == 0) return "";
+  std::string text = filled_in(", estimated error up to {:.2g} levels of 255", noise.error);
+  if (noise.wanting > 0)
+    text +=
+        filled_in(" ({:.2g} % of the regions have more than was aimed at)", 100 * noise.wanting);
+  return text;
+}
+
 std::string summary(int done, double elapsed_s, const std::vector<Output>& outputs) {
   std::size_t complete = 0;
   for (const Output& output : outputs) complete += output.complete;
@@ -99,7 +109,7 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
   if (renderer.interpolated().moments > 0)
     std::fprintf(stderr, "ribbon-play: %s\n", sentence_on(renderer.interpolated()).c_str());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return summary(renderer.done(), elapsed.count(), *outputs);
+  return summary(renderer.done(), elapsed.count(), *outputs) + noise_text(renderer.noise());
 }
 
 LivePictures::LivePictures(RecordingReader& reader, const Options& options)

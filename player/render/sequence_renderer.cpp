@@ -45,7 +45,10 @@ Result<void> SequenceRenderer::color(int index, double after) {
 }
 
 LightPicture SequenceRenderer::light(const Camera& camera, PictureSize size) {
-  return renderer_.render(scene_, camera, size).light;
+  Rendered rendered = renderer_.render(scene_, camera, size);
+  noise_.error = std::max(noise_.error, rendered.report.error);
+  noise_.wanting = std::max(noise_.wanting, rendered.report.wanting);
+  return std::move(rendered.light);
 }
 
 Picture SequenceRenderer::picture(const Camera& camera, PictureSize size) {

@@ -16,6 +16,12 @@
 
 namespace ribbon {
 
+// What the estimates of noise came to, in the worst of some pictures.
+struct NoiseReached {
+  double error = 0;    // RenderReport::error
+  double wanting = 0;  // RenderReport::wanting
+};
+
 class SequenceRenderer {
  public:
   // Keeps a reference to `reader`.
@@ -35,6 +41,9 @@ class SequenceRenderer {
   LightPicture light(const Camera& camera, PictureSize size);
   Picture picture(const Camera& camera, PictureSize size);
 
+  // Of all pictures so far.
+  [[nodiscard]] const NoiseReached& noise() const { return noise_; }
+
   [[nodiscard]] const RenderScene& scene() const { return scene_; }
   // Of the colours that the ribbon shows instead of its cloth.
   [[nodiscard]] std::optional<Legend> legend() const;
@@ -48,6 +57,7 @@ class SequenceRenderer {
   BetweenFrames between_;
   RenderScene scene_;
   Renderer renderer_;
+  NoiseReached noise_;
   std::optional<ValueColors> colors_;
   std::optional<ParticleMeasure> gaps_;  // where the cloth is to be seen to be thick
   Eigen::Matrix3Xf positions_;

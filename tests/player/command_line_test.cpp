@@ -46,6 +46,12 @@ TEST_F(RibbonPlay, a_single_picture_needs_no_place_for_its_number) {
   expect_refusal(play_small("-o last.png"), "no place for the frame number");
 }
 
+TEST_F(RibbonPlay, the_noise_that_was_reached_is_told) {
+  EXPECT_THAT(output_of(run("knot.rbn --size 64x48 -o asked.png --frames -1 --noise 4")),
+              HasSubstr("estimated error up to "));
+  EXPECT_THAT(output_of(play_small("-o even.png --frames -1")), Not(HasSubstr("estimated error")));
+}
+
 TEST_F(RibbonPlay, a_frame_is_the_same_whatever_else_is_rendered_and_by_how_many_threads) {
   ASSERT_EQ(play_small("-o 'all/{frame:01}.png' --threads 1").exit_code, 0);
   ASSERT_EQ(play_small("-o 'one/{frame:01}.png' --frames 5 --threads 3").exit_code, 0);
