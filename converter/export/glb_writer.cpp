@@ -41,7 +41,7 @@ std::string binary_head(const GlbScene& scene) {
 
 // glTF's v points down the picture.
 Eigen::Matrix2Xf downwards(Eigen::Matrix2Xf uv) {
-  uv.row(1) = 1 - uv.row(1).array();
+  for (auto place : uv.colwise()) place.y() = 1 - place.y();
   return uv;
 }
 

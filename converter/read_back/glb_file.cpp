@@ -95,7 +95,7 @@ class GlbFile : public WrittenMotion {
     if (attributes.contains("TEXCOORD_0")) {
       const GlbNumbers uv = chunks.numbers(attributes.at("TEXCOORD_0"), "VEC2", float_numbers);
       written.uv = bytes_.numbers<float>(uv.begin, 2, uv.count).cast<double>();
-      written.uv.row(1) = 1 - written.uv.row(1).array();
+      for (auto place : written.uv.colwise()) place.y() = 1 - place.y();
     }
     const GlbNumbers corners = chunks.numbers(primitive.at("indices"), "SCALAR", u32_numbers);
     written.faces = bytes_.numbers<std::int32_t>(corners.begin, 3, corners.count / 3);
