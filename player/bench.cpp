@@ -123,7 +123,7 @@ Result<std::string> bench(RecordingReader& reader, const Options& options) {
     if (reader.readable(index)) frames.push_back(index);
   if (frames.empty())
     return failure(options.recording.string(), "holds no frames", "record some first");
-  const auto replay = replay_rows(reader, frames);
+  auto replay = replay_rows(reader, frames);
   if (!replay) return replay;
   const auto shots = shots_of(options);
   if (!shots) return tl::unexpected(shots.error());

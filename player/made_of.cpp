@@ -86,7 +86,7 @@ Result<std::string> settings_text(const Options& options, std::size_t shot) {
     text += "; " + argument.name;
     for (std::size_t i = 0; i < argument.values.size(); ++i) {
       if (argument.name == "--view" && i != shot) continue;
-      const auto value = value_text(argument.values[i]);
+      auto value = value_text(argument.values[i]);
       if (!value) return value;
       text += " " + *value;
     }
@@ -97,7 +97,7 @@ Result<std::string> settings_text(const Options& options, std::size_t shot) {
 }  // namespace
 
 Result<MadeOf> made_of(const RecordingReader& reader, const Options& options, std::size_t shot) {
-  const auto recording = fingerprint(options.recording);
+  auto recording = fingerprint(options.recording);
   if (!recording) return recording;
   return settings_text(options, shot).map([&](const std::string& settings) {
     return "recording " + hexadecimal(reader.recording_id()) + " (" + *recording +

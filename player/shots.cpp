@@ -42,6 +42,7 @@ Result<std::vector<std::string>> output_names(const Options& options) {
     return failure("", "several views would write the same files",
                    "put {view} into the name, as in '{view}/{frame:04}.png'");
   std::vector<std::string> names;
+  names.reserve(views.size());
   for (const NamedView& view : views) names.push_back(with_view(options.pictures, view.name));
   return names;
 }

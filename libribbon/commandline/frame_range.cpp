@@ -98,7 +98,7 @@ Result<std::vector<int>> parse_frame_range(const std::string& text, int frame_co
   for (const std::string_view part : parts) {
     if (part.empty() && parts.size() > 1)
       return bad(text, "have nothing between two commas", "write numbers and ranges: 1,5,9:20");
-    const auto range = parse_range(std::string(part), frame_count);
+    auto range = parse_range(std::string(part), frame_count);
     if (!range) return range;
     for (const int index : *range) {
       if (!named[static_cast<std::size_t>(index)]) frames.push_back(index);

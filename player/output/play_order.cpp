@@ -78,8 +78,8 @@ Result<std::vector<PlayedFrame>> resampled(const std::vector<int>& frames, doubl
     return tl::unexpected(few.error());
   std::vector<PlayedFrame> played;
   played.reserve(static_cast<std::size_t>(count));
-  for (double k = 0; k < count; ++k) {
-    const double place = std::min(k * recorded / rate, last);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    const double place = std::min(static_cast<double>(k) * recorded / rate, last);
     played.push_back(interpolates ? between(frames, place) : nearest(frames, place));
   }
   return played;

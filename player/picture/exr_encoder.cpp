@@ -22,7 +22,7 @@ class StringStream final : public Imf::OStream {
  public:
   explicit StringStream(std::string& bytes) : Imf::OStream("picture.exr"), bytes_(bytes) {}
 
-  void write(const char data[], int count) override {
+  void write(const char* data, int count) override {
     const auto length = static_cast<std::size_t>(count);
     bytes_.resize(std::max(bytes_.size(), place_ + length));
     std::copy_n(data, length, bytes_.data() + place_);

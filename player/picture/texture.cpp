@@ -86,7 +86,7 @@ Texture::Level Texture::halved(const Level& level) {
       for (int row = 2 * y; row < bottom; ++row)
         for (int column = 2 * x; column < right; ++column)
           sum += level.pixels[static_cast<std::size_t>(row) * level.width + column];
-      half.pixels.push_back(sum / static_cast<float>((right - 2 * x) * (bottom - 2 * y)));
+      half.pixels.emplace_back(sum / static_cast<float>((right - 2 * x) * (bottom - 2 * y)));
     }
   return half;
 }

@@ -16,9 +16,9 @@ VertexArray::VertexArray(const Gl& gl, const std::vector<int>& parts) : gl_(&gl)
   std::uintptr_t offset = 0;  // which OpenGL takes for a pointer
   for (GLuint i = 0; i < parts.size(); ++i) {
     gl.EnableVertexAttribArray(i);
-    gl.VertexAttribPointer(i, parts[i], GL_FLOAT, GL_FALSE,
-                           numbers * static_cast<GLsizei>(sizeof(float)),
-                           reinterpret_cast<const void*>(offset));
+    gl.VertexAttribPointer(
+        i, parts[i], GL_FLOAT, GL_FALSE, numbers * static_cast<GLsizei>(sizeof(float)),
+        reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
     offset += static_cast<std::uintptr_t>(parts[i]) * sizeof(float);
   }
 }

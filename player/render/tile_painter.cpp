@@ -60,6 +60,11 @@ void add_mean_sky(const Lighting& lighting, const SurfaceBatch& surface, VectorL
   });
 }
 
+// Of a pixel, in the tile.
+std::size_t place_of(int row, int column) {
+  return static_cast<std::size_t>(row) * tile_side + static_cast<std::size_t>(column);
+}
+
 float& samples_of_body(Body body, PixelSums& sums) {
   if (body == Body::ribbon) return sums.albedo[3];
   return body == Body::obstacle ? sums.sky[3] : sums.direct[3];
@@ -118,7 +123,7 @@ void TilePainter::sample_wanting(int first_samples) {
 
 // If it wants samples: its first ones, or as many again.
 void TilePainter::sample_again(int row, int column, int first_samples) {
-  if (!wanting_[static_cast<std::size_t>(row * tile_side + column)]) return;
+  if (!wanting_[place_of(row, column)]) return;
   const int taken = static_cast<int>(pixel(column, row).shown[3]);
   const int end = taken == 0 ? first_samples : 2 * taken;
   for (int number = taken; number < end; ++number) add(row, column, number);
@@ -127,7 +132,7 @@ void TilePainter::sample_again(int row, int column, int first_samples) {
 void TilePainter::estimate_noise() {
   for (int row = 0; row < height_; ++row)
     for (int column = 0; column < width_; ++column) {
-      if (!wanting_[static_cast<std::size_t>(row * tile_side + column)]) continue;
+      if (!wanting_[place_of(row, column)]) continue;
       const PixelSums& sums = pixel(column, row);
       noise_.update(column, row, sums.shown[3],
                     luminance({sums.shown[0], sums.shown[1], sums.shown[2]}), sums.position[3]);

@@ -86,38 +86,40 @@ class TilePainter {
   void ask_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples);
   void add_up();
 
+  // What is aligned for vectors comes first, so that little is left empty between.
+  RayBatch rays_;
+  HitBatch hits_;
+  SurfaceBatch seen_;
+  VectorLanes sunlight_;
+  VectorLanes skylight_;
+  VectorLanes towards_;
+  RayBatch light_rays_;
+  SurfaceBatch bounce_;
+  std::array<PixelSums, tile_pixels> sums_;
+  std::array<Eigen::Array4f, tile_pixels> backdrop_;  // of each pixel
+
   const Setting& s_;
   int left_ = 0;
   int top_ = 0;
   int width_ = 0;
   int height_ = 0;
-  std::array<PixelSums, tile_pixels> sums_;
+  std::size_t sample_count_ = 0;
   std::bitset<tile_pixels> wanting_;
   TileNoise noise_;
-  std::array<Eigen::Array4f, tile_pixels> backdrop_;  // of each pixel
 
   Samples samples_;
-  Lanes<float> place_x_;  // where they look, in pixels
-  Lanes<float> place_y_;
-  std::size_t sample_count_ = 0;
-  RayBatch rays_;
-  HitBatch hits_;
+  Samples seen_samples_;
+  Samples bounce_samples_;
   LaneList on_ribbon_;
   LaneList on_obstacle_;
   LaneList on_nothing_;
-  SurfaceBatch seen_;
-  Samples seen_samples_;
-  VectorLanes sunlight_;
-  VectorLanes skylight_;
+  LaneList asked_for_;    // the lane whose light each of light_rays_ asks for
+  LaneList bounce_of_;    // the lane that receives light from there
+  Lanes<float> place_x_;  // where samples look, in pixels
+  Lanes<float> place_y_;
   Lanes<float> disc_x_;
   Lanes<float> disc_y_;
-  VectorLanes towards_;
-  RayBatch light_rays_;
-  LaneList asked_for_;  // the lane whose light each of light_rays_ asks for
   Lanes<float> free_;
-  SurfaceBatch bounce_;
-  Samples bounce_samples_;
-  LaneList bounce_of_;  // the lane that receives light from there
 };
 
 }  // namespace ribbon

@@ -21,7 +21,7 @@ constexpr double standstill = 0.03;
 std::size_t count_groups(const std::vector<int>& group_of_row) {
   int highest = -1;
   for (const int group : group_of_row) highest = std::max(highest, group);
-  return static_cast<std::size_t>(highest + 1);
+  return static_cast<std::size_t>(highest) + 1;
 }
 
 }  // namespace

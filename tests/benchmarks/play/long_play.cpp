@@ -77,6 +77,7 @@ Result<Cost> cost_of(std::vector<std::string> words) {
   if (process == 0) {
     ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     ::execv(arguments[0], arguments.data());

@@ -12,7 +12,7 @@ namespace ribbon::picture_file_test {
 // As far as the frame that states 300 x 7 pixels, behind a segment of eight bytes.
 std::string sample_jpeg() {
   constexpr std::string_view bytes(
-      "\xff\xd8\xff\xe0\x00\x06JFIF\xff\xff\xc0\x00\x0b\x08\x00\x07\x01\x2c\x01", 22);
+      "\xff\xd8\xff\xe0\x00\x06JFIF\xff\xff\xc0\x00\x0b\x08\x00\x07\x01\x2c\x01\x00", 22);
   return std::string(bytes);
 }
 
