@@ -11,8 +11,10 @@ Result<void> BetweenFrames::read(int index, double after, Eigen::Matrix3Xf& posi
   if (!begin) return tl::unexpected(begin.error());
   const auto end = frame(index + 1);
   if (!end) return tl::unexpected(end.error());
-  const Eigen::Matrix3Xf before = frame_or_beyond(index - 1, **end, **begin);
-  const Eigen::Matrix3Xf beyond = frame_or_beyond(index + 2, **begin, **end);
+  Eigen::Matrix3Xf straight_back;
+  Eigen::Matrix3Xf straight_on;
+  const Eigen::Matrix3Xf& before = frame_or_beyond(index - 1, **end, **begin, straight_back);
+  const Eigen::Matrix3Xf& beyond = frame_or_beyond(index + 2, **begin, **end, straight_on);
   const double t = after;
   const double u = 1 - t;
   const auto weight = [](double number) { return static_cast<float>(number); };
@@ -31,11 +33,13 @@ Result<const Eigen::Matrix3Xf*> BetweenFrames::frame(int index) {
   return &kept.positions;
 }
 
-Eigen::Matrix3Xf BetweenFrames::frame_or_beyond(int index, const Eigen::Matrix3Xf& before,
-                                                const Eigen::Matrix3Xf& end) {
+const Eigen::Matrix3Xf& BetweenFrames::frame_or_beyond(int index, const Eigen::Matrix3Xf& before,
+                                                       const Eigen::Matrix3Xf& end,
+                                                       Eigen::Matrix3Xf& straight_on) {
   if (index >= 0 && index < reader_.frame_count() && reader_.readable(index))
     if (const auto there = frame(index)) return **there;
-  return 2 * end - before;
+  straight_on = 2 * end - before;
+  return straight_on;
 }
 
 }  // namespace ribbon

@@ -28,9 +28,11 @@ class BetweenFrames {
   };
   // Valid until as many others have been asked for as are kept.
   Result<const Eigen::Matrix3Xf*> frame(int index);
-  // A frame that need not be there: otherwise the way from `before` to `end` goes straight on.
-  Eigen::Matrix3Xf frame_or_beyond(int index, const Eigen::Matrix3Xf& before,
-                                   const Eigen::Matrix3Xf& end);
+  // A frame that need not be there: otherwise, in `straight_on`, where the way from `before` to
+  // `end` would lead.
+  const Eigen::Matrix3Xf& frame_or_beyond(int index, const Eigen::Matrix3Xf& before,
+                                          const Eigen::Matrix3Xf& end,
+                                          Eigen::Matrix3Xf& straight_on);
 
   RecordingReader& reader_;
   std::array<Kept, 4>

@@ -16,7 +16,7 @@ Color textured(const Texture& texture, float along, float across, float reach) {
 }  // namespace
 
 Color Cloth::color(float along, float across, bool shows_front, float reach) const {
-  const Texture* texture = shows_front || !back ? front.get() : back.get();
+  const Texture* texture = texture_of(shows_front);
   if (texture != nullptr) return textured(*texture, along, across, reach);
   return shows_front ? cloth_front(along, across, reach) : cloth_back(along, across, reach);
 }
@@ -25,7 +25,7 @@ void Cloth::find_colors(const LookBatch& looks, std::size_t count, VectorLanes& 
                         std::size_t first) const {
   if (!front) cloth_colors(looks, count, colors, first);
   for (std::size_t i = 0; i < count; ++i) {
-    const Texture* texture = looks.front[i] > 0 || !back ? front.get() : back.get();
+    const Texture* texture = texture_of(looks.front[i] > 0);
     if (texture == nullptr) continue;
     const Color color = textured(*texture, looks.x[i], looks.y[i], looks.reach[i]);
     colors.set(first + i, color.matrix());

@@ -23,6 +23,12 @@ struct Cloth {
   // whose y across, both in ribbon widths: colors from `first` on.
   void find_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
                    std::size_t first) const;
+
+ private:
+  // None: the built-in pattern.
+  [[nodiscard]] const Texture* texture_of(bool shows_front) const {
+    return shows_front || !back ? front.get() : back.get();
+  }
 };
 
 }  // namespace ribbon

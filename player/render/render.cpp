@@ -101,10 +101,7 @@ class PicturePainter {
 
   template <class Leave>
   void leave_tile(int left, int top, const Leave& leave) const {
-    const int right = std::min(left + tile_side, size_.width);
-    const int bottom = std::min(top + tile_side, size_.height);
-    for (int y = top; y < bottom; ++y)
-      for (int x = left; x < right; ++x) leave(x, y, backdrop_.at(x, y));
+    for_pixels(left, top, [&](int x, int y) { leave(x, y, backdrop_.at(x, y)); });
   }
 
   PictureSize size_;

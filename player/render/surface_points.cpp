@@ -63,11 +63,24 @@ void gather(const std::vector<HitSurface::Corner>& corners,
 
 // Where the cloth is folded flat its neighbours' normals cancel or even turn round: there the
 // facet's own stands for the smooth surface's.
-//
+[[gnu::always_inline]] inline LaneVector unit_normal(LaneVector smooth, LaneVector facet) {
+  const float length = std::sqrt(dot(smooth, smooth));
+  const bool usable = dot(smooth, facet) > 0.1F * length;
+  const float inverse = 1 / (usable ? length : 1.0F);
+  return {usable ? inverse * smooth.x : facet.x, usable ? inverse * smooth.y : facet.y,
+          usable ? inverse * smooth.z : facet.z};
+}
+
 // Light that grazes a smooth surface must not be stopped by the flat triangles that stand for it.
 // So it starts where the smooth surface would be: on the mean of the corners' tangent planes, where
 // they lie above the triangle (after J. Hanika, Hacking the shadow terminator, Ray Tracing Gems
-// II).
+// II). This is what one corner, of that weight, lifts it by.
+[[gnu::always_inline]] inline LaneVector lift(LaneVector position, LaneVector corner,
+                                              LaneVector normal, float weight) {
+  const float above = dot(normal, position - corner);
+  return (above < 0 ? -weight * above : 0.0F) * normal;
+}
+
 void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceBatch& batch,
                  std::size_t look, LookBatch& looks) {
   const Group::Corners& a = group.corners[0];
@@ -88,25 +101,17 @@ void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceB
       const LaneVector normal_a = side * lane_of(a.normal, i);
       const LaneVector normal_b = side * lane_of(b.normal, i);
       const LaneVector normal_c = side * lane_of(c.normal, i);
-      const LaneVector smooth = mean(normal_a, normal_b, normal_c);
-      const float length = std::sqrt(dot(smooth, smooth));
-      const bool usable = dot(smooth, facet) > 0.1F * length;
-      const float inverse = 1 / (usable ? length : 1.0F);
-      const LaneVector position =
-          mean(lane_of(a.position, i), lane_of(b.position, i), lane_of(c.position, i));
-      const auto lift = [&](const Group::Corners& corner, LaneVector normal,
-                            float weight) RIBBON_INLINED {
-        const float above = dot(normal, position - lane_of(corner.position, i));
-        return (above < 0 ? -weight * above : 0.0F) * normal;
-      };
-      const LaneVector lifted = position + lift(a, normal_a, wa) + lift(b, normal_b, wb) +
-                                lift(c, normal_c, wc) + clearance_m * facet;
+      const LaneVector corner_a = lane_of(a.position, i);
+      const LaneVector corner_b = lane_of(b.position, i);
+      const LaneVector corner_c = lane_of(c.position, i);
+      const LaneVector position = mean(corner_a, corner_b, corner_c);
+      const LaneVector lifted = position + lift(position, corner_a, normal_a, wa) +
+                                lift(position, corner_b, normal_b, wb) +
+                                lift(position, corner_c, normal_c, wc) + clearance_m * facet;
       const LaneVector way = position - lane_of(group.origin, i);
       set_lane(batch.position, to + i, position);
       set_lane(batch.start, to + i, lifted);
-      batch.normal.x[to + i] = usable ? inverse * smooth.x : facet.x;
-      batch.normal.y[to + i] = usable ? inverse * smooth.y : facet.y;
-      batch.normal.z[to + i] = usable ? inverse * smooth.z : facet.z;
+      set_lane(batch.normal, to + i, unit_normal(mean(normal_a, normal_b, normal_c), facet));
       looks.x[look + i] = wa * a.texture_x[i] + wb * b.texture_x[i] + wc * c.texture_x[i];
       looks.y[look + i] = wa * a.texture_y[i] + wb * b.texture_y[i] + wc * c.texture_y[i];
       looks.front[look + i] = side < 0 ? 0.0F : 1.0F;

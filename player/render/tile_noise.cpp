@@ -14,10 +14,6 @@ float in_levels(float square, float mean) {
   return 127.5F * 127.5F * square / std::max(mean, darkest);
 }
 
-std::size_t index_of(int column, int row) {
-  return static_cast<std::size_t>(row) * tile_side + static_cast<std::size_t>(column);
-}
-
 }  // namespace
 
 void TileNoise::begin(int width, int height) {
@@ -28,7 +24,7 @@ void TileNoise::begin(int width, int height) {
 
 void TileNoise::update(int column, int row, float samples, float luminance,
                        float squared_luminance) {
-  Pixel& pixel = pixels_[index_of(column, row)];
+  Pixel& pixel = pixels_[place_in_tile(column, row)];
   const float first_half = pixel.mean;
   pixel.samples = samples;
   pixel.mean = luminance / samples;
@@ -51,13 +47,13 @@ float TileNoise::variance_around(int column, int row) const {
   int count = 0;
   for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height_ - 1); ++y)
     for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width_ - 1); ++x, ++count)
-      sum += pixels_[index_of(x, y)].variance;
+      sum += pixels_[place_in_tile(x, y)].variance;
   return sum / static_cast<float>(count);
 }
 
 // What a further sample can take away.
 float TileNoise::worth(int column, int row, int most_samples) const {
-  const float samples = pixels_[index_of(column, row)].samples;
+  const float samples = pixels_[place_in_tile(column, row)].samples;
   if (2 * samples > static_cast<float>(most_samples)) return 0;
   return variance_around(column, row) / samples;
 }
@@ -67,7 +63,7 @@ std::bitset<tile_pixels> TileNoise::worth_doubling(int most_samples) const {
   std::array<float, tile_pixels> worth{};
   for (int row = 0; row < height_; ++row)
     for (int column = 0; column < width_; ++column)
-      worth[index_of(column, row)] = this->worth(column, row, most_samples);
+      worth[place_in_tile(column, row)] = this->worth(column, row, most_samples);
   const float most = *std::max_element(worth.begin(), worth.end());
   std::bitset<tile_pixels> doubling;
   for (std::size_t pixel = 0; pixel < worth.size(); ++pixel)

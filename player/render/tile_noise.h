@@ -3,11 +3,17 @@
 
 #include <array>
 #include <bitset>
+#include <cstddef>
 
 namespace ribbon {
 
 inline constexpr int tile_side = 16;  // pixels
 inline constexpr int tile_pixels = tile_side * tile_side;
+
+// Of a pixel among those of its tile.
+constexpr std::size_t place_in_tile(int column, int row) {
+  return static_cast<std::size_t>(row) * tile_side + static_cast<std::size_t>(column);
+}
 
 // Samples are spread so evenly that their mean is far better than that of independent ones: what
 // they say about it by how much they differ is useless. But the first and the second half of them

@@ -60,11 +60,6 @@ void add_mean_sky(const Lighting& lighting, const SurfaceBatch& surface, VectorL
   });
 }
 
-// Of a pixel, in the tile.
-std::size_t place_of(int row, int column) {
-  return static_cast<std::size_t>(row) * tile_side + static_cast<std::size_t>(column);
-}
-
 float& samples_of_body(Body body, PixelSums& sums) {
   if (body == Body::ribbon) return sums.albedo[3];
   return body == Body::obstacle ? sums.sky[3] : sums.direct[3];
@@ -93,8 +88,7 @@ void TilePainter::paint(int left, int top) {
   for (PixelSums& sums : sums_) sums.clear();
   for (int row = 0; row < height_; ++row)
     for (int column = 0; column < width_; ++column)
-      backdrop_[static_cast<std::size_t>(row) * tile_side + column] =
-          four(s_.backdrop.at(left_ + column, top_ + row));
+      backdrop_[place_in_tile(column, row)] = four(s_.backdrop.at(left_ + column, top_ + row));
   wanting_.set();
   if (s_.quality.noise == 0) {
     sample_wanting(s_.quality.samples);
@@ -123,7 +117,7 @@ void TilePainter::sample_wanting(int first_samples) {
 
 // If it wants samples: its first ones, or as many again.
 void TilePainter::sample_again(int row, int column, int first_samples) {
-  if (!wanting_[place_of(row, column)]) return;
+  if (!wanting_[place_in_tile(column, row)]) return;
   const int taken = static_cast<int>(pixel(column, row).shown[3]);
   const int end = taken == 0 ? first_samples : 2 * taken;
   for (int number = taken; number < end; ++number) add(row, column, number);
@@ -132,7 +126,7 @@ void TilePainter::sample_again(int row, int column, int first_samples) {
 void TilePainter::estimate_noise() {
   for (int row = 0; row < height_; ++row)
     for (int column = 0; column < width_; ++column) {
-      if (!wanting_[place_of(row, column)]) continue;
+      if (!wanting_[place_in_tile(column, row)]) continue;
       const PixelSums& sums = pixel(column, row);
       noise_.update(column, row, sums.shown[3],
                     luminance({sums.shown[0], sums.shown[1], sums.shown[2]}), sums.position[3]);
@@ -143,7 +137,7 @@ void TilePainter::add(int row, int column, int number) {
   const Eigen::Vector2f place = s_.rays.place(left_ + column, top_ + row, number);
   place_x_[sample_count_] = place.x();
   place_y_[sample_count_] = place.y();
-  samples_.place[sample_count_] = static_cast<std::uint16_t>(row * tile_side + column);
+  samples_.place[sample_count_] = static_cast<std::uint16_t>(place_in_tile(column, row));
   samples_.pixel[sample_count_] =
       static_cast<std::uint32_t>((top_ + row) * s_.size.width + left_ + column);
   samples_.number[sample_count_] = static_cast<std::uint32_t>(number);

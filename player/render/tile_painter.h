@@ -54,7 +54,7 @@ class TilePainter {
   void paint(int left, int top);
 
   [[nodiscard]] const PixelSums& pixel(int column, int row) const {
-    return sums_[static_cast<std::size_t>(row) * tile_side + column];
+    return sums_[place_in_tile(column, row)];
   }
   // Estimated error of the tile, in 8-bit levels; 0 where quality.noise is, as nobody asked.
   [[nodiscard]] float error() const { return s_.quality.noise == 0 ? 0 : noise_.error(); }
