@@ -75,7 +75,7 @@ void keep_least(double& least, double value) {
 
 PictureTimes measure_pictures(const Eigen::Matrix3Xf& positions, const RecordingHeader& header,
                               const Camera& camera, const Options& options) {
-  RenderScene scene(header);
+  RenderScene scene(header, false, worthwhile_tree(options.render.quality));
   scene.set_cloth(options.render.cloth);
   Renderer renderer(options.render);
   PictureTimes times;

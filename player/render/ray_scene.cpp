@@ -54,9 +54,9 @@ void check(RTCDevice device) {
 }
 
 // Robust: no ray slips through between two triangles.
-Scene new_scene(RTCDevice device) {
+Scene new_scene(RTCDevice device, unsigned more_flags = RTC_SCENE_FLAG_NONE) {
   Scene scene(rtcNewScene(device));
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(scene.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | more_flags));
   return scene;
 }
 
@@ -71,8 +71,10 @@ void copy_vertices(const Surface& surface, RTCGeometry geometry, void* buffer) {
 }
 
 // Buffers that Embree makes itself are padded as it needs them. Returns the vertex buffer.
-void* attach(const Surface& surface, unsigned id, RTCDevice device, RTCScene scene) {
+void* attach(const Surface& surface, unsigned id, RTCBuildQuality quality, RTCDevice device,
+             RTCScene scene) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetGeometryBuildQuality(geometry, quality);
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                            3 * sizeof(float), surface.vertices.cols());
   void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
@@ -186,33 +188,38 @@ class PlainPackets {
 // One scene, of two trees that are joined at the top: the obstacle's is built once, and a ray goes
 // through both at once.
 struct RayScene::State {
-  State() {
+  explicit State(RibbonTree ribbon_tree) : tree(ribbon_tree) {
     if (!device) throw std::runtime_error("Embree cannot be started");
-    scene = new_scene(device.get());
+    // Embree refits in dynamic scenes alone, whose trees take rays a little longer.
+    scene = new_scene(device.get(),
+                      tree == RibbonTree::refitted ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
     rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);  // that of joining them
     rtcCommitScene(scene.get());
   }
+  RibbonTree tree;
   Device device{rtcNewDevice(configuration())};
   Scene scene;
   void* ribbon_vertices = nullptr;
 };
 
-RayScene::RayScene() : state_(std::make_unique<State>()) {}
+RayScene::RayScene(RibbonTree tree) : state_(std::make_unique<State>(tree)) {}
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 RayScene::~RayScene() = default;
 
 void RayScene::set_obstacle(const Surface& obstacle) {
   State& s = *state_;
-  attach(obstacle, obstacle_id, s.device.get(), s.scene.get());
+  attach(obstacle, obstacle_id, RTC_BUILD_QUALITY_MEDIUM, s.device.get(), s.scene.get());
   rtcCommitScene(s.scene.get());
   check(s.device.get());
 }
 
 void RayScene::set_ribbon(const Surface& ribbon) {
   State& s = *state_;
+  const RTCBuildQuality quality =
+      s.tree == RibbonTree::refitted ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM;
   if (s.ribbon_vertices == nullptr)
-    s.ribbon_vertices = attach(ribbon, ribbon_id, s.device.get(), s.scene.get());
+    s.ribbon_vertices = attach(ribbon, ribbon_id, quality, s.device.get(), s.scene.get());
   else
     copy_vertices(ribbon, rtcGetGeometry(s.scene.get(), ribbon_id), s.ribbon_vertices);
   rtcCommitScene(s.scene.get());

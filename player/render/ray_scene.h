@@ -7,6 +7,7 @@
 
 #include "player/render/ray_batch.h"
 #include "player/render/ray_log.h"
+#include "player/render/ribbon_tree.h"
 #include "player/render/surface.h"
 
 namespace ribbon {
@@ -20,13 +21,13 @@ enum class Coherence { similar, mixed };
 
 class RayScene {
  public:
-  RayScene();
+  explicit RayScene(RibbonTree tree);
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
   ~RayScene();
 
-  // The obstacle is built once, the ribbon anew for each frame; only one of each. The number of
-  // the ribbon's vertices and triangles must not change.
+  // The obstacle is there once, the ribbon comes anew for each frame; only one of each. The number
+  // of the ribbon's vertices and triangles must not change.
   void set_obstacle(const Surface& obstacle);
   void set_ribbon(const Surface& ribbon);
 

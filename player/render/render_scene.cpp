@@ -18,8 +18,11 @@ float reach(const Eigen::Matrix3Xf& points) {
 
 }  // namespace
 
-RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages)
-    : grid_(header.grid), with_selvages_(with_selvages), ribbon_(ribbon_surface(header.grid)) {
+RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages, RibbonTree tree)
+    : grid_(header.grid),
+      with_selvages_(with_selvages),
+      ribbon_(ribbon_surface(header.grid)),
+      rays_(tree) {
   assert(header.uv.cols() == grid_.particle_count());
   if (with_selvages) add_selvages(grid_, ribbon_);
   hit_ribbon_ = HitSurface(ribbon_, static_cast<float>(header.ribbon_width_m));

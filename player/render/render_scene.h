@@ -20,7 +20,8 @@ class RenderScene {
  public:
   // The obstacle, if there is one, is there; the ribbon is not yet. With selvages the cloth's
   // thickness is seen there.
-  explicit RenderScene(const RecordingHeader& header, bool with_selvages = false);
+  explicit RenderScene(const RecordingHeader& header, bool with_selvages = false,
+                       RibbonTree tree = RibbonTree::rebuilt);
 
   void set_cloth(Cloth cloth) { cloth_ = std::move(cloth); }
   // An endless floor at that height, which must be below everything.

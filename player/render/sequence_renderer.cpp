@@ -8,7 +8,7 @@ namespace ribbon {
 SequenceRenderer::SequenceRenderer(RecordingReader& reader, RenderSettings settings)
     : reader_(reader),
       between_(reader),
-      scene_(reader.header(), settings.thickness_m > 0),
+      scene_(reader.header(), settings.thickness_m > 0, worthwhile_tree(settings.quality)),
       renderer_(std::move(settings)) {
   scene_.set_cloth(renderer_.settings().cloth);
   if (renderer_.settings().thickness_m > 0)

@@ -11,10 +11,10 @@
 namespace ribbon::ray_scene_test {
 
 // The ribbon's quad at z = 0 and a square obstacle of side 2 at z = -1.
-RayScene two_quads(float ribbon_z = 0) {
+RayScene two_quads(float ribbon_z = 0, RibbonTree tree = RibbonTree::rebuilt) {
   Eigen::Matrix3Xf positions = test::flat_quad();
   positions.row(2).setConstant(ribbon_z);
-  RayScene scene;
+  RayScene scene(tree);
   scene.set_obstacle(
       creased_surface(quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1})));
   scene.set_ribbon(test::quad_surface(positions));
@@ -44,15 +44,17 @@ TEST(RayScene, the_nearest_body_is_hit_whichever_it_is) {
 }
 
 TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
-  RayScene scene = two_quads(0);
-  Eigen::Matrix3Xf moved = test::flat_quad();
-  moved.row(1).array() += 10;
-  scene.set_ribbon(test::quad_surface(moved));
-  const RayBatch rays = batch_of({down(1.9F, 0), down(1.9F, 10)});
-  HitBatch hits;
-  scene.first_hits(rays, Coherence::mixed, hits);
-  EXPECT_EQ(hits.body[0], Body::none);
-  EXPECT_EQ(hits.body[1], Body::ribbon);
+  for (const RibbonTree tree : {RibbonTree::rebuilt, RibbonTree::refitted}) {
+    RayScene scene = two_quads(0, tree);
+    Eigen::Matrix3Xf moved = test::flat_quad();
+    moved.row(1).array() += 10;
+    scene.set_ribbon(test::quad_surface(moved));
+    const RayBatch rays = batch_of({down(1.9F, 0), down(1.9F, 10)});
+    HitBatch hits;
+    scene.first_hits(rays, Coherence::mixed, hits);
+    EXPECT_EQ(hits.body[0], Body::none);
+    EXPECT_EQ(hits.body[1], Body::ribbon);
+  }
 }
 
 TEST(RayScene, any_number_of_rays_is_answered_one_by_one) {
@@ -88,7 +90,7 @@ TEST(RayScene, without_anything_every_ray_is_free) {
   const RayBatch rays = batch_of({down(0, 0)});
   HitBatch hits;
   Lanes<float> free;
-  const RayScene scene;
+  const RayScene scene(RibbonTree::rebuilt);
   scene.first_hits(rays, Coherence::similar, hits);
   scene.unblocked(rays, Coherence::similar, free);
   EXPECT_EQ(hits.body[0], Body::none);

@@ -181,8 +181,8 @@ TEST(Render, grazing_light_is_not_cut_off_by_flat_triangles) {
   }
 }
 
-// Waves that shade and hide each other.
-RenderScene wavy_scene() {
+// Waves that shade and hide each other. A refitted tree comes from where they lay before.
+RenderScene wavy_scene(RibbonTree tree = RibbonTree::rebuilt) {
   RecordingHeader header = test::quad_ribbon();
   header.grid = {60, 8};
   header.uv.resize(2, 480);
@@ -196,9 +196,23 @@ RenderScene wavy_scene() {
       positions.col(p) << 4 * s - 2, t - 0.5F, 0.2F * std::sin(40 * s + t);
     }
   header.obstacle = coarse_tube();
-  RenderScene scene(header);
+  RenderScene scene(header, false, tree);
+  scene.set_ribbon(positions.colwise().reverse());
   scene.set_ribbon(positions);
   return scene;
+}
+
+TEST(Render, pixels_do_not_depend_on_the_tree) {
+  const Camera camera = from_above(12, 0.2F, 0.1F);
+  const RenderScene rebuilt = wavy_scene(RibbonTree::rebuilt);
+  const RenderScene refitted = wavy_scene(RibbonTree::refitted);
+  for (const char* quality : {"draft", "final"}) {
+    const auto shown = [&](const RenderScene& scene) {
+      Renderer renderer({*quality_named(quality), {}, {}});
+      return encode_srgb(renderer.render(scene, camera, {203, 101}).light).rgb;
+    };
+    EXPECT_EQ(shown(rebuilt), shown(refitted)) << quality;
+  }
 }
 
 TEST(Render, pixels_are_the_same_for_any_number_of_threads) {
