@@ -66,8 +66,8 @@ struct Shown {
   const char* options;
 };
 
-void PrintTo(const Shown& shown, std::ostream* stream) {
-  *stream << shown.options;
+std::ostream& operator<<(std::ostream& stream, const Shown& shown) {
+  return stream << shown.options;
 }
 
 class Kept : public Reference, public testing::WithParamInterface<Shown> {};

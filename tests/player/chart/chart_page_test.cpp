@@ -149,6 +149,7 @@ TEST(ThinnedLine, keeps_short_lines_as_they_are) {
 
 TEST(ThinnedLine, keeps_the_ends_and_the_extremes_of_long_ones) {
   std::vector<Eigen::Vector2f> line;
+  line.reserve(50'000);
   for (int k = 0; k < 50'000; ++k)
     line.emplace_back(0.006F * static_cast<float>(k), std::sin(0.7F * static_cast<float>(k)));
   line[12'345].y() = 9;

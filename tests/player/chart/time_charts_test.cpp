@@ -24,6 +24,7 @@ Frames fastened(int count) {
 
 std::vector<std::string> titles(const std::vector<Chart>& charts) {
   std::vector<std::string> result;
+  result.reserve(charts.size());
   for (const Chart& chart : charts) result.push_back(chart.title);
   return result;
 }

@@ -96,6 +96,7 @@ TEST_F(ParticleMeasureTest, speed_does_not_depend_on_what_was_measured_before) {
 
 TEST_F(ParticleMeasureTest, speed_bridges_lost_frames) {
   std::vector<Eigen::Matrix3Xd> frames;
+  frames.reserve(40);
   for (int frame = 0; frame < 40; ++frame) frames.push_back(moved(0.002 * frame, 0));
   recorded(frames);
   const auto path = folder_ / "knot.rbn";

@@ -14,6 +14,7 @@
 #include "player/picture/png_encoder.h"
 #include "player/ribbon_play.h"
 #include "recorder/process.h"
+#include "text/number_text.h"
 
 namespace ribbon::long_job_test {
 
@@ -28,7 +29,8 @@ class LongJob : public RibbonPlay {
   // All pictures of a folder by name.
   [[nodiscard]] std::map<std::string, std::string> all(const std::string& below) const {
     std::map<std::string, std::string> all;
-    for (const std::string& name : pictures(below)) all[name] = bytes(below + "/" + name);
+    const std::string folder = below + "/";
+    for (const std::string& name : pictures(below)) all[name] = bytes(folder + name);
     return all;
   }
 };
@@ -115,8 +117,9 @@ TEST_F(LongJob, a_turntable_of_one_frame_is_made_of_different_pictures_that_can_
   const auto whole = all("one");
   ASSERT_EQ(whole.size(), 4U);
   EXPECT_NE(whole.at("01.png"), whole.at("03.png")) << "seen from the other side";
+  const std::string quarters = turntable + "4 --shard ";
   for (const std::string shard : {"1/2", "2/2"})
-    ASSERT_EQ(render_into("two", turntable + "4 --shard " + shard).exit_code, 0);
+    ASSERT_EQ(render_into("two", quarters + shard).exit_code, 0);
   EXPECT_TRUE(all("two") == whole);
   fs::remove(folder_ / "one/02.png");
   EXPECT_THAT(output_of(render_into("one", turntable + "4")),
@@ -139,8 +142,9 @@ TEST_F(LongJob, what_is_interpolated_is_told_and_goes_on_in_shards_and_after_a_s
   EXPECT_TRUE(pictures.at("05.png") == bytes("recorded/03.png"));
   EXPECT_NE(pictures.at("04.png"), pictures.at("03.png"));
   EXPECT_NE(pictures.at("04.png"), pictures.at("05.png"));
+  const std::string sharded = slow + "--shard ";
   for (const std::string shard : {"2/2", "1/2"})
-    ASSERT_EQ(render_into("two", slow + "--shard " + shard).exit_code, 0);
+    ASSERT_EQ(render_into("two", sharded + shard).exit_code, 0);
   EXPECT_TRUE(all("two") == pictures);
   fs::remove(folder_ / "one/04.png");
   EXPECT_THAT(render_into("one", slow).output, StartsWith("1 picture, 12 were complete"));
@@ -264,8 +268,8 @@ TEST_F(LongJob, info_tells_how_much_memory_pictures_take) {
                                            "--size",    size,       "--frames",  "2:5",
                                            "--force",   "--quiet",  "-o",        folder_ / name};
       const double peak = peak_of(words);
-      const auto json = nlohmann::json::parse(output_of(run(
-          "knot.rbn --json --force --quality draft --frames 2 --size " + size + " -o " + name)));
+      const auto json = nlohmann::json::parse(output_of(run(filled_in(
+          "knot.rbn --json --force --quality draft --frames 2 --size {} -o {}", size, name))));
       const double forecast = json["memory_bytes"];
       EXPECT_LT(peak, forecast) << name << " " << size;
       EXPECT_GT(2.5 * peak, forecast) << name << " " << size;
@@ -292,8 +296,9 @@ TEST_F(LongJob, info_tells_how_much_memory_previews_take) {
           peak_of({RIBBON_PLAY, recording_, "--preview", "--samples", samples, "--size", size,
                    "--frames", "2", "--force", "--quiet", "-o", folder_ / "1.png"});
       const auto json = nlohmann::json::parse(
-          output_of(run("knot.rbn --json --force --preview --samples " + samples +
-                        " --frames 2 --size " + size + " -o 1.png")));
+          output_of(run(filled_in("knot.rbn --json --force --preview --samples {} --frames 2 "
+                                  "--size {} -o 1.png",
+                                  samples, size))));
       const double forecast = json["memory_bytes"];
       EXPECT_LT(peak, forecast) << samples << " " << size;
       EXPECT_GT(2.5 * peak, forecast) << samples << " " << size;

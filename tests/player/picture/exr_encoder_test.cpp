@@ -43,7 +43,8 @@ TEST(ExrEncoder, what_is_too_bright_is_the_brightest) {
 }
 
 TEST(ExrEncoder, the_same_light_gives_the_same_bytes) {
-  const LightPicture picture{{64, 64}, std::vector<Color>(64 * 64, Color(0.1F, 2, 0.3F))};
+  const LightPicture picture{{64, 64},
+                             std::vector<Color>(std::size_t{64} * 64, Color(0.1F, 2, 0.3F))};
   EXPECT_EQ(exr_bytes(picture), exr_bytes(picture));
 }
 

@@ -4,9 +4,10 @@
 
 namespace ribbon::tone_test {
 
-LightPicture grey(std::vector<float> values) {
+LightPicture grey(const std::vector<float>& values) {
   LightPicture light{{static_cast<int>(values.size()), 1}, {}};
-  for (const float value : values) light.pixels.push_back(Color::Constant(value));
+  light.pixels.reserve(values.size());
+  for (const float value : values) light.pixels.emplace_back(Color::Constant(value));
   return light;
 }
 

@@ -20,8 +20,8 @@ Surface random_surface(std::mt19937& random) {
     return Eigen::Vector3f(number(random), number(random), number(random));
   };
   Surface surface;
-  surface.vertices.resize(3, 3 * triangle_count);
-  surface.normals.resize(3, 3 * triangle_count);
+  surface.vertices.resize(3, Eigen::Index{3} * triangle_count);
+  surface.normals.resize(3, Eigen::Index{3} * triangle_count);
   surface.triangles.resize(3, triangle_count);
   surface.facets.resize(3, triangle_count);
   for (int t = 0; t < triangle_count; ++t) {
@@ -36,11 +36,11 @@ Surface random_surface(std::mt19937& random) {
 }
 
 struct Scene {
-  Surface surface;
-  HitSurface hit_surface;
   RayBatch rays;
   HitBatch hits;
   LaneList list;
+  Surface surface;
+  HitSurface hit_surface;
 };
 
 // Every second ray has met one of the triangles.
