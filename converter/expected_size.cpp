@@ -139,7 +139,7 @@ ExpectedSize size_of_table(const ConversionJob& job, const std::vector<int>& sam
     return static_cast<double>(number_table_line(job.reader, index).size());
   });
   ExpectedSize size = size_of(static_cast<double>(job.frames.size()), found);
-  size.bytes += static_cast<double>(number_table_title().size());
+  size.bytes += static_cast<double>(number_table_title(job.reader.header()).size());
   return size;
 }
 

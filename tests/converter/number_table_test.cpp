@@ -16,11 +16,13 @@ constexpr const char* titles =
 class NumberTable : public TestInFolder {
  protected:
   // The table of the second and third of three frames, of which the third tells how tight it is.
-  std::string table_of(const std::vector<int>& frames) {
+  std::string table_of(const std::vector<int>& frames,
+                       const RecordingHeader& header = sample_header()) {
     const auto recording = folder_ / "a.rbn";
-    auto writer = demanded(RecordingWriter::create(recording, sample_header()));
+    auto writer = demanded(RecordingWriter::create(recording, header));
     for (int frame = 0; frame < 3; ++frame) {
       FrameNumbers numbers = sample_numbers(frame);
+      if (!header.stages.empty()) numbers.stage = static_cast<std::uint8_t>(frame);
       if (frame == 2) numbers.tightness = TightnessNumbers{0.1F, 0.25F, 1, 0, 12.5F};
       demanded(writer.append(numbers, sample_positions(frame)));
     }
@@ -45,6 +47,17 @@ TEST_F(NumberTable, a_line_of_names_and_units_comes_before_a_line_a_frame) {
 TEST_F(NumberTable, numbers_that_are_lost_leave_empty_cells_and_are_listed) {
   EXPECT_EQ(table_of({0, 7}), std::string(titles) + "1,0,0,0,0,,,,,\n8,,,,,,,,,\n");
   EXPECT_THAT(report_.missing, testing::ElementsAre(8));
+}
+
+TEST_F(NumberTable, where_there_are_stages_the_last_column_names_the_frames) {
+  RecordingHeader header = sample_header();
+  header.stages = {"tie", R"(pull, "hard")"};
+  const std::string table = table_of({0, 1, 2, 7}, header);
+  EXPECT_THAT(table, testing::HasSubstr(",rope_length [ribbon widths],stage\n"));
+  EXPECT_THAT(table, testing::HasSubstr("\n1,0,0,0,0,,,,,,\"\"\n"));
+  EXPECT_THAT(table, testing::HasSubstr("\n2,0.02,0.001,1,2,,,,,,\"tie\"\n"));
+  EXPECT_THAT(table, testing::HasSubstr(",12.5,\"pull, \"\"hard\"\"\"\n"));
+  EXPECT_THAT(table, testing::EndsWith("\n8,,,,,,,,,,\n"));
 }
 
 }  // namespace ribbon::number_table_test
