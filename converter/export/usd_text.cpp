@@ -1,9 +1,10 @@
 #include "converter/export/usd_text.h"
 
-#include <algorithm>
-#include <charconv>
+#include <array>
+#include <cassert>
 #include <vector>
 
+#include "converter/export/float_digits.h"
 #include "converter/export/number_digits.h"
 #include "parallel/parallel.h"
 
@@ -11,7 +12,7 @@ namespace ribbon {
 
 namespace {
 
-constexpr std::size_t tuples_per_range = 1024;
+constexpr std::size_t tuples_per_range = 512;
 
 bool begins_character(unsigned char byte) {
   return (byte & 0xc0U) != 0x80;
@@ -25,19 +26,16 @@ bool may_stand_in_identifier(char c) {
   return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
 }
 
-// The longest is "-1.17549435e-38".
-constexpr std::size_t float_bytes = 16;
+// What stands around and between the numbers of a tuple of at most three comes on top.
+constexpr std::size_t most_tuple_bytes = 3 * (float_digits_room + 2) + 2;
 
 // Begins with ", " and returns its end.
-char* write_tuple(char* text, const Eigen::Ref<const Eigen::VectorXf>& numbers) {
-  char separator = '(';
-  *text++ = ',';
-  *text++ = ' ';
-  for (const float number : numbers) {
-    *text++ = separator;
-    if (separator == ',') *text++ = ' ';
-    text = std::to_chars(text, text + float_bytes, number).ptr;
-    separator = ',';
+char* write_tuple(char* text, const float* numbers, Eigen::Index count) {
+  for (Eigen::Index i = 0; i < count; ++i) {
+    *text++ = ',';
+    *text++ = ' ';
+    if (i == 0) *text++ = '(';
+    text = write_digits(text, numbers[i]);
   }
   *text++ = ')';
   return text;
@@ -45,12 +43,12 @@ char* write_tuple(char* text, const Eigen::Ref<const Eigen::VectorXf>& numbers) 
 
 // Written in place: this is most of the time that a file takes.
 std::string tuples_text(const Eigen::Ref<const Eigen::MatrixXf>& columns) {
-  const auto tuple_bytes = static_cast<std::size_t>(columns.rows()) * (float_bytes + 2) + 3;
-  std::string text(static_cast<std::size_t>(columns.cols()) * tuple_bytes, '\0');
+  assert(columns.cols() <= tuples_per_range && columns.rows() <= 3);
+  std::array<char, tuples_per_range * most_tuple_bytes> text;
   char* end = text.data();
-  for (Eigen::Index i = 0; i < columns.cols(); ++i) end = write_tuple(end, columns.col(i));
-  text.resize(static_cast<std::size_t>(end - text.data()));
-  return text;
+  for (Eigen::Index i = 0; i < columns.cols(); ++i)
+    end = write_tuple(end, columns.col(i).data(), columns.rows());
+  return {text.data(), end};
 }
 
 }  // namespace
@@ -88,16 +86,24 @@ std::string usd_array(const Eigen::Ref<const Eigen::VectorXi>& numbers) {
   return text + ']';
 }
 
-std::string usd_array_of_tuples(const Eigen::Ref<const Eigen::MatrixXf>& columns) {
+void append_usd_array_of_tuples(std::string& text,
+                                const Eigen::Ref<const Eigen::MatrixXf>& columns) {
   const auto count = static_cast<std::size_t>(columns.cols());
   std::vector<std::string> pieces((count + tuples_per_range - 1) / tuples_per_range);
   parallel_ranges(count, tuples_per_range, [&](std::size_t begin, std::size_t end) {
     pieces[begin / tuples_per_range] = tuples_text(columns.middleCols(
         static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin)));
   });
-  std::string text;
+  if (count > 0) pieces.front().erase(0, 2);  // there is none before it
+  text += '[';
   for (const std::string& piece : pieces) text += piece;
-  return "[" + text.substr(std::min<std::size_t>(text.size(), 2)) + "]";
+  text += ']';
+}
+
+std::string usd_array_of_tuples(const Eigen::Ref<const Eigen::MatrixXf>& columns) {
+  std::string text;
+  append_usd_array_of_tuples(text, columns);
+  return text;
 }
 
 }  // namespace ribbon

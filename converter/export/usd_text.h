@@ -20,7 +20,10 @@ std::string usd_asset(std::string_view file_name);
 // "[1, 2, 3]"
 std::string usd_array(const Eigen::Ref<const Eigen::VectorXi>& numbers);
 
-// "[(0, 1.5), (2, 3)]" of the columns, in shortest decimals that read back the same; on all cores.
+// "[(0, 1.5), (2, 3)]" of the columns, at most 3 rows, in shortest decimals that read back the
+// same; on all cores.
+void append_usd_array_of_tuples(std::string& text,
+                                const Eigen::Ref<const Eigen::MatrixXf>& columns);
 std::string usd_array_of_tuples(const Eigen::Ref<const Eigen::MatrixXf>& columns);
 
 }  // namespace ribbon

@@ -177,8 +177,9 @@ class UsdWriter : public MotionWriter {
   }
 
   Result<void> append_sample(std::size_t frame, const Eigen::Ref<const Eigen::MatrixXf>& tuples) {
-    return file_.append("            " + std::to_string(frame) + ": " +
-                        usd_array_of_tuples(tuples) + ",\n");
+    text_ = "            " + std::to_string(frame) + ": ";
+    append_usd_array_of_tuples(text_, tuples);
+    return file_.append(text_ += ",\n");
   }
 
   // The meshes that do not move, and the materials of all.
@@ -199,6 +200,7 @@ class UsdWriter : public MotionWriter {
   Model model_;  // in the pose of the first frame
   int frames_;
   std::vector<Eigen::Matrix<float, 3, 2>> extents_;  // of the frames so far
+  std::string text_;                                 // of the last sample; keeps its memory
 };
 
 }  // namespace
