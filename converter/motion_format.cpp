@@ -19,13 +19,13 @@ namespace ribbon {
 namespace {
 
 constexpr std::array<MotionFormat, 7> formats{{
-    {".abc", new_alembic_writer, false, true, false, PicturePlace::nowhere, nullptr},
-    {".fbx", new_fbx_writer, false, true, false, PicturePlace::beside, fbx_warning},
+    {".abc", new_alembic_writer, false, true, true, PicturePlace::nowhere, nullptr},
+    {".fbx", new_fbx_writer, false, true, true, PicturePlace::beside, fbx_warning},
     {".glb", new_glb_writer, false, true, true, PicturePlace::inside, glb_warning},
     {".mdd", new_mdd_writer, true, true, false, PicturePlace::beside, rounded_time_warning},
     {".npy", new_npy_writer, false, false, false, PicturePlace::nowhere, nullptr},
     {".pc2", new_pc2_writer, true, false, false, PicturePlace::beside, nullptr},
-    {".usda", new_usd_writer, false, true, false, PicturePlace::beside, nullptr},
+    {".usda", new_usd_writer, false, true, true, PicturePlace::beside, nullptr},
 }};
 
 }  // namespace

@@ -50,25 +50,35 @@ constexpr PropertyType uv_type{
         "podName=float32_t",
     .extent = 2};
 
-// A mesh whose positions are told frame by frame, or once for all.
+constexpr PropertyType normals_type{
+    .name = "N",
+    .metadata =
+        "arrayExtent=1;geoScope=vtx;interpretation=normal;isGeomParam=true;podExtent=3;"
+        "podName=float32_t",
+    .extent = 3};
+
+// A mesh whose positions and normals are told frame by frame, or once for all.
 class AlembicMesh {
  public:
   explicit AlembicMesh(std::uint32_t time_sampling)
       : time_sampling_(time_sampling),
         bounds_(bounds_type, time_sampling),
-        positions_(positions_type, time_sampling) {}
+        positions_(positions_type, time_sampling),
+        normals_(normals_type, time_sampling) {}
 
-  void append(OgawaFile& file, const Eigen::Matrix3Xf& positions) {
+  void append(OgawaFile& file, const ModelObject& object) {
+    const Eigen::Matrix3Xf& positions = object.positions;
     Eigen::Matrix<double, 3, 2> bounds = Eigen::Matrix<double, 3, 2>::Zero();
     if (positions.cols() > 0)
       bounds << positions.rowwise().minCoeff().cast<double>(),
           positions.rowwise().maxCoeff().cast<double>();
     bounds_.append(file, raw_bytes(bounds));
     positions_.append(file, raw_bytes(positions));
+    if (object.normals.cols() > 0) normals_.append(file, raw_bytes(object.normals));
     ++samples_;
   }
 
-  // The mesh below its transformation. Of `object` all but the positions.
+  // The mesh below its transformation. Of `object` what no frame changes.
   AlembicNode finish(OgawaFile& file, MetadataTable& metadata, const ModelObject& object,
                      const std::string& name) {
     std::vector<AlembicNode> properties{bounds_.finish(file, metadata),
@@ -80,6 +90,7 @@ class AlembicMesh {
     properties.push_back(constant(file, metadata, counts_type, raw_bytes(counts)));
     if (object.uv.cols() > 0)
       properties.push_back(constant(file, metadata, uv_type, raw_bytes(object.uv)));
+    if (object.normals.cols() > 0) properties.push_back(normals_.finish(file, metadata));
     const AlembicNode schema = add_compound(file, metadata, ".geom", mesh_schema, properties);
     const AlembicNode mesh = add_object(file, metadata, name + "Shape", mesh_object, {schema}, {});
     const AlembicNode identity = add_compound(file, metadata, ".xform", xform_schema, {});
@@ -99,6 +110,7 @@ class AlembicMesh {
   std::uint32_t samples_ = 0;
   SampledProperty bounds_;
   SampledProperty positions_;
+  SampledProperty normals_;
 };
 
 // Without the "/" that stands between the names of a path.
@@ -138,8 +150,7 @@ class AlembicWriter : public MotionWriter {
   Result<void> append(const Model& model) override {
     assert(appended_ < frames_);
     for (std::size_t i = 0; i < meshes_.size(); ++i)
-      if (appended_ == 0 || model.objects[i].moves)
-        meshes_[i].append(file_, model.objects[i].positions);
+      if (appended_ == 0 || model.objects[i].moves) meshes_[i].append(file_, model.objects[i]);
     ++appended_;
     if (file_.error()) return tl::unexpected(*file_.error());
     return {};

@@ -241,21 +241,24 @@ std::vector<FbxRecord> fbx_motion_connections() {
           connection(identity(Kind::layer), identity(Kind::stack))};
 }
 
-FbxShapes::FbxShapes(Eigen::Index vertices, FbxArrays& arrays)
-    : indices_(arrays.array(Eigen::VectorXi(
-          Eigen::VectorXi::LinSpaced(vertices, 0, static_cast<int>(vertices) - 1)))),
-      normals_(arrays.array(Eigen::Matrix3Xd(Eigen::Matrix3Xd::Zero(3, vertices)))) {}
+FbxShapes::FbxShapes(const ModelObject& first, FbxArrays& arrays)
+    : positions_(first.positions.cast<double>()),
+      normals_(first.normals.cast<double>()),
+      indices_(arrays.array(Eigen::VectorXi(Eigen::VectorXi::LinSpaced(
+          positions_.cols(), 0, static_cast<int>(positions_.cols()) - 1)))),
+      no_change_(arrays.array(Eigen::Matrix3Xd(Eigen::Matrix3Xd::Zero(3, positions_.cols())))) {}
 
 // All vertices, also those that rest: Blender does not open a shape without any. Readers as assimp
 // before 5.3 demand normals; zeros leave those of the mesh as they are.
-FbxRecord FbxShapes::shape(int frame, const Eigen::Matrix3Xd& displacements,
-                           FbxArrays& arrays) const {
+FbxRecord FbxShapes::shape(int frame, const ModelObject& posed, FbxArrays& arrays) const {
+  const Eigen::Matrix3Xd moved = posed.positions.cast<double>() - positions_;
+  const Eigen::Matrix3Xd turned = posed.normals.cast<double>() - normals_;
   return {"Geometry",
           {identity(Kind::shape, frame), named(frame_name(frame), "Geometry"), "Shape"},
           {{"Version", {100}},
            {"Indexes", {indices_}},
-           {"Vertices", {arrays.array(displacements)}},
-           {"Normals", {normals_}}}};
+           {"Vertices", {arrays.array(moved)}},
+           {"Normals", {turned.cols() > 0 ? arrays.array(turned) : no_change_}}}};
 }
 
 std::vector<FbxRecord> fbx_channel_records(const Model& model, int frame, int frames,

@@ -23,16 +23,19 @@ std::vector<FbxRecord> fbx_motion_records(const Model& model, int frames);
 std::vector<FbxRecord> fbx_motion_connections();
 
 // Shapes of the first object: how far every vertex is displaced in a frame (from 1; frame 0 is the
-// mesh itself). What is alike in all shapes is deflated once.
+// mesh itself), and how its normal has changed, if it has one. What is alike in all shapes is
+// deflated once.
 class FbxShapes {
  public:
-  FbxShapes(Eigen::Index vertices, FbxArrays& arrays);
-  [[nodiscard]] FbxRecord shape(int frame, const Eigen::Matrix3Xd& displacements,
-                                FbxArrays& arrays) const;
+  FbxShapes(const ModelObject& first, FbxArrays& arrays);
+  // posed: the object in that frame.
+  [[nodiscard]] FbxRecord shape(int frame, const ModelObject& posed, FbxArrays& arrays) const;
 
  private:
+  Eigen::Matrix3Xd positions_;  // of the mesh itself
+  Eigen::Matrix3Xd normals_;    // likewise
   FbxProperty indices_;
-  FbxProperty normals_;
+  FbxProperty no_change_;
 };
 
 // The channel that gives a frame's shape its weight, and the curve of that: 0, 100 in its frame, 0,

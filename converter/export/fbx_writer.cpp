@@ -28,15 +28,13 @@ class FbxFile {
     for (int object = 0; object < object_count(); ++object)
       add(fbx_mesh_records(first_, object, arrays_));
     if (frames_ == 1) return;
-    shapes_.emplace(ribbon_positions(first_).cols(), arrays_);
+    shapes_.emplace(first_.objects.front(), arrays_);
     add(fbx_motion_records(first_, frames_));
   }
 
   // frame: from 1.
   void add_frame(int frame, const Model& model) {
-    const Eigen::Matrix3Xd displacements =
-        ribbon_positions(model).cast<double>() - ribbon_positions(first_).cast<double>();
-    bytes_.add(shapes_->shape(frame, displacements, arrays_));
+    bytes_.add(shapes_->shape(frame, model.objects.front(), arrays_));
     add(fbx_channel_records(first_, frame, frames_, arrays_));
   }
 
@@ -56,9 +54,6 @@ class FbxFile {
   FbxBytes& bytes() { return bytes_; }
 
  private:
-  static const Eigen::Matrix3Xf& ribbon_positions(const Model& model) {
-    return model.objects.front().positions;
-  }
   [[nodiscard]] int object_count() const { return static_cast<int>(first_.objects.size()); }
 
   void add(const std::vector<FbxRecord>& records) {

@@ -1,6 +1,7 @@
 #include "converter/export/usd_writer.h"
 
 #include <cassert>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "converter/export/unique_names.h"
 #include "converter/export/usd_text.h"
 #include "files/pending_file.h"
+#include "files/scratch_file.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -68,6 +70,8 @@ Eigen::Matrix<float, 3, 2> extent_of(const Eigen::Matrix3Xf& positions) {
   return extent;
 }
 
+constexpr const char* a_value_a_vertex = " (\n            interpolation = \"vertex\"\n        )\n";
+
 // Everything about a mesh before its points, which come last.
 std::string mesh_text(const ModelObject& object, const std::string& name,
                       const std::string& material) {
@@ -81,14 +85,19 @@ std::string mesh_text(const ModelObject& object, const std::string& name,
   text += "        int[] faceVertexIndices = " + usd_array(object.faces.reshaped()) + "\n";
   text += "        rel material:binding = <" + path_of_material(material) + ">\n";
   if (object.uv.cols() > 0)
-    text += "        texCoord2f[] primvars:st = " + usd_array_of_tuples(object.uv) +
-            " (\n            interpolation = \"vertex\"\n        )\n";
+    text +=
+        "        texCoord2f[] primvars:st = " + usd_array_of_tuples(object.uv) + a_value_a_vertex;
   return text + "        uniform token subdivisionScheme = \"none\"\n";
 }
 
 std::string static_points_text(const ModelObject& object) {
-  return "        float3[] extent = " + usd_array_of_tuples(extent_of(object.positions)) +
-         "\n        point3f[] points = " + usd_array_of_tuples(object.positions) + "\n    }\n\n";
+  std::string text =
+      "        float3[] extent = " + usd_array_of_tuples(extent_of(object.positions)) +
+      "\n        point3f[] points = " + usd_array_of_tuples(object.positions) + "\n";
+  if (object.normals.cols() > 0)
+    text +=
+        "        normal3f[] normals = " + usd_array_of_tuples(object.normals) + a_value_a_vertex;
+  return text + "    }\n\n";
 }
 
 // Shaders that look up the picture at the mesh's uv.
@@ -141,10 +150,15 @@ std::string material_text(const Material& material, const std::string& name) {
          "        }\n";
 }
 
+// In the text all frames of the points come before the first one of the normals, which wait for
+// that in a file of their own.
 class UsdWriter : public MotionWriter {
  public:
-  UsdWriter(PendingFile file, Model model, int frames)
-      : file_(std::move(file)), model_(std::move(model)), frames_(frames) {}
+  UsdWriter(PendingFile file, std::optional<ScratchFile> normals, Model model, int frames)
+      : file_(std::move(file)),
+        normals_(std::move(normals)),
+        model_(std::move(model)),
+        frames_(frames) {}
 
   // The layer, and the moving mesh as far as its points.
   Result<void> begin() {
@@ -156,30 +170,45 @@ class UsdWriter : public MotionWriter {
 
   Result<void> append(const Model& model) override {
     assert(static_cast<int>(extents_.size()) < frames_);
-    const Eigen::Matrix3Xf& positions = model.objects.front().positions;
-    extents_.push_back(extent_of(positions));
-    return append_sample(extents_.size() - 1, positions);
+    const ModelObject& ribbon = model.objects.front();
+    extents_.push_back(extent_of(ribbon.positions));
+    const std::size_t frame = extents_.size() - 1;
+    return append_sample(file_, frame, ribbon.positions).and_then([&] {
+      return normals_ ? append_sample(*normals_, frame, ribbon.normals) : Result<void>{};
+    });
   }
 
   Result<void> finish() override {
     assert(static_cast<int>(extents_.size()) == frames_);
     return file_.append("        }\n        float3[] extent.timeSamples = {\n")
         .and_then([&] { return append_extents(); })
-        .and_then([&] { return file_.append("        }\n    }\n\n" + rest_text()); })
+        .and_then([&] { return file_.append("        }\n"); })
+        .and_then([&] { return normals_ ? append_normals() : Result<void>{}; })
+        .and_then([&] { return file_.append("    }\n\n" + rest_text()); })
         .and_then([&] { return file_.finish(); });
   }
 
  private:
   Result<void> append_extents() {
     for (std::size_t frame = 0; frame < extents_.size(); ++frame)
-      if (auto appended = append_sample(frame, extents_[frame]); !appended) return appended;
+      if (auto appended = append_sample(file_, frame, extents_[frame]); !appended) return appended;
     return {};
   }
 
-  Result<void> append_sample(std::size_t frame, const Eigen::Ref<const Eigen::MatrixXf>& tuples) {
+  Result<void> append_normals() {
+    return file_
+        .append(std::string("        normal3f[] normals") + a_value_a_vertex +
+                "        normal3f[] normals.timeSamples = {\n")
+        .and_then([&] { return normals_->append_to(file_); })
+        .and_then([&] { return file_.append("        }\n"); });
+  }
+
+  template <class File>
+  Result<void> append_sample(File& file, std::size_t frame,
+                             const Eigen::Ref<const Eigen::MatrixXf>& tuples) {
     text_ = "            " + std::to_string(frame) + ": ";
     append_usd_array_of_tuples(text_, tuples);
-    return file_.append(text_ += ",\n");
+    return file.append(text_ += ",\n");
   }
 
   // The meshes that do not move, and the materials of all.
@@ -197,6 +226,7 @@ class UsdWriter : public MotionWriter {
   }
 
   PendingFile file_;
+  std::optional<ScratchFile> normals_;
   Model model_;  // in the pose of the first frame
   int frames_;
   std::vector<Eigen::Matrix<float, 3, 2>> extents_;  // of the frames so far
@@ -209,7 +239,13 @@ Result<std::unique_ptr<MotionWriter>> new_usd_writer(const std::filesystem::path
                                                      const Model& model, int frames) {
   auto file = PendingFile::create(path);
   if (!file) return tl::unexpected(file.error());
-  auto writer = std::make_unique<UsdWriter>(std::move(*file), model, frames);
+  std::optional<ScratchFile> normals;
+  if (model.objects.front().normals.cols() > 0) {
+    auto created = ScratchFile::create(path);
+    if (!created) return tl::unexpected(created.error());
+    normals.emplace(std::move(*created));
+  }
+  auto writer = std::make_unique<UsdWriter>(std::move(*file), std::move(normals), model, frames);
   if (auto begun = writer->begin(); !begun) return tl::unexpected(begun.error());
   return writer;
 }

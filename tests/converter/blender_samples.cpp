@@ -210,6 +210,16 @@ void write_textured(const Folder& folder, const Folder& recording) {
   write_motion(glb, *ribbon::motion_format(glb), model, motion);
 }
 
+// Normals that nobody renews when the mesh moves.
+void write_stale_normals(const Folder& folder, const Folder& recording) {
+  auto [model, motion] = recorded(recording);
+  model = ribbon::model_of_recording(ribbon::RecordingReader::open(recording).value().header(),
+                                     {.with_normals = true})
+              .value();
+  for (const Folder& file : {folder / "motion.abc", folder / "motion.usda"})
+    write_motion(file, *ribbon::motion_format(file), model, motion);
+}
+
 void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
   const double visible = 1e-4 * knot.header.ribbon_length_m;
   write_spoiled(folder, knot, "right", [](Model&) {});
@@ -269,5 +279,6 @@ int main(int argc, char** argv) {
   write_all_spoiled(folder / "spoiled", ribbon::sample_knot(grid));
   write_all_spoiled_motions(folder / "spoiled_motions", folder / "near.rbn");
   write_spoiled_scenes(folder / "spoiled_scenes", folder / "near.rbn");
+  write_stale_normals(folder / "stale_normals", folder / "near.rbn");
   write_textured(folder / "textured", folder / "near.rbn");
 }

@@ -3,7 +3,7 @@
 import numpy as np
 
 from read_alembic import Archive, demand
-from recorded_motion import bounds_of, demand_same
+from recorded_motion import bounds_of, demand_normals, demand_same
 
 def property_of(schema, name, metadata, is_array, time_sampling, count):
     demand(name in schema.children, f"no property {name}")
@@ -23,6 +23,7 @@ UV_METADATA = {
     "podExtent": "2",
     "podName": "float32_t",
 }
+NORMALS_METADATA = {**UV_METADATA, "interpretation": "normal", "podExtent": "3"}
 
 
 def alembic_schema(xform, name):
@@ -46,8 +47,9 @@ def alembic_schema(xform, name):
     return mesh.properties[".geom"]
 
 
-def check_alembic_mesh(schema, mesh, uv, frames, time_sampling, what):
-    names = [".selfBnds", "P", ".faceIndices", ".faceCounts"] + ["uv"] * (uv is not None)
+def check_alembic_mesh(schema, mesh, uv, frames, time_sampling, what, has_normals):
+    names = [".selfBnds", "P", ".faceIndices", ".faceCounts"]
+    names += ["uv"] * (uv is not None) + ["N"] * has_normals
     demand(list(schema.children) == names, "the properties of a mesh")
     count = len(frames)
     sampled = lambda name, metadata: property_of(
@@ -66,6 +68,10 @@ def check_alembic_mesh(schema, mesh, uv, frames, time_sampling, what):
         stored = sampled("uv", UV_METADATA)
         demand(len(stored.samples) == 1, "uv that stand in the file more than once")
         demand_same(stored.sample(0), uv, "uv")
+    if has_normals:
+        normals = sampled("N", NORMALS_METADATA)
+        for number, positions in enumerate(frames):
+            demand_normals(normals.sample(number), positions, mesh, what(number))
 
 
 ARCHIVE_METADATA = {
@@ -87,8 +93,8 @@ def check_alembic(path, reference):
     demand(list(archive.top.children) == names, f"names {list(archive.top.children)}")
     demand(not archive.top.properties, "properties of the top object")
     ribbon, obstacle = (alembic_schema(archive.top.children[name], name) for name in names)
-    check_alembic_mesh(
-        ribbon, reference.ribbon, reference.uv, frames, 1, lambda number: f"frame {number + 1}"
-    )
-    static = [reference.obstacle_positions]
-    check_alembic_mesh(obstacle, reference.obstacle, None, static, 0, lambda _: "the obstacle")
+    normals = reference.has_normals
+    of_frame = lambda number: f"frame {number + 1}"
+    check_alembic_mesh(ribbon, reference.ribbon, reference.uv, frames, 1, of_frame, normals)
+    static, of_obstacle = [reference.obstacle_positions], lambda _: "the obstacle"
+    check_alembic_mesh(obstacle, reference.obstacle, None, static, 0, of_obstacle, normals)

@@ -4,16 +4,17 @@ import numpy as np
 
 from read_alembic import demand
 from read_usda import Layer
-from recorded_motion import bounds_of, demand_same
+from recorded_motion import bounds_of, demand_normals, demand_same
 
 
-def check_usd_mesh(prim, mesh, uv, frames, is_static, what):
-    """A mesh whose only samples are its positions and extents."""
+def check_usd_mesh(prim, mesh, uv, frames, is_static, what, has_normals):
+    """A mesh whose only samples are its positions, extents and perhaps normals."""
     demand(prim.metadata["apiSchemas"] == ["MaterialBindingAPI"], "the schemas of a mesh")
     demand(prim.metadata.get("displayName", prim.name) == mesh.name, "names")
     properties = prim.properties
     names = {"points", "extent", "faceVertexCounts", "faceVertexIndices", "doubleSided"}
     names |= {"subdivisionScheme", "material:binding"} | ({"primvars:st"} if uv is not None else set())
+    names |= {"normals"} if has_normals else set()
     demand(set(properties) == names, f"properties {sorted(properties)}")
     demand(properties["doubleSided"].value and properties["doubleSided"].is_uniform, "two sides")
     scheme = properties["subdivisionScheme"]
@@ -30,10 +31,21 @@ def check_usd_mesh(prim, mesh, uv, frames, is_static, what):
         demand_same(points.samples[time], expected, f"positions of {what(time)}")
         extent = bounds_of(expected).reshape(2, 3)
         demand_same(extents.samples[time], extent, f"extent of {what(time)}")
+    if has_normals:
+        check_usd_normals(properties["normals"], mesh, frames, is_static, what)
     if uv is not None:
         st = properties["primvars:st"]
         demand(st.kind == "texCoord2f" and st.metadata == {"interpolation": "vertex"}, "uv")
         demand_same(st.value, uv, "uv")
+
+
+def check_usd_normals(normals, mesh, frames, is_static, what):
+    demand(normals.kind == "normal3f", "the type of normals")
+    demand(normals.metadata == {"interpolation": "vertex"}, "where normals stand")
+    samples = {0: normals.value} if is_static else normals.samples
+    demand(list(samples) == list(range(len(frames))), "the times of normals")
+    for time, positions in enumerate(frames):
+        demand_normals(samples[time], positions, mesh, what(time))
 
 
 def check_usd_material(world, prim, name):
@@ -62,10 +74,10 @@ def check_usd(path, reference):
     identifiers = [mesh.name.replace(" ", "_") for mesh in (reference.ribbon, reference.obstacle)]
     demand(list(world.children) == [*identifiers, "Materials"], f"names {list(world.children)}")
     ribbon, obstacle = (world.children[name] for name in identifiers)
-    check_usd_mesh(
-        ribbon, reference.ribbon, reference.uv, frames, False, lambda time: f"frame {time + 1}"
-    )
-    static = [reference.obstacle_positions]
-    check_usd_mesh(obstacle, reference.obstacle, None, static, True, lambda _: "the obstacle")
+    normals = reference.has_normals
+    of_frame = lambda time: f"frame {time + 1}"
+    check_usd_mesh(ribbon, reference.ribbon, reference.uv, frames, False, of_frame, normals)
+    static, of_obstacle = [reference.obstacle_positions], lambda _: "the obstacle"
+    check_usd_mesh(obstacle, reference.obstacle, None, static, True, of_obstacle, normals)
     check_usd_material(world, ribbon, "ribbon")
     check_usd_material(world, obstacle, "obstacle")

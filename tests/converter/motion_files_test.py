@@ -48,6 +48,10 @@ def check_npy(path, reference):
 CHECKS = {".usda": check_usd, ".abc": check_alembic, ".npy": check_npy}
 
 
+# Those of them that can hold normals.
+NORMALS = (".usda", ".abc")
+
+
 def problem_of(path, reference):
     """What is wrong with a file; None: nothing."""
     try:
@@ -74,21 +78,22 @@ class Verdicts:
             self.say(fault is not None and fault in problem, what, f"refused: {problem}")
 
 
-def check_exports(verdicts, convert, folder, sample, frames="1:-1"):
+def check_exports(verdicts, convert, folder, sample, frames="1:-1", normals=False):
     """Frames A to B of a sample, in every format."""
     recording = folder / f"{sample}.rbn"
-    out = folder / f"{sample} {frames}"
+    what = f"{sample} {frames}" + (" normals" if normals else "")
+    out = folder / what
 
-    def export(name, frames):
-        arguments = ["-o", out / name, "--frames", frames, "--quiet"]
+    def export(name, frames, *options):
+        arguments = ["-o", out / name, "--frames", frames, "--quiet", *options]
         subprocess.run([convert, recording, *arguments], check=True)
 
     export("motion.obj", "1")
-    reference = Reference(folder / f"{sample}.json", out / "motion.obj", frames)
-    for extension in CHECKS:
-        export(f"motion{extension}", frames)
+    reference = Reference(folder / f"{sample}.json", out / "motion.obj", frames, normals)
+    for extension in NORMALS if normals else CHECKS:
+        export(f"motion{extension}", frames, *["--normals"] * normals)
         path = out / f"motion{extension}"
-        verdicts.judges(f"{sample} {frames} {extension}", path, reference)
+        verdicts.judges(f"{what} {extension}", path, reference)
     return reference
 
 
@@ -139,6 +144,12 @@ def check_that_faults_are_seen(verdicts, folder, reference):
         if path.suffix == ".npy" and path.stem not in FAULTS_OF_POSITIONS:
             continue
         verdicts.judges(f"spoiled {path.name}", path, reference, FAULTS[path.stem])
+
+
+def check_that_stale_normals_are_seen(verdicts, folder, reference):
+    for extension in NORMALS:
+        path = folder / "stale_normals" / f"motion{extension}"
+        verdicts.judges(f"stale normals {extension}", path, reference, "normals of frame 1")
 
 
 def check_that_changed_bytes_are_seen(verdicts, folder, reference):
@@ -197,6 +208,9 @@ def main():
     check_exports(verdicts, convert, folder, "near", "3:3")
     check_exports(verdicts, convert, folder, "far")
     check_exports(verdicts, convert, folder, "long")
+    with_normals = check_exports(verdicts, convert, folder, "near", normals=True)
+    check_exports(verdicts, convert, folder, "near", "3:3", normals=True)
+    check_that_stale_normals_are_seen(verdicts, folder, with_normals)
     check_placed(verdicts, convert, folder)
     check_textured(verdicts, convert, folder)
     check_that_faults_are_seen(verdicts, folder, reference)

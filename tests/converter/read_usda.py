@@ -34,6 +34,7 @@ TYPES = {
     "float2": (2, float),
     "float3": (3, float),
     "point3f": (3, float),
+    "normal3f": (3, float),
     "texCoord2f": (2, float),
     "color3f": (3, float),
 }
@@ -73,6 +74,11 @@ class Attribute:
         self.samples = None  # by time code
         self.connection = None
         self.is_uniform = False
+
+    def is_empty(self, kind, is_array):
+        """Was it only declared, with this type? Then samples may follow."""
+        is_alike = (self.kind, self.is_array) == (kind, is_array)
+        return is_alike and self.value is None and self.samples is None and self.connection is None
 
 
 class Tokens:
@@ -195,12 +201,14 @@ class Layer:
         if is_array:
             self.tokens.step()
         name, _, role = self.tokens.take_kind("word").partition(".")
-        demand(name not in prim.properties, f"two properties named {name}")
+        declared = prim.properties.get(name)
+        fills = role == "timeSamples" and declared and declared.is_empty(kind, is_array)
+        demand(not declared or fills, f"two properties named {name}")
         if kind == "rel":
             prim.properties[name] = self._target()
             return
         demand(kind in TYPES, f"a property of type {kind}")
-        attribute = prim.properties[name] = Attribute(kind, is_array)
+        attribute = prim.properties[name] = declared or Attribute(kind, is_array)
         attribute.is_uniform = is_uniform
         if role == "timeSamples":
             attribute.samples = self._samples(attribute)

@@ -33,10 +33,24 @@ def read_obj(path):
     return meshes
 
 
+def normals_of(positions, faces):
+    """At each vertex the mean of the faces around it, weighted by area; up where there is none."""
+    points = np.asarray(positions, float)
+    sums = np.zeros_like(points)
+    for face in faces:
+        for second, third in zip(face[1:], face[2:]):
+            area = np.cross(points[second] - points[face[0]], points[third] - points[face[0]])
+            for vertex in (face[0], second, third):
+                sums[vertex] += area
+    lengths = np.linalg.norm(sums, axis=1, keepdims=True)
+    return np.where(lengths > 0, sums / np.maximum(lengths, 1e-300), [0.0, 1.0, 0.0])
+
+
 class Reference:
     """What the recording holds (blender_samples wrote it), and its first frame as OBJ."""
 
-    def __init__(self, path, obj, frames):
+    def __init__(self, path, obj, frames, has_normals=False):
+        self.has_normals = has_normals
         data = json.loads(path.read_text())
         first, last = map(int, frames.split(":"))
         last += len(data["frames"]) + 1 if last < 0 else 0
@@ -51,6 +65,14 @@ def demand_same(ours, expected, what):
     ours, expected = np.asarray(ours), np.asarray(expected)
     demand(ours.shape == expected.shape, f"{what}: shape {ours.shape}, not {expected.shape}")
     demand(np.array_equal(ours, expected), f"{what} differ")
+
+
+def demand_normals(ours, positions, mesh, what):
+    """Within what single precision rounds."""
+    ours = np.asarray(ours, float)
+    demand(ours.shape == positions.shape, f"normals of {what}: shape {ours.shape}")
+    worst = np.abs(ours - normals_of(positions, mesh.faces)).max()
+    demand(worst <= 2e-7, f"normals of {what} differ by {worst:.3g}")
 
 
 def demand_frames(samples, reference):

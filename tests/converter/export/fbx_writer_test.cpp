@@ -238,24 +238,32 @@ TEST_F(FbxReadByAssimp, coordinates_a_kilometre_away_lose_no_digit) {
   expect_meshes_of(posed_model(far, 2));
 }
 
+// `vectors` stand at the corners of the mesh's faces, `expected` at the object's vertices.
+void expect_close(const aiVector3D* vectors, const Eigen::Matrix3Xf& expected, const aiMesh& mesh,
+                  const ModelObject& object, float tolerance) {
+  ASSERT_NE(vectors, nullptr);
+  for (unsigned face = 0; face < mesh.mNumFaces; ++face)
+    for (unsigned corner = 0; corner < mesh.mFaces[face].mNumIndices; ++corner) {
+      const aiVector3D& at = vectors[mesh.mFaces[face].mIndices[corner]];
+      EXPECT_LE((Eigen::Vector3f(at.x, at.y, at.z) - expected.col(object.faces(corner, face)))
+                    .cwiseAbs()
+                    .maxCoeff(),
+                tolerance);
+    }
+}
+
 TEST_F(FbxReadByAssimp, every_shape_of_the_motion_is_there) {
   const SampleKnot knot = sample_knot();
-  read(written_motion(new_fbx_writer, knot));
-  expect_meshes_of(posed_model(knot, 0));
+  const ModelSettings settings{.with_normals = true};
+  read(written_motion(new_fbx_writer, knot, settings));
+  expect_meshes_of(posed_model(knot, 0, settings));
   const aiMesh& ribbon = *scene_->mMeshes[scene_->mRootNode->FindNode("first knot")->mMeshes[0]];
   ASSERT_EQ(ribbon.mNumAnimMeshes, 4U);
-  const ModelObject first = posed_model(knot, 0).objects[0];
   for (std::size_t frame = 1; frame < 5; ++frame) {
-    const Eigen::Matrix3Xf expected = knot.frames[frame].cast<float>();
-    for (unsigned face = 0; face < ribbon.mNumFaces; ++face)
-      for (unsigned corner = 0; corner < ribbon.mFaces[face].mNumIndices; ++corner) {
-        const aiVector3D& at =
-            ribbon.mAnimMeshes[frame - 1]->mVertices[ribbon.mFaces[face].mIndices[corner]];
-        EXPECT_LE((Eigen::Vector3f(at.x, at.y, at.z) - expected.col(first.faces(corner, face)))
-                      .cwiseAbs()
-                      .maxCoeff(),
-                  1e-7F);
-      }
+    const ModelObject posed = posed_model(knot, frame, settings).objects[0];
+    const aiAnimMesh& shape = *ribbon.mAnimMeshes[frame - 1];
+    expect_close(shape.mVertices, posed.positions, ribbon, posed, 1e-7F);
+    expect_close(shape.mNormals, posed.normals, ribbon, posed, 1e-6F);
   }
 }
 

@@ -1,0 +1,48 @@
+#include "files/scratch_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <utility>
+
+namespace ribbon {
+
+namespace {
+
+constexpr std::size_t piece_bytes = 1 << 16;
+
+}  // namespace
+
+Result<ScratchFile> ScratchFile::create(const std::filesystem::path& path) {
+  if (auto created = create_folder_of(path); !created) return tl::unexpected(created.error());
+  const std::string name =
+      path.string() + ".scratch" + std::string(temporary_mark) + std::to_string(::getpid());
+  FileDescriptor file(::open(name.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
+  if (!file.is_open() || ::unlink(name.c_str()) != 0) return cannot_be_written(path);
+  return ScratchFile(path, std::move(file));
+}
+
+ScratchFile::ScratchFile(std::filesystem::path path, FileDescriptor file)
+    : path_(std::move(path)), file_(std::move(file)) {}
+
+Result<void> ScratchFile::append(std::string_view bytes) {
+  if (!write_all(file_, bytes)) return cannot_be_written(path_);
+  return {};
+}
+
+Result<void> ScratchFile::append_to(PendingFile& file) const {
+  std::string piece(piece_bytes, '\0');
+  for (off_t offset = 0;;) {
+    const ssize_t read = ::pread(file_.number(), piece.data(), piece.size(), offset);
+    if (read < 0 && errno == EINTR) continue;
+    if (read < 0) return cannot_be_written(path_);
+    if (read == 0) return {};
+    offset += read;
+    const std::string_view bytes(piece.data(), static_cast<std::size_t>(read));
+    if (auto appended = file.append(bytes); !appended) return appended;
+  }
+}
+
+}  // namespace ribbon
