@@ -30,10 +30,12 @@ std::vector<Companion> companions_of(const ConversionRequest& request, const Con
     companions.push_back(
         {.name = material_library_name(request.output),
          .content = std::make_shared<const std::string>(material_library_text(job.model))});
-  const auto& picture = job.model.objects.front().material.picture;
-  if (picture && !holds_picture(request, job.format))
+  for (const Material& material : materials_of(job.model)) {
+    const auto& picture = material.picture;
+    if (!picture || holds_picture(request, job.format)) continue;
     companions.push_back({.name = picture->name,
                           .content = std::shared_ptr<const std::string>(picture, &picture->bytes)});
+  }
   return companions;
 }
 

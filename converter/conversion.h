@@ -17,10 +17,11 @@ namespace ribbon {
 
 struct ConversionRequest {
   std::filesystem::path recording;
-  std::string output;                  // "out/knot.{frame:04}.obj", "out/knot.abc"
-  std::string frames;                  // "A:B:STEP"; empty: all
-  ModelSettings model;                 // its picture is read from `texture`
-  std::filesystem::path texture = {};  // of the ribbon; empty: none
+  std::string output;                       // "out/knot.{frame:04}.obj", "out/knot.abc"
+  std::string frames;                       // "A:B:STEP"; empty: all
+  ModelSettings model;                      // its pictures are read from the textures
+  std::filesystem::path texture = {};       // of the ribbon; empty: none
+  std::filesystem::path texture_back = {};  // of a solid's back; empty: the same
   std::optional<int> start_frame;  // number of the first file of a sequence; otherwise as recorded
   double max_error_m = 0;          // of positions in a recording; 0: as they were recorded
   bool force = false;              // what exists may be replaced

@@ -1,5 +1,6 @@
 #include "converter/conversion_job.h"
 
+#include <string_view>
 #include <utility>
 
 #include "commandline/frame_range.h"
@@ -31,24 +32,37 @@ OutputFormat format_of_frames(const ConversionRequest& request, OutputFormat for
   return whole ? OutputFormat::whole_motion : format;
 }
 
-// The settings of the model, with the picture that the texture's file holds. It is named after the
-// output, as the material library is, so that no name that somebody gave it can trouble a format.
-Result<ModelSettings> model_settings(const ConversionRequest& request) {
-  ModelSettings settings = request.model;
-  if (request.texture.empty()) return settings;
-  return read_picture_file(request.texture).map([&](PictureFile picture) {
+// What a texture's file holds; none where no file is named. It is named after the output, as the
+// material library is, so that no name that somebody gave it can trouble a format.
+Result<std::shared_ptr<const PictureFile>> texture_of(const ConversionRequest& request,
+                                                      const std::filesystem::path& file,
+                                                      std::string_view name_end) {
+  if (file.empty()) return nullptr;
+  return read_picture_file(file).map([&](PictureFile picture) {
     const std::filesystem::path library = material_library_name(request.output);
-    picture.name = library.stem().string() + picture.extension;
-    settings.picture = std::make_shared<const PictureFile>(std::move(picture));
-    return settings;
+    picture.name = library.stem().string().append(name_end) + picture.extension;
+    return std::make_shared<const PictureFile>(std::move(picture));
   });
 }
 
-std::string texture_text(const Model& model) {
-  const auto& picture = model.objects.front().material.picture;
-  if (!picture) return "without texture\n";
-  return filled_in("with a texture of {} bytes and the checksum {}\n", picture->bytes.size(),
-                   checksum(picture->bytes));
+Result<ModelSettings> model_settings(const ConversionRequest& request) {
+  auto front = texture_of(request, request.texture, "");
+  if (!front) return tl::unexpected(front.error());
+  auto back = texture_of(request, request.texture_back, "_back");
+  if (!back) return tl::unexpected(back.error());
+  ModelSettings settings = request.model;
+  settings.picture = std::move(*front);
+  settings.back_picture = std::move(*back);
+  return settings;
+}
+
+std::string textures_text(const Model& model) {
+  std::string text;
+  for (const Material& material : materials_of(model))
+    if (const auto& picture = material.picture)
+      text += filled_in("'{}' shows {} bytes with the checksum {}\n", material.name,
+                        picture->bytes.size(), checksum(picture->bytes));
+  return text;
 }
 
 }  // namespace
@@ -93,7 +107,7 @@ std::string job_text(const ConversionRequest& request, const ConversionJob& job)
          (model.frames_per_second > 0
               ? filled_in("{:.17g} frames a second stated\n", model.frames_per_second)
               : "frames a second as recorded\n") +
-         texture_text(job.model);
+         textures_text(job.model);
 }
 
 }  // namespace ribbon

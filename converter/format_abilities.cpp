@@ -86,6 +86,9 @@ Result<void> check_abilities(const ConversionRequest& request, OutputFormat outp
   if (request.model.with_normals && !format.normals)
     return lacks("does not keep normals of every frame", "--normals");
   if (!request.texture.empty() && !format.pictures) return lacks("has no materials", "--texture");
+  if (!request.texture_back.empty() && request.model.thickness_m == 0)
+    return failure("", "a ribbon without thickness is one surface, which shows one texture",
+                   "add --thickness, or leave --texture-back out");
   if (request.max_error_m > 0 && output != OutputFormat::recording)
     return lacks("holds positions as they were recorded", "--max-error");
   if (output == OutputFormat::recording)

@@ -52,8 +52,13 @@ void add_what(Arguments& arguments, ConversionRequest& request, Words& words) {
       .with_default_shown();
   arguments.add("--thickness", request.model.thickness_m, {1e-6, 1}, "M",
                 "Makes the ribbon a closed solid, so many recorded metres thick");
-  arguments.add("--texture", request.texture, "FILE",
-                "PNG or JPEG on the ribbon: as high as that is wide, repeated along it");
+  const auto texture =
+      arguments.add("--texture", request.texture, "FILE",
+                    "PNG or JPEG on the ribbon: as high as that is wide, repeated along it");
+  arguments
+      .add("--texture-back", request.texture_back, "FILE",
+           "PNG or JPEG on the back of a ribbon with --thickness (default: the same)")
+      .needs(texture);
   arguments.flag("--normals", request.model.with_normals,
                  "Smooth normals at the vertices; without, readers compute their own");
 }

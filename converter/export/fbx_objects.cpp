@@ -11,6 +11,7 @@ namespace ribbon {
 namespace {
 
 constexpr double ticks_per_second = 46'186'158'000;
+constexpr int most_parts = 2;  // of an object, with a material each
 
 // What has an identity of its own.
 enum class Kind : std::int64_t {
@@ -79,14 +80,17 @@ FbxRecord normal_layer(const ModelObject& object, FbxArrays& arrays) {
            {"Normals", {arrays.array(normals)}}}};
 }
 
-FbxRecord material_layer(FbxArrays& arrays) {
+// Which of the object's materials each face shows, or all of them.
+FbxRecord material_layer(const ModelObject& object, FbxArrays& arrays) {
+  Eigen::VectorXi shown = Eigen::VectorXi::Zero(object.back ? object.faces.cols() : 1);
+  if (object.back) shown.tail(shown.size() - object.back->first_face).setOnes();
   return {"LayerElementMaterial",
           {0},
           {{"Version", {101}},
            {"Name", {""}},
-           {"MappingInformationType", {"AllSame"}},
+           {"MappingInformationType", {object.back ? "ByPolygon" : "AllSame"}},
            {"ReferenceInformationType", {"IndexToDirect"}},
-           {"Materials", {arrays.array(Eigen::VectorXi(Eigen::VectorXi::Zero(1)))}}}};
+           {"Materials", {arrays.array(shown)}}}};
 }
 
 FbxRecord layer_element(std::string_view type) {
@@ -101,7 +105,7 @@ FbxRecord geometry(const ModelObject& object, std::int64_t id, FbxArrays& arrays
                    {{"GeometryVersion", {124}},
                     {"Vertices", {arrays.array(positions)}},
                     {"PolygonVertexIndex", {arrays.array(closed_faces(object.faces))}},
-                    material_layer(arrays)}};
+                    material_layer(object, arrays)}};
   if (object.normals.cols() > 0) {
     record.nested.push_back(normal_layer(object, arrays));
     layers.nested.push_back(layer_element("LayerElementNormal"));
@@ -197,25 +201,33 @@ std::int64_t fbx_ticks(double frames_per_second, int frame) {
 std::vector<FbxRecord> fbx_mesh_records(const Model& model, int object, FbxArrays& arrays) {
   const ModelObject& mesh = model.objects[static_cast<std::size_t>(object)];
   std::vector<FbxRecord> records{geometry(mesh, identity(Kind::geometry, object), arrays),
-                                 node(mesh, identity(Kind::node, object)),
-                                 material(mesh.material, identity(Kind::material, object))};
-  if (mesh.material.picture) {
-    records.push_back(texture(mesh.material, identity(Kind::texture, object)));
-    records.push_back(video(mesh.material, identity(Kind::video, object)));
+                                 node(mesh, identity(Kind::node, object))};
+  int index = most_parts * object;
+  for (const ModelPart& part : parts_of(mesh)) {
+    records.push_back(material(part.material, identity(Kind::material, index)));
+    if (part.material.picture) {
+      records.push_back(texture(part.material, identity(Kind::texture, index)));
+      records.push_back(video(part.material, identity(Kind::video, index)));
+    }
+    ++index;
   }
   return records;
 }
 
 std::vector<FbxRecord> fbx_mesh_connections(const Model& model, int object) {
   const std::int64_t own_node = identity(Kind::node, object);
-  const std::int64_t own_material = identity(Kind::material, object);
   std::vector<FbxRecord> connections{connection(own_node, 0),
-                                     connection(identity(Kind::geometry, object), own_node),
-                                     connection(own_material, own_node)};
-  if (model.objects[static_cast<std::size_t>(object)].material.picture) {
-    const std::int64_t own_texture = identity(Kind::texture, object);
-    connections.push_back(connection(own_texture, own_material, "DiffuseColor"));
-    connections.push_back(connection(identity(Kind::video, object), own_texture));
+                                     connection(identity(Kind::geometry, object), own_node)};
+  int index = most_parts * object;
+  for (const ModelPart& part : parts_of(model.objects[static_cast<std::size_t>(object)])) {
+    const std::int64_t own_material = identity(Kind::material, index);
+    connections.push_back(connection(own_material, own_node));
+    if (part.material.picture) {
+      const std::int64_t own_texture = identity(Kind::texture, index);
+      connections.push_back(connection(own_texture, own_material, "DiffuseColor"));
+      connections.push_back(connection(identity(Kind::video, index), own_texture));
+    }
+    ++index;
   }
   return connections;
 }

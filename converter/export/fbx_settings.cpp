@@ -86,9 +86,10 @@ FbxRecord documents(int frames) {
 // How many of each type; types without any are left out.
 FbxRecord definitions(const Model& model, int frames) {
   const auto objects = static_cast<int>(model.objects.size());
-  const auto pictures =
-      static_cast<int>(std::count_if(model.objects.begin(), model.objects.end(),
-                                     [](const auto& object) { return object.material.picture; }));
+  const std::vector<Material> shown = materials_of(model);
+  const auto materials = static_cast<int>(shown.size());
+  const auto pictures = static_cast<int>(std::count_if(
+      shown.begin(), shown.end(), [](const Material& material) { return material.picture; }));
   const int shapes = frames - 1;
   const int motions = frames > 1 ? 1 : 0;
   FbxRecord record{"Definitions", {}, {{"Version", {100}}}};
@@ -98,7 +99,7 @@ FbxRecord definitions(const Model& model, int frames) {
        std::initializer_list<std::pair<const char*, int>>{{"GlobalSettings", 1},
                                                           {"Model", objects},
                                                           {"Geometry", objects + shapes},
-                                                          {"Material", objects},
+                                                          {"Material", materials},
                                                           {"Texture", pictures},
                                                           {"Video", pictures},
                                                           {"Deformer", motions + shapes},

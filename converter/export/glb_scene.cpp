@@ -35,13 +35,19 @@ std::string json_indices(int count) {
 // About x, as x, y, z, w: from z up to y up.
 constexpr std::array quarter_turn{-0.70710678F, 0.0F, 0.0F, 0.70710678F};
 
-// Accessors of one object's geometry, and its texture; those of what it has not are empty.
+// What the faces of one material are: glTF's name for them is a primitive.
 struct Primitive {
+  std::string triangles;  // an accessor
+  Material material;
+  std::string texture = {};  // empty: none
+};
+
+// Accessors of one object's vertices; those of what it has not are empty.
+struct Geometry {
   std::string positions;
   std::string normals;
   std::string uv;
-  std::string triangles;
-  std::string texture;
+  std::vector<Primitive> primitives;
 };
 
 // Accessors of the motion; both empty where nothing moves.
@@ -60,20 +66,24 @@ class SceneText {
     if (unit != 1) scale_ = json_numbers(std::array{unit, unit, unit});
   }
 
-  Primitive add_primitive(const ModelObject& object) {
+  Geometry add_geometry(const ModelObject& object) {
     const Eigen::Index vertices = object.positions.cols();
-    const Eigen::Index corners = triangulated(object.faces).size();
-    Primitive primitive;
-    primitive.positions =
+    Geometry geometry;
+    geometry.positions =
         add_points(add_view(3 * vertices, for_points), 0, vertices, bounds_of(object.positions));
     if (object.normals.cols() > 0)
-      primitive.normals =
+      geometry.normals =
           add_numbers(add_view(3 * vertices, for_points), vertices, float_type, "\"VEC3\"");
     if (object.uv.cols() > 0)
-      primitive.uv = add_numbers(add_view(2 * vertices, for_uv), vertices, float_type, "\"VEC2\"");
-    primitive.triangles =
-        add_numbers(add_view(corners, for_triangles), corners, u32_type, "\"SCALAR\"");
-    return primitive;
+      geometry.uv = add_numbers(add_view(2 * vertices, for_uv), vertices, float_type, "\"VEC2\"");
+    const Eigen::Index corners_of_a_face = 3 * (object.faces.rows() - 2);
+    for (const ModelPart& part : parts_of(object)) {
+      const Eigen::Index corners = corners_of_a_face * part.faces;
+      geometry.primitives.push_back({.triangles = add_numbers(add_view(corners, for_triangles),
+                                                              corners, u32_type, "\"SCALAR\""),
+                                     .material = part.material});
+    }
+    return geometry;
   }
 
   Motion add_motion(const ModelObject& object, const std::vector<PointBounds>& targets,
@@ -116,20 +126,25 @@ class SceneText {
     return std::to_string(textures_.add(json_object({{"sampler", sampler}, {"source", image}})));
   }
 
-  // With a node and a material of its own.
-  void add_mesh(const ModelObject& object, const Primitive& primitive, const Motion& motion) {
-    const std::string attributes = json_object({{"POSITION", primitive.positions},
-                                                {"NORMAL", primitive.normals},
-                                                {"TEXCOORD_0", primitive.uv}});
-    const std::string material =
-        std::to_string(materials_.add(material_text(object.material, primitive.texture)));
-    const std::string geometry = json_object({{"attributes", attributes},
-                                              {"indices", primitive.triangles},
-                                              {"material", material},
-                                              {"targets", motion.targets}});
+  // With a node and materials of its own.
+  void add_mesh(const ModelObject& object, const Geometry& geometry, const Motion& motion) {
+    const std::string attributes = json_object({{"POSITION", geometry.positions},
+                                                {"NORMAL", geometry.normals},
+                                                {"TEXCOORD_0", geometry.uv}});
+    JsonList primitives;
+    for (const Primitive& primitive : geometry.primitives) {
+      const std::string material =
+          std::to_string(materials_.add(material_text(primitive.material, primitive.texture)));
+      primitives.add(json_object({{"attributes", attributes},
+                                  {"indices", primitive.triangles},
+                                  {"material", material},
+                                  {"targets", motion.targets}}));
+    }
     const std::string name = json_quoted(object.name);
-    const std::string mesh = std::to_string(meshes_.add(json_object(
-        {{"name", name}, {"primitives", '[' + geometry + ']'}, {"extras", motion.target_names}})));
+    const std::string mesh =
+        std::to_string(meshes_.add(json_object({{"name", name},
+                                                {"primitives", std::move(primitives).text()},
+                                                {"extras", motion.target_names}})));
     nodes_.add(
         json_object({{"name", name}, {"mesh", mesh}, {"rotation", rotation_}, {"scale", scale_}}));
   }
@@ -288,16 +303,17 @@ float frame_time_s(const Model& model, Eigen::Index frame) {
 
 GlbScene glb_scene(const Model& model, const std::vector<PointBounds>& targets) {
   SceneText text(model.placement);
-  std::vector<Primitive> primitives;
-  for (const ModelObject& object : model.objects) primitives.push_back(text.add_primitive(object));
-  for (std::size_t object = 0; object < primitives.size(); ++object)
-    primitives[object].texture = text.add_picture(model.objects[object].material);
+  std::vector<Geometry> geometries;
+  for (const ModelObject& object : model.objects) geometries.push_back(text.add_geometry(object));
+  for (Geometry& geometry : geometries)
+    for (Primitive& primitive : geometry.primitives)
+      primitive.texture = text.add_picture(primitive.material);
   Motion motion;
   if (!targets.empty())
     motion = text.add_motion(model.objects.front(), targets,
                              frame_time_s(model, static_cast<Eigen::Index>(targets.size())));
-  for (std::size_t object = 0; object < primitives.size(); ++object)
-    text.add_mesh(model.objects[object], primitives[object], object == 0 ? motion : Motion{});
+  for (std::size_t object = 0; object < geometries.size(); ++object)
+    text.add_mesh(model.objects[object], geometries[object], object == 0 ? motion : Motion{});
   return std::move(text).scene(motion);
 }
 

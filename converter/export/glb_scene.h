@@ -35,8 +35,8 @@ struct GlbScene {
 // The binary chunk holds, little-endian and without gaps:
 //   for each object: positions (3 x f32 a vertex), normals likewise if it has any, uv if it has any
 //                    (2 x f32, v downwards), triangles (3 x u32);
-//   for each object: the picture that lies on it, if there is one, filled up with zeros to a
-//                    multiple of four bytes;
+//   for each material: the picture that it shows, if there is one, filled up with zeros to a
+//                      multiple of four bytes;
 //   if there are several frames: for each but the first, how far every vertex of the first object
 //                    has moved since the first (3 x f32 a vertex), and how its normals have
 //                    changed if it has any; the times of all frames (f32); the weights that are not

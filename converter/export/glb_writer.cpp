@@ -75,8 +75,8 @@ class GlbWriter : public MotionWriter {
         });
     for (const ModelObject& object : first_.objects)
       if (begun) begun = append_geometry(file_, object);
-    for (const ModelObject& object : first_.objects)
-      if (begun) begun = append_picture(file_, object.material);
+    for (const Material& material : materials_of(first_))
+      if (begun) begun = append_picture(file_, material);
     return begun;
   }
 

@@ -30,10 +30,10 @@ std::string object_name(std::string name, std::string_view otherwise) {
   return name.empty() ? std::string(otherwise) : name;
 }
 
-Material ribbon_material(const ModelSettings& settings) {
-  if (settings.picture)
-    return {.name = "ribbon", .color = Eigen::Vector3f::Ones(), .picture = settings.picture};
-  return {.name = "ribbon", .color = {0.61F, 0.03F, 0.05F}};
+Material ribbon_material(std::string name, const std::shared_ptr<const PictureFile>& picture) {
+  if (picture)
+    return {.name = std::move(name), .color = Eigen::Vector3f::Ones(), .picture = picture};
+  return {.name = std::move(name), .color = {0.61F, 0.03F, 0.05F}};
 }
 
 // As recorded, or so that a picture as high as the ribbon is wide keeps its shape: files have uv,
@@ -48,15 +48,28 @@ Eigen::Matrix2Xf ribbon_uv(const RecordingHeader& header, const PictureFile* pic
 }
 
 ModelObject ribbon_object(const RecordingHeader& header, const ModelSettings& settings) {
-  const bool solid = settings.thickness_m > 0;
-  const Eigen::Index sides = solid ? 2 : 1;
   return {.name = object_name(header.scene_name, "ribbon"),
-          .material = ribbon_material(settings),
-          .positions = Eigen::Matrix3Xf::Zero(3, sides * header.grid.particle_count()),
-          .uv = ribbon_uv(header, settings.picture.get()).replicate(1, sides),
-          .faces = solid ? solid_faces(header.grid, settings.faces)
-                         : surface_faces(header.grid, settings.faces),
+          .material = ribbon_material("ribbon", settings.picture),
+          .positions = Eigen::Matrix3Xf::Zero(3, header.grid.particle_count()),
+          .uv = ribbon_uv(header, settings.picture.get()),
+          .faces = surface_faces(header.grid, settings.faces),
           .moves = true};
+}
+
+// As that, with vertices and faces of a back and a rim, which shows what the front does.
+ModelObject solid_ribbon_object(const RecordingHeader& header, const ModelSettings& settings) {
+  ModelObject solid = ribbon_object(header, settings);
+  const Eigen::Index faces_of_a_side = solid.faces.cols();
+  const auto& back = settings.back_picture ? settings.back_picture : settings.picture;
+  const Eigen::Matrix2Xf front_uv = solid.uv;
+  solid.uv.resize(2, 2 * front_uv.cols());
+  solid.uv << front_uv, ribbon_uv(header, back.get());
+  solid.positions.setZero(3, solid.uv.cols());
+  solid.faces = solid_faces(header.grid, settings.faces);
+  if (settings.back_picture)
+    solid.back = {.material = ribbon_material("ribbon_back", back),
+                  .first_face = solid.faces.cols() - faces_of_a_side};
+  return solid;
 }
 
 ModelObject obstacle_object(const TriangleMesh& mesh, const std::string& ribbon_name,
@@ -125,10 +138,26 @@ Result<void> check_obstacle(const ModelObject& obstacle) {
 
 }  // namespace
 
+std::vector<ModelPart> parts_of(const ModelObject& object) {
+  const Eigen::Index faces = object.faces.cols();
+  if (!object.back) return {{.material = object.material, .faces = faces}};
+  const auto& [material, first_face] = *object.back;
+  return {{.material = object.material, .faces = first_face},
+          {.material = material, .first_face = first_face, .faces = faces - first_face}};
+}
+
+std::vector<Material> materials_of(const Model& model) {
+  std::vector<Material> materials;
+  for (const ModelObject& object : model.objects)
+    for (const ModelPart& part : parts_of(object)) materials.push_back(part.material);
+  return materials;
+}
+
 Result<Model> model_of_recording(const RecordingHeader& header, const ModelSettings& settings) {
   if (auto checked = check_ribbon(header); !checked) return tl::unexpected(checked.error());
   const bool own_rate = settings.frames_per_second > 0;
-  Model model{.objects = {ribbon_object(header, settings)},
+  Model model{.objects = {settings.thickness_m > 0 ? solid_ribbon_object(header, settings)
+                                                   : ribbon_object(header, settings)},
               .frames_per_second = own_rate ? settings.frames_per_second : header.frames_per_second,
               .grid = header.grid,
               .placement = settings.placement,

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 namespace ribbon {
 
 class SolidRibbon;
+struct Model;
 struct PictureFile;
 
 struct Material {
@@ -24,6 +26,12 @@ struct Material {
   std::shared_ptr<const PictureFile> picture = nullptr;
 };
 
+// Of a solid ribbon: faces from `first_face` on, all others come before them.
+struct BackOfSolid {
+  Material material;
+  Eigen::Index first_face = 0;
+};
+
 struct ModelObject {
   std::string name;  // one line, not empty, at most 63 bytes; unique in its model
   Material material;
@@ -32,8 +40,22 @@ struct ModelObject {
   Eigen::MatrixXi faces;       // corners x faces, counter-clockwise seen from the front
   // 3 x vertices of length 1, or 3 x 0: none are asked for.
   Eigen::Matrix3Xf normals = Eigen::Matrix3Xf(3, 0);
-  bool moves = false;  // from frame to frame: true of the ribbon
+  bool moves = false;                              // from frame to frame: true of the ribbon
+  std::optional<BackOfSolid> back = std::nullopt;  // where it has a material of its own
 };
+
+// Faces in a row, and what they show.
+struct ModelPart {
+  Material material;
+  Eigen::Index first_face = 0;
+  Eigen::Index faces = 0;
+};
+
+// All faces of the object: one part, or two where the back has a material of its own.
+std::vector<ModelPart> parts_of(const ModelObject& object);
+
+// Of all parts of all objects.
+std::vector<Material> materials_of(const Model& model);
 
 struct Model {
   std::vector<ModelObject> objects;  // the ribbon first
@@ -57,6 +79,8 @@ struct ModelSettings {
   // Lies on the ribbon as high as that is wide, and is repeated along it: u then counts its widths
   // from the first drawn end, and v goes from 0 to 1 as it does without. Null: none.
   std::shared_ptr<const PictureFile> picture = nullptr;
+  // Of a solid: lies likewise on the back alone. Null: that shows the same.
+  std::shared_ptr<const PictureFile> back_picture = nullptr;
 };
 
 // The parts of the model that no frame changes. The ribbon's positions are still to be set. Fails

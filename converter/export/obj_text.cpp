@@ -43,10 +43,13 @@ void append_corner(std::string& text, const ModelObject& object, int corner,
 }
 
 void append_faces(std::string& text, const ModelObject& object, const FirstNumbers& first) {
-  for (Eigen::Index face = 0; face < object.faces.cols(); ++face) {
-    text += 'f';
-    for (const int corner : object.faces.col(face)) append_corner(text, object, corner, first);
-    text += '\n';
+  for (const ModelPart& part : parts_of(object)) {
+    text += "usemtl " + part.material.name + '\n';
+    for (const auto& face : object.faces.middleCols(part.first_face, part.faces).colwise()) {
+      text += 'f';
+      for (const int corner : face) append_corner(text, object, corner, first);
+      text += '\n';
+    }
   }
 }
 
@@ -78,7 +81,6 @@ std::string obj_text(const Model& model, const std::string& material_library) {
     append_columns(text, "v", object.positions);
     append_columns(text, "vt", object.uv);
     append_columns(text, "vn", object.normals);
-    text += "usemtl " + object.material.name + '\n';
     append_faces(text, object, first);
     first.vertex += object.positions.cols();
     first.uv += object.uv.cols();
@@ -89,11 +91,11 @@ std::string obj_text(const Model& model, const std::string& material_library) {
 
 std::string material_library_text(const Model& model) {
   std::string text = "# ribbon-convert\n";
-  for (const ModelObject& object : model.objects) {
-    text += "newmtl " + object.material.name + '\n';
-    append_columns(text, "Kd", object.material.color);
+  for (const Material& material : materials_of(model)) {
+    text += "newmtl " + material.name + '\n';
+    append_columns(text, "Kd", material.color);
     text += "d 1\nillum 1\n";
-    if (object.material.picture) text += "map_Kd " + object.material.picture->name + '\n';
+    if (material.picture) text += "map_Kd " + material.picture->name + '\n';
   }
   return text;
 }

@@ -63,7 +63,7 @@ Eigen::MatrixXi solid_faces(const RibbonGrid& grid, RibbonFaces faces) {
   // The back runs the other way round, from the same corner, so that its diagonals are the same.
   Eigen::MatrixXi back = front.array() + grid.particle_count();
   back.bottomRows(front.rows() - 1) = back.bottomRows(front.rows() - 1).colwise().reverse().eval();
-  solid << front, back, rim;
+  solid << front, rim, back;
   return solid;
 }
 

@@ -14,8 +14,8 @@ enum class RibbonFaces { triangles, quads };
 // Corners x faces: of the recorded surface.
 Eigen::MatrixXi surface_faces(const RibbonGrid& grid, RibbonFaces faces);
 
-// Of a solid whose front has the particles' numbers and whose back those behind them: front, back,
-// then the rim.
+// Of a solid whose front has the particles' numbers and whose back those behind them: front, rim,
+// then the back.
 Eigen::MatrixXi solid_faces(const RibbonGrid& grid, RibbonFaces faces);
 
 }  // namespace ribbon

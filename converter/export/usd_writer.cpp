@@ -29,10 +29,11 @@ std::vector<std::string> prim_names(const Model& model) {
   return names;
 }
 
+// Of all materials of the model, in its order.
 std::vector<std::string> material_names(const Model& model) {
   std::vector<std::string> names;
-  for (const ModelObject& object : model.objects)
-    names.push_back(usd_identifier(object.material.name));
+  for (const Material& material : materials_of(model))
+    names.push_back(usd_identifier(material.name));
   return unique_names(names);
 }
 
@@ -88,6 +89,22 @@ std::string mesh_text(const ModelObject& object, const std::string& name,
     text +=
         "        texCoord2f[] primvars:st = " + usd_array_of_tuples(object.uv) + a_value_a_vertex;
   return text + "        uniform token subdivisionScheme = \"none\"\n";
+}
+
+// The faces that show a material of their own; `name` is that one's.
+std::string back_text(const ModelObject& object, const std::string& name) {
+  const auto faces = static_cast<int>(object.faces.cols() - object.back->first_face);
+  const auto first = static_cast<int>(object.back->first_face);
+  return R"(
+        def GeomSubset "back" (
+            prepend apiSchemas = ["MaterialBindingAPI"]
+        )
+        {
+            uniform token elementType = "face"
+            uniform token familyName = "materialBind"
+            int[] indices = )" +
+         usd_array(Eigen::VectorXi::LinSpaced(faces, first, first + faces - 1)) +
+         "\n            rel material:binding = <" + path_of_material(name) + ">\n        }\n";
 }
 
 std::string static_points_text(const ModelObject& object) {
@@ -184,7 +201,7 @@ class UsdWriter : public MotionWriter {
         .and_then([&] { return append_extents(); })
         .and_then([&] { return file_.append("        }\n"); })
         .and_then([&] { return normals_ ? append_normals() : Result<void>{}; })
-        .and_then([&] { return file_.append("    }\n\n" + rest_text()); })
+        .and_then([&] { return file_.append(end_of_ribbon() + rest_text()); })
         .and_then([&] { return file_.finish(); });
   }
 
@@ -211,17 +228,24 @@ class UsdWriter : public MotionWriter {
     return file.append(text_ += ",\n");
   }
 
-  // The meshes that do not move, and the materials of all.
+  [[nodiscard]] std::string end_of_ribbon() const {
+    const ModelObject& ribbon = model_.objects.front();
+    return (ribbon.back ? back_text(ribbon, material_names(model_)[1]) : "") + "    }\n\n";
+  }
+
+  // The meshes that do not move, each with one material, and the materials of all.
   [[nodiscard]] std::string rest_text() const {
     const auto names = prim_names(model_);
-    const auto materials = material_names(model_);
+    const auto materials = materials_of(model_);
+    const auto of_materials = material_names(model_);
+    const std::size_t more = materials.size() - model_.objects.size();  // the ribbon's second one
     std::string text;
     for (std::size_t i = 1; i < model_.objects.size(); ++i)
-      text += mesh_text(model_.objects[i], names[i], materials[i]) +
+      text += mesh_text(model_.objects[i], names[i], of_materials[i + more]) +
               static_points_text(model_.objects[i]);
     text += std::string("    def Scope \"") + materials_scope + "\"\n    {\n";
-    for (std::size_t i = 0; i < model_.objects.size(); ++i)
-      text += material_text(model_.objects[i].material, materials[i]);
+    for (std::size_t i = 0; i < materials.size(); ++i)
+      text += material_text(materials[i], of_materials[i]);
     return text + "    }\n}\n";
   }
 

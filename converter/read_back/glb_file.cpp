@@ -99,8 +99,7 @@ class GlbFile : public WrittenMotion {
 
   void add_mesh(const Chunks& chunks, const Json& node) {
     const Json& mesh = chunks.json().at("meshes").at(node.at("mesh").get<std::size_t>());
-    demand(mesh.at("primitives").size() == 1, "not one primitive in a mesh");
-    const Json& primitive = mesh.at("primitives").front();
+    const Json& primitive = mesh.at("primitives").at(0);
     const Json& attributes = primitive.at("attributes");
     const GlbNumbers positions = chunks.numbers(attributes.at("POSITION"), "VEC3", float_numbers);
     WrittenMesh& written = scene_.meshes.emplace_back();
@@ -109,8 +108,7 @@ class GlbFile : public WrittenMotion {
       written.uv = bytes_.numbers<float>(uv.begin, 2, uv.count).cast<double>();
       for (auto place : written.uv.colwise()) place.y() = 1 - place.y();
     }
-    const GlbNumbers corners = chunks.numbers(primitive.at("indices"), "SCALAR", u32_numbers);
-    written.faces = bytes_.numbers<std::int32_t>(corners.begin, 3, corners.count / 3);
+    written.faces = faces_of(chunks, mesh.at("primitives"));
     if (scene_.meshes.size() > 1) {
       written.positions = points(positions);
       return;
@@ -120,6 +118,22 @@ class GlbFile : public WrittenMotion {
     if (!primitive.contains("targets")) return;
     for (const Json& target : primitive.at("targets"))
       targets_.push_back(chunks.numbers(target.at("POSITION"), "VEC3", float_numbers));
+  }
+
+  // Of primitives that share their vertices, and differ in what they show.
+  [[nodiscard]] Eigen::MatrixXi faces_of(const Chunks& chunks, const Json& primitives) const {
+    Eigen::MatrixXi faces(3, 0);
+    for (const Json& primitive : primitives) {
+      demand(primitive.at("attributes") == primitives.at(0).at("attributes") &&
+                 primitive.value("targets", Json()) == primitives.at(0).value("targets", Json()),
+             "primitives with vertices of their own");
+      const GlbNumbers corners = chunks.numbers(primitive.at("indices"), "SCALAR", u32_numbers);
+      const Eigen::Index before = faces.cols();
+      faces.conservativeResize(3, before + static_cast<Eigen::Index>(corners.count / 3));
+      faces.rightCols(faces.cols() - before) =
+          bytes_.numbers<std::int32_t>(corners.begin, 3, corners.count / 3);
+    }
+    return faces;
   }
 
   // Nodes bring metres and y up where the numbers are something else.

@@ -15,6 +15,7 @@
 #include "converter/motion_format.h"
 #include "converter/sample_knot.h"
 #include "converter/sample_picture.h"
+#include "converter/textured_settings.h"
 #include "files/files.h"
 #include "playback/recording_reader.h"
 #include "recording/writer/recording_writer.h"
@@ -220,6 +221,21 @@ void write_stale_normals(const Folder& folder, const Folder& recording) {
     write_motion(file, *ribbon::motion_format(file), model, motion);
 }
 
+// As a solid, with a picture on each side.
+void write_textured_on_both_sides(const Folder& folder, const Folder& recording) {
+  ribbon::ModelSettings settings = ribbon::textured_on_both_sides();
+  auto [model, motion] = recorded(recording);
+  model = ribbon::model_of_recording(ribbon::RecordingReader::open(recording).value().header(),
+                                     settings)
+              .value();
+  for (auto& positions : motion) {
+    require(demanded(ribbon::pose_ribbon(model, positions, 1)), "no solid");
+    positions = model.objects.front().positions;
+  }
+  const Folder glb = folder / "both_sides.glb";
+  write_motion(glb, *ribbon::motion_format(glb), model, motion);
+}
+
 void write_all_spoiled(const Folder& folder, const ribbon::SampleKnot& knot) {
   const double visible = 1e-4 * knot.header.ribbon_length_m;
   write_spoiled(folder, knot, "right", [](Model&) {});
@@ -281,4 +297,5 @@ int main(int argc, char** argv) {
   write_spoiled_scenes(folder / "spoiled_scenes", folder / "near.rbn");
   write_stale_normals(folder / "stale_normals", folder / "near.rbn");
   write_textured(folder / "textured", folder / "near.rbn");
+  write_textured_on_both_sides(folder / "textured", folder / "flat.rbn");
 }

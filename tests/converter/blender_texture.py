@@ -35,27 +35,34 @@ REPETITIONS = LENGTH / (WIDTH * COLUMNS / ROWS)
 PIXELS_ALONG, PIXELS_ACROSS = 550, 45
 
 
-def write_png(path):
+# Of the back of a solid.
+LINING = (
+    ((0, 0, 128), (128, 0, 0), (0, 128, 0), (128, 128, 0)),
+    ((200, 100, 0), (0, 100, 200), (100, 0, 200), (10, 20, 30)),
+)
+
+
+def write_png(path, picture):
     def chunk(kind, data):
         body = kind + data
         return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
 
-    rows = b"".join(b"\0" + bytes(c for pixel in row for c in pixel) for row in PICTURE)
+    rows = b"".join(b"\0" + bytes(c for pixel in row for c in pixel) for row in picture)
     head = struct.pack(">IIBBBBB", COLUMNS, ROWS, 8, 2, 0, 0, 0)
     parts = chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + parts)
 
 
-def image_node(obj):
-    nodes = obj.active_material.node_tree.nodes
+def image_node(material):
+    nodes = material.node_tree.nodes
     found = [node for node in nodes if node.type == "TEX_IMAGE"]
     return found[0] if len(found) == 1 and found[0].image else None
 
 
-def light_up(obj):
+def light_up(material):
     """What the material's image shows becomes light, so that nothing else counts."""
-    tree = obj.active_material.node_tree
-    node = image_node(obj)
+    tree = material.node_tree
+    node = image_node(material)
     node.interpolation = "Closest"
     light = tree.nodes.new("ShaderNodeEmission")
     output = next(n for n in tree.nodes if n.type == "OUTPUT_MATERIAL")
@@ -63,11 +70,11 @@ def light_up(obj):
     tree.links.new(light.outputs["Emission"], output.inputs["Surface"])
 
 
-def look_from_the_front():
-    """In Blender, the recording's x goes to the right and its z, across the ribbon, up."""
+def look(from_behind):
+    """In the picture, the recording's x goes to the right and its z, across the ribbon, up; down from behind."""
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.location = (LENGTH / 2, -WIDTH / 2, HEIGHT - 1)
-    camera.rotation_euler = (math.pi, 0, 0)
+    camera.location = (LENGTH / 2, -WIDTH / 2, HEIGHT + (1 if from_behind else -1))
+    camera.rotation_euler = (0 if from_behind else math.pi, 0, 0)
     camera.data.type = "ORTHO"
     camera.data.ortho_scale = LENGTH
     bpy.context.scene.collection.objects.link(camera)
@@ -94,22 +101,23 @@ def rendered(path):
     return [flat[4 * i : 4 * i + 3] for i in range(PIXELS_ALONG * PIXELS_ACROSS)]
 
 
-def texels():
+def texels(picture):
     """The middle of each pixel in each repetition, along and across from 0 to 1, with its colour."""
     for place in range(int(REPETITIONS * COLUMNS)):
         for row in range(ROWS):
             along = (place + 0.5) / (REPETITIONS * COLUMNS)
             across = 1 - (row + 0.5) / ROWS
-            yield along, across, PICTURE[row][place % COLUMNS]
+            yield along, across, picture[row][place % COLUMNS]
 
 
-def compare_rendered(pixels):
+def compare_rendered(pixels, picture, from_behind):
     wrong = 0
-    for along, across, colour in texels():
-        x, y = int(along * PIXELS_ALONG), int(across * PIXELS_ACROSS)
+    for along, across, colour in texels(picture):
+        up = 1 - across if from_behind else across
+        x, y = int(along * PIXELS_ALONG), int(up * PIXELS_ACROSS)
         seen = pixels[y * PIXELS_ALONG + x]
         wrong += max(abs(255 * s - c) for s, c in zip(seen, colour)) > 2
-    return [f"{wrong} of {len(list(texels()))} texels are not where they belong"] if wrong else []
+    return [f"{wrong} of {len(list(texels(picture)))} texels are not where they belong"] if wrong else []
 
 
 def turned_round(mesh, axis):
@@ -117,30 +125,34 @@ def turned_round(mesh, axis):
         corner.uv[axis] = (REPETITIONS, 1)[axis] - corner.uv[axis]
 
 
-def check(path, turn=None):
-    """Problems of an export; `turn` spoils its uv first."""
+def check(path, turn=None, picture=PICTURE, from_behind=False):
+    """Problems of an export; `turn` spoils its uv first. `picture`: what must be seen."""
     import_file(path)
     for obj in list(bpy.data.objects):
         if obj.name != "first knot":
             bpy.data.objects.remove(obj)
     ribbon = bpy.data.objects["first knot"]
-    node = image_node(ribbon)
-    if node is None:
-        return ["the material shows no image"]
-    if tuple(node.image.size) != (COLUMNS, ROWS):
-        return [f"the image has {tuple(node.image.size)} pixels"]
+    materials = [slot.material for slot in ribbon.material_slots]
+    for material in materials:
+        node = image_node(material)
+        if node is None:
+            return ["the material shows no image"]
+        if tuple(node.image.size) != (COLUMNS, ROWS):
+            return [f"the image has {tuple(node.image.size)} pixels"]
     if turn is not None:
         turned_round(ribbon.data, turn)
-    light_up(ribbon)
-    look_from_the_front()
-    return compare_rendered(rendered(path.with_suffix(".render.png")))
+    for material in materials:
+        light_up(material)
+    look(from_behind)
+    return compare_rendered(rendered(path.with_suffix(".render.png")), picture, from_behind)
 
 
 def main():
     convert, samples, folder = sys.argv[sys.argv.index("--") + 1 :]
     folder = pathlib.Path(folder)
     subprocess.run([samples, folder], check=True)
-    write_png(folder / "cloth.png")
+    write_png(folder / "cloth.png", PICTURE)
+    write_png(folder / "lining.png", LINING)
     failed = 0
 
     def say(good, what, problems):
@@ -161,6 +173,14 @@ def main():
         subprocess.run([*command, "-o", output, *options], check=True)
         problems = check(path)
         say(not problems, name, problems)
+    lining = ("--thickness", "0.002", "--texture-back", folder / "lining.png")
+    for name, options in (("obj/knot.obj", ("--frames", "1")), ("fbx/knot.fbx", ()), ("glb/knot.glb", ())):
+        path = folder / "lined" / name
+        subprocess.run([*command, "-o", path, *lining, *options], check=True)
+        problems = check(path) + check(path, None, LINING, True)
+        say(not problems, f"lined {name}", problems)
+    problems = check(folder / "lined/glb/knot.glb", None, PICTURE, True)
+    say(any("not where they belong" in p for p in problems), "refused, the front's on the back:", problems)
     for axis, name in enumerate(("u turned round", "v turned round")):
         problems = check(folder / "textured/glb/knot.glb", axis)
         say(any("not where they belong" in p for p in problems), f"refused, {name}:", problems)

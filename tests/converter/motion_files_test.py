@@ -117,24 +117,52 @@ def check_placed(verdicts, convert, folder):
     verdicts.say(good, "placed .abc", f"{archive.metadata}, {archive.time_samplings}")
 
 
-def check_textured(verdicts, convert, folder):
-    """USD's material shows the picture beside it, at the mesh's uv."""
-    picture = folder / "textured" / "textured.png"
-    out = folder / "textured"
-    command = [convert, folder / "near.rbn", "--texture", picture, "--quiet"]
-    subprocess.run([*command, "-o", out / "knot.usda"], check=True)
-    world = Layer(out / "knot.usda").prims["World"]
-    material = world.children["Materials"].children["ribbon"]
-    surface, image, uv = (material.children[name].properties for name in ("surface", "picture", "uv"))
-    path = "/World/Materials/ribbon"
+def shows_picture(world, material, folder, picture):
+    """Does a material of USD show the picture beside the file, at the mesh's uv?"""
+    shaders = world.children["Materials"].children[material].children
+    surface, image, uv = (shaders[name].properties for name in ("surface", "picture", "uv"))
+    path = f"/World/Materials/{material}"
     good = surface["inputs:diffuseColor"].connection == f"{path}/picture.outputs:rgb"
     good = good and image["info:id"].value == "UsdUVTexture"
-    good = good and (out / image["inputs:file"].value).read_bytes() == picture.read_bytes()
+    good = good and (folder / image["inputs:file"].value).read_bytes() == picture.read_bytes()
     good = good and image["inputs:st"].connection == f"{path}/uv.outputs:result"
     good = good and (image["inputs:wrapS"].value, image["inputs:wrapT"].value) == ("repeat", "clamp")
     good = good and uv["info:id"].value == "UsdPrimvarReader_float2"
-    good = good and "primvars:" + uv["inputs:varname"].value in world.children["first_knot"].properties
+    return good and "primvars:" + uv["inputs:varname"].value in world.children["first_knot"].properties
+
+
+def check_textured(verdicts, convert, folder):
+    out = folder / "textured"
+    picture = out / "textured.png"
+    command = [convert, folder / "near.rbn", "--texture", picture, "--quiet"]
+    subprocess.run([*command, "-o", out / "knot.usda"], check=True)
+    good = shows_picture(Layer(out / "knot.usda").prims["World"], "ribbon", out, picture)
     verdicts.say(good, "textured .usda", "the picture beside it")
+
+
+def check_textured_on_both_sides(verdicts, convert, folder):
+    """In USD the faces of a solid's back, which are the last ones, are bound to a material of their own."""
+    out = folder / "textured"
+    front = out / "textured.png"
+    back = out / "lining.png"
+    back.write_bytes(front.read_bytes() + b"another")
+    textures = ["--thickness", "0.002", "--texture", front, "--texture-back", back]
+    command = [convert, folder / "flat.rbn", *textures, "--quiet"]
+    subprocess.run([*command, "-o", out / "solid.usda"], check=True)
+    world = Layer(out / "solid.usda").prims["World"]
+    ribbon = world.children["first_knot"]
+    subset = ribbon.children["back"]
+    faces, side = len(ribbon.properties["faceVertexCounts"].value), 2 * 11 * 3
+    good = subset.kind == "GeomSubset" and subset.metadata == {"apiSchemas": ["MaterialBindingAPI"]}
+    good = good and subset.properties["elementType"].value == "face"
+    good = good and subset.properties["familyName"].value == "materialBind"
+    good = good and list(subset.properties["indices"].value) == list(range(faces - side, faces))
+    corners = ribbon.properties["faceVertexIndices"].value.reshape(-1, 3)
+    good = good and corners[faces - side :].min() >= 48 and corners[: faces - side, 0].min() < 48
+    good = good and subset.properties["material:binding"] == "/World/Materials/ribbon_back"
+    good = good and shows_picture(world, "ribbon", out, front)
+    good = good and shows_picture(world, "ribbon_back", out, back)
+    verdicts.say(good, "textured on both sides .usda", "a picture for each")
 
 
 def check_that_faults_are_seen(verdicts, folder, reference):
@@ -213,6 +241,7 @@ def main():
     check_that_stale_normals_are_seen(verdicts, folder, with_normals)
     check_placed(verdicts, convert, folder)
     check_textured(verdicts, convert, folder)
+    check_textured_on_both_sides(verdicts, convert, folder)
     check_that_faults_are_seen(verdicts, folder, reference)
     check_that_changed_bytes_are_seen(verdicts, folder, reference)
     check_that_faults_of_text_are_seen(verdicts, folder, reference)

@@ -38,7 +38,7 @@ TYPES = {
     "texCoord2f": (2, float),
     "color3f": (3, float),
 }
-PRIMS = ("Xform", "Mesh", "Scope", "Material", "Shader")
+PRIMS = ("Xform", "Mesh", "GeomSubset", "Scope", "Material", "Shader")
 
 # Metadata of a layer, a prim or a property, and the type of its value.
 METADATA = {

@@ -481,6 +481,29 @@ TEST_F(TexturedTool, formats_without_materials_refuse_it) {
   expect_refusal(convert_to("a.obj --object obstacle"), "leave --texture out");
 }
 
+TEST_F(TexturedTool, the_back_of_a_solid_can_show_another_picture) {
+  record(without_obstacle());
+  const std::string lining = sample_png() + "another";
+  ASSERT_TRUE(write_file(folder_ / "lining.png", lining));
+  const std::string both = "--texture-back lining.png --thickness 0.002 --frames 1,2 ";
+  for (const std::string output :
+       {"'1/a.{frame}.obj'", "'2/a.{frame}.fbx'", "3/a.fbx", "4/a.mdd", "5/a.usda", "6/a.glb"}) {
+    EXPECT_EQ(output_of(convert_to(output + " " + both + "--verify")), "") << output;
+    if (output == "6/a.glb") continue;  // it holds them
+    const std::string below = output.substr(output[0] == '\'' ? 1 : 0, 2);
+    EXPECT_EQ(bytes(below + "a.png"), sample_png()) << output;
+    EXPECT_EQ(bytes(below + "a_back.png"), lining) << output;
+  }
+  EXPECT_THAT(bytes("5/a.usda"), HasSubstr("asset inputs:file = @./a_back.png@\n"));
+}
+
+TEST_F(TexturedTool, the_back_of_a_surface_cannot) {
+  expect_refusal(convert_to("a.usda --texture-back cloth.png"),
+                 "one surface, which shows one texture; add --thickness");
+  expect_refusal(convert_to("a.abc --thickness 0.002 --texture-back cloth.png"), "--texture");
+  expect_refusal(run("knot.rbn --texture-back cloth.png -o a.usda"), "--texture");
+}
+
 TEST_F(TexturedTool, a_texture_that_is_no_picture_is_refused_before_anything_is_written) {
   expect_refusal(run("knot.rbn --texture knot.rbn -o 'out/{frame}.obj'"),
                  "save the texture as PNG");

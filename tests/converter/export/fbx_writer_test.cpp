@@ -103,32 +103,55 @@ TEST_F(FbxMotion, each_channel_is_full_in_its_frame_alone) {
     EXPECT_EQ((*channel)["FullWeights"].array(), std::vector<double>{100});
 }
 
-TEST_F(FbxMotion, all_that_is_connected_exists_and_all_that_exists_is_connected) {
+void expect_all_connected(const ReadFbxRecord& file) {
   std::vector<double> objects;
-  for (const ReadFbxRecord& object : file_["Objects"].nested)
+  for (const ReadFbxRecord& object : file["Objects"].nested)
     objects.push_back(std::get<double>(object.properties[0]));
   std::set<double> connected;  // a curve's node both to its layer and to its channel
-  for (const ReadFbxRecord& connection : file_["Connections"].nested) {
+  for (const ReadFbxRecord& connection : file["Connections"].nested) {
     connected.insert(std::get<double>(connection.properties[1]));
     const double owner = std::get<double>(connection.properties[2]);
     EXPECT_TRUE(owner == 0 || std::count(objects.begin(), objects.end(), owner) == 1) << owner;
   }
-  connected.insert(std::get<double>(file_["Objects"]["AnimationStack"].properties[0]));
+  connected.insert(std::get<double>(file["Objects"]["AnimationStack"].properties[0]));
   EXPECT_THAT(connected, testing::UnorderedElementsAreArray(objects));
 }
 
-TEST_F(FbxMotion, the_definitions_count_all_objects) {
+void expect_all_counted(const ReadFbxRecord& file) {
   double count = 1;  // the settings
-  for (const ReadFbxRecord& type : file_["Definitions"].nested) {
+  for (const ReadFbxRecord& type : file["Definitions"].nested) {
     if (type.name != "ObjectType" || type.text(0) == "GlobalSettings") continue;
     double found = 0;
-    for (const ReadFbxRecord& object : file_["Objects"].nested)
+    for (const ReadFbxRecord& object : file["Objects"].nested)
       found += object.name == type.text(0) ? 1 : 0;
     EXPECT_EQ(type["Count"].number(), found) << type.text(0);
     count += found;
   }
-  EXPECT_EQ(file_["Definitions"]["Count"].number(), count);
-  EXPECT_EQ(static_cast<double>(file_["Objects"].nested.size()), count - 1);
+  EXPECT_EQ(file["Definitions"]["Count"].number(), count);
+  EXPECT_EQ(static_cast<double>(file["Objects"].nested.size()), count - 1);
+}
+
+TEST_F(FbxMotion, all_that_is_connected_exists_and_all_that_exists_is_connected) {
+  expect_all_connected(file_);
+}
+
+TEST_F(FbxMotion, the_definitions_count_all_objects) {
+  expect_all_counted(file_);
+}
+
+TEST(FbxWriter, each_side_of_a_solid_has_a_material_and_a_picture) {
+  const ReadFbxRecord file =
+      read_fbx(written_motion(new_fbx_writer, knot_with_room(), textured_on_both_sides()));
+  expect_all_connected(file);
+  expect_all_counted(file);
+  EXPECT_EQ(file["Objects"].all("Material", "").size(), 2U);
+  EXPECT_EQ(file["Objects"].all("Video", "Clip").size(), 2U);
+  const ReadFbxRecord& layer =
+      (*file["Objects"].all("Geometry", "Mesh")[0])["LayerElementMaterial"];
+  const std::vector<double> shown = layer["Materials"].array();
+  ASSERT_EQ(shown.size(), 2 * 66U + 2 * 28U);
+  for (std::size_t face = 0; face < shown.size(); ++face)
+    EXPECT_EQ(shown[face], face < shown.size() - 66 ? 0 : 1) << face;
 }
 
 TEST_F(FbxMotion, one_frame_is_the_same_file_as_without_motion) {

@@ -142,6 +142,21 @@ TEST(GlbWriter, the_picture_lies_in_the_file_between_mesh_and_motion) {
             positions_of(knot, 4) - positions_of(knot, 0));
 }
 
+TEST(GlbWriter, each_side_of_a_solid_is_a_primitive_with_a_picture) {
+  const Glb glb(written_motion(new_glb_writer, knot_with_room(), textured_on_both_sides()));
+  const Json& primitives = glb.json["meshes"][0]["primitives"];
+  ASSERT_EQ(primitives.size(), 2U);
+  EXPECT_EQ(primitives[0]["attributes"], primitives[1]["attributes"]);
+  EXPECT_EQ(primitives[0]["targets"], primitives[1]["targets"]);
+  EXPECT_EQ(glb.json["accessors"][primitives[1]["indices"].get<std::size_t>()]["count"], 3 * 66);
+  for (const int side : {0, 1}) {
+    const Json& material = glb.json["materials"][primitives[side]["material"].get<std::size_t>()];
+    EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorTexture"]["index"], side);
+    EXPECT_EQ(glb.json["textures"][side]["source"], side);
+  }
+  EXPECT_EQ(glb.json["images"].size(), 2U);
+}
+
 TEST(GlbWriter, without_a_picture_there_are_no_textures) {
   const Glb glb(written_motion(new_glb_writer, sample_knot()));
   for (const char* member : {"textures", "images", "samplers"})

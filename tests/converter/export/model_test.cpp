@@ -177,4 +177,27 @@ TEST(Model, a_picture_as_high_as_the_ribbon_is_wide_is_repeated_along_it) {
   EXPECT_EQ(ribbon.material.color, Eigen::Vector3f::Ones()) << "it would tint the picture";
 }
 
+TEST(Model, the_back_of_a_solid_has_a_picture_of_its_own) {
+  const RecordingHeader header = knot_with_room().header;  // 1.1 m x 0.09 m
+  const ModelObject solid = model_of_recording(header, textured_on_both_sides()).value().objects[0];
+  EXPECT_FLOAT_EQ(solid.uv(0, 47), 1.1F / 0.18F);
+  EXPECT_FLOAT_EQ(solid.uv(0, 95), 1.1F / 0.27F) << "as high as the ribbon is wide, too";
+  const std::vector<ModelPart> parts = parts_of(solid);
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].material.name, "ribbon");
+  EXPECT_EQ(parts[1].material.name, "ribbon_back");
+  EXPECT_EQ(parts[0].faces + parts[1].faces, solid.faces.cols());
+  EXPECT_GE(solid.faces.middleCols(parts[1].first_face, parts[1].faces).minCoeff(), 48)
+      << "the back's faces have vertices of the back alone";
+  EXPECT_EQ(parts[1].faces, 2 * 33);
+}
+
+TEST(Model, a_solid_with_one_picture_is_one_part) {
+  ModelSettings settings = textured_on_both_sides();
+  settings.back_picture = nullptr;
+  const Model model = model_of_recording(knot_with_room().header, settings).value();
+  EXPECT_EQ(parts_of(model.objects[0]).size(), 1U);
+  EXPECT_EQ(materials_of(model).size(), 1U);
+}
+
 }  // namespace ribbon::model_test

@@ -134,4 +134,16 @@ TEST(MaterialLibrary, names_the_picture_that_lies_on_the_ribbon) {
   EXPECT_EQ(text.find("map_Kd"), text.rfind("map_Kd")) << "the obstacle has none";
 }
 
+TEST(ObjText, faces_of_the_back_use_its_material) {
+  const std::string text =
+      obj_text(posed_model(knot_with_room(), 1, textured_on_both_sides()), "a.mtl");
+  const std::size_t back = text.find("usemtl ribbon_back\nf ");
+  ASSERT_NE(back, std::string::npos);
+  EXPECT_LT(text.find("usemtl ribbon\nf "), back);
+  EXPECT_EQ(std::count(text.begin() + static_cast<std::ptrdiff_t>(back), text.end(), 'f'), 66);
+  EXPECT_THAT(material_library_text(
+                  model_of_recording(knot_with_room().header, textured_on_both_sides()).value()),
+              HasSubstr("newmtl ribbon_back\nKd 1 1 1\nd 1\nillum 1\nmap_Kd knot_back.png\n"));
+}
+
 }  // namespace ribbon::obj_text_test

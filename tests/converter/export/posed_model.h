@@ -3,12 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
-
 #include "converter/export/model.h"
-#include "converter/export/picture_file.h"
 #include "converter/sample_knot.h"
-#include "converter/sample_picture.h"
+#include "converter/textured_settings.h"
 
 namespace ribbon {
 
@@ -20,14 +17,12 @@ inline Model posed_model(const SampleKnot& knot, std::size_t frame,
   return model;
 }
 
-// A picture of 2 x 1 pixels lies on the ribbon.
-inline ModelSettings textured() {
-  return {.picture = std::make_shared<const PictureFile>(PictureFile{.bytes = sample_png(),
-                                                                     .media_type = "image/png",
-                                                                     .extension = ".png",
-                                                                     .width = 2,
-                                                                     .height = 1,
-                                                                     .name = "knot.png"})};
+// The sample without what a solid cannot be raised from: its obstacle and the pinched frame.
+inline SampleKnot knot_with_room() {
+  SampleKnot knot = sample_knot();
+  knot.header.obstacle.reset();
+  knot.frames.erase(knot.frames.begin() + 2);
+  return knot;
 }
 
 }  // namespace ribbon
