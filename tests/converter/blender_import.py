@@ -15,9 +15,11 @@ import subprocess
 import sys
 
 import bpy
+import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from blender_scene import CACHES, attach_cache, evaluated, import_file  # noqa: E402
+from recorded_motion import normals_of  # noqa: E402
 
 # Blender turns imported objects upright by a rotation in single precision, so its positions are
 # exact only to a few times this part of the largest coordinate.
@@ -25,6 +27,9 @@ FLOAT_ROUNDING = 4 * 2.0**-23
 
 # The frame in blender_samples' spoiled OBJ and FBX files: the one with coincident vertices.
 SPOILED_FRAME = 2
+
+# In frames after the first, Blender shows normals as it keeps them: as angles to those that it computes.
+NORMALS_TOLERANCE = 0.015
 
 # What the comparison must say about each fault that blender_samples plants.
 FAULTS = {
@@ -202,6 +207,41 @@ def check_motion(path, reference, corners=3):
     return problems + check_frames(reference, FIRST_FRAME[path.suffix], corners)
 
 
+def seen_normals(obj):
+    """The normal at each vertex, in the recording's axes, and the faces. All corners of a vertex have the same."""
+    mesh = evaluated(obj).data
+    mesh.calc_normals_split()
+    normals = numpy.zeros((len(mesh.vertices), 3))
+    for loop in mesh.loops:
+        normals[loop.vertex_index] = loop.normal
+    for loop in mesh.loops:
+        if abs(normals[loop.vertex_index] - numpy.array(loop.normal)).max() > 1e-4:
+            return None, None
+    normals = normals @ numpy.array(obj.matrix_world.to_3x3()).T
+    normals /= numpy.linalg.norm(normals, axis=1, keepdims=True)
+    return normals[:, [0, 2, 1]] * [1, 1, -1], [list(p.vertices) for p in mesh.polygons]
+
+
+def compare_normals(reference, frame, tolerance):
+    """Problems of what the ribbon shows now, beside the smooth normals of a recorded frame."""
+    normals, faces = seen_normals(bpy.data.objects[reference.ribbon])
+    if normals is None:
+        return ["a vertex with several normals"]
+    worst = abs(normals - normals_of(reference.frames[frame], faces)).max()
+    return [] if worst <= tolerance else [f"frame {frame}: normals are off by {worst:.3g}"]
+
+
+def check_normals(path, reference, frames, shown=None):
+    """Problems of the normals of some frames, of one file. `shown`: the frame beside which all are held."""
+    import_file(path, reference.frames_per_second)
+    problems = []
+    for frame in frames:
+        bpy.context.scene.frame_set(FIRST_FRAME.get(path.suffix, 0) + frame)
+        tolerance = 1e-3 if frame == 0 else NORMALS_TOLERANCE
+        problems += compare_normals(reference, frame if shown is None else shown, tolerance)
+    return problems
+
+
 def seen_in_cache(path):
     """A point cache with a fault of its positions, which are all that it holds."""
     faults = ("right", "moved_vertex", "swapped_frames", "frozen")
@@ -270,6 +310,22 @@ def check_placed(verdicts, convert, folder):
         verdicts.accepts(f"near z-up cm {path.name}", check_file(path, reference, frame))
 
 
+def check_all_normals(verdicts, convert, folder):
+    """But those of the frame with coincident vertices, about which readers differ."""
+    reference = Reference(folder / "near.json")
+    out = folder / "near/normals"
+    for name in ("knot.0001.obj", "knot.glb", "knot.fbx"):
+        first = ["--frames", "1"] if name.endswith(".obj") else []
+        command = [convert, folder / "near.rbn", "-o", out / name, "--normals", "--quiet", *first]
+        subprocess.run([str(word).replace("0001", "{frame:04}") for word in command], check=True)
+        frames = [0] if first else [0, 1, 3, 4]
+        verdicts.accepts(f"near normals {name}", check_normals(out / name, reference, frames))
+    stale = check_normals(out / "knot.fbx", reference, [1], shown=0)
+    verdicts.refuses("normals of frame 1 for frame 2", stale, "normals are off")
+    flat = check_normals(folder / "near/triangles/knot.glb", reference, [0])
+    verdicts.refuses("no normals", flat, "normal")
+
+
 def check_that_faults_are_seen(verdicts, folder):
     reference = Reference(folder / "near.json")
     for path in sorted((folder / "spoiled").iterdir()):
@@ -305,6 +361,7 @@ def main():
         check_exports(verdicts, convert, folder, sample, "triangles", 3)
     check_exports(verdicts, convert, folder, "near", "quads", 4)
     check_placed(verdicts, convert, folder)
+    check_all_normals(verdicts, convert, folder)
     check_that_faults_are_seen(verdicts, folder)
     check_that_faulty_motions_are_seen(verdicts, folder)
     if verdicts.failed:
