@@ -49,10 +49,10 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
 }
 
 // The recorded scene with the changes, as far as they are possible.
-Result<RunPlan> plan_of_take(const Scene& recorded, const std::vector<std::string>& settings,
-                             const RunLimit& limit) {
+Result<RunPlan> plan_of_take(const Scene& recorded, const std::optional<TriangleMesh>& obstacle,
+                             const std::vector<std::string>& settings, const RunLimit& limit) {
   auto plan = read_scene(recorded.file, recorded.text, settings)
-                  .and_then(with_marks_found)
+                  .and_then([&](const Scene& scene) { return with_marks_found(scene, obstacle); })
                   .and_then([&](const Scene& scene) { return plan_of(scene, limit); });
   if (!plan) return plan;
   const auto fixed = common_to_both_that_differs(recorded, plan->scene);
@@ -144,7 +144,7 @@ Result<std::optional<RunStatistics>> branch(const fs::path& file, int frame,
   const int copies = frame + 1;
   auto source = RecordedRun::open(file, copies);
   if (!source) return tl::unexpected(source.error());
-  const auto plan = plan_of_take(source->scene, take.settings, limit);
+  const auto plan = plan_of_take(source->scene, source->reader.header().obstacle, take.settings, limit);
   if (!plan) return tl::unexpected(plan.error());
   const Scene& scene = plan->scene;
   RecordingReader& reader = source->reader;

@@ -45,12 +45,14 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
 Result<RunStatistics> record(const Scene& wanted, const NewRecording& recording,
                              const RunObserver& observer, const RunLimit& limit) {
   if (auto place = recording.check_place(); !place) return tl::unexpected(place.error());
-  const auto plan = with_marks_found(wanted).and_then(
-      [&limit](const Scene& scene) { return plan_of(scene, limit); });
+  const auto obstacle = read_obstacle(wanted);
+  if (!obstacle) return tl::unexpected(obstacle.error());
+  const auto plan =
+      with_marks_found(wanted, *obstacle).and_then([&limit](const Scene& found) {
+        return plan_of(found, limit);
+      });
   if (!plan) return tl::unexpected(plan.error());
   const Scene& scene = plan->scene;
-  const auto obstacle = read_obstacle(scene);
-  if (!obstacle) return tl::unexpected(obstacle.error());
   Stopwatch stopwatch;
   auto start = find_start(scene, *obstacle, observer.start_sought);
   if (!start) return tl::unexpected(start.error());

@@ -1,14 +1,17 @@
 #include "recorder/show_crossings.h"
 
-#include <algorithm>
 #include <system_error>
+#include <vector>
 
 #include "curve/crossings.h"
 #include "curve/diagram_svg.h"
 #include "curve/joined_drawing.h"
+#include "curve/object_heights.h"
+#include "curve/object_passages.h"
 #include "curve/over_under.h"
 #include "files/files.h"
 #include "knot/type/tied_forms.h"
+#include "obstacle/obstacle.h"
 #include "recorder/run/drawn_knot.h"
 #include "text/number_text.h"
 
@@ -16,22 +19,39 @@ namespace ribbon {
 
 namespace {
 
-// As if all were over: without gaps.
-std::vector<Passage> numbered(const std::vector<DoublePoint>& points) {
+// What can be drawn of a drawing whose over and under, or front and back, cannot be told: its
+// passages as if all were over and in front, without gaps.
+struct NumberedPassages {
+  std::vector<Passage> crossings;
+  std::vector<ObjectPassage> objects;
+};
+
+NumberedPassages numbered(const std::vector<DoublePoint>& points,
+                          const std::vector<ObjectRun>& runs) {
   std::vector<Crossing> crossings;
   crossings.reserve(points.size());
   for (const DoublePoint& point : points)
     crossings.push_back({point.first, point.second, point.point});
-  std::vector<Passage> passages = passages_along(crossings);
-  for (Passage& passage : passages) passage.over = true;
-  return passages;
+  NumberedPassages all{passages_along(crossings), {}};
+  for (Passage& passage : all.crossings) passage.over = true;
+  for (const ObjectRun& run : runs) all.objects.push_back({run});
+  return all;
 }
 
-std::string text_of(const std::vector<Crossing>& crossings) {
-  if (crossings.empty()) return "the drawing does not cross itself\n";
+std::string text_of(const std::vector<Crossing>& crossings,
+                    const std::vector<ObjectPassage>& objects) {
+  if (crossings.empty() && objects.empty()) return "the drawing does not cross itself\n";
   const KnotDiagram diagram = diagram_of(crossings);
-  return filled_in("crossings = \"{}\"\nGauss code: {}\nknot: {}\n", letters_of(crossings),
-                   gauss_code(diagram), text_of_knot(diagram));
+  return filled_in("crossings = \"{}\"\nGauss code: {}\nknot: {}\n",
+                   letters_of(crossings, objects), gauss_code(diagram), text_of_knot(diagram));
+}
+
+// Of a list that does not tell of the object.
+std::string text_of(const std::vector<ObjectRun>& runs) {
+  return filled_in(
+      "the curve passes the object {} times; where it lies in front of it or behind, F or B in "
+      "'crossings' tells it\n",
+      runs.size());
 }
 
 }  // namespace
@@ -45,11 +65,23 @@ Result<std::string> show_crossings(const Scene& scene, const std::filesystem::pa
   if (!drawing) return tl::unexpected(drawing.error());
   const auto points = find_double_points(drawing->points);
   if (!points) return tl::unexpected(points.error());
+  const auto obstacle = read_obstacle(scene);
+  if (!obstacle) return tl::unexpected(obstacle.error());
+  const ObjectHeights heights = heights_of(*obstacle, scene.curve);
+  const auto runs =
+      heights ? find_object_runs(drawing->points, heights) : std::vector<ObjectRun>();
+  const auto objects = object_passages(*points, *drawing, scene.curve, heights);
   const auto crossings = over_and_under(*points, *drawing, scene.curve);
-  const auto passages = crossings ? passages_along(*crossings) : numbered(*points);
-  if (auto written = write_file(file, diagram_svg(drawing->points, passages)); !written)
+  const NumberedPassages drawn = crossings && objects
+                                     ? NumberedPassages{passages_along(*crossings), *objects}
+                                     : numbered(*points, runs);
+  if (auto written = write_file(file, diagram_svg(drawing->points, drawn.crossings, drawn.objects));
+      !written)
     return tl::unexpected(written.error());
-  return crossings.map(text_of);
+  if (!objects) return tl::unexpected(objects.error());
+  if (!crossings) return tl::unexpected(crossings.error());
+  return text_of(*crossings, *objects) +
+         (runs.size() > objects->size() ? text_of(runs) : std::string());
 }
 
 }  // namespace ribbon

@@ -17,8 +17,9 @@ using Eigen::Vector2d;
 // All in the drawing's diagonal.
 constexpr double widest_half_gap = 0.01;
 constexpr double stroke = 0.003;
+constexpr double dash = 0.008;
 constexpr double largest_letter = 0.022;
-constexpr double margin = 0.05;
+constexpr double page_margin = 0.05;
 
 // All in the room that a passage has: the shorter way to the passages before and behind.
 constexpr double half_gap_per_room = 1.0 / 3;
@@ -71,8 +72,8 @@ std::string number(double value) {
   return short_number(value, digits);
 }
 
-std::string path_of(const Drawing& piece) {
-  std::string path = "    <path d=\"M";
+std::string path_of(const Drawing& piece, const std::string& attributes) {
+  std::string path = "    <path" + attributes + " d=\"M";
   for (const Vector2d& point : piece) {
     path += ' ';
     path += number(point.x());
@@ -85,37 +86,78 @@ std::string path_of(const Drawing& piece) {
 // A passage as it is drawn, by length.
 struct DrawnPassage {
   double length;
-  double half_gap;
-  double letter;  // size of its number
-  bool over;
+  double half_gap;  // 0 where none is needed
+  double letter;    // size of its number
 };
 
+// The passages of crossings and of the object, as they are counted.
 std::vector<DrawnPassage> drawn_passages(const MeasuredDrawing& drawing,
-                                         const std::vector<Passage>& passages, double diagonal) {
+                                         const std::vector<Passage>& passages,
+                                         const std::vector<ObjectPassage>& objects,
+                                         double diagonal) {
+  const auto all = counted(passages, objects);
   std::vector<double> lengths;
-  lengths.reserve(passages.size());
-  for (const Passage& passage : passages) lengths.push_back(drawing.length_at(passage.parameter));
+  lengths.reserve(all.size());
+  for (const CountedPassage& passage : all) lengths.push_back(drawing.length_at(passage.parameter));
   std::vector<DrawnPassage> drawn;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const double before = i == 0 ? lengths[i] : lengths[i] - lengths[i - 1];
     const double next = i + 1 == lengths.size() ? drawing.length() : lengths[i + 1];
     const double room = std::min(before, next - lengths[i]);
-    drawn.push_back({lengths[i], std::min(half_gap_per_room * room, widest_half_gap * diagonal),
-                     std::min(letter_per_room * room, largest_letter * diagonal),
-                     passages[i].over});
+    const bool is_under = !all[i].of_object && !passages[all[i].index].over;
+    drawn.push_back(
+        {lengths[i],
+         is_under ? std::min(half_gap_per_room * room, widest_half_gap * diagonal) : 0.0,
+         std::min(letter_per_room * room, largest_letter * diagonal)});
   }
   return drawn;
 }
 
-std::string pieces_of(const MeasuredDrawing& drawing, const std::vector<DrawnPassage>& passages) {
+// A stretch of the drawing that is one stroke, by length.
+struct Stroke {
+  double begin;
+  double end;
+  std::string attributes = {};
+};
+
+// Where the drawing passes the object.
+std::vector<Stroke> object_strokes(const MeasuredDrawing& drawing,
+                                   const std::vector<ObjectPassage>& objects, double diagonal) {
+  const std::string dashes = " class=\"behind\" stroke-dasharray=\"" +
+                             number(dash * diagonal) + "\"";
+  std::vector<Stroke> strokes;
+  strokes.reserve(objects.size());
+  for (const auto& [run, in_front] : objects)
+    strokes.push_back({drawing.length_at(run.begin), drawing.length_at(run.end),
+                       in_front ? " class=\"front\"" : dashes});
+  return strokes;
+}
+
+// Between gaps, cut where strokes of the object begin and end.
+std::string pieces_of(const MeasuredDrawing& drawing, const std::vector<DrawnPassage>& passages,
+                      const std::vector<Stroke>& objects) {
   std::string paths;
   double begin = 0;
+  const auto draw_to = [&](double end, const std::string& attributes) {
+    if (end > begin) paths += path_of(drawing.piece(begin, end), attributes);
+    begin = std::max(begin, end);
+  };
+  auto object = objects.begin();
+  const auto draw_pieces_to = [&](double end) {
+    for (; object != objects.end() && object->begin < end; ++object) {
+      draw_to(object->begin, "");
+      draw_to(std::min(object->end, end), object->attributes);
+      if (object->end > end) return;
+    }
+    draw_to(end, "");
+  };
   for (const DrawnPassage& passage : passages) {
-    if (passage.over) continue;
-    paths += path_of(drawing.piece(begin, passage.length - passage.half_gap));
+    if (passage.half_gap == 0) continue;
+    draw_pieces_to(passage.length - passage.half_gap);
     begin = passage.length + passage.half_gap;
   }
-  return paths + path_of(drawing.piece(begin, drawing.length()));
+  draw_pieces_to(drawing.length());
+  return paths;
 }
 
 // Before the crossing, on the left of the strand.
@@ -141,17 +183,19 @@ std::string view_box(const Drawing& drawing, double room) {
 
 }  // namespace
 
-std::string diagram_svg(const Drawing& drawing, const std::vector<Passage>& passages) {
+std::string diagram_svg(const Drawing& drawing, const std::vector<Passage>& passages,
+                        const std::vector<ObjectPassage>& objects) {
   const double diagonal = extent_of(drawing);
   const MeasuredDrawing measured(drawing);
-  const std::vector<DrawnPassage> drawn = drawn_passages(measured, passages, diagonal);
+  const std::vector<DrawnPassage> drawn = drawn_passages(measured, passages, objects, diagonal);
+  const std::string pieces = pieces_of(measured, drawn, object_strokes(measured, objects, diagonal));
   std::string labels;
   for (std::size_t i = 0; i < drawn.size(); ++i)
     labels += label(measured, drawn[i], std::to_string(i + 1));
   return R"(<svg xmlns="http://www.w3.org/2000/svg" width="1000" viewBox=")" +
-         view_box(drawing, margin * diagonal) +
+         view_box(drawing, page_margin * diagonal) +
          "\">\n  <g id=\"band\" fill=\"none\" stroke=\"#8f1d3c\" stroke-width=\"" +
-         number(stroke * diagonal) + "\">\n" + pieces_of(measured, drawn) +
+         number(stroke * diagonal) + "\">\n" + pieces +
          "  </g>\n  <g font-family=\"sans-serif\" text-anchor=\"middle\">\n" + labels +
          "  </g>\n</svg>\n";
 }

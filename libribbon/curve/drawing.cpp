@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <pugixml.hpp>
 #include <string_view>
 
@@ -51,11 +52,16 @@ bool is_path(std::string_view name) {
   return name == "path" || name == "polyline" || name == "line";
 }
 
-bool is_hidden(const pugi::xml_node& node) {
+// Without blanks.
+std::string style_of(const pugi::xml_node& node) {
   std::string style = node.attribute("style").value();
   std::erase_if(style, [](char c) { return c == ' ' || c == '\t' || c == '\n'; });
+  return style;
+}
+
+bool is_hidden(const pugi::xml_node& node) {
   return node.attribute("display").value() == std::string_view("none") ||
-         (";" + style + ";").find(";display:none;") != std::string::npos;
+         (";" + style_of(node) + ";").find(";display:none;") != std::string::npos;
 }
 
 bool is_circle(std::string_view name) {
@@ -159,6 +165,54 @@ Result<std::vector<pugi::xml_node>> paths_by_id(const SvgFile& file,
                      : "correct 'path' in the scene's [curve]: there are " + list_ids(paths));
 }
 
+// One of the words between blanks.
+bool has_class(const pugi::xml_node& node, const std::string& name) {
+  std::string classes = std::string(" ") + node.attribute("class").value() + " ";
+  std::replace_if(
+      classes.begin(), classes.end(), [](char c) { return c == '\t' || c == '\n'; }, ' ');
+  return classes.find(" " + name + " ") != std::string::npos;
+}
+
+// What the node says itself of its strokes' dashes: nothing, that there are none, or some.
+std::optional<bool> says_dashed(const pugi::xml_node& node) {
+  constexpr std::string_view property = "stroke-dasharray:";
+  const std::string style = style_of(node);
+  const std::size_t at = (";" + style).find(";" + std::string(property));
+  std::string dashes = node.attribute("stroke-dasharray").value();
+  if (at != std::string::npos) {
+    const std::size_t begin = at + property.size();
+    dashes = style.substr(begin, style.find(';', begin) - begin);
+  }
+  if (dashes.empty()) return std::nullopt;
+  return dashes.find_first_of("123456789") != std::string::npos;
+}
+
+Depth depth_by_class(pugi::xml_node node) {
+  for (; node; node = node.parent()) {
+    if (has_class(node, "behind")) return Depth::behind;
+    if (has_class(node, "front")) return Depth::front;
+  }
+  return Depth::untold;
+}
+
+bool is_dashed(pugi::xml_node node) {
+  for (; node; node = node.parent())
+    if (const auto dashed = says_dashed(node)) return *dashed;
+  return false;
+}
+
+// Where all strokes are dashed, that is a matter of taste.
+std::vector<Depth> depths_of(const std::vector<pugi::xml_node>& paths) {
+  const bool dashes_tell = !std::all_of(paths.begin(), paths.end(), is_dashed);
+  std::vector<Depth> depths;
+  for (const pugi::xml_node& path : paths) {
+    depths.push_back(depth_by_class(path));
+    if (depths.back() == Depth::untold && dashes_tell && is_dashed(path))
+      depths.back() = Depth::behind;
+  }
+  return depths;
+}
+
 Result<Eigen::Affine2d> root_from_path(const SvgFile& file, const pugi::xml_node& path) {
   Eigen::Affine2d transform = Eigen::Affine2d::Identity();
   for (pugi::xml_node node = path; node; node = node.parent()) {
@@ -215,13 +269,14 @@ Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
   const auto shown = visible(is_path, svg->document.document_element());
   const auto nodes = id.empty() ? only_path(*svg, shown) : paths_by_id(*svg, shown, id);
   if (!nodes) return tl::unexpected(nodes.error());
+  const std::vector<Depth> depths = depths_of(*nodes);
   std::vector<SvgPath> paths;
   for (const pugi::xml_node& node : *nodes) {
     const auto transform = root_from_path(*svg, node);
     if (!transform) return tl::unexpected(transform.error());
     paths.push_back({svg->place(node),
                      id_of(node).empty() ? "the path" : "path '" + id_of(node) + "'",
-                     path_data(node), *transform});
+                     path_data(node), *transform, depths[paths.size()]});
   }
   return paths;
 }

@@ -13,12 +13,18 @@ namespace ribbon {
 // A drawn polyline in drawing units, y down as in SVG: consecutive points differ, at least 2.
 using Drawing = std::vector<Eigen::Vector2d>;
 
+// Where a stroke lies, if the drawing says so.
+enum class Depth { untold, front, behind };
+
 // A path as it stands in an SVG file.
 struct SvgPath {
   std::string place;  // file and line
   std::string name;   // "path 'band'"
   std::string data;   // path data, as of a `d` attribute
   Eigen::Affine2d root_from_path;
+  // By the class "front" or "behind" of the path or of a group that it is in; a dashed stroke among
+  // others that are not lies behind.
+  Depth depth = Depth::untold;
 };
 
 // Finds a path (or polyline or line) in an SVG file as drawing programs write it, or all of a

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "curve/place.h"
@@ -21,19 +21,24 @@ using Eigen::Vector2d;
 constexpr double flatness_per_extent = 1e-5;  // a tenth of what find_double_points calls touching
 constexpr double widest_gap_per_extent = 0.1;
 constexpr double largest_turn = std::numbers::pi / 6;  // at each end of a gap
+constexpr double meeting_per_extent = 1e-5;            // ends nearer than this have no gap
 
 // Ends 2 i and 2 i + 1 are the first and the last point of piece i.
 std::size_t other_end(std::size_t end) {
   return end ^ 1U;
 }
 
+double extent_of_all(const std::vector<DrawnPiece>& pieces) {
+  Drawing all;
+  for (const DrawnPiece& piece : pieces)
+    all.insert(all.end(), piece.points.begin(), piece.points.end());
+  return extent_of(all);
+}
+
 class Pieces {
  public:
-  explicit Pieces(const std::vector<Drawing>& pieces) : pieces_(pieces) {
-    Drawing all;
-    for (const Drawing& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
-    widest_gap_ = widest_gap_per_extent * extent_of(all);
-  }
+  explicit Pieces(const std::vector<DrawnPiece>& pieces)
+      : pieces_(pieces), extent_(extent_of_all(pieces)) {}
 
   [[nodiscard]] std::size_t end_count() const { return 2 * pieces_.size(); }
   [[nodiscard]] const Vector2d& point(std::size_t end) const {
@@ -46,13 +51,18 @@ class Pieces {
     return there && nearest(*there) == end ? there : std::nullopt;
   }
 
+  [[nodiscard]] Depth depth(std::size_t end) const { return pieces_[end / 2].depth; }
+  [[nodiscard]] bool meet(std::size_t end, std::size_t other) const {
+    return length_of(point(other) - point(end)) <= meeting_per_extent * extent_;
+  }
+
   // The points of the end's piece, walked from the end.
   [[nodiscard]] Drawing walked_from(std::size_t end) const {
     return end % 2 == 0 ? piece(end) : Drawing(piece(end).rbegin(), piece(end).rend());
   }
 
  private:
-  [[nodiscard]] const Drawing& piece(std::size_t end) const { return pieces_[end / 2]; }
+  [[nodiscard]] const Drawing& piece(std::size_t end) const { return pieces_[end / 2].points; }
   [[nodiscard]] Vector2d outwards(std::size_t end) const {
     const Drawing& points = piece(end);
     return end % 2 == 0 ? Vector2d(points[0] - points[1])
@@ -60,9 +70,10 @@ class Pieces {
   }
 
   [[nodiscard]] bool continues(std::size_t end, std::size_t other) const {
+    if (end / 2 == other / 2) return false;
+    if (meet(end, other)) return angle_between(outwards(end), -outwards(other)) < largest_turn;
     const Vector2d gap = point(other) - point(end);
-    const double width = length_of(gap);
-    return end / 2 != other / 2 && width > 0 && width <= widest_gap_ &&
+    return length_of(gap) <= widest_gap_per_extent * extent_ &&
            angle_between(outwards(end), gap) < largest_turn &&
            angle_between(outwards(other), -gap) < largest_turn;
   }
@@ -75,8 +86,8 @@ class Pieces {
     return result;
   }
 
-  const std::vector<Drawing>& pieces_;
-  double widest_gap_ = 0;
+  const std::vector<DrawnPiece>& pieces_;
+  double extent_;
 };
 
 tl::unexpected<Error> wrong_ends(const Pieces& pieces, const std::vector<std::size_t>& free) {
@@ -91,15 +102,38 @@ tl::unexpected<Error> wrong_ends(const Pieces& pieces, const std::vector<std::si
       "line passes under itself: short, and with both ends in line");
 }
 
-// The walk from a free end over all pieces that hang together.
-JoinedDrawing walk_from(std::size_t end, const Pieces& pieces) {
-  JoinedDrawing drawing{pieces.walked_from(end), {}};
-  for (auto next = pieces.partner(other_end(end)); next; next = pieces.partner(other_end(*next))) {
-    drawing.gaps.push_back(drawing.points.size() - 1);
-    const Drawing piece = pieces.walked_from(*next);
-    drawing.points.insert(drawing.points.end(), piece.begin(), piece.end());
+// A walk over pieces that hang together.
+struct WalkedPieces {
+  JoinedDrawing drawing;
+  std::size_t count = 0;
+};
+
+void append(const Drawing& piece, bool meets, Depth depth, JoinedDrawing& drawing) {
+  if (!drawing.points.empty() && !meets) drawing.gaps.push_back(drawing.points.size() - 1);
+  const std::size_t begin = drawing.points.size() - (meets ? 1 : 0);
+  drawing.points.insert(drawing.points.end(), piece.begin() + (meets ? 1 : 0), piece.end());
+  if (depth == Depth::untold) return;
+  const std::size_t end = drawing.points.size() - 1;
+  const bool goes_on = !drawing.depths.empty() && drawing.depths.back().depth == depth &&
+                       drawing.depths.back().end + 1 >= begin;
+  if (goes_on)
+    drawing.depths.back().end = end;
+  else
+    drawing.depths.push_back({begin, end, depth});
+}
+
+// From a free end.
+WalkedPieces walk_from(std::size_t end, const Pieces& pieces) {
+  WalkedPieces walked;
+  bool meets = false;
+  for (std::optional<std::size_t> next = end; next;) {
+    append(pieces.walked_from(*next), meets, pieces.depth(*next), walked.drawing);
+    ++walked.count;
+    const std::size_t far_end = other_end(*next);
+    next = pieces.partner(far_end);
+    meets = next && pieces.meet(far_end, *next);
   }
-  return drawing;
+  return walked;
 }
 
 Result<JoinedDrawing> read(const DrawnPoints& drawn) {
@@ -114,12 +148,12 @@ Result<JoinedDrawing> read(const DrawnPoints& drawn) {
   return JoinedDrawing{std::move(drawing), {}};
 }
 
-Result<std::vector<Drawing>> flattened(const std::vector<SvgPath>& paths, double tolerance) {
-  std::vector<Drawing> pieces;
+Result<std::vector<DrawnPiece>> flattened(const std::vector<SvgPath>& paths, double tolerance) {
+  std::vector<DrawnPiece> pieces;
   for (const SvgPath& path : paths) {
     auto drawn = flattened(path, tolerance);
-    if (!drawn) return drawn;
-    std::move(drawn->begin(), drawn->end(), std::back_inserter(pieces));
+    if (!drawn) return tl::unexpected(drawn.error());
+    for (Drawing& points : *drawn) pieces.push_back({std::move(points), path.depth});
   }
   return pieces;
 }
@@ -131,24 +165,22 @@ Result<JoinedDrawing> read(const DrawnSvg& drawn) {
   if (!paths) return tl::unexpected(paths.error());
   const auto coarse = flattened(*paths, std::numeric_limits<double>::max());
   if (!coarse) return tl::unexpected(coarse.error());
-  Drawing all;
-  for (const Drawing& piece : *coarse) all.insert(all.end(), piece.begin(), piece.end());
-  return flattened(*paths, flatness_per_extent * extent_of(all)).and_then(joined);
+  return flattened(*paths, flatness_per_extent * extent_of_all(*coarse)).and_then(joined);
 }
 
 }  // namespace
 
-Result<JoinedDrawing> joined(const std::vector<Drawing>& pieces) {
+Result<JoinedDrawing> joined(const std::vector<DrawnPiece>& pieces) {
   const Pieces loose(pieces);
   std::vector<std::size_t> free;
   for (std::size_t end = 0; end < loose.end_count(); ++end)
     if (!loose.partner(end)) free.push_back(end);
   if (free.size() != 2) return wrong_ends(loose, free);
-  JoinedDrawing drawing = walk_from(free.front(), loose);
-  if (drawing.gaps.size() + 1 == pieces.size()) return drawing;
+  WalkedPieces walked = walk_from(free.front(), loose);
+  if (walked.count == pieces.size()) return std::move(walked.drawing);
   return failure("drawing",
                  "it is made of " + std::to_string(pieces.size()) + " pieces, of which only " +
-                     std::to_string(drawing.gaps.size() + 1) +
+                     std::to_string(walked.count) +
                      " hang together; the others close to a loop",
                  "draw one line");
 }

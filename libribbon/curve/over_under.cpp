@@ -24,6 +24,14 @@ std::vector<std::array<std::size_t, 2>> places_in_walk(const std::vector<DoubleP
   return places;
 }
 
+// Of the letters of the list that tell of crossings, where in the list they stand.
+std::vector<std::size_t> crossing_letters(const CrossingList& list) {
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < list.letters.size(); ++k)
+    if (list.letters[k] == 'O' || list.letters[k] == 'U') places.push_back(k);
+  return places;
+}
+
 Crossing crossing_of(const DoublePoint& point, bool first_over) {
   return {point.first, point.second, point.point, first_over,
           first_over ? point.sign_if_first_is_over : -point.sign_if_first_is_over};
@@ -100,15 +108,18 @@ Result<std::vector<Crossing>> alternating(const std::vector<DoublePoint>& points
 
 Result<std::vector<Crossing>> as_listed(const std::vector<DoublePoint>& points,
                                         const CrossingList& list) {
-  if (list.letters.size() != 2 * points.size()) return wrong_length(points, list);
+  const std::vector<std::size_t> letters = crossing_letters(list);
+  if (letters.size() != 2 * points.size()) return wrong_length(points, list);
   const auto places = places_in_walk(points);
   std::vector<Crossing> crossings;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const char first = list.letters[places[i][0]];
-    if (first == list.letters[places[i][1]])
+    const std::size_t first_letter = letters[places[i][0]];
+    const std::size_t second_letter = letters[places[i][1]];
+    const char first = list.letters[first_letter];
+    if (first == list.letters[second_letter])
       return failure(list.place,
-                     "passages " + std::to_string(places[i][0] + 1) + " and " +
-                         std::to_string(places[i][1] + 1) + " meet at " +
+                     "passages " + std::to_string(first_letter + 1) + " and " +
+                         std::to_string(second_letter + 1) + " meet at " +
                          coordinates(points[i].point) + " of the drawing, and both say " + first,
                      "write O for the one that passes over and U for the other");
     crossings.push_back(crossing_of(points[i], first == 'O'));
@@ -138,18 +149,16 @@ Result<std::vector<Crossing>> as_gaps_say(const std::vector<DoublePoint>& points
 Result<std::vector<Crossing>> over_and_under(const std::vector<DoublePoint>& points,
                                              const JoinedDrawing& drawing,
                                              const CurveScene& scene) {
-  if (scene.crossings && !drawing.gaps.empty())
-    return failure(scene.crossings->place, "the gaps of the drawing say already what passes under",
+  const bool is_drawn = !drawing.gaps.empty() || !drawing.depths.empty();
+  if (scene.crossings && is_drawn)
+    return failure(scene.crossings->place,
+                   drawing.gaps.empty()
+                       ? "the strokes of the drawing say already what passes behind the object"
+                       : "the gaps of the drawing say already what passes under",
                    "remove 'crossings', or join the pieces of the drawing");
-  if (!drawing.gaps.empty()) return as_gaps_say(points, drawing);
+  if (is_drawn) return as_gaps_say(points, drawing);
   return scene.crossings ? as_listed(points, *scene.crossings)
                          : alternating(points, scene.first_passage_over);
-}
-
-std::string letters_of(const std::vector<Crossing>& crossings) {
-  std::string letters;
-  for (const Passage& passage : passages_along(crossings)) letters += passage.over ? 'O' : 'U';
-  return letters;
 }
 
 std::vector<Passage> passages_along(const std::vector<Crossing>& crossings) {

@@ -35,7 +35,7 @@ struct Passage {
 // be: where an end is shut in by a loop of the curve.
 Result<std::vector<Crossing>> alternating(const std::vector<DoublePoint>& points, bool first_over);
 
-// As the list says, a letter for each passage. Fails, with the place in the scene and in the
+// As the list says, a letter for each passage (F and B tell of the object: object_passages()). Fails, with the place in the scene and in the
 // drawing, where it is too short or too long or gives both passages of a crossing the same letter.
 Result<std::vector<Crossing>> as_listed(const std::vector<DoublePoint>& points,
                                         const CrossingList& list);
@@ -45,12 +45,10 @@ Result<std::vector<Crossing>> as_listed(const std::vector<DoublePoint>& points,
 Result<std::vector<Crossing>> as_gaps_say(const std::vector<DoublePoint>& points,
                                           const JoinedDrawing& drawing);
 
-// As drawing and scene want it: by gaps, by the list (not by both: that fails), else alternating.
+// As drawing and scene want it: by gaps or, where strokes tell of the object, by these; by the list
+// (not by both: that fails); else alternating.
 Result<std::vector<Crossing>> over_and_under(const std::vector<DoublePoint>& points,
                                              const JoinedDrawing& drawing, const CurveScene& scene);
-
-// "OUOUOU", as the scene has it.
-std::string letters_of(const std::vector<Crossing>& crossings);
 
 // In the order of the walk, two of each crossing.
 std::vector<Passage> passages_along(const std::vector<Crossing>& crossings);

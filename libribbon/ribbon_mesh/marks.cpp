@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "curve/axis_view.h"
 #include "curve/drawing.h"
 #include "geometry/vectors.h"
 #include "ribbon_mesh/ribbon_mesh.h"
@@ -38,13 +39,6 @@ std::vector<MarkedHand> marked_hands(const Scene& scene) {
   return hands;
 }
 
-// Back from the world to the drawing (generate_space_curve()), in metres.
-Vector2d in_plan(const Eigen::Vector3d& point, Axis axis) {
-  if (axis == Axis::y) return {point.x(), point.z()};
-  if (axis == Axis::z) return {point.x(), -point.y()};
-  return {-point.z(), -point.y()};
-}
-
 std::string list_of(const std::vector<DrawnMark>& marks) {
   std::string list;
   for (const DrawnMark& mark : marks) list += (list.empty() ? "" : ", ") + in_quotes(mark.id);
@@ -57,7 +51,7 @@ std::vector<double> distances_m(const CurveScene& curve, const RibbonMesh& ribbo
   const Vector2d mark_m = (mark - curve.origin) * curve.unit_m;
   std::vector<double> distances;
   for (const auto& point : ribbon.curve.colwise())
-    distances.push_back(length_of((in_plan(point, curve.axis) - mark_m).eval()));
+    distances.push_back(length_of((as_seen(point, curve.axis).head<2>() - mark_m).eval()));
   return distances;
 }
 
@@ -98,12 +92,12 @@ Result<Span> span_of(const std::string& id, const Scene& scene, const RibbonMesh
 
 }  // namespace
 
-Result<Scene> with_marks_found(const Scene& scene) {
+Result<Scene> with_marks_found(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
   const std::vector<MarkedHand> hands = marked_hands(scene);
   if (hands.empty()) return scene;
   const auto document = parse_document(scene.file, scene.text);
   if (!document) return tl::unexpected(document.error());
-  const auto ribbon = draw_ribbon(scene);
+  const auto ribbon = draw_ribbon(scene, obstacle);
   if (!ribbon) return tl::unexpected(ribbon.error());
   std::vector<std::string> settings;
   for (const MarkedHand& hand : hands) {

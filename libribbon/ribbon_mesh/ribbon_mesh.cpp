@@ -6,10 +6,11 @@
 
 namespace ribbon {
 
-Result<RibbonMesh> draw_ribbon(const Scene& scene) {
+Result<RibbonMesh> draw_ribbon(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
   const auto curve = generate_space_curve(
       scene.curve, scene.ribbon.width_m, scene.ribbon.along,
-      scene.contact == ContactMethod::gate ? TightPassage::squeeze : TightPassage::refuse);
+      scene.contact == ContactMethod::gate ? TightPassage::squeeze : TightPassage::refuse,
+      heights_of(obstacle, scene.curve));
   if (!curve) return tl::unexpected(curve.error());
   return generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
 }
@@ -22,6 +23,7 @@ RibbonMesh generate_ribbon_mesh(const SpaceCurve& curve, const RibbonScene& ribb
   mesh.length_m = curve.length_m;
   mesh.width_m = ribbon.width_m;
   mesh.crossings = curve.crossings;
+  mesh.objects = curve.objects;
   mesh.squeezed = curve.squeezed;
   mesh.positions.resize(3, mesh.grid.particle_count());
   mesh.uv.resize(2, mesh.grid.particle_count());

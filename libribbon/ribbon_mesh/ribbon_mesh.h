@@ -8,6 +8,7 @@
 
 #include "curve/space_curve.h"
 #include "geometry/ribbon_grid.h"
+#include "geometry/triangle_mesh.h"
 #include "result/result.h"
 #include "scene/scene.h"
 
@@ -21,13 +22,15 @@ struct RibbonMesh {
   double length_m = 0;         // of the flat band
   double width_m = 0;
   std::vector<Crossing> crossings;               // of the drawing
+  std::vector<ObjectPassage> objects = {};       // likewise
   std::optional<Error> squeezed = std::nullopt;  // the drawing's passage that is too tight for it
 };
 
 // Reads the drawing of the scene and puts the ribbon on it. Passages that are too tight are
 // squeezed where the gate grows the ribbon into them, and refused where contact is as published.
-// Fails where the drawing does not work.
-Result<RibbonMesh> draw_ribbon(const Scene& scene);
+// Fails where the drawing does not work. obstacle: that of the scene.
+Result<RibbonMesh> draw_ribbon(const Scene& scene,
+                               const std::optional<TriangleMesh>& obstacle = std::nullopt);
 
 // Puts `ribbon.across` particles on the width line of each of the curve's points. The curve must
 // have been sampled with `ribbon.along` points; axis: the one its crossings were pulled apart

@@ -122,12 +122,13 @@ Result<CrossingList> crossing_list(const Value& value) {
   auto list = text(value);
   if (!list) return tl::unexpected(list.error());
   std::erase(*list, ' ');
-  const std::size_t other = list->find_first_not_of("OU");
+  const std::size_t other = list->find_first_not_of("OUFB");
   if (other != std::string::npos)
     return failure(value.document.place(value.toml.begin),
                    "letter " + std::to_string(other + 1) + " of 'crossings' is " +
                        in_quotes(list->substr(other, 1)),
-                   "write O for each passage over and U for each passage under, as in '" +
+                   "write O for each passage over and U for each passage under, F in front of the "
+                   "object and B behind it, as in '" +
                        std::string(value.key) + " = " + std::string(value.example) + "'");
   return CrossingList{*std::move(list), value.document.place(value.toml.begin)};
 }

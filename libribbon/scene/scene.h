@@ -33,7 +33,8 @@ struct DrawnSvg {
 
 // Which strand passes over, passage by passage.
 struct CrossingList {
-  std::string letters;     // 'O' over or 'U' under, for each passage in the order of the walk
+  std::string letters;     // for each passage in the order of the walk: 'O' over or 'U' under, and
+                           // where it comes before the object 'F' in front, behind it 'B'
   std::string place = {};  // where the scene says it: "knot.toml:12:8"; empty: nowhere
 
   // Wherever it stands.

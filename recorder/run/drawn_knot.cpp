@@ -5,6 +5,7 @@
 #include <functional>
 #include <string_view>
 
+#include "curve/object_passages.h"
 #include "knot/knot_witness.h"
 #include "knot/type/jones_polynomial.h"
 #include "knot/type/knot_names.h"
@@ -40,11 +41,12 @@ bool change_until_called(const std::string& name, int changes, std::size_t from,
   return false;
 }
 
-std::string remedy_for(const std::string& name, std::vector<Crossing> crossings) {
+std::string remedy_for(const std::string& name, const RibbonMesh& drawn) {
+  std::vector<Crossing> crossings = drawn.crossings;
   if (crossings.size() <= most_to_change)
     for (int changes = 1; changes <= most_changes; ++changes)
       if (change_until_called(name, changes, 0, crossings))
-        return "write 'crossings = \"" + letters_of(crossings) +
+        return "write 'crossings = \"" + letters_of(crossings, drawn.objects) +
                "\"' in [curve], or correct 'expect'";
   return "correct the drawing, its crossings or 'expect'";
 }
@@ -81,15 +83,15 @@ std::string text_of_knot(const KnotDiagram& drawing) {
   return form ? std::string(*form) + ", closes to " + type : type;
 }
 
-Result<void> check_expected_knot(const Scene& scene, const std::vector<Crossing>& crossings) {
+Result<void> check_expected_knot(const Scene& scene, const RibbonMesh& drawn) {
   if (!scene.knot) return {};
   const KnotScene& knot = *scene.knot;
   if (auto known = check_name(knot); !known) return known;
-  if (is_called(crossings, knot.expect)) return {};
-  return failure(
-      knot.place,
-      "the drawing ties: " + text_of_knot(diagram_of(crossings)) + "; expected is: " + knot.expect,
-      remedy_for(knot.expect, crossings));
+  if (is_called(drawn.crossings, knot.expect)) return {};
+  return failure(knot.place,
+                 "the drawing ties: " + text_of_knot(diagram_of(drawn.crossings)) +
+                     "; expected is: " + knot.expect,
+                 remedy_for(knot.expect, drawn));
 }
 
 Result<void> check_first_frame(const RibbonMesh& drawn, const Eigen::Matrix3Xd& start) {

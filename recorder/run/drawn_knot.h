@@ -27,7 +27,7 @@ std::string text_of_knot(const KnotDiagram& drawing);
 // Fails, with the place in the scene, where the scene expects a knot of another name than any that
 // the drawing has; says then what it ties, and which list of crossings would tie what is expected,
 // if changing one to three of them does. So it does where no knot has that name.
-Result<void> check_expected_knot(const Scene& scene, const std::vector<Crossing>& crossings);
+Result<void> check_expected_knot(const Scene& scene, const RibbonMesh& drawn);
 
 // Fails where the ribbon that begins (3 x particles) is another closed type than its drawing.
 // Either may be unknown.

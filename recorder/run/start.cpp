@@ -27,9 +27,9 @@ Result<void> start_is_tied_as_drawn(const Scene& scene, const RibbonMesh& ribbon
 
 Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& obstacle,
                          const StartObserver& observer) {
-  auto ribbon = draw_ribbon(scene);
+  auto ribbon = draw_ribbon(scene, obstacle);
   if (!ribbon) return tl::unexpected(ribbon.error());
-  if (auto expected = check_expected_knot(scene, ribbon->crossings); !expected)
+  if (auto expected = check_expected_knot(scene, *ribbon); !expected)
     return tl::unexpected(expected.error());
   auto fastening = FasteningProcessor::create(scene, *ribbon, obstacle, observer);
   if (!fastening) return tl::unexpected(fastening.error());

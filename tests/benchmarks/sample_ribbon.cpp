@@ -20,10 +20,10 @@ void refine(Scene& scene, int along, int across) {
 }  // namespace
 
 Result<SampleRibbon> ribbon_of(const Scene& scene) {
-  auto ribbon = draw_ribbon(scene);
-  if (!ribbon) return tl::unexpected(ribbon.error());
   auto obstacle = read_obstacle(scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
+  auto ribbon = draw_ribbon(scene, *obstacle);
+  if (!ribbon) return tl::unexpected(ribbon.error());
   return SampleRibbon{scene, *std::move(ribbon), *std::move(obstacle)};
 }
 

@@ -15,7 +15,7 @@ const Drawing trefoil = {{0, -1}, {2, 1}, {4, -1}, {6, 1}, {6, 4},
 
 std::string diagram_of(const std::string& letters) {
   const auto crossings = as_listed(find_double_points(trefoil).value(), {letters}).value();
-  return diagram_svg(trefoil, passages_along(crossings));
+  return diagram_svg(trefoil, passages_along(crossings), {});
 }
 
 TEST(DiagramSvg, gaps_read_back_are_the_passages_under) {
@@ -30,7 +30,7 @@ TEST(DiagramSvg, gaps_read_back_are_the_passages_under) {
     const auto crossings =
         over_and_under(find_double_points(drawing->points).value(), *drawing, scene);
     ASSERT_TRUE(crossings.has_value()) << crossings.error().sentence();
-    EXPECT_EQ(letters_of(*crossings), letters);
+    EXPECT_EQ(letters_of(*crossings, {}), letters);
   }
 }
 
@@ -42,7 +42,7 @@ TEST(DiagramSvg, passages_are_numbered_from_one) {
 }
 
 TEST(DiagramSvg, a_drawing_without_crossings_is_one_piece) {
-  const std::string svg = diagram_svg({{0, 0}, {3, 4}}, {});
+  const std::string svg = diagram_svg({{0, 0}, {3, 4}}, {}, {});
   EXPECT_THAT(svg, HasSubstr("<path d=\"M 0 0 3 4\"/>"));
   EXPECT_THAT(svg, Not(HasSubstr("<text")));
 }

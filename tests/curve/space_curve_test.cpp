@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "curve/smooth_plan.h"
 #include "result/refusal.h"
 
 namespace ribbon::space_curve_test {

@@ -30,6 +30,10 @@ class Gallery : public testing::TestWithParam<Determinants::value_type> {
   }
 };
 
+RibbonMesh ribbon_of(const Scene& scene) {
+  return draw_ribbon(scene, read_obstacle(scene).value()).value();
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Gallery, testing::ValuesIn(gallery), [](const auto& knot) {
   std::string name = knot.param.first;
   std::replace(name.begin(), name.end(), '-', '_');
@@ -37,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(All, Gallery, testing::ValuesIn(gallery), [](const auto
 });
 
 TEST_P(Gallery, closes_to_the_type_of_the_books) {
-  const RibbonMesh ribbon = draw_ribbon(scene()).value();
+  const RibbonMesh ribbon = ribbon_of(scene());
   const LaurentPolynomial jones = closed_type(diagram_of(ribbon.crossings)).value();
   std::int64_t determinant = 0;
   for (std::size_t k = 0; k < jones.coefficients.size(); ++k)
@@ -49,7 +53,7 @@ TEST_P(Gallery, is_the_knot_that_its_scene_expects) {
   const Scene drawn = scene();
   ASSERT_TRUE(drawn.knot.has_value());
   EXPECT_TRUE(drawn.knot->expect.starts_with(GetParam().first));
-  EXPECT_TRUE(check_expected_knot(drawn, draw_ribbon(drawn)->crossings).has_value());
+  EXPECT_TRUE(check_expected_knot(drawn, ribbon_of(drawn)).has_value());
 }
 
 TEST_P(Gallery, begins_free_of_intersections_and_tied_as_drawn) {

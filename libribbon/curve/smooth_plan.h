@@ -1,0 +1,49 @@
+// The drawing as a smooth plan, by centripetal Catmull-Rom curves (paper, section 4.1).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "curve/over_under.h"
+#include "geometry/vectors.h"
+
+namespace ribbon {
+
+// What the smooth curve passes through: the drawing's own points and its passages.
+struct Controls {
+  Drawing points;
+  std::vector<std::size_t> passages;  // their indices in `points`
+};
+
+Controls controls_of(const Drawing& drawing, const std::vector<Passage>& passages);
+
+// The smoothed plan as chords, and where in it the passages are.
+struct Plan {
+  Drawing points;
+  std::vector<std::size_t> passages;
+  std::vector<double> lengths = {};  // along it, up to each point; of a fine plan alone
+};
+
+// Enough to find crossings.
+Plan coarse_plan(const Controls& controls);
+
+// Fine enough to measure lengths, both in the plan and along the rises of `rise`.
+Plan fine_plan(const Controls& controls, double rise);
+
+// From the first point to each: 0, ...
+template <class Points>
+std::vector<double> lengths_along(const Points& points) {
+  std::vector<double> lengths{0};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    lengths.push_back(lengths.back() + length_of(points[i] - points[i - 1]));
+  return lengths;
+}
+
+// The centripetal Catmull-Rom point at parameter t in [0, 1] between p1 and p2: the usual one where
+// the points are evenly spaced, without loops or overshoot where they are not. Consecutive points
+// must differ.
+Eigen::Vector3d catmull_rom(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
+                            const Eigen::Vector3d& p2, const Eigen::Vector3d& p3, double t);
+
+}  // namespace ribbon
