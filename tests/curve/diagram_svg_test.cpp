@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "curve/joined_drawing.h"
 #include "files/files.h"
 #include "files/temporary_folder.h"
@@ -32,6 +34,32 @@ TEST(DiagramSvg, gaps_read_back_are_the_passages_under) {
     ASSERT_TRUE(crossings.has_value()) << crossings.error().sentence();
     EXPECT_EQ(letters_of(*crossings, {}), letters);
   }
+}
+
+TEST(DiagramSvg, strokes_before_and_behind_the_object_are_read_back) {
+  const ObjectHeights bar = [](const Eigen::Vector2d& place) -> std::optional<HeightRange> {
+    if (std::abs(place.x() - 2) > 0.2) return std::nullopt;
+    return HeightRange{-1, 1};
+  };
+  CurveScene scene;
+  scene.drawing = DrawnPoints{trefoil};
+  scene.crossings = CrossingList{"OFUOBUBOU"};
+  const auto points = find_double_points(trefoil).value();
+  const JoinedDrawing as_points{trefoil, {}};
+  const auto objects = object_passages(points, as_points, scene, bar);
+  ASSERT_TRUE(objects.has_value()) << objects.error().sentence();
+  const auto crossings = over_and_under(points, as_points, scene).value();
+  const auto file = temporary_file("diagram.svg");
+  const std::string svg = diagram_svg(trefoil, passages_along(crossings), *objects);
+  ASSERT_TRUE(write_file(file, svg).has_value());
+  CurveScene drawn;
+  drawn.drawing = DrawnSvg{{file}, "band"};
+  const auto drawing = read_drawing(drawn);
+  ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+  const auto points_again = find_double_points(drawing->points).value();
+  const auto objects_again = object_passages(points_again, *drawing, drawn, bar).value();
+  EXPECT_EQ(letters_of(over_and_under(points_again, *drawing, drawn).value(), objects_again),
+            scene.crossings->letters);
 }
 
 TEST(DiagramSvg, passages_are_numbered_from_one) {

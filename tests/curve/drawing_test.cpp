@@ -332,4 +332,29 @@ TEST(SvgErrors, a_million_nested_groups_are_walked) {
   EXPECT_NE(problem_of(svg_with(body)), "");
 }
 
+std::vector<Depth> depths_of(const std::string& body, const std::string& id) {
+  std::vector<Depth> depths;
+  const auto paths = find_svg_paths(svg_with("<g id='band'>" + body + "</g>"), id);
+  for (const SvgPath& path : paths.value()) depths.push_back(path.depth);
+  return depths;
+}
+
+TEST(SvgDepth, is_told_by_the_class_of_a_path_or_its_group) {
+  EXPECT_EQ(depths_of("<path class='thick behind'/><g class='front'><path/></g><path class='backwards'/>",
+                      "band"),
+            (std::vector{Depth::behind, Depth::front, Depth::untold}));
+}
+
+TEST(SvgDepth, is_behind_for_dashed_strokes_among_others) {
+  EXPECT_EQ(depths_of("<path stroke-dasharray='2 1'/><path style='stroke-dasharray: none'/>"
+                      "<path style='fill:none; stroke-dasharray: 3, 1'/><path/>",
+                      "band"),
+            (std::vector{Depth::behind, Depth::untold, Depth::behind, Depth::untold}));
+}
+
+TEST(SvgDepth, is_untold_where_all_is_dashed) {
+  EXPECT_EQ(depths_of("<g style='stroke-dasharray:2'><path/><path/></g>", "band"),
+            (std::vector{Depth::untold, Depth::untold}));
+}
+
 }  // namespace ribbon::drawing_test

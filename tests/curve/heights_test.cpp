@@ -15,6 +15,10 @@ void expect_room(const WalkProfile& profile, const Heights& heights) {
   constexpr double rounding = 1e-12;
   for (const auto& [above, below] : profile.crossings)
     EXPECT_GE(heights.passages[above] - heights.passages[below], heights.gap - rounding);
+  for (const ObjectBound& bound : profile.bounds) {
+    const double sign = bound.in_front ? 1 : -1;
+    EXPECT_GE(sign * (heights.passages[bound.passage] - bound.height), heights.gap / 2 - rounding);
+  }
   double before = 0;
   for (std::size_t i = 0; i < profile.rises.size(); ++i) {
     const double here = i < heights.passages.size() ? heights.passages[i] : 0;
@@ -74,6 +78,40 @@ TEST(Heights, stretches_on_both_sides_of_the_walks_ends_are_two) {
   ASSERT_TRUE(heights.tight.has_value());
   EXPECT_EQ(heights.tight->stretches.size(), 2U);
   EXPECT_DOUBLE_EQ(heights.tight->gap(), 0.75);
+}
+
+TEST(Heights, passages_of_the_object_keep_half_a_gap_from_it) {
+  const WalkProfile wrap{{9, 9, 9, 9, 9}, {}, {{0, 3, true}, {1, 3, true}, {2, -1, false}}};
+  const Heights heights = passage_heights(wrap, 2);
+  expect_room(wrap, heights);
+  EXPECT_FALSE(heights.tight.has_value());
+}
+
+TEST(Heights, before_the_object_none_is_farther_from_the_plane_than_need_be) {
+  // The second passage before the object lies over the first one: 3 + 1 and 2 more.
+  const WalkProfile stack{{9, 9, 9, 9, 9}, {{1, 0}}, {{0, 3, true}, {1, 3, true}, {3, 3, true}}};
+  const Heights heights = passage_heights(stack, 2);
+  expect_room(stack, heights);
+  for (const double height : heights.passages) EXPECT_LE(std::abs(height), 6 + 1e-3);
+}
+
+TEST(Heights, a_turn_round_the_object_that_is_too_short_is_the_tight_circle) {
+  // From 3 + 1 above to 1 + 1 below.
+  const WalkProfile wrap{{9, 5, 9}, {}, {{0, 3, true}, {1, -1, false}}};
+  const Heights heights = passage_heights(wrap, 2);
+  expect_room(wrap, heights);
+  ASSERT_TRUE(heights.tight.has_value());
+  EXPECT_EQ(heights.tight->bounds, 2U);
+  EXPECT_DOUBLE_EQ(heights.tight->object, 4);
+  EXPECT_DOUBLE_EQ(heights.tight->gap(), 1);
+  EXPECT_FALSE(passage_heights(wrap, 0.999).tight.has_value());
+}
+
+TEST(Heights, an_object_too_high_for_any_gap_leaves_none) {
+  const Heights heights = passage_heights({{9, 3, 9}, {}, {{0, 3, true}, {1, -1, false}}}, 2);
+  EXPECT_TRUE(heights.passages.empty());
+  ASSERT_TRUE(heights.tight.has_value());
+  EXPECT_LT(heights.gap, 0);
 }
 
 TEST(Heights, the_tight_circle_accounts_for_the_gap_whatever_the_drawing) {

@@ -47,6 +47,23 @@ TEST(JoinedDrawing, pieces_may_be_drawn_in_any_order_and_direction) {
   EXPECT_FALSE(crossings_of(pieces)->at(0).first_over);
 }
 
+TEST(JoinedDrawing, ends_that_meet_have_no_gap) {
+  const auto drawing = joined({{{{0, 0}, {1, 0}}}, {{{3, 0}, {1, 0}}, Depth::behind}}).value();
+  EXPECT_EQ(drawing.points, (Drawing{{0, 0}, {1, 0}, {3, 0}}));
+  EXPECT_TRUE(drawing.gaps.empty());
+  ASSERT_EQ(drawing.depths.size(), 1U);
+  EXPECT_EQ(drawing.depths[0].begin, 1U);
+  EXPECT_EQ(drawing.depths[0].end, 2U);
+}
+
+TEST(JoinedDrawing, a_part_behind_the_object_goes_on_over_its_gaps) {
+  auto pieces = loop_with_gap(1);
+  for (DrawnPiece& piece : pieces) piece.depth = Depth::behind;
+  const auto drawing = joined(pieces).value();
+  ASSERT_EQ(drawing.depths.size(), 1U);
+  EXPECT_EQ(drawing.depths[0].end, drawing.points.size() - 1);
+}
+
 TEST(JoinedDrawing, ends_too_far_apart_or_out_of_line_are_told_with_their_place) {
   EXPECT_THAT(refusal_of(joined(loop_with_gap(3))),
               AllOf(HasSubstr("drawing at (0, 3)"), HasSubstr("4 ends")));

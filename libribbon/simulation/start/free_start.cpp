@@ -187,7 +187,8 @@ class StartSearch {
   }
 
   static std::string remedy(bool of_obstacle) {
-    return of_obstacle ? "draw the ribbon around the obstacle, move the obstacle with "
+    return of_obstacle ? "draw the ribbon around the obstacle, tell by F and B in curve.crossings "
+                         "where it lies in front of it and behind, move the obstacle with "
                          "obstacle.position or make it smaller with obstacle.scale"
                        : "draw the strands further apart there";
   }

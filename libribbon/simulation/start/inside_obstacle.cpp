@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
+#include <numeric>
+#include <set>
+#include <string>
 #include <utility>
-#include <vector>
 
+#include "geometry/segment_triangle.h"
 #include "geometry/vectors.h"
-#include "geometry/winding_number.h"
 
 namespace ribbon {
 
 namespace {
+
+using Eigen::Vector3d;
+using Places = std::array<int, 3>;  // of a triangle's corners, ascending
 
 // For each vertex the number of its place.
 std::vector<int> places_of(const Eigen::Matrix3Xf& vertices) {
@@ -25,35 +29,103 @@ std::vector<int> places_of(const Eigen::Matrix3Xf& vertices) {
   return numbers;
 }
 
+// Of each triangle, but for repeated ones and those whose corners are not three places.
+std::map<int, Places> triangles_by_place(const TriangleMesh& mesh) {
+  const std::vector<int> place = places_of(mesh.vertices);
+  std::map<int, Places> triangles;
+  std::set<Places> known;
+  for (int t = 0; t < mesh.triangles.cols(); ++t) {
+    Places corners{};
+    for (int k = 0; k < 3; ++k) corners[k] = place[mesh.triangles(k, t)];
+    std::sort(corners.begin(), corners.end());
+    const bool is_flat = corners[0] == corners[1] || corners[1] == corners[2];
+    if (!is_flat && known.insert(corners).second) triangles[t] = corners;
+  }
+  return triangles;
+}
+
+// Those that hang together by common places, as numbers of triangles.
+std::vector<std::vector<int>> bodies_of(const std::map<int, Places>& triangles) {
+  std::map<int, int> parent;
+  const auto root = [&](int place) {
+    parent.try_emplace(place, place);
+    while (parent[place] != place) place = parent[place] = parent[parent[place]];
+    return place;
+  };
+  for (const auto& [triangle, corners] : triangles) {
+    parent[root(corners[1])] = root(corners[0]);
+    parent[root(corners[2])] = root(corners[0]);
+  }
+  std::map<int, std::vector<int>> bodies;
+  for (const auto& [triangle, corners] : triangles) bodies[root(corners[0])].push_back(triangle);
+  std::vector<std::vector<int>> list;
+  for (auto& [place, body] : bodies) list.push_back(std::move(body));
+  return list;
+}
+
+// Does an even number of triangles meet at each edge?
+bool has_no_border(const std::vector<int>& body, const std::map<int, Places>& triangles) {
+  std::map<std::pair<int, int>, int> meeting;
+  for (const int triangle : body) {
+    const Places& corners = triangles.at(triangle);
+    for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
+      ++meeting[{corners[a], corners[b]}];
+  }
+  return std::all_of(meeting.begin(), meeting.end(),
+                     [](const auto& edge) { return edge.second % 2 == 0; });
+}
+
+// A line from the point to `far` leaves the body once more than it enters it. Which side of a
+// triangle is its front does not matter.
+bool leaves_body(const TriangleMesh& mesh, const std::vector<int>& body, const Vector3d& point,
+                 const Vector3d& far) {
+  const auto corner = [&](int triangle, int k) -> Vector3d {
+    return mesh.vertices.col(mesh.triangles(k, triangle)).cast<double>();
+  };
+  const auto pierced = std::count_if(body.begin(), body.end(), [&](int triangle) {
+    return pierce(point, far, corner(triangle, 0), corner(triangle, 1), corner(triangle, 2))
+        .has_value();
+  });
+  return pierced % 2 == 1;
+}
+
+// As two of three lines say: one may run along an edge.
+bool encloses(const TriangleMesh& mesh, const std::vector<int>& body, const Vector3d& point) {
+  double reach_m = 1;
+  for (const auto& vertex : mesh.vertices.colwise())
+    reach_m = std::max(reach_m, length_of((vertex.cast<double>() - point).eval()));
+  int enclosed = 0;
+  for (const Vector3d& direction :
+       {Vector3d(0.86, 0.31, 0.41), Vector3d(-0.29, 0.91, 0.31), Vector3d(0.23, -0.37, 0.9)})
+    enclosed += leaves_body(mesh, body, point, point + 2 * reach_m * direction) ? 1 : 0;
+  return enclosed >= 2;
+}
+
 }  // namespace
 
-// An edge between two triangles is run through once in either direction.
-bool is_closed(const TriangleMesh& mesh) {
-  const std::vector<int> place = places_of(mesh.vertices);
-  std::map<std::pair<int, int>, int> surplus;  // of an edge's runs from its lower to its higher end
-  for (const auto& triangle : mesh.triangles.colwise())
-    for (int corner = 0; corner < 3; ++corner) {
-      const int from = place[triangle[corner]];
-      const int to = place[triangle[(corner + 1) % 3]];
-      if (from < to) ++surplus[{from, to}];
-      if (to < from) --surplus[{to, from}];
-    }
-  return std::all_of(surplus.begin(), surplus.end(),
-                     [](const auto& edge) { return edge.second == 0; });
+std::vector<std::vector<int>> closed_bodies(const TriangleMesh& mesh) {
+  const auto triangles = triangles_by_place(mesh);
+  auto bodies = bodies_of(triangles);
+  std::erase_if(bodies, [&](const auto& body) { return !has_no_border(body, triangles); });
+  return bodies;
 }
 
 Result<void> check_outside(const Scene& scene, const RibbonMesh& ribbon,
                            const TriangleMesh& obstacle) {
   const RibbonGrid& grid = ribbon.grid;
-  const auto is_inside = [&](int row) {
-    const Eigen::Vector3d middle =
-        mean_of_columns(ribbon.positions.middleCols(grid.particle(row, 0), grid.across));
-    return std::abs(winding_number(obstacle, middle)) > 0.5;
+  const auto holds_all = [&](const std::vector<int>& body) {
+    for (int row = 0; row < grid.along; ++row) {
+      const Vector3d middle =
+          mean_of_columns(ribbon.positions.middleCols(grid.particle(row, 0), grid.across));
+      if (!encloses(obstacle, body, middle)) return false;
+    }
+    return true;
   };
-  if (!is_closed(obstacle)) return {};
-  for (int row = 0; row < grid.along; ++row)
-    if (!is_inside(row)) return {};
-  return failure(scene.name, "the ribbon lies inside the obstacle",
+  const auto bodies = closed_bodies(obstacle);
+  if (std::none_of(bodies.begin(), bodies.end(), holds_all)) return {};
+  const bool is_named = scene.obstacle && !scene.obstacle->file.place.empty();
+  return failure(is_named ? scene.obstacle->file.place : scene.name,
+                 "the ribbon lies inside the obstacle",
                  "is curve.unit right? Otherwise move the ribbon out with curve.origin, or make "
                  "the obstacle smaller with obstacle.scale");
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "result/refusal.h"
 #include "simulation/fastening_processor.h"
@@ -52,14 +53,66 @@ std::string refusal(const TriangleMesh& obstacle, ContactMethod contact = Contac
   return refusal_of(FasteningProcessor::create(scene, mesh_of_loop(scene), obstacle));
 }
 
-TEST(InsideObstacle, a_mesh_is_closed_where_no_edge_is_left_over) {
-  EXPECT_FALSE(is_closed(post(0.3)));
-  EXPECT_TRUE(is_closed(closed(post(0.3))));
-  EXPECT_TRUE(is_closed(torus(0.3, 0.4, 0.2)));
-  EXPECT_TRUE(is_closed(with_repeated_corners(torus(0.3, 0.4, 0.2))));
-  TriangleMesh holed = torus(0.3, 0.4, 0.2);
-  holed.triangles = holed.triangles.rightCols(holed.triangles.cols() - 1).eval();
-  EXPECT_FALSE(is_closed(holed));
+TriangleMesh box(double half_m) {
+  TriangleMesh mesh = closed(tube(half_m * std::numbers::sqrt2, -half_m, half_m, 4));
+  mesh.name = "box";
+  return mesh;
+}
+
+TriangleMesh without_a_triangle(TriangleMesh mesh) {
+  mesh.triangles = mesh.triangles.rightCols(mesh.triangles.cols() - 1).eval();
+  return mesh;
+}
+
+TriangleMesh with_some_inside_out(TriangleMesh mesh) {
+  for (int t = 0; t < mesh.triangles.cols(); t += 2)
+    std::swap(mesh.triangles(0, t), mesh.triangles(1, t));
+  return mesh;
+}
+
+TriangleMesh with_a_triangle_twice(TriangleMesh mesh) {
+  const Eigen::Index count = mesh.triangles.cols();
+  mesh.triangles.conservativeResize(3, count + 1);
+  mesh.triangles.col(count) = mesh.triangles.col(0);
+  return mesh;
+}
+
+TriangleMesh moved(TriangleMesh mesh, float x_m) {
+  mesh.vertices.row(0).array() += x_m;
+  return mesh;
+}
+
+TEST(InsideObstacle, a_mesh_is_a_closed_body_where_no_edge_is_left_over) {
+  EXPECT_EQ(closed_bodies(post(0.3)).size(), 0U);
+  EXPECT_EQ(closed_bodies(without_a_triangle(torus(0.3, 0.4, 0.2))).size(), 0U);
+  for (const TriangleMesh& mesh : {closed(post(0.3)), torus(0.3, 0.4, 0.2), box(1)})
+    for (const TriangleMesh& bad :
+         {mesh, with_repeated_corners(mesh), with_some_inside_out(mesh), with_a_triangle_twice(mesh)})
+      EXPECT_EQ(closed_bodies(bad).size(), 1U) << mesh.name;
+  EXPECT_EQ(closed_bodies(together(together(box(1), moved(box(1), 3)), post(9))).size(), 2U);
+}
+
+TEST(InsideObstacle, a_ribbon_inside_a_body_is_refused_however_its_mesh_is_made) {
+  for (const TriangleMesh& mesh : {closed(post(2)), box(2)})
+    for (const TriangleMesh& bad :
+         {mesh, with_repeated_corners(mesh), with_some_inside_out(mesh), with_a_triangle_twice(mesh)})
+      EXPECT_THAT(refusal(bad), HasSubstr("lies inside the obstacle")) << mesh.name;
+}
+
+TEST(InsideObstacle, a_ribbon_inside_one_of_several_bodies_is_refused) {
+  const TriangleMesh beside = moved(box(0.5), 5);
+  EXPECT_THAT(refusal(together(beside, box(2))), HasSubstr("lies inside"));
+  EXPECT_THAT(refusal(together(moved(post(0.5), 5), box(2))), HasSubstr("lies inside"));
+  EXPECT_THAT(refusal(together(box(3), box(2))), HasSubstr("lies inside"));
+  EXPECT_EQ(refusal(together(beside, closed(post(0.3)))), "");
+}
+
+TEST(InsideObstacle, the_refusal_names_where_the_scene_names_the_mesh) {
+  Scene scene = scene_of_loop();
+  const RibbonMesh ribbon = mesh_of_loop(scene);
+  scene.obstacle = ObstacleScene{{"box.obj", "knot.toml:9:8"}};
+  EXPECT_THAT(refusal_of(check_outside(scene, ribbon, box(2))),
+              StartsWith("knot.toml:9:8: the ribbon lies inside the obstacle; is curve.unit"));
 }
 
 TEST(InsideObstacle, a_ribbon_drawn_inside_is_refused_with_the_question_for_the_unit) {
@@ -71,6 +124,7 @@ TEST(InsideObstacle, a_ribbon_drawn_inside_is_refused_with_the_question_for_the_
 
 TEST(InsideObstacle, a_ribbon_inside_an_open_mesh_is_accepted) {
   EXPECT_EQ(refusal(post(2)), "");
+  EXPECT_EQ(refusal(without_a_triangle(box(2))), "");
 }
 
 TEST(InsideObstacle, a_ribbon_round_the_obstacle_is_accepted) {
