@@ -10,6 +10,7 @@
 #include "obstacle/obstacle.h"
 #include "recorder/run/drawn_knot.h"
 #include "recorder/run/start.h"
+#include "ribbon_mesh/marks.h"
 #include "verification/frame_verifier.h"
 
 namespace ribbon::gallery_test {
@@ -17,16 +18,16 @@ namespace ribbon::gallery_test {
 using Determinants = std::map<std::string, int>;
 
 // |J(-1)| of the closed type, as the tables of knots have it.
-const Determinants gallery = {{"reef", 9},         {"granny", 9},       {"bow", 3},
-                              {"four-in-hand", 3}, {"figure-eight", 5}, {"cinquefoil", 5},
-                              {"stevedore", 9}};
+const Determinants gallery = {{"reef", 9},       {"granny", 9},       {"overhand", 3},
+                              {"bow", 3},        {"four-in-hand", 3}, {"figure-eight", 5},
+                              {"cinquefoil", 5}, {"stevedore", 9}};
 
 class Gallery : public testing::TestWithParam<Determinants::value_type> {
  protected:
   static Scene scene() {
-    return read_scene(std::filesystem::path(RIBBON_SAMPLES) / "gallery" /
-                      (GetParam().first + ".toml"))
-        .value();
+    const auto file =
+        std::filesystem::path(RIBBON_SAMPLES) / "gallery" / (GetParam().first + ".toml");
+    return with_marks_found(read_scene(file).value()).value();
   }
 };
 
