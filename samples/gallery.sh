@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# Ties every knot of samples/gallery, verifies every frame, takes a picture of each and writes
+# docs/gallery.md with what was measured: some minutes. Recordings stay in out/gallery.
+#   samples/gallery.sh [OPTION...] [KNOT...]     without knots: all of them
+#     --mirrored       each with the other hand as well: over and under exchanged
+#     --build FOLDER   use the tools built there instead of building
+#     --page           ties nothing: only writes the page, from what was measured before
+# Exit code 1 when a knot is not what was promised.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
+
+scenes=$root/samples/gallery
+results=$root/out/gallery
+pictures=$root/docs/gallery
+hands=(drawn)
+tools=''
+only_page=''
+knots=()
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --mirrored) hands=(drawn mirrored) ;;
+    --page) only_page=yes ;;
+    --build)
+      [[ $# -gt 1 ]] || { echo "$1 needs a folder" >&2; exit 2; }
+      tools=$2
+      shift
+      ;;
+    *)
+      [[ -e $scenes/$1.toml ]] || { echo "there is no $scenes/$1.toml" >&2; exit 2; }
+      knots+=("$1")
+      ;;
+  esac
+  shift
+done
+if [[ ${#knots[@]} -eq 0 ]]; then
+  for scene in "$scenes"/*.toml; do knots+=("$(basename "$scene" .toml)"); done
+fi
+
+# Where from its picture is taken, unless close to the knot.
+declare -A view=(
+  [four-in-hand]=azimuth=15,elevation=8,distance=2.2,lens=50,subject=knot
+)
+
+# Prints the settings that exchange over and under, front and back in a scene.
+exchanged() {
+  local list
+  list=$(sed --quiet 's/^crossings = "\(.*\)".*/\1/p' "$1")
+  if [[ -n $list ]]; then
+    echo "curve.crossings=\"$(tr OUFB UOBF <<<"$list")\""
+  elif grep --quiet '^first = "under"' "$1"; then
+    echo 'curve.first="over"'
+  else
+    echo 'curve.first="under"'
+  fi
+}
+
+# tied NAME HAND   Records, verifies and times it; the exit code 1 of --verify is an answer, too.
+tied() {
+  local run=$results/$1-$2 settings=() status=0
+  [[ $2 == drawn ]] || settings=(--set "$(exchanged "$scenes/$1.toml")")
+  echo "== Tying $1, $2"
+  TIMEFORMAT='{"wall_s": %R, "user_s": %U, "system_s": %S}'
+  { time "$tools/recorder/ribbon-record" "$scenes/$1.toml" "${settings[@]}" --force -o "$run.rbn" \
+    --quiet --stats "$run.stats" 2>&3; } 3>&2 2>"$run.time"
+  "$tools/player/ribbon-play" "$run.rbn" --verify --json >"$run.verify" || status=$?
+  [[ $status -le 1 ]]
+}
+
+pictured() {
+  "$tools/player/ribbon-play" "$results/$1-drawn.rbn" -o "$pictures/$1.png" --frames -1 --size 360x270 \
+    --view "${view[$1]-knot}" --force --quiet
+}
+
+if [[ -z $only_page ]]; then
+  if [[ -z $tools ]]; then
+    install_missing "${build_packages[@]}"
+    build release -DRIBBON_BUILD_TESTS=OFF -- ribbon-record ribbon-play
+    tools=$root/build/release
+  fi
+  mkdir -p "$results" "$pictures"
+  for knot in "${knots[@]}"; do
+    for hand in "${hands[@]}"; do tied "$knot" "$hand"; done
+    pictured "$knot"
+  done
+fi
+python3 -B "$root/samples/gallery_page.py" "$scenes" "$results" "$root/docs/gallery.md"

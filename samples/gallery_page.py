@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""Writes the gallery's page from what samples/gallery.sh has measured.
+
+usage: gallery_page.py SCENES RESULTS PAGE
+
+Exit code 1 when a knot that was tied is not what was promised.
+"""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+HEADINGS = ("knot", "particles", "frames", "wall, s", "processor, s", "intersecting pairs", "strain",
+            "from the object, mm", "verified")
+HANDS = {"drawn": "As drawn", "mirrored": "With the other hand: over and under exchanged"}
+
+TOP = """# Gallery
+
+Knots of one ribbon round an object, each tied from its drawing by one command, and one picture of its last
+frame. Made by `samples/gallery.sh`: it ties all of them, or those that it is called with (`--mirrored`: with the other
+hand, too), verifies every frame and writes this page.
+
+"""
+
+MEASURED = """
+## What was measured
+
+Wall and processor time of the recorder on {cores} cores ({processor}), whatever else these did; *strain* the largest
+of all edges and frames, *from the object* how far the rows at which the ribbon comes nearest to itself lie from it in
+the last frame, *verified* what `ribbon-play --verify` says of all frames: nothing intersects, gaps and strain are as stated,
+the knot stays the same ([verification.md](verification.md)).
+"""
+
+
+def description(scene):
+    """The comment at the top of a scene, as one line."""
+    lines = []
+    for line in scene.read_text().splitlines():
+        if not line.startswith("#"):
+            break
+        lines.append(line.lstrip("# "))
+    return " ".join(lines)
+
+
+class Run:
+    """A knot as it was tied with one hand."""
+
+    def __init__(self, name, base):
+        self.name = name
+        self.stats, self.verify, self.time = (
+            json.loads(base.with_suffix(suffix).read_text()) for suffix in (".stats", ".verify", ".time"))
+
+    def is_as_promised(self):
+        return self.verify["passed"] and self.verify["outcome"]["embraces_object"]
+
+    def row(self):
+        distance_m = self.verify["outcome"]["knot_distance_m"]
+        return (self.name, f"{self.stats['across']}x{self.stats['along']}", str(self.stats["frames"]),
+                f"{self.time['wall_s']:.0f}", f"{self.time['user_s'] + self.time['system_s']:.0f}",
+                str(self.verify["intersections"]["pairs"]),
+                f"{100 * self.verify['strain']['largest']:.1f} %",
+                "" if distance_m is None else f"{1000 * distance_m:.1f}",
+                "yes" if self.is_as_promised() else "**no**")
+
+
+def runs_of(names, results, hand):
+    bases = [(name, results / f"{name}-{hand}") for name in names]
+    return [Run(name, base) for name, base in bases if base.with_suffix(".verify").exists()]
+
+
+def processor():
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":")[1].strip()
+    return "of an unknown kind"
+
+
+def pictures(scenes, names):
+    rows = ["| | |", "|---|---|"]
+    for name in names:
+        told = description(scenes / f"{name}.toml")
+        command = f"`ribbon-record samples/gallery/{name}.toml -o {name}.rbn`"
+        rows.append(f"| ![{name}](gallery/{name}.png) | **{name}**<br>{told}<br>{command} |")
+    return "\n".join(rows) + "\n"
+
+
+def table(runs):
+    rows = [HEADINGS, ("---",) * len(HEADINGS)] + [run.row() for run in runs]
+    return "\n".join("| " + " | ".join(row) + " |" for row in rows) + "\n"
+
+
+def main(scenes, results, page):
+    names = sorted(scene.stem for scene in scenes.glob("*.toml"))
+    tied = {hand: runs_of(names, results, hand) for hand in HANDS}
+    text = TOP + pictures(scenes, [run.name for run in tied["drawn"]])
+    text += MEASURED.format(cores=os.cpu_count(), processor=processor())
+    for hand, heading in HANDS.items():
+        if tied[hand]:
+            text += f"\n**{heading}**\n\n{table(tied[hand])}"
+    page.write_text(text)
+    wrong = [f"{run.name}, {hand}" for hand in HANDS for run in tied[hand] if not run.is_as_promised()]
+    for name in wrong:
+        print(f"WRONG: {name}")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*map(Path, sys.argv[1:])))
