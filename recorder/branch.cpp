@@ -144,7 +144,8 @@ Result<std::optional<RunStatistics>> branch(const fs::path& file, int frame,
   const int copies = frame + 1;
   auto source = RecordedRun::open(file, copies);
   if (!source) return tl::unexpected(source.error());
-  const auto plan = plan_of_take(source->scene, source->reader.header().obstacle, take.settings, limit);
+  const auto plan =
+      plan_of_take(source->scene, source->reader.header().obstacle, take.settings, limit);
   if (!plan) return tl::unexpected(plan.error());
   const Scene& scene = plan->scene;
   RecordingReader& reader = source->reader;

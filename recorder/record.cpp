@@ -47,10 +47,9 @@ Result<RunStatistics> record(const Scene& wanted, const NewRecording& recording,
   if (auto place = recording.check_place(); !place) return tl::unexpected(place.error());
   const auto obstacle = read_obstacle(wanted);
   if (!obstacle) return tl::unexpected(obstacle.error());
-  const auto plan =
-      with_marks_found(wanted, *obstacle).and_then([&limit](const Scene& found) {
-        return plan_of(found, limit);
-      });
+  const auto plan = with_marks_found(wanted, *obstacle).and_then([&limit](const Scene& found) {
+    return plan_of(found, limit);
+  });
   if (!plan) return tl::unexpected(plan.error());
   const Scene& scene = plan->scene;
   Stopwatch stopwatch;

@@ -42,8 +42,8 @@ std::string text_of(const std::vector<Crossing>& crossings,
                     const std::vector<ObjectPassage>& objects) {
   if (crossings.empty() && objects.empty()) return "the drawing does not cross itself\n";
   const KnotDiagram diagram = diagram_of(crossings);
-  return filled_in("crossings = \"{}\"\nGauss code: {}\nknot: {}\n",
-                   letters_of(crossings, objects), gauss_code(diagram), text_of_knot(diagram));
+  return filled_in("crossings = \"{}\"\nGauss code: {}\nknot: {}\n", letters_of(crossings, objects),
+                   gauss_code(diagram), text_of_knot(diagram));
 }
 
 // Of a list that does not tell of the object.
@@ -68,8 +68,7 @@ Result<std::string> show_crossings(const Scene& scene, const std::filesystem::pa
   const auto obstacle = read_obstacle(scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
   const ObjectHeights heights = heights_of(*obstacle, scene.curve);
-  const auto runs =
-      heights ? find_object_runs(drawing->points, heights) : std::vector<ObjectRun>();
+  const auto runs = heights ? find_object_runs(drawing->points, heights) : std::vector<ObjectRun>();
   const auto objects = object_passages(*points, *drawing, scene.curve, heights);
   const auto crossings = over_and_under(*points, *drawing, scene.curve);
   const NumberedPassages drawn = crossings && objects

@@ -123,8 +123,8 @@ struct Stroke {
 // Where the drawing passes the object.
 std::vector<Stroke> object_strokes(const MeasuredDrawing& drawing,
                                    const std::vector<ObjectPassage>& objects, double diagonal) {
-  const std::string dashes = " class=\"behind\" stroke-dasharray=\"" +
-                             number(dash * diagonal) + "\"";
+  const std::string dashes =
+      " class=\"behind\" stroke-dasharray=\"" + number(dash * diagonal) + "\"";
   std::vector<Stroke> strokes;
   strokes.reserve(objects.size());
   for (const auto& [run, in_front] : objects)
@@ -188,7 +188,8 @@ std::string diagram_svg(const Drawing& drawing, const std::vector<Passage>& pass
   const double diagonal = extent_of(drawing);
   const MeasuredDrawing measured(drawing);
   const std::vector<DrawnPassage> drawn = drawn_passages(measured, passages, objects, diagonal);
-  const std::string pieces = pieces_of(measured, drawn, object_strokes(measured, objects, diagonal));
+  const std::string pieces =
+      pieces_of(measured, drawn, object_strokes(measured, objects, diagonal));
   std::string labels;
   for (std::size_t i = 0; i < drawn.size(); ++i)
     labels += label(measured, drawn[i], std::to_string(i + 1));

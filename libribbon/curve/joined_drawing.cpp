@@ -180,8 +180,7 @@ Result<JoinedDrawing> joined(const std::vector<DrawnPiece>& pieces) {
   if (walked.count == pieces.size()) return std::move(walked.drawing);
   return failure("drawing",
                  "it is made of " + std::to_string(pieces.size()) + " pieces, of which only " +
-                     std::to_string(walked.count) +
-                     " hang together; the others close to a loop",
+                     std::to_string(walked.count) + " hang together; the others close to a loop",
                  "draw one line");
 }
 

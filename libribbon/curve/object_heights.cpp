@@ -23,8 +23,8 @@ LinesOfSight lines_of_sight(const TriangleMesh& object, const CurveScene& scene)
 // Most drawings never ask.
 ObjectHeights heights_of(const std::optional<TriangleMesh>& object, const CurveScene& scene) {
   if (!object) return {};
-  return [&object, &scene, lines = std::shared_ptr<const LinesOfSight>()](
-             const Eigen::Vector2d& place) mutable {
+  return [&object, &scene,
+          lines = std::shared_ptr<const LinesOfSight>()](const Eigen::Vector2d& place) mutable {
     if (!lines) lines = std::make_shared<const LinesOfSight>(lines_of_sight(*object, scene));
     return lines->through(place);
   };

@@ -47,9 +47,9 @@ std::string text_of(const ObjectRun& run) {
 tl::unexpected<Error> letter_missing(const CrossingList& list, const Stop& stop, std::size_t k) {
   const std::string number = std::to_string(k + 1);
   const bool is_end = k == list.letters.size();
-  const std::string found = is_end ? ", and 'crossings' ends before"
-                                   : ", but letter " + number + " of 'crossings' is " +
-                                         list.letters.substr(k, 1);
+  const std::string found =
+      is_end ? ", and 'crossings' ends before"
+             : ", but letter " + number + " of 'crossings' is " + list.letters.substr(k, 1);
   if (stop.run != nullptr)
     return failure(list.place, text_of(*stop.run) + " of the drawing" + found,
                    "write F as letter " + number + " if it lies in front, B if behind");
@@ -66,8 +66,9 @@ tl::unexpected<Error> too_many_letters(const CrossingList& list, std::size_t sto
                  "letter " + std::to_string(stops + 1) + " of 'crossings' is " + first +
                      ", but the drawing has " + std::to_string(stops) +
                      (stops == 1 ? " passage" : " passages") + " of crossings and the object",
-                 is_of_object(first.front()) ? "draw the curve over the object, or remove the letter"
-                                             : "remove the letter");
+                 is_of_object(first.front())
+                     ? "draw the curve over the object, or remove the letter"
+                     : "remove the letter");
 }
 
 Result<std::vector<ObjectPassage>> as_listed(const std::vector<DoublePoint>& points,
@@ -108,8 +109,7 @@ Result<void> each_part_passes(const std::vector<ObjectRun>& runs, const JoinedDr
 // A run lies behind the object where most of it is drawn so.
 Result<std::vector<ObjectPassage>> as_drawn(const std::vector<ObjectRun>& runs,
                                             const JoinedDrawing& drawing) {
-  if (auto passes = each_part_passes(runs, drawing); !passes)
-    return tl::unexpected(passes.error());
+  if (auto passes = each_part_passes(runs, drawing); !passes) return tl::unexpected(passes.error());
   std::vector<ObjectPassage> passages;
   for (const ObjectRun& run : runs) {
     double behind = 0;
@@ -158,9 +158,8 @@ std::vector<ObjectRun> find_object_runs(const Drawing& drawing, const ObjectHeig
 
 bool tells_of_object(const JoinedDrawing& drawing, const CurveScene& scene) {
   return !drawing.depths.empty() ||
-         (scene.crossings &&
-          std::any_of(scene.crossings->letters.begin(), scene.crossings->letters.end(),
-                      is_of_object));
+         (scene.crossings && std::any_of(scene.crossings->letters.begin(),
+                                         scene.crossings->letters.end(), is_of_object));
 }
 
 Result<std::vector<ObjectPassage>> object_passages(const std::vector<DoublePoint>& points,

@@ -1,6 +1,7 @@
 // Where the drawn curve passes the object, and whether in front of it or behind it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -42,13 +43,14 @@ Result<std::vector<ObjectPassage>> object_passages(const std::vector<DoublePoint
                                                    const CurveScene& scene,
                                                    const ObjectHeights& object);
 
-// All passages in the order of the walk, as errors and drawings count them from 1: a run counts
-// where it begins. `object`: none for a passage of a crossing, else the index of a run.
+// A passage of a crossing, or one of the object, which is counted where it begins.
 struct CountedPassage {
   double parameter = 0;
-  std::size_t index = 0;  // in passages_along(), or of a run
+  std::size_t index = 0;  // among the passages of crossings, or among those of the object
   bool of_object = false;
 };
+
+// All in the order of the walk, as errors and drawings count them from 1.
 std::vector<CountedPassage> counted(const std::vector<Passage>& passages,
                                     const std::vector<ObjectPassage>& objects);
 

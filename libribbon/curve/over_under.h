@@ -35,8 +35,9 @@ struct Passage {
 // be: where an end is shut in by a loop of the curve.
 Result<std::vector<Crossing>> alternating(const std::vector<DoublePoint>& points, bool first_over);
 
-// As the list says, a letter for each passage (F and B tell of the object: object_passages()). Fails, with the place in the scene and in the
-// drawing, where it is too short or too long or gives both passages of a crossing the same letter.
+// As the list says, a letter for each passage (F and B tell of the object: object_passages()).
+// Fails, with the place in the scene and in the drawing, where it is too short or too long or gives
+// both passages of a crossing the same letter.
 Result<std::vector<Crossing>> as_listed(const std::vector<DoublePoint>& points,
                                         const CrossingList& list);
 

@@ -6,8 +6,10 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "curve/axis_view.h"
 #include "curve/place.h"
@@ -74,42 +76,51 @@ Result<WalkedDrawing> walked_drawing(const CurveScene& scene, const ObjectHeight
       *std::move(crossings), {std::move(passages), *std::move(objects)}, std::move(controls)};
 }
 
+struct LiftedPlan {
+  std::vector<Vector3d> points;
+  std::optional<Error> squeezed = std::nullopt;
+};
+
+Result<LiftedPlan> lifted(const WalkedDrawing& drawn, const CurveScene& scene,
+                          double ribbon_width_m, TightPassage tight_passage,
+                          const ObjectHeights& object) {
+  const auto stops_of = [&](const Plan& plan) {
+    return stopped_walk(plan, drawn.passages, object, ribbon_width_m / 2 / scene.unit_m,
+                        scene.clearance_m / 2 / scene.unit_m);
+  };
+  const double gap = (ribbon_width_m + scene.clearance_m) / scene.unit_m;
+  Plan plan = fine_plan(drawn.controls, gap);
+  auto walk = stops_of(plan);
+  if (!walk) return tl::unexpected(walk.error());
+  const Heights heights = passage_heights(walk->profile, gap);
+  if (!heights.tight) return LiftedPlan{raised(plan, walk->stops, heights.passages)};
+  const auto refusal = too_tight(scene, ribbon_width_m, *walk, *heights.tight);
+  if (tight_passage == TightPassage::refuse || heights.gap <= 0) return refusal;
+  plan = fine_plan(drawn.controls, heights.gap);
+  walk = stops_of(plan);
+  if (!walk) return tl::unexpected(walk.error());
+  return LiftedPlan{raised(plan, walk->stops, heights.passages), refusal.value()};
+}
+
 }  // namespace
 
 Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m, int samples,
                                         TightPassage tight_passage, const ObjectHeights& object) {
   assert(samples >= 2 && scene.unit_m > 0 && ribbon_width_m > 0 && scene.clearance_m >= 0);
-  const auto drawn = walked_drawing(scene, object);
+  auto drawn = walked_drawing(scene, object);
   if (!drawn) return tl::unexpected(drawn.error());
-  const double gap = (ribbon_width_m + scene.clearance_m) / scene.unit_m;
-  const auto stops_of = [&](const Plan& plan) {
-    return stopped_walk(plan, drawn->passages, object, ribbon_width_m / 2 / scene.unit_m,
-                        scene.clearance_m / 2 / scene.unit_m);
-  };
-  Plan plan = fine_plan(drawn->controls, gap);
-  auto walk = stops_of(plan);
-  if (!walk) return tl::unexpected(walk.error());
-  SpaceCurve curve;
-  const Heights heights = passage_heights(walk->profile, gap);
-  if (heights.tight) {
-    const auto refusal = too_tight(scene, ribbon_width_m, *walk, *heights.tight);
-    if (tight_passage == TightPassage::refuse || heights.gap <= 0) return refusal;
-    curve.squeezed = refusal.value();
-    plan = fine_plan(drawn->controls, heights.gap);
-    walk = stops_of(plan);
-    if (!walk) return tl::unexpected(walk.error());
-  }
-  auto points = raised(plan, walk->stops, heights.passages);
-  for (Vector3d& point : points) {
+  auto plan = lifted(*drawn, scene, ribbon_width_m, tight_passage, object);
+  if (!plan) return tl::unexpected(plan.error());
+  for (Vector3d& point : plan->points) {
     point.head<2>() -= scene.origin;
     point = in_world(point * scene.unit_m, scene.axis);
   }
-  const auto lengths = lengths_along(points);
-  curve.points = evenly_sampled(points, lengths, samples);
-  curve.length_m = lengths.back();
-  curve.crossings = drawn->crossings;
-  curve.objects = drawn->passages.objects;
-  return curve;
+  const auto lengths = lengths_along(plan->points);
+  return SpaceCurve{.points = evenly_sampled(plan->points, lengths, samples),
+                    .length_m = lengths.back(),
+                    .crossings = std::move(drawn->crossings),
+                    .objects = std::move(drawn->passages.objects),
+                    .squeezed = std::move(plan->squeezed)};
 }
 
 }  // namespace ribbon

@@ -46,9 +46,8 @@ void widen(std::vector<LevelRun>& runs, double margin, double length) {
 
 std::size_t passages_before(double parameter, const std::vector<std::size_t>& passages) {
   return static_cast<std::size_t>(
-      std::count_if(passages.begin(), passages.end(), [&](std::size_t passage) {
-        return static_cast<double>(passage) < parameter;
-      }));
+      std::count_if(passages.begin(), passages.end(),
+                    [&](std::size_t passage) { return static_cast<double>(passage) < parameter; }));
 }
 
 std::size_t passages_before(double parameter, const std::vector<Passage>& passages) {
@@ -127,8 +126,8 @@ std::vector<ObjectBound> bounds_of(const std::vector<WalkStop>& stops,
     for (std::size_t k = 0; k < stops.size(); ++k) {
       if (stops[k].length < runs[i].begin || stops[k].length > runs[i].end) continue;
       const bool in_front = objects[i].in_front;
-      bounds.push_back({k, in_front ? runs[i].object.high + clearance
-                                    : runs[i].object.low - clearance,
+      bounds.push_back({k,
+                        in_front ? runs[i].object.high + clearance : runs[i].object.low - clearance,
                         in_front});
     }
   return bounds;
@@ -206,9 +205,11 @@ tl::unexpected<Error> too_tight(const CurveScene& scene, double width_m, const S
                                 const TightCircle& tight) {
   const double gap = (width_m + scene.clearance_m) / scene.unit_m;
   const double length = tight.rise * blend_slope / steepest_slope;
-  const double needed = length + (gap - tight.gap()) * tight.rise_per_gap() * blend_slope / steepest_slope;
+  const double needed =
+      length + (gap - tight.gap()) * tight.rise_per_gap() * blend_slope / steepest_slope;
   const double widest_m = tight.gap() * scene.unit_m - scene.clearance_m;
-  const Vector2d place = walk.stops[std::min(tight.stretches.front().to, walk.stops.size() - 1)].point;
+  const Vector2d place =
+      walk.stops[std::min(tight.stretches.front().to, walk.stops.size() - 1)].point;
   const Vector2d metres = (place - scene.origin) * scene.unit_m;
   const bool one = tight.stretches.size() == 1;
   const bool passes_object = tight.bounds > 0;

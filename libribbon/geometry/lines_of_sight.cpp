@@ -73,7 +73,9 @@ std::optional<double> LinesOfSight::height_of(int triangle, const Vector2d& plac
   const std::array<Eigen::Vector3d, 3> corners = {seen_.col(triangles_(0, triangle)),
                                                   seen_.col(triangles_(1, triangle)),
                                                   seen_.col(triangles_(2, triangle))};
-  const auto seen = [&](int k) -> Vector2d { return corners[static_cast<std::size_t>(k)].head<2>(); };
+  const auto seen = [&](int k) -> Vector2d {
+    return corners[static_cast<std::size_t>(k)].head<2>();
+  };
   const double area = twice_area(seen(0), seen(1), seen(2));
   if (area == 0) return std::nullopt;
   const std::array<double, 3> shares = {twice_area(place, seen(1), seen(2)) / area,

@@ -340,9 +340,10 @@ std::vector<Depth> depths_of(const std::string& body, const std::string& id) {
 }
 
 TEST(SvgDepth, is_told_by_the_class_of_a_path_or_its_group) {
-  EXPECT_EQ(depths_of("<path class='thick behind'/><g class='front'><path/></g><path class='backwards'/>",
-                      "band"),
-            (std::vector{Depth::behind, Depth::front, Depth::untold}));
+  EXPECT_EQ(
+      depths_of("<path class='thick behind'/><g class='front'><path/></g><path class='backwards'/>",
+                "band"),
+      (std::vector{Depth::behind, Depth::front, Depth::untold}));
 }
 
 TEST(SvgDepth, is_behind_for_dashed_strokes_among_others) {

@@ -73,19 +73,18 @@ TEST(JoinedDrawing, ends_too_far_apart_or_out_of_line_are_told_with_their_place)
 }
 
 TEST(JoinedDrawing, a_gap_that_passes_under_nothing_or_two_strands_is_told) {
-  EXPECT_THAT(
-      refusal_of(
-          crossings_of({{{{-10, 0}, {-1, 0}}}, {{{1, 0}, {10, 0}, {10, 9}, {5, 9}, {5, -9}}}})),
-      AllOf(HasSubstr("drawing at (0, 0)"), HasSubstr("under nothing")));
+  EXPECT_THAT(refusal_of(crossings_of(
+                  {{{{-10, 0}, {-1, 0}}}, {{{1, 0}, {10, 0}, {10, 9}, {5, 9}, {5, -9}}}})),
+              AllOf(HasSubstr("drawing at (0, 0)"), HasSubstr("under nothing")));
   EXPECT_THAT(refusal_of(crossings_of({{{{-10, -0.4},
-                                        {10, -0.4},
-                                        {12, 0},
-                                        {10, 0.4},
-                                        {-10, 0.4},
-                                        {-12, -5},
-                                        {-10, -10},
-                                        {0, -10},
-                                        {0, -1}}},
+                                         {10, -0.4},
+                                         {12, 0},
+                                         {10, 0.4},
+                                         {-10, 0.4},
+                                         {-12, -5},
+                                         {-10, -10},
+                                         {0, -10},
+                                         {0, -1}}},
                                        {{{0, 1}, {0, 10}}}})),
               HasSubstr("this gap passes under 2 strands"));
 }

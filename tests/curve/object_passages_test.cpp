@@ -22,7 +22,7 @@ const Points wrap = {{-9, -0.5}, {-3, -0.5}, {3, -0.5}, {7, -0.5}, {9, 0},
                      {7, 0.5},   {3, 0.5},   {-3, 0.5}, {-9, 0.5}};
 
 // Its end then crosses its beginning, at (-6, -0.5).
-const Points crossed_wrap = {{-9, -0.5}, {-3, -0.5}, {3, -0.5}, {7, -0.5}, {9, 0}, {7, 0.5},
+const Points crossed_wrap = {{-9, -0.5}, {-3, -0.5}, {3, -0.5}, {7, -0.5}, {9, 0},  {7, 0.5},
                              {3, 0.5},   {-3, 0.5},  {-5, 0.4}, {-6, 0},   {-6, -4}};
 
 ObjectHeights block(double half_height) {
@@ -136,6 +136,23 @@ TEST(ObjectPassages, both_letters_of_a_crossing_are_counted_among_all) {
               HasSubstr("passages 1 and 4 meet at (-6, -0.5) of the drawing, and both say O"));
 }
 
+TEST(ObjectPassages, of_all_lists_as_long_those_that_fit_are_taken_and_the_others_told_where) {
+  int taken = 0;
+  for (int list = 0; list < 256; ++list) {
+    std::string letters;
+    for (int k = 0; k < 4; ++k) letters += "OUFB"[list >> (2 * k) & 3];
+    const bool tells_of_object = letters.find_first_of("FB") != std::string::npos;
+    const auto curve = curve_of(crossed_wrap, letters);
+    if (curve) {
+      ++taken;
+      EXPECT_EQ(letters_of(curve->crossings, curve->objects), letters);
+    } else if (tells_of_object) {
+      EXPECT_THAT(curve.error().sentence(), StartsWith("knot.toml:3:13: ")) << letters;
+    }
+  }
+  EXPECT_EQ(taken, 8);
+}
+
 TEST(ObjectPassages, without_an_object_are_refused) {
   EXPECT_THAT(refusal(wrap, "FB", {}),
               AllOf(StartsWith("knot.toml:3:13: "), HasSubstr("add [obstacle]")));
@@ -158,16 +175,17 @@ TEST(ObjectPassages, a_curve_that_meets_the_object_only_once_smoothed_is_told) {
 TEST(ObjectPassages, a_turn_too_short_for_the_object_is_told_and_how_long_it_must_be) {
   EXPECT_THAT(refusal(wrap, "FB", block(9)),
               AllOf(StartsWith("drawing at (1, 0.5), in metres (1, 0.5): "),
-                             HasSubstr("the way from the end of passage 1 to the begin of passage "
-                                       "2 is "),
-                             HasSubstr("that passes the object; draw it "),
-                             HasSubstr("drawing units long, or make the object smaller")));
+                    HasSubstr("the way from the end of passage 1 to the begin of passage "
+                              "2 is "),
+                    HasSubstr("that passes the object; draw it "),
+                    HasSubstr("drawing units long, or make the object smaller")));
   EXPECT_THAT(refusal_of(curve_of(wrap, "FB", block(4.5), wide_m)),
               HasSubstr("or set ribbon.width to 0."));
 }
 
 TEST(ObjectPassages, are_squeezed_only_where_some_ribbon_would_have_room) {
-  EXPECT_TRUE(curve_of(wrap, "FB", block(4.5), wide_m, TightPassage::squeeze)->squeezed.has_value());
+  EXPECT_TRUE(
+      curve_of(wrap, "FB", block(4.5), wide_m, TightPassage::squeeze)->squeezed.has_value());
   EXPECT_THAT(refusal_of(curve_of(wrap, "FB", block(9), wide_m, TightPassage::squeeze)),
               HasSubstr("that passes the object"));
 }

@@ -3,10 +3,12 @@
 
 #include <filesystem>
 
+#include "files/temporary_folder.h"
 #include "geometry/winding_number.h"
 #include "obstacle/obstacle.h"
 #include "recorder/run/drawn_knot.h"
 #include "recorder/run/start.h"
+#include "recorder/show_crossings.h"
 #include "result/refusal.h"
 #include "verification/frame_verifier.h"
 
@@ -52,6 +54,25 @@ TEST(Gift, tied_otherwise_is_proposed_a_list_with_the_letters_of_the_box) {
   std::string list = sentence.substr(begin, sentence.find('"', begin) - begin);
   std::erase_if(list, [](char letter) { return letter == 'O' || letter == 'U'; });
   EXPECT_EQ(list, "FBFBF") << sentence;
+}
+
+TEST(Gift, shown_with_its_passages_is_a_drawing_of_the_same) {
+  const auto file = temporary_file("gift.svg");
+  EXPECT_THAT(show_crossings(scene_with(), file, Overwrite::yes).value(),
+              HasSubstr("crossings = \"" + scene_with().curve.crossings->letters + "\""));
+  Scene drawn = scene_with();
+  drawn.curve.drawing = DrawnSvg{{file}, "band"};
+  drawn.curve.crossings.reset();
+  EXPECT_THAT(show_crossings(drawn, temporary_file("again.svg"), Overwrite::yes).value(),
+              HasSubstr("crossings = \"" + scene_with().curve.crossings->letters + "\""));
+}
+
+TEST(Gift, whose_list_does_not_tell_of_the_box_is_told_how_often_it_is_passed) {
+  Scene scene = scene_with();
+  std::erase_if(scene.curve.crossings->letters,
+                [](char letter) { return letter == 'F' || letter == 'B'; });
+  EXPECT_THAT(show_crossings(scene, temporary_file("gift.svg"), Overwrite::yes).value(),
+              HasSubstr("passes the object 5 times"));
 }
 
 TEST(Gift, with_a_letter_too_few_is_told_where) {

@@ -101,6 +101,23 @@ bool encloses(const TriangleMesh& mesh, const std::vector<int>& body, const Vect
   return enclosed >= 2;
 }
 
+// Nothing outside the box around all triangles is inside a body.
+bool is_within_box(const TriangleMesh& mesh, const Eigen::Matrix3Xd& points) {
+  const Vector3d low = mesh.vertices.rowwise().minCoeff().cast<double>();
+  const Vector3d high = mesh.vertices.rowwise().maxCoeff().cast<double>();
+  return ((points.colwise() - low).array() >= 0).all() &&
+         ((points.colwise() - high).array() <= 0).all();
+}
+
+Eigen::Matrix3Xd middles_of_rows(const RibbonMesh& ribbon) {
+  const RibbonGrid& grid = ribbon.grid;
+  Eigen::Matrix3Xd middles(3, grid.along);
+  for (int row = 0; row < grid.along; ++row)
+    middles.col(row) =
+        mean_of_columns(ribbon.positions.middleCols(grid.particle(row, 0), grid.across));
+  return middles;
+}
+
 }  // namespace
 
 std::vector<std::vector<int>> closed_bodies(const TriangleMesh& mesh) {
@@ -112,14 +129,12 @@ std::vector<std::vector<int>> closed_bodies(const TriangleMesh& mesh) {
 
 Result<void> check_outside(const Scene& scene, const RibbonMesh& ribbon,
                            const TriangleMesh& obstacle) {
-  const RibbonGrid& grid = ribbon.grid;
+  const Eigen::Matrix3Xd middles = middles_of_rows(ribbon);
+  if (!is_within_box(obstacle, middles)) return {};
   const auto holds_all = [&](const std::vector<int>& body) {
-    for (int row = 0; row < grid.along; ++row) {
-      const Vector3d middle =
-          mean_of_columns(ribbon.positions.middleCols(grid.particle(row, 0), grid.across));
-      if (!encloses(obstacle, body, middle)) return false;
-    }
-    return true;
+    const auto points = middles.colwise();
+    return std::all_of(points.begin(), points.end(),
+                       [&](const auto& middle) { return encloses(obstacle, body, middle); });
   };
   const auto bodies = closed_bodies(obstacle);
   if (std::none_of(bodies.begin(), bodies.end(), holds_all)) return {};

@@ -86,16 +86,16 @@ TEST(InsideObstacle, a_mesh_is_a_closed_body_where_no_edge_is_left_over) {
   EXPECT_EQ(closed_bodies(post(0.3)).size(), 0U);
   EXPECT_EQ(closed_bodies(without_a_triangle(torus(0.3, 0.4, 0.2))).size(), 0U);
   for (const TriangleMesh& mesh : {closed(post(0.3)), torus(0.3, 0.4, 0.2), box(1)})
-    for (const TriangleMesh& bad :
-         {mesh, with_repeated_corners(mesh), with_some_inside_out(mesh), with_a_triangle_twice(mesh)})
+    for (const TriangleMesh& bad : {mesh, with_repeated_corners(mesh), with_some_inside_out(mesh),
+                                    with_a_triangle_twice(mesh)})
       EXPECT_EQ(closed_bodies(bad).size(), 1U) << mesh.name;
   EXPECT_EQ(closed_bodies(together(together(box(1), moved(box(1), 3)), post(9))).size(), 2U);
 }
 
 TEST(InsideObstacle, a_ribbon_inside_a_body_is_refused_however_its_mesh_is_made) {
   for (const TriangleMesh& mesh : {closed(post(2)), box(2)})
-    for (const TriangleMesh& bad :
-         {mesh, with_repeated_corners(mesh), with_some_inside_out(mesh), with_a_triangle_twice(mesh)})
+    for (const TriangleMesh& bad : {mesh, with_repeated_corners(mesh), with_some_inside_out(mesh),
+                                    with_a_triangle_twice(mesh)})
       EXPECT_THAT(refusal(bad), HasSubstr("lies inside the obstacle")) << mesh.name;
 }
 
