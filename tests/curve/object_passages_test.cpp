@@ -74,12 +74,13 @@ TEST(ObjectRuns, hold_the_highest_and_lowest_place_on_the_way) {
   EXPECT_NEAR(runs[0].object.high, 1, 0.01);
 }
 
-// Of the part of the curve with that z, in front of or behind the block.
+// Of the part of the curve with that z, in front of or behind the block and what it is level for.
 HeightRange heights_over_block(const SpaceCurve& curve, double z_sign) {
   HeightRange range{std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};
   for (const auto& point : curve.points.colwise())
-    if (std::abs(point.x()) <= 1 && point.z() * z_sign > 0) range.include({point.y(), point.y()});
+    if (std::abs(point.x()) <= 1 + 0.45 * width_m && point.z() * z_sign > 0)
+      range.include({point.y(), point.y()});
   return range;
 }
 
