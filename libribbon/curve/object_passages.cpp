@@ -149,9 +149,11 @@ std::vector<ObjectRun> find_object_runs(const Drawing& drawing, const ObjectHeig
   look(drawing.front(), 0);
   for (std::size_t i = 0; i + 1 < drawing.size(); ++i) {
     const Vector2d way = drawing[i + 1] - drawing[i];
-    const double pieces = std::ceil(length_of(way) / longest);
-    for (double k = 1; k <= pieces; ++k)
-      look(drawing[i] + k / pieces * way, static_cast<double>(i) + k / pieces);
+    const auto pieces = static_cast<int>(std::ceil(length_of(way) / longest));
+    for (int k = 1; k <= pieces; ++k) {
+      const double fraction = static_cast<double>(k) / pieces;
+      look(drawing[i] + fraction * way, static_cast<double>(i) + fraction);
+    }
   }
   return runs;
 }

@@ -59,6 +59,7 @@ std::vector<std::vector<int>> bodies_of(const std::map<int, Places>& triangles) 
   std::map<int, std::vector<int>> bodies;
   for (const auto& [triangle, corners] : triangles) bodies[root(corners[0])].push_back(triangle);
   std::vector<std::vector<int>> list;
+  list.reserve(bodies.size());
   for (auto& [place, body] : bodies) list.push_back(std::move(body));
   return list;
 }
