@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "converter/read_back/written_bytes.h"
 
@@ -23,16 +24,59 @@ struct GlbNumbers {
   std::uint64_t count = 0;
 };
 
-// What stands in the JSON for each frame and says nothing about positions.
+// What stands in the JSON for each frame and says nothing about positions: as a tree of values it
+// would take more memory than all the rest.
 bool is_left_out(const std::string& name) {
   return name == "min" || name == "max" || name == "targetNames" || name == "NORMAL";
 }
 
-// As a tree of values this would take more memory than all the rest.
+// Makes the tree of all other values, as the library does. (With its own way to leave values out it
+// would search all accessors so far at each new one.)
+class NeededValues : public nlohmann::detail::json_sax_dom_parser<Json> {
+ public:
+  using Tree = json_sax_dom_parser;
+  explicit NeededValues(Json& tree) : Tree(tree) {}
+
+  bool null() { return is_skipped() || Tree::null(); }
+  bool boolean(bool value) { return is_skipped() || Tree::boolean(value); }
+  bool number_integer(std::int64_t value) { return is_skipped() || Tree::number_integer(value); }
+  bool number_unsigned(std::uint64_t value) { return is_skipped() || Tree::number_unsigned(value); }
+  bool number_float(double value, const std::string& text) {
+    return is_skipped() || Tree::number_float(value, text);
+  }
+  bool string(std::string& value) { return is_skipped() || Tree::string(value); }
+  bool start_object(std::size_t size) { return enters() || Tree::start_object(size); }
+  bool start_array(std::size_t size) { return enters() || Tree::start_array(size); }
+  bool end_object() { return leaves() || Tree::end_object(); }
+  bool end_array() { return leaves() || Tree::end_array(); }
+  bool key(std::string& name) {
+    if (depth_ > 0) return true;
+    is_next_ = is_left_out(name);
+    return is_next_ || Tree::key(name);
+  }
+
+ private:
+  bool is_skipped() { return depth_ > 0 || std::exchange(is_next_, false); }
+  bool enters() {
+    if (!is_skipped()) return false;
+    ++depth_;
+    return true;
+  }
+  bool leaves() {
+    if (depth_ == 0) return false;
+    --depth_;
+    return true;
+  }
+
+  bool is_next_ = false;  // the value that comes is left out
+  int depth_ = 0;         // of lists and objects within it
+};
+
 Json parsed(const std::string& text) {
-  return Json::parse(text, [](int, Json::parse_event_t event, const Json& read) {
-    return event != Json::parse_event_t::key || !is_left_out(read.get_ref<const std::string&>());
-  });
+  Json root;
+  NeededValues values(root);
+  Json::sax_parse(text, &values);
+  return root;
 }
 
 // The JSON chunk, and the binary one that it describes.
