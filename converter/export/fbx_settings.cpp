@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "converter/export/fbx_objects.h"
+#include "converter/export/fbx_motion.h"
 
 namespace ribbon {
 

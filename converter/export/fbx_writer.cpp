@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "converter/export/fbx_arrays.h"
-#include "converter/export/fbx_objects.h"
+#include "converter/export/fbx_meshes.h"
+#include "converter/export/fbx_motion.h"
 #include "converter/export/fbx_record.h"
 #include "converter/export/fbx_settings.h"
 #include "converter/export/rate_warnings.h"
