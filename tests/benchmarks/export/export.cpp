@@ -5,7 +5,6 @@
 // is not counted. Each is measured in a process of its own, whose largest memory is told.
 // docs/export.md shows the figures.
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +20,7 @@
 #include "converter/motion_format.h"
 #include "files/pending_file.h"
 #include "playback/recording_reader.h"
+#include "recorder/process.h"
 #include "result/demanded.h"
 
 namespace ribbon {
@@ -177,11 +177,9 @@ std::pair<double, double> in_own_process(const Work& work) {
   close(ends[1]);
   const bool told = read(ends[0], &seconds, sizeof seconds) == sizeof seconds;
   close(ends[0]);
-  rusage usage{};
-  int status = 0;
-  wait4(child, &status, 0, &usage);
-  if (!told || status != 0) std::exit(2);
-  return {seconds, 1024.0 * static_cast<double>(usage.ru_maxrss)};
+  const Ended ended = end_of(child);
+  if (!told || ended.exit_code != 0) std::exit(2);
+  return {seconds, ended.most_memory};
 }
 
 Figures measure(const Format& format, const Options& options) {

@@ -3,11 +3,6 @@
 // from end to end by ribbon-play, and prints what each task takes of time and, at most, of memory.
 // Ends with 1 where the many take over 120 bytes a frame, and 4 MB, more than the few: there is an
 // index of them, but nothing else may grow. docs/play.md shows the figures of 50 000 frames.
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -16,6 +11,7 @@
 
 #include "benchmarks/benchmark_main.h"
 #include "playback/recording_reader.h"
+#include "recorder/process.h"
 #include "recording/writer/recording_writer.h"
 
 namespace ribbon {
@@ -65,30 +61,14 @@ struct Cost {
   double megabytes = 0;
 };
 
-// Its answer may be no, as of a recording that is not certified.
-bool did_its_task(int status) {
-  return WIFEXITED(status) && WEXITSTATUS(status) <= static_cast<int>(ExitCode::answer_is_no);
-}
-
-// The command's standard output is thrown away.
-Result<Cost> cost_of(std::vector<std::string> words) {
+Result<Cost> cost_of(const std::vector<std::string>& words) {
   const auto start = std::chrono::steady_clock::now();
-  const pid_t process = ::fork();
-  if (process == 0) {
-    ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    ::execv(arguments[0], arguments.data());
-    ::_exit(127);
-  }
-  rusage usage{};
-  int status = -1;
-  if (process < 0 || ::wait4(process, &status, 0, &usage) != process || !did_its_task(status))
-    return failure(words[0], "did not do its task", "run it alone");
+  const Ended ended = end_of(spawned(words, StandardOutput::thrown_away));
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return Cost{elapsed.count(), static_cast<double>(usage.ru_maxrss) / 1024};
+  // Its answer may be no, as of a recording that is not certified.
+  if (ended.exit_code < 0 || ended.exit_code > static_cast<int>(ExitCode::answer_is_no))
+    return failure(words[0], "did not do its task", "run it alone");
+  return Cost{elapsed.count(), ended.most_memory / (1 << 20)};
 }
 
 struct Task {
@@ -108,7 +88,7 @@ Result<Cost> cost_of(const Task& task, const Options& options, const fs::path& r
   std::vector<std::string> words{RIBBON_PLAY, recording};
   for (const std::string& option : task.options)
     words.push_back(option == "plot.svg" ? (options.scratch / option).string() : option);
-  return cost_of(std::move(words));
+  return cost_of(words);
 }
 
 Result<Findings> measure(const Options& options) {

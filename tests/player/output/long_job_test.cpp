@@ -1,9 +1,6 @@
 // Sequences that are interrupted, go on, and are shared by several machines.
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -253,11 +250,9 @@ constexpr bool memory_is_measurable = true;
 
 // The most that a process has had in memory, in bytes.
 double peak_of(const std::vector<std::string>& words) {
-  rusage usage{};
-  int status = -1;
-  EXPECT_GT(::wait4(spawned(words), &status, 0, &usage), 0);
-  EXPECT_EQ(status, 0);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+  const Ended ended = end_of(spawned(words));
+  EXPECT_EQ(ended.exit_code, 0);
+  return ended.most_memory;
 }
 
 TEST_F(LongJob, info_tells_how_much_memory_pictures_take) {
