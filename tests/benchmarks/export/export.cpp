@@ -219,7 +219,7 @@ Result<Findings> run(const Options& options) {
   for (const Format& format : formats()) {
     const Figures figures = measure(format, options);
     const double frames = options.frames;
-    std::printf("| `%s` | %.2f | %.2f | %.3f | %.0f |\n", format.name.c_str(),
+    std::printf("| `%s` | %.3f | %.3f | %.3f | %.0f |\n", format.name.c_str(),
                 1e3 * figures.seconds / frames, 1e3 * figures.raw_s / frames,
                 1e-6 * figures.bytes / frames, 1e-6 * figures.largest_memory);
     std::fflush(stdout);
