@@ -1,5 +1,6 @@
 #include "converter/export/float_digits.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -73,7 +74,7 @@ char digit(std::uint32_t number) {
 // `decimals`, not 0, as `places` places without the zeros at their end.
 char* write_decimals(char* text, std::uint64_t decimals, std::uint32_t places) {
   const std::uint32_t zeros = places > 9 ? places - 9 : 0;  // a mantissa has at most nine digits
-  std::memcpy(text, "00", 2);
+  std::fill_n(text, 2, '0');
   text += zeros;
   const auto nine = static_cast<std::uint32_t>(decimals * power_of_ten[9 + zeros - places]);
   *text++ = digit(nine / 100'000'000U);
