@@ -2,7 +2,7 @@
 # Ties every knot of samples/gallery, verifies every frame, takes a picture of each and writes
 # docs/gallery.md with what was measured: some minutes. Recordings stay in out/gallery.
 #   samples/gallery.sh [OPTION...] [KNOT...]     without knots: all of them
-#     --mirrored       each with the other hand as well: over and under exchanged
+#     --mirrored       each with the other hand as well: its mirror image
 #     --build FOLDER   use the tools built there instead of building
 #     --page           ties nothing: only writes the page, from what was measured before
 # Exit code 1 when a knot is not what was promised.
@@ -39,26 +39,31 @@ fi
 
 # Where from its picture is taken, unless close to the knot.
 declare -A view=(
-  [four-in-hand]=azimuth=15,elevation=8,distance=2.2,lens=50,subject=knot
+  [four-in-hand]="azimuth=15,elevation=8,distance=2.2,lens=50,subject=knot"
+  [windsor]="azimuth=15,elevation=8,distance=2.2,lens=50,subject=knot"
 )
 
-# Prints the settings that exchange over and under, front and back in a scene.
-exchanged() {
-  local list
+# mirrored SCENE   Sets the array `settings` to what makes the scene its mirror image, reflected along the
+# axis of the drawing, which is y in all of them: over and under, front and back, up and down.
+mirrored() {
+  local list reflected
   list=$(sed --quiet 's/^crossings = "\(.*\)".*/\1/p' "$1")
   if [[ -n $list ]]; then
-    echo "curve.crossings=\"$(tr OUFB UOBF <<<"$list")\""
-  elif grep --quiet '^first = "under"' "$1"; then
-    echo 'curve.first="over"'
+    settings=(--set "curve.crossings=\"$(tr OUFB UOBF <<<"$list")\"")
   else
-    echo 'curve.first="under"'
+    settings=(--set 'curve.first="under"')
   fi
+  while read -r reflected; do settings+=(--set "$reflected"); done < <(awk -F '[][,= ]+' '
+    /^\[\[stage\]\]/ { stage++; hand = 0 }
+    /^\[\[stage\.hand\]\]/ { hand++ }
+    /^pull = \[/ { printf "stage[%d].hand[%d].pull=[%s, %s, %s]\n", stage, hand, $2, -$3, $4 }
+    /^position = \[/ { printf "obstacle.position=[%s, %s, %s]\n", $2, -$3, $4 }' "$1")
 }
 
 # tied NAME HAND   Records, verifies and times it; the exit code 1 of --verify is an answer, too.
 tied() {
   local run=$results/$1-$2 settings=() status=0
-  [[ $2 == drawn ]] || settings=(--set "$(exchanged "$scenes/$1.toml")")
+  [[ $2 == drawn ]] || mirrored "$scenes/$1.toml"
   echo "== Tying $1, $2"
   TIMEFORMAT='{"wall_s": %R, "user_s": %U, "system_s": %S}'
   { time "$tools/recorder/ribbon-record" "$scenes/$1.toml" "${settings[@]}" --force -o "$run.rbn" \

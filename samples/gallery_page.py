@@ -11,9 +11,9 @@ import os
 import sys
 from pathlib import Path
 
-HEADINGS = ("knot", "particles", "frames", "wall, s", "processor, s", "intersecting pairs", "strain",
+HEADINGS = ("knot", "particles", "stages", "frames", "wall, s", "processor, s", "intersecting pairs", "strain",
             "from the object, mm", "verified")
-HANDS = {"drawn": "As drawn", "mirrored": "With the other hand: over and under exchanged"}
+HANDS = {"drawn": "As drawn", "mirrored": "With the other hand: over and under exchanged, hands reflected"}
 
 TOP = """# Gallery
 
@@ -46,8 +46,9 @@ def description(scene):
 class Run:
     """A knot as it was tied with one hand."""
 
-    def __init__(self, name, base):
-        self.name = name
+    def __init__(self, scene, base):
+        self.name = scene.stem
+        self.stages = scene.read_text().count("\n[[stage]]\n")
         self.stats, self.verify, self.time = (
             json.loads(base.with_suffix(suffix).read_text()) for suffix in (".stats", ".verify", ".time"))
 
@@ -56,7 +57,8 @@ class Run:
 
     def row(self):
         distance_m = self.verify["outcome"]["knot_distance_m"]
-        return (self.name, f"{self.stats['across']}x{self.stats['along']}", str(self.stats["frames"]),
+        return (self.name, f"{self.stats['across']}x{self.stats['along']}", str(self.stages or ""),
+                str(self.stats["frames"]),
                 f"{self.time['wall_s']:.0f}", f"{self.time['user_s'] + self.time['system_s']:.0f}",
                 str(self.verify["intersections"]["pairs"]),
                 f"{100 * self.verify['strain']['largest']:.1f} %",
@@ -64,9 +66,9 @@ class Run:
                 "yes" if self.is_as_promised() else "**no**")
 
 
-def runs_of(names, results, hand):
-    bases = [(name, results / f"{name}-{hand}") for name in names]
-    return [Run(name, base) for name, base in bases if base.with_suffix(".verify").exists()]
+def runs_of(scenes, results, hand):
+    bases = [(scene, results / f"{scene.stem}-{hand}") for scene in scenes]
+    return [Run(scene, base) for scene, base in bases if base.with_suffix(".verify").exists()]
 
 
 def processor():
@@ -76,10 +78,10 @@ def processor():
     return "of an unknown kind"
 
 
-def pictures(scenes, names):
+def pictures(scenes):
     rows = ["| | |", "|---|---|"]
-    for name in names:
-        told = description(scenes / f"{name}.toml")
+    for scene in scenes:
+        name, told = scene.stem, description(scene)
         command = f"`ribbon-record samples/gallery/{name}.toml -o {name}.rbn`"
         rows.append(f"| ![{name}](gallery/{name}.png) | **{name}**<br>{told}<br>{command} |")
     return "\n".join(rows) + "\n"
@@ -91,9 +93,8 @@ def table(runs):
 
 
 def main(scenes, results, page):
-    names = sorted(scene.stem for scene in scenes.glob("*.toml"))
-    tied = {hand: runs_of(names, results, hand) for hand in HANDS}
-    text = TOP + pictures(scenes, [run.name for run in tied["drawn"]])
+    tied = {hand: runs_of(sorted(scenes.glob("*.toml")), results, hand) for hand in HANDS}
+    text = TOP + pictures([scenes / f"{run.name}.toml" for run in tied["drawn"]])
     text += MEASURED.format(cores=os.cpu_count(), processor=processor())
     for hand, heading in HANDS.items():
         if tied[hand]:

@@ -44,8 +44,8 @@ const std::string bow =
     "O9+ U12+ U1- U2+ U11- O10- O3+ U6+ U7-";
 const std::string four_in_hand = "U1- O2- U3- O4- U5- O3- U2- U6+ O7+ O1- U4- O5- O6+ U7+";
 const std::string windsor =
-    "U1- O2+ U3- O4- O5- U6+ O7+ U8- U9- O3- U4- U10+ O8- U11- U2+ O12- O6+ O13+ U14+ U7+ O15+ O1- "
-    "U12- U5- U13+ O14+ O10+ O9- O11- U15+";
+    "U1+ O2- O3- O4+ O5+ U6- O7- O1+ U8+ U5+ O9+ U10+ U2- O11- U4+ U12- O13- U3- U11- O8+ O6- U9+ "
+    "O12- U13- O10+ U7-";
 const std::string reef = "O1- U2- O3- O4+ U5+ O6+ U4+ O5+ U6+ U1- O2- U3-";
 const std::string granny = "O1- U2- O3- U4- O5- U6- O4- U5- O6- U1- O2- U3-";
 
