@@ -2,8 +2,9 @@
 # The long runs behind the figures: records scenes in full, verifies each recording by both oracles and
 # prints one table. Takes hours; stopped and called again, it goes on where it was. Not part of run.sh.
 #   tests/soak.sh [OPTION...] [PART...]      without parts: all of them
-#     samples   every scene in samples/
-#     jitter    10 starts of each 8x400 scene, the drawing moved by up to 4 mm, seeds 1 to 10
+#     samples   every scene in samples/ and samples/gallery
+#     jitter    10 starts of each 8x400 scene, of reef, bow and four-in-hand, the drawing moved by up to
+#               4 mm, seeds 1 to 10
 #     force     each 8x400 scene with ten times the fastening speed
 #     cost      each 8x400 scene with the gate, without it and as published, alternating
 #     kills     kills the recorder 500 times at random moments of a small run, and ten times of each
@@ -58,14 +59,16 @@ prepare() {
     tools=$root/build/release
   fi
   mkdir -p "$scenes"
-  # Scenes name their drawing and their obstacle relative to themselves.
-  cp "$root"/samples/*.svg "$root"/samples/*.obj "$scenes"
+  # Scenes name their drawing and their obstacle relative to themselves, those of the gallery also one
+  # folder higher.
+  cp "$root"/samples/{,gallery/}*.svg "$root"/samples/*.obj "$scenes"
+  cp "$root"/samples/*.{svg,obj} "$results"
 }
 
 # scene NAME FROM SED_SCRIPT   Makes $scenes/NAME.toml once: a scene like FROM, edited.
 scene() {
   [[ ! -e $scenes/$1.toml ]] || return 0
-  sed --expression "s/^name = .*/name = \"$1\"/" ${duration:+--expression "s/^duration = .*/duration = $duration/"} \
+  sed --expression "1,/^\[/s/^name = .*/name = \"$1\"/" ${duration:+--expression "s/^duration = .*/duration = $duration/"} \
     --expression "$3" "$2" >"$scenes/$1.tmp"
   mv "$scenes/$1.tmp" "$scenes/$1.toml"
 }
@@ -127,7 +130,7 @@ name_of() { basename "$1" .toml; }
 
 samples() {
   local sample
-  for sample in "$root"/samples/*.toml; do
+  for sample in "$root"/samples/{,gallery/}*.toml; do
     scene "$(name_of "$sample")" "$sample" ''
     one samples "$(name_of "$sample")"
   done
@@ -136,7 +139,7 @@ samples() {
 jitter() {
   local sample seed name
   for seed in $(seq "$seeds"); do
-    for sample in "$root"/samples/*-8x400.toml; do
+    for sample in "$root"/samples/{*-8x400,gallery/{reef,bow,four-in-hand}}.toml; do
       name=$(name_of "$sample")-jitter-$seed
       if [[ ! -e $scenes/$name.toml ]]; then
         "$tools/tests/soak/jittered_scene" "$sample" "$seed" "$jitter_m" "$scenes/jittered.toml"

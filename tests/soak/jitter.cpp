@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "curve/joined_drawing.h"
+#include "ribbon_mesh/marks.h"
 #include "scene/scene.h"
 
 namespace ribbon {
@@ -56,7 +57,8 @@ std::string points_text(const Drawing& points) {
 
 Result<std::string> jittered_scene(const std::filesystem::path& file, std::uint64_t seed,
                                    double size_m) {
-  const auto scene = read_scene(file);
+  const auto scene =
+      read_scene(file).and_then([](const Scene& drawn) { return with_marks_found(drawn); });
   if (!scene) return tl::unexpected(scene.error());
   const auto* svg = std::get_if<DrawnSvg>(&scene->curve.drawing);
   if (svg == nullptr)
@@ -76,10 +78,12 @@ Result<std::string> jittered_scene(const std::filesystem::path& file, std::uint6
 
   std::istringstream lines(scene->text);
   std::string text;
+  bool above_tables = true;  // stages have names, too
   for (std::string line; std::getline(lines, line);) {
+    above_tables = above_tables && !line.starts_with('[');
     if (line.starts_with("svg ="))
       text += points_text(points);
-    else if (line.starts_with("name ="))
+    else if (above_tables && line.starts_with("name ="))
       text += "name = \"" + scene->name + "-jitter-" + std::to_string(seed) + "\"\n";
     else if (!line.starts_with("path ="))
       text += line + "\n";

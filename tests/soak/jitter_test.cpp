@@ -5,6 +5,7 @@
 #include "curve/space_curve.h"
 #include "files/files.h"
 #include "recording/sample_recording.h"
+#include "ribbon_mesh/marks.h"
 #include "scene/scene.h"
 
 namespace ribbon::jitter_test {
@@ -59,6 +60,14 @@ TEST(JitteredScene, is_the_same_knot_with_the_same_cloth) {
     ASSERT_TRUE(curve.has_value()) << curve.error().sentence();
     EXPECT_EQ(curve->crossings.size(), 3U);
   }
+}
+
+TEST(JitteredScene, keeps_what_the_drawing_marks) {
+  const auto file = std::filesystem::path(RIBBON_SAMPLES "/gallery/reef.toml");
+  const Scene marked = with_marks_found(read_scene(file).value()).value();
+  const Scene scene = read(jittered_scene(file, 1, 0.004).value());
+  ASSERT_EQ(scene.stages.size(), 2U);
+  EXPECT_EQ(scene.stages, marked.stages);
 }
 
 TEST(JitteredScene, needs_a_drawing) {
