@@ -27,9 +27,10 @@ MEASURED = """
 ## What was measured
 
 Wall and processor time of the recorder on {cores} cores ({processor}), whatever else these did: where they did
-nothing else, a run takes no longer than its processor time. *Strain* is the largest of all edges and frames, *from the object* how far the rows at which the ribbon comes nearest to itself lie from it in
-the last frame, *verified* what `ribbon-play --verify` says of all frames: nothing intersects, gaps and strain are as stated,
-the knot stays the same ([verification.md](verification.md)).
+nothing else, a run takes no longer than its processor time. *Strain* is the largest of all edges and frames; *from the
+object* is how far the rows at which the ribbon comes nearest to itself lie from it in the last frame; *verified* is what
+`ribbon-play --verify` says of all frames: nothing intersects, gaps and strain are as stated, the knot stays the same
+([verification.md](verification.md)).
 """
 
 
