@@ -62,16 +62,19 @@ mirrored() {
     /^position = \[/ { printf "obstacle.position=[%s, %s, %s]\n", $2, -$3, $4 }' "$1")
 }
 
-# tied NAME HAND   Records, verifies and times it; the exit code 1 of --verify is an answer, too.
+# tied NAME HAND   Records, verifies and times it; the exit code 1 of --verify is an answer, too. What has a
+# .verify is whole.
 tied() {
   local run=$results/$1-$2 settings=() status=0
   [[ $2 == drawn ]] || mirrored "$scenes/$1.toml"
   echo "== Tying $1, $2"
+  rm -f "$run.verify"
   TIMEFORMAT='{"wall_s": %R, "user_s": %U, "system_s": %S}'
   { time "$tools/recorder/ribbon-record" "$scenes/$1.toml" "${settings[@]}" --force -o "$run.rbn" \
     --quiet --stats "$run.stats" 2>&3; } 3>&2 2>"$run.time"
-  "$tools/player/ribbon-play" "$run.rbn" --verify --json >"$run.verify" || status=$?
+  "$tools/player/ribbon-play" "$run.rbn" --verify --json >"$run.verifying" || status=$?
   [[ $status -le 1 ]]
+  mv "$run.verifying" "$run.verify"
 }
 
 pictured() {
