@@ -20,7 +20,7 @@ std::filesystem::path golden(const std::string& version) {
   return std::filesystem::path(RIBBON_GOLDEN_RECORDINGS) / ("v" + version + ".rbn");
 }
 
-const std::string this_version = "2.3";
+const std::string this_version = "2.4";
 constexpr int frames = 40;
 constexpr RibbonGrid golden_grid{48, 6};
 
@@ -95,6 +95,8 @@ RecordingHeader golden_header() {
       0, 0.25F, 0,                       //
       0.125F, 0.125F, -0.125F;
   header.stages = {"half knot", "bow"};
+  header.marks = {{"left", 0.25}, {"right", 0.75}};
+  header.knot_between = KnotBetween{{0.25, 0.75}, "reef knot"};
   header.origin = Origin{0x12345678, "golden mother", 17, "time.step = 0.5\n"};
   return header;
 }
@@ -163,6 +165,11 @@ TEST_P(GoldenVersions, it_is_read_as_it_was_written) {
   const bool tells_stages = tells_curve && GetParam() != "2.2";
   EXPECT_EQ(reader->header().stages,
             tells_stages ? golden_header().stages : std::vector<std::string>());
+  const bool tells_marks = tells_stages && GetParam() != "2.3";
+  EXPECT_EQ(reader->header().marks,
+            tells_marks ? golden_header().marks : std::vector<RecordedMark>());
+  EXPECT_EQ(reader->header().knot_between,
+            tells_marks ? golden_header().knot_between : std::nullopt);
   const auto expected_numbers = [tells_stages](int frame) {
     return tells_stages ? golden_numbers_in_stages(frame) : golden_numbers_with_tightness(frame);
   };
@@ -193,7 +200,8 @@ TEST_P(GoldenVersions, every_bit_of_its_positions_is_known) {
   EXPECT_EQ(checksum(bytes), 0xEEB48FBBU);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("2.0", "2.1", "2.2", "2.3"),
+INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions,
+                         testing::Values("2.0", "2.1", "2.2", "2.3", "2.4"),
                          [](const auto& version) { return "v2_" + version.param.substr(2); });
 
 }  // namespace ribbon::golden_test

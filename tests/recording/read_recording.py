@@ -95,6 +95,10 @@ class Header:
         self.input_curve = self.take_points(fields, points) if points else np.zeros((0, 3), "<f4")
         stages = fields.take("I") if self.minor >= 3 else 0
         self.stages = [fields.text() for _ in range(stages)]
+        marks = fields.take("I") if self.minor >= 4 else 0
+        self.marks = [(fields.text(), fields.take("d")) for _ in range(marks)]
+        has_part = self.minor >= 4 and fields.take("B") == 1
+        self.knot_between = (*fields.take("dd"), fields.text()) if has_part else None
 
     @property
     def particles(self):
@@ -328,6 +332,8 @@ def main():
     print(f"limited edges: {sorted(header.limited_edges)}, to {100 * header.strain_limit:g} %")
     print(f"input curve: {len(header.input_curve)} points")
     print(f"stages: {', '.join(header.stages) or 'none'}")
+    print(f"marks: {', '.join(name for name, _ in header.marks) or 'none'}")
+    print(f"knot between: {header.knot_between or 'not asked for'}")
     for number in sorted(recording.frames):
         frame = recording.frames[number]
         positions = recording.positions(number)

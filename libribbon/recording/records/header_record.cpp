@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "recording/codec/frame_loops.h"
 #include "recording/coding/bytes.h"
@@ -13,10 +14,11 @@ namespace ribbon {
 namespace {
 
 constexpr std::uint16_t major_version = 2;
-constexpr std::uint16_t minor_version = 3;
+constexpr std::uint16_t minor_version = 4;
 constexpr std::uint16_t first_minor_with_limits = 1;
 constexpr std::uint16_t first_minor_with_curve = 2;
 constexpr std::uint16_t first_minor_with_stages = 3;
+constexpr std::uint16_t first_minor_with_marks = 4;
 constexpr std::uint32_t position_codec = 2;
 constexpr std::uint32_t most_entropy_tables = 64;
 constexpr std::int64_t most_particles = std::int64_t{1} << 24;
@@ -161,6 +163,46 @@ bool take_curve(ByteTaker& taker, Eigen::Matrix3Xf& points) {
          points.allFinite();
 }
 
+void put_marks(std::string& bytes, const std::vector<RecordedMark>& marks) {
+  assert(marks.size() <= most_recorded_marks);
+  put<std::uint32_t>(bytes, static_cast<std::uint32_t>(marks.size()));
+  for (const RecordedMark& mark : marks) {
+    put_string(bytes, mark.name);
+    put<double>(bytes, mark.share);
+  }
+}
+
+bool is_share(double share) {
+  return share >= 0 && share <= 1;  // false for NaN
+}
+
+bool take_marks(ByteTaker& taker, std::vector<RecordedMark>& marks) {
+  const auto count = taker.take<std::uint32_t>();
+  if (count > most_recorded_marks) return false;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    RecordedMark mark{take_string(taker)};
+    mark.share = taker.take<double>();
+    if (!taker.complete() || !is_share(mark.share)) return false;
+    marks.push_back(std::move(mark));
+  }
+  return taker.complete();
+}
+
+void put_knot_between(std::string& bytes, const std::optional<KnotBetween>& between) {
+  put<std::uint8_t>(bytes, between ? 1 : 0);
+  if (!between) return;
+  for (const double share : between->shares) put<double>(bytes, share);
+  put_string(bytes, between->expected);
+}
+
+bool take_knot_between(ByteTaker& taker, std::optional<KnotBetween>& between) {
+  if (taker.take<std::uint8_t>() == 0) return taker.complete();
+  between.emplace();
+  for (double& share : between->shares) share = taker.take<double>();
+  between->expected = take_string(taker);
+  return taker.complete() && is_share(between->shares[0]) && is_share(between->shares[1]);
+}
+
 tl::unexpected<Error> damaged() {
   return failure("", "the header is not valid", "use a copy of the recording that is not damaged");
 }
@@ -224,6 +266,8 @@ std::string header_payload(const RecordingHeader& header) {
   put_curve(bytes, header.input_curve);
   assert(header.stages.size() <= most_stages);
   put_strings(bytes, header.stages);
+  put_marks(bytes, header.marks);
+  put_knot_between(bytes, header.knot_between);
   return bytes;
 }
 
@@ -262,6 +306,9 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   }
   if (minor >= first_minor_with_curve && !take_curve(taker, header.input_curve)) return damaged();
   if (minor >= first_minor_with_stages && !take_strings(taker, most_stages, header.stages))
+    return damaged();
+  if (minor >= first_minor_with_marks &&
+      (!take_marks(taker, header.marks) || !take_knot_between(taker, header.knot_between)))
     return damaged();
   const bool valid = taker.complete() && !header.scene_name.empty() &&
                      is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&

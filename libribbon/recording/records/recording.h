@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,6 +26,24 @@ struct Origin {
   std::string changed_settings;  // "key = value", one a line
 
   bool operator==(const Origin&) const = default;
+};
+
+inline constexpr std::size_t most_recorded_marks = 255;
+
+// A circle in the drawing that has a name, and where on the band it lies.
+struct RecordedMark {
+  std::string name;
+  double share = 0;  // of the ribbon's length, from its first row
+
+  bool operator==(const RecordedMark&) const = default;
+};
+
+// The part of the ribbon whose knot is to be certified by itself.
+struct KnotBetween {
+  std::array<double, 2> shares{};  // of the ribbon's length, in either order
+  std::string expected;            // the name of a closed type: "reef knot"; empty: any
+
+  bool operator==(const KnotBetween&) const = default;
 };
 
 // Everything about a recording that does not change from frame to frame.
@@ -53,6 +72,8 @@ struct RecordingHeader {
   // they are decoded. 0: nothing is stated.
   double strain_limit = 0;
   std::vector<std::string> stages;  // names of those that it is fastened in; at most 255
+  std::vector<RecordedMark> marks;  // at most most_recorded_marks
+  std::optional<KnotBetween> knot_between;
   // 3 x points, metres: the drawing, pulled apart where it crosses itself, that the ribbon was put
   // on. Empty: not told; else at least 2.
   Eigen::Matrix3Xf input_curve;

@@ -74,14 +74,21 @@ RecordingHeader without_curve() {
   return header;
 }
 
-// Without a curve the count of its points stands at the end, behind the limit of strain: a byte and
-// a number in double precision.
+// Without a curve the counts of its points and of the stages stand behind the limit of strain, a
+// byte and a number in double precision; then the count of the marks and a byte for the part.
 constexpr std::size_t count_bytes = 4;
 constexpr std::size_t limit_bytes = 9;
+constexpr std::size_t bytes_of_2_4 = count_bytes + 1;
+
+// As versions before 2.4 wrote it, all but its number.
+std::string payload_of_2_3(const RecordingHeader& header) {
+  const std::string payload = header_payload(header);
+  return payload.substr(0, payload.size() - bytes_of_2_4);
+}
 
 TEST(HeaderRecord, bits_of_edges_that_later_versions_limit_are_ignored) {
   std::string payload = header_payload(without_curve());
-  payload[payload.size() - count_bytes - limit_bytes] = '\xFB';
+  payload[payload.size() - bytes_of_2_4 - 2 * count_bytes - limit_bytes] = '\xFB';
   EXPECT_EQ(parse_header_payload(payload)->limited_edges, sample_header().limited_edges);
 }
 
@@ -92,7 +99,7 @@ TEST(HeaderRecord, a_recording_need_not_tell_its_curve) {
 }
 
 TEST(HeaderRecord, minor_version_1_tells_no_curve) {
-  std::string payload = header_payload(without_curve());
+  std::string payload = payload_of_2_3(without_curve());
   payload.resize(payload.size() - 2 * count_bytes);
   EXPECT_FALSE(parse_header_payload(payload).has_value());
   payload[2] = 1;
@@ -105,7 +112,7 @@ TEST(HeaderRecord, minor_version_1_tells_no_curve) {
 // In the place of the count of no points, and what is behind it the last curve that was written.
 bool is_taken_with_curve_points(std::uint32_t count) {
   const std::string with_curve = header_payload(sample_header());
-  const std::size_t count_at = header_payload(without_curve()).size() - 2 * count_bytes;
+  const std::size_t count_at = payload_of_2_3(without_curve()).size() - 2 * count_bytes;
   std::string bytes;
   put<std::uint32_t>(bytes, count);
   return parse_header_payload(std::string(with_curve).replace(count_at, count_bytes, bytes))
@@ -119,16 +126,16 @@ TEST(HeaderRecord, curve_points_that_are_not_there_are_refused) {
 }
 
 TEST(HeaderRecord, a_curve_of_a_single_point_is_none) {
-  std::string payload = header_payload(without_curve());
+  std::string payload = payload_of_2_3(without_curve());
   payload.resize(payload.size() - 2 * count_bytes);
   put<std::uint32_t>(payload, 1);
   put_block(payload, std::string(3 * sizeof(float), '\0'));
-  put<std::uint32_t>(payload, 0);
+  payload += std::string(count_bytes + bytes_of_2_4, '\0');
   EXPECT_FALSE(parse_header_payload(payload).has_value());
 }
 
 TEST(HeaderRecord, minor_version_2_has_no_stages) {
-  std::string payload = header_payload(sample_header());
+  std::string payload = payload_of_2_3(sample_header());
   payload.resize(payload.size() - count_bytes);
   EXPECT_FALSE(parse_header_payload(payload).has_value());
   payload[2] = 2;
@@ -144,13 +151,54 @@ TEST(HeaderRecord, stages_come_back_but_not_more_than_a_byte_counts) {
   header.stages.assign(255, "x");
   std::string payload = header_payload(header);
   EXPECT_EQ(parse_header_payload(payload)->stages.size(), 255U);
-  payload[payload.size() - 255 * 5 - count_bytes + 1] = 1;
-  payload[payload.size() - 255 * 5 - count_bytes] = 0;
+  const std::size_t count_at = payload.size() - bytes_of_2_4 - 255 * 5 - count_bytes;
+  payload[count_at + 1] = 1;
+  payload[count_at] = 0;
   EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
 }
 
+TEST(HeaderRecord, marks_and_the_part_to_certify_come_back) {
+  RecordingHeader header = sample_header();
+  header.marks = {{"tip", 0.25}, {"", 1}};
+  header.knot_between = KnotBetween{{0.75, 0.25}, "reef knot"};
+  const std::string payload = header_payload(header);
+  const auto read = parse_header_payload(payload).value();
+  EXPECT_EQ(read.marks, header.marks);
+  EXPECT_EQ(read.knot_between, header.knot_between);
+  for (std::size_t size = payload.size() - 60; size < payload.size(); ++size)
+    EXPECT_FALSE(parse_header_payload(payload.substr(0, size)).has_value()) << size;
+}
+
+TEST(HeaderRecord, places_beyond_the_ribbon_and_more_marks_than_can_be_are_refused) {
+  const auto is_taken = [](const std::vector<RecordedMark>& marks,
+                           const std::optional<KnotBetween>& between) {
+    RecordingHeader header = sample_header();
+    header.marks = marks;
+    header.knot_between = between;
+    return parse_header_payload(header_payload(header)).has_value();
+  };
+  EXPECT_TRUE(is_taken({{"tip", 1}}, KnotBetween{{0, 1}, ""}));
+  EXPECT_FALSE(is_taken({{"tip", 1.5}}, {}));
+  EXPECT_FALSE(is_taken({}, KnotBetween{{0, -0.5}, ""}));
+  EXPECT_FALSE(is_taken({}, KnotBetween{{std::numeric_limits<double>::quiet_NaN(), 1}, ""}));
+  EXPECT_TRUE(is_taken(std::vector<RecordedMark>(255, {"x", 0.5}), {}));
+  std::string payload = header_payload(sample_header());
+  payload[payload.size() - bytes_of_2_4 + 1] = 1;
+  EXPECT_FALSE(parse_header_payload(payload + std::string(5000, '\0')).has_value());
+}
+
+TEST(HeaderRecord, minor_version_3_has_neither_marks_nor_part) {
+  std::string payload = payload_of_2_3(sample_header());
+  EXPECT_FALSE(parse_header_payload(payload).has_value());
+  payload[2] = 3;
+  const auto read = parse_header_payload(payload);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_TRUE(read->marks.empty());
+  EXPECT_FALSE(read->knot_between.has_value());
+}
+
 TEST(HeaderRecord, minor_version_0_names_no_limited_edges) {
-  std::string payload = header_payload(without_curve());
+  std::string payload = payload_of_2_3(without_curve());
   payload.resize(payload.size() - 2 * count_bytes);
   payload.resize(payload.size() - limit_bytes);
   EXPECT_FALSE(parse_header_payload(payload).has_value());
@@ -182,9 +230,10 @@ TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
   header.entropy_tables.resize(64);
   std::string payload = header_payload(header);
   EXPECT_TRUE(parse_header_payload(payload).has_value());
-  // 64 empty tables, no origin, the limit of strain, no curve and no stages stand behind the count.
+  // 64 empty tables, no origin, the limit of strain, no curve, no stages, no marks and no part
+  // stand behind the count.
   const std::size_t count_at =
-      payload.size() - 2 * count_bytes - limit_bytes - 1 - std::size_t{64} * 4 - 4;
+      payload.size() - bytes_of_2_4 - 2 * count_bytes - limit_bytes - 1 - std::size_t{64} * 4 - 4;
   ASSERT_EQ(payload[count_at], 64);
   payload[count_at] = 65;
   EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
