@@ -13,6 +13,7 @@
 #include "player/follow_recording.h"
 #include "player/memory_forecast.h"
 #include "player/options.h"
+#include "player/places.h"
 #include "player/report/info.h"
 #include "player/report/verification_report.h"
 #include "player/write_pictures.h"
@@ -88,12 +89,24 @@ Result<std::vector<int>> frames_to_verify(const RecordingReader& reader, const O
   return frames;
 }
 
-Result<ExitCode> verify(RecordingReader& reader, const Options& options) {
-  const auto frames = frames_to_verify(reader, options);
+Result<VerificationOrder> order_of(const RecordingReader& reader, const Options& options) {
+  auto frames = frames_to_verify(reader, options);
   if (!frames) return tl::unexpected(frames.error());
-  ProgressLine progress("frame", frames->back() - frames->front() + 1, options.progress);
+  VerificationOrder order{*std::move(frames), options.certify_every};
+  if (options.between.first.empty()) return order;
+  const auto shares = shares_of(reader.header().marks, options.between);
+  if (!shares) return tl::unexpected(shares.error());
+  order.between = *shares;
+  return order;
+}
+
+Result<ExitCode> verify(RecordingReader& reader, const Options& options) {
+  const auto order = order_of(reader, options);
+  if (!order) return tl::unexpected(order.error());
+  const int frames = order->frames.back() - order->frames.front() + 1;
+  ProgressLine progress("frame", frames, options.progress);
   const Interrupt interrupt;
-  const auto verification = verify_recording(reader, *frames, options.certify_every, [&](int done) {
+  const auto verification = verify_recording(reader, *order, [&](int done) {
     progress.update(done);
     return !interrupt.requested();
   });

@@ -44,6 +44,8 @@ constexpr const char* examples = R"(Examples:
   ribbon-play knot.rbn --verify
       proves of every frame that nothing intersects and that gaps and strain are as stated,
       certifies the knot
+  ribbon-play bow.rbn --verify --between tip-left tip-right
+      certifies, too, what is knotted between the tips of the loops: a reef knot, not a granny
 
 Exit codes: 0 done, 1 the recording is damaged (what is readable has been rendered, lost frames are
 listed) or --verify found something wrong, 2 could not.)";
@@ -161,6 +163,12 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
            "certify the knot in every N-th frame, the first and the last")
       .needs(verify)
       .with_default_shown();
+  arguments
+      .add("--between", options.between, "PLACE PLACE",
+           "certify the knot of a part of the ribbon, too, as that between the loops of a bow: "
+           "marks "
+           "of the drawing, or shares of its length from 0 to 1")
+      .needs(verify);
   arguments.flag("--json", options.json, "tell it, or report what --verify found, as JSON")
       .excludes(follow);
   arguments.add("--threads", options.threads, {1, 1024}, "N",

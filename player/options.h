@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commandline/arguments.h"
@@ -37,6 +38,9 @@ struct Options {
   bool follow = false;
   bool verify = false;
   int certify_every = 10;  // frames between certificates of the knot
+  // Places of the ribbon between which its knot is certified by itself, marks or shares of its
+  // length; empty: none.
+  std::pair<std::string, std::string> between;
   bool json = false;
   bool quiet = false;
   PlayOrder order;

@@ -67,6 +67,11 @@ Argument Arguments::add(const std::string& names, std::vector<std::string>& text
   return Argument(*app_->add_option(names, texts, help)->allow_extra_args(false)->type_name(kind));
 }
 
+Argument Arguments::add(const std::string& names, std::pair<std::string, std::string>& texts,
+                        const std::string& kind, const std::string& help) {
+  return Argument(*app_->add_option(names, texts, help)->type_name(kind));
+}
+
 Argument Arguments::add(const std::string& names, int& number, Limits<int> limits,
                         const std::string& kind, const std::string& help) {
   return Argument(*app_->add_option(names, number, help)->check(within(limits))->type_name(kind));

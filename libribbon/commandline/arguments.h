@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "result/result.h"
@@ -66,6 +67,9 @@ class Arguments {
   // May be repeated.
   Argument add(const std::string& names, std::vector<std::string>& texts, const std::string& kind,
                const std::string& help);
+  // Two values, one after the other.
+  Argument add(const std::string& names, std::pair<std::string, std::string>& texts,
+               const std::string& kind, const std::string& help);
   Argument add(const std::string& names, int& number, Limits<int> limits, const std::string& kind,
                const std::string& help);
   Argument add(const std::string& names, double& number, Limits<double> limits,

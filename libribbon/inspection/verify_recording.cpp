@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "knot/knot_witness.h"
 #include "parallel/parallel.h"
 #include "text/number_text.h"
 
@@ -22,18 +21,22 @@ struct DecodedFrame {
 
 class RecordingVerifier {
  public:
-  RecordingVerifier(RecordingReader& reader, const std::vector<int>& asked, int certify_every)
+  // The parts of the result are those to be certified.
+  RecordingVerifier(RecordingReader& reader, const VerificationOrder& order,
+                    std::vector<PartVerification> parts)
       : reader_(reader),
-        asked_(asked),
-        certify_every_(certify_every),
+        order_(order),
         verifier_(reader.header().grid, reader.header().ribbon_length_m,
                   reader.header().ribbon_width_m, reader.header().obstacle,
                   reader.header().limited_edges),
-        witness_(reader.header().grid,
-                 object_axis(reader.header().centre_axis, reader.header().obstacle)) {
+        knot_(reader.header().grid, std::nullopt,
+              object_axis(reader.header().centre_axis, reader.header().obstacle), "") {
+    for (const PartVerification& part : parts)
+      parts_.emplace_back(reader.header().grid, part.rows, std::nullopt, part.expected);
     reader_.check();
     result_.header = reader.header();
-    result_.frames_asked = static_cast<int>(asked.size());
+    result_.parts = std::move(parts);
+    result_.frames_asked = static_cast<int>(order.frames.size());
     result_.damaged = !reader.damage().empty();
     result_.outcome = outcome(reader);
   }
@@ -41,7 +44,7 @@ class RecordingVerifier {
   void verify_batch(int begin, int end) {
     std::vector<DecodedFrame> batch;
     for (int index = begin; index < end; ++index) {
-      const bool is_asked = std::binary_search(asked_.begin(), asked_.end(), index);
+      const bool is_asked = std::ranges::binary_search(order_.frames, index);
       DecodedFrame frame{index, {}};
       if (!reader_.read(index, frame.positions)) {
         if (is_asked) result_.lost.push_back(index + 1);
@@ -58,39 +61,27 @@ class RecordingVerifier {
   }
 
   Verification finish() {
-    // The last frame that could be read.
-    if (followed_ > certified_) certify();
+    result_.knot = knot_.finish();
+    for (std::size_t k = 0; k < parts_.size(); ++k) result_.parts[k].knot = parts_[k].finish();
     return std::move(result_);
   }
 
  private:
   void follow(const DecodedFrame& frame) {
-    const int over_ends_before = witness_.turns() ? witness_.turns()->turns_over_ends() : 0;
-    witness_.follow(frame.positions);
+    const auto& turns = knot_.witness().turns();
+    const int over_ends_before = turns ? turns->turns_over_ends() : 0;
+    const bool certify = (frame.index - order_.frames.front()) % order_.certify_every == 0;
+    knot_.follow(frame.index, frame.positions, certify);
+    for (KnotCertifier& part : parts_) part.follow(frame.index, frame.positions, certify);
     add_passage(frame.index, over_ends_before);
-    followed_ = frame.index;
-    if (certified_ < 0 || (frame.index - asked_.front()) % certify_every_ == 0) certify();
   }
 
   void add_passage(int index, int over_ends_before) {
-    const auto& turns = witness_.turns();
+    const auto& turns = knot_.witness().turns();
     if (!turns || turns->turns_over_ends() == over_ends_before) return;
     result_.passages_over_ends.push_back({index + 1, time_s(index),
                                           turns->turns() + over_ends_before,
                                           turns->turns() + turns->turns_over_ends()});
-  }
-
-  void certify() {
-    KnotCertificate certificate = witness_.certificate();
-    if (certified_ < 0)
-      result_.certificate = certificate.text();
-    else if (certificate != certificate_)
-      result_.certificate_changes.push_back(
-          {certified_ + 1, followed_ + 1, certificate_.text(), certificate.text()});
-    certificate_ = std::move(certificate);
-    certified_ = followed_;
-    ++result_.certified_frames;
-    if (!certificate_.is_known()) ++result_.uncertain_frames;
   }
 
   void add(int index, const FrameVerdict& verdict) {
@@ -126,15 +117,35 @@ class RecordingVerifier {
   }
 
   RecordingReader& reader_;
-  const std::vector<int>& asked_;
-  int certify_every_;
+  const VerificationOrder& order_;
   FrameVerifier verifier_;
-  KnotWitness witness_;
-  int followed_ = -1;            // index of the frame followed last
-  int certified_ = -1;           // and of the one certified last,
-  KnotCertificate certificate_;  // with its certificate
+  KnotCertifier knot_;
+  std::vector<KnotCertifier> parts_;
   Verification result_;
 };
+
+Result<PartVerification> part_of(const RibbonGrid& grid, const KnotBetween& between) {
+  const auto rows = part_between(grid, between.shares[0], between.shares[1]);
+  if (rows) return PartVerification{*rows, between.expected, {}};
+  return failure("",
+                 filled_in("no two rows lie between the places {:.6g} and {:.6g} of the ribbon",
+                           between.shares[0], between.shares[1]),
+                 "name two places that are further apart");
+}
+
+Result<std::vector<PartVerification>> parts_of(const RecordingHeader& header,
+                                               const VerificationOrder& order) {
+  std::vector<KnotBetween> wanted;
+  if (header.knot_between) wanted.push_back(*header.knot_between);
+  if (order.between) wanted.push_back({*order.between, ""});
+  std::vector<PartVerification> parts;
+  for (const KnotBetween& between : wanted) {
+    auto part = part_of(header.grid, between);
+    if (!part) return tl::unexpected(part.error());
+    parts.push_back(*std::move(part));
+  }
+  return parts;
+}
 
 }  // namespace
 
@@ -155,22 +166,30 @@ std::vector<std::string> Verification::complaints() const {
   complain(intersecting_pairs > 0, "triangles intersect");
   complain(!keeps_stated_gap(), "the stated gap is not kept");
   complain(!keeps_strain_limit(), "edges are strained beyond the limit");
-  complain(!certificate_changes.empty(), "the knot has changed");
-  complain(uncertain_frames > 0, "the knot cannot be certified");
+  complain(!knot.changes.empty(), "the knot has changed");
+  complain(knot.uncertain_frames > 0, "the knot cannot be certified");
+  for (const PartVerification& part : parts) {
+    complain(!part.knot.changes.empty(), "the knot of a part has changed");
+    complain(part.knot.uncertain_frames > 0, "the knot of a part cannot be certified");
+    complain(part.knot.unexpected_frames > 0, "the knot of a part is not the one expected");
+  }
   complain(!not_finite.empty(), "coordinates are no numbers");
   complain(!lost.empty(), "frames are lost");
   complain(damaged && lost.empty(), "the file is damaged");
   return list;
 }
 
-Result<Verification> verify_recording(RecordingReader& reader, const std::vector<int>& asked,
-                                      int certify_every, const VerificationObserver& observer) {
-  RecordingVerifier verifier(reader, asked, certify_every);
-  const int end = asked.back() + 1;
-  for (int begin = asked.front(); begin < end; begin += batch_frames) {
+Result<Verification> verify_recording(RecordingReader& reader, const VerificationOrder& order,
+                                      const VerificationObserver& observer) {
+  auto parts = parts_of(reader.header(), order);
+  if (!parts) return tl::unexpected(parts.error());
+  RecordingVerifier verifier(reader, order, *std::move(parts));
+  const int first = order.frames.front();
+  const int end = order.frames.back() + 1;
+  for (int begin = first; begin < end; begin += batch_frames) {
     const int batch_end = std::min(begin + batch_frames, end);
     verifier.verify_batch(begin, batch_end);
-    if (!observer(batch_end - asked.front()) && batch_end < end)
+    if (!observer(batch_end - first) && batch_end < end)
       return passing_failure("", filled_in("interrupted after frame {}", batch_end),
                              "run it again; --frames verifies a part");
   }

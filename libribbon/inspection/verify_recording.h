@@ -3,13 +3,16 @@
 // how.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "inspection/certified_knot.h"
 #include "inspection/outcome.h"
+#include "knot/ribbon_part.h"
 #include "playback/recording_reader.h"
 #include "recording/records/recording.h"
 #include "result/result.h"
@@ -40,14 +43,6 @@ struct LargestStrainFrame {
   int frame = 0;
 };
 
-// The certificates of the two frames differ, as texts say.
-struct CertificateChange {
-  int frame_before = 0;
-  int frame_after = 0;
-  std::string before;
-  std::string after;
-};
-
 // A strand has passed over an end of the object since the frame before, or came back: how often the
 // ribbon goes round the object has changed. That is no fault.
 struct PassageOverEnd {
@@ -55,6 +50,13 @@ struct PassageOverEnd {
   std::optional<double> time_s;  // nothing where the frame's numbers are lost
   int turns_before = 0;
   int turns_after = 0;
+};
+
+// A part of the ribbon, for itself.
+struct PartVerification {
+  RibbonPart rows;
+  std::string expected;  // the name of a knot; empty: any
+  CertifiedKnot knot;
 };
 
 struct Verification {
@@ -74,11 +76,9 @@ struct Verification {
   std::optional<SmallestGapFrame> smallest_gap;
   std::optional<LargestStrainFrame> largest_strain;  // of the limited edges, if any is
 
-  std::string certificate;  // of the first frame that could be read; empty: none could
-  int certified_frames = 0;
-  int uncertain_frames = 0;  // of these, where knot or twist could not be known
-  std::vector<CertificateChange> certificate_changes;
+  CertifiedKnot knot;
   std::vector<PassageOverEnd> passages_over_ends;
+  std::vector<PartVerification> parts;  // first the one that the recording asks for itself
 
   std::optional<Outcome> outcome;  // of the recording, whatever frames were asked for
 
@@ -90,14 +90,22 @@ struct Verification {
   [[nodiscard]] std::vector<std::string> complaints() const;
 };
 
+// What is to be verified.
+struct VerificationOrder {
+  std::vector<int> frames;  // indices from 0, ascending, at least one
+  int certify_every = 10;   // frames from one certificate of the knot to the next
+  // Shares of the ribbon's length between which its knot is certified by itself, beside those that
+  // the recording asks for.
+  std::optional<std::array<double, 2>> between = std::nullopt;
+};
+
 // Called with the number of frames that are done; false stops.
 using VerificationObserver = std::function<bool(int)>;
 
-// Verifies the frames `asked` for: indices from 0, ascending, at least one. The knot's certificate
-// is computed for the first and the last of them and for every `certify_every`-th between; to
-// follow the ribbon's ends, the frames in between are decoded as well. Fails when the observer
-// stops it. The answer does not depend on the number of threads.
-Result<Verification> verify_recording(RecordingReader& reader, const std::vector<int>& asked,
-                                      int certify_every, const VerificationObserver& observer);
+// Certificates are computed for the first and the last frame, too; to follow the ribbon's ends, the
+// frames in between are decoded as well. Fails when the observer stops it, and where no two rows
+// lie between the places that are asked for. The answer does not depend on the number of threads.
+Result<Verification> verify_recording(RecordingReader& reader, const VerificationOrder& order,
+                                      const VerificationObserver& observer);
 
 }  // namespace ribbon

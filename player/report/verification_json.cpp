@@ -73,19 +73,38 @@ Json passages_json(const std::vector<PassageOverEnd>& passages) {
   return list;
 }
 
-Json knot_json(const Verification& verification) {
+Json certified_json(const CertifiedKnot& knot) {
   Json changes = Json::list({});
-  for (const CertificateChange& change : verification.certificate_changes)
+  for (const CertificateChange& change : knot.changes)
     changes.add({{"frame_before", change.frame_before},
                  {"frame_after", change.frame_after},
                  {"before", change.before},
                  {"after", change.after}});
-  const bool known = verification.certified_frames > 0;
-  return {{"certificate", known ? Json(verification.certificate) : Json()},
-          {"certified_frames", verification.certified_frames},
-          {"uncertain_frames", verification.uncertain_frames},
-          {"changes", changes},
-          {"passages_over_ends", passages_json(verification.passages_over_ends)}};
+  return {{"certificate", knot.certified_frames > 0 ? Json(knot.certificate) : Json()},
+          {"certified_frames", knot.certified_frames},
+          {"uncertain_frames", knot.uncertain_frames},
+          {"changes", changes}};
+}
+
+Json parts_json(const std::vector<PartVerification>& parts) {
+  Json list = Json::list({});
+  for (const PartVerification& part : parts) {
+    Json json = certified_json(part.knot);
+    json.set("first_row", part.rows.first_row);
+    json.set("last_row", part.rows.last_row);
+    json.set("expected", part.expected.empty() ? Json() : Json(part.expected));
+    json.set("is_expected",
+             part.expected.empty() ? Json() : Json(part.knot.unexpected_frames == 0));
+    list.add(json);
+  }
+  return list;
+}
+
+Json knot_json(const Verification& verification) {
+  Json json = certified_json(verification.knot);
+  json.set("passages_over_ends", passages_json(verification.passages_over_ends));
+  json.set("between", parts_json(verification.parts));
+  return json;
 }
 
 }  // namespace

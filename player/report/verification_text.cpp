@@ -92,19 +92,43 @@ std::string strain_text(const Verification& verification) {
                    particle_text(header.grid, strain.second), strain_limit_text(verification));
 }
 
-std::string knot_text(const Verification& verification) {
-  if (verification.certified_frames == 0) return report_line("knot", "not known");
-  const auto& changes = verification.certificate_changes;
-  const std::string certified = counted(verification.certified_frames, "frame") + " certified";
-  std::string text = report_line("knot", verification.certificate);
-  if (verification.uncertain_frames > 0)
-    text += report_line("", "not known in " + counted(verification.uncertain_frames, "frame"));
+std::string changes_text(const CertifiedKnot& knot) {
+  std::string text;
+  const std::string certified = counted(knot.certified_frames, "frame") + " certified";
+  if (knot.uncertain_frames > 0)
+    text += report_line("", "not known in " + counted(knot.uncertain_frames, "frame"));
+  const auto& changes = knot.changes;
   if (changes.empty()) return text + report_line("", "the same in all of " + certified);
   text += report_line("", "CHANGED " + counted(std::ssize(changes), "time") + "; " + certified);
   for (std::size_t k = 0; k < std::min(most_changes, changes.size()); ++k) {
     text += report_line("", filled_in("frame {}: {}", changes[k].frame_before, changes[k].before));
     text += report_line("", filled_in("frame {}: {}", changes[k].frame_after, changes[k].after));
   }
+  return text;
+}
+
+std::string expectation_text(const PartVerification& part) {
+  if (part.expected.empty()) return "";
+  const int others = part.knot.unexpected_frames;
+  return report_line("", others == 0 ? "as expected: " + part.expected
+                                     : filled_in("NOT as expected in {}: {}",
+                                                 counted(others, "frame"), part.expected));
+}
+
+std::string part_text(const PartVerification& part) {
+  const bool known = part.knot.certified_frames > 0;
+  return report_line("between",
+                     filled_in("rows {} and {}: {}", part.rows.first_row, part.rows.last_row,
+                               known ? part.knot.certificate : "not known")) +
+         (known ? expectation_text(part) + changes_text(part.knot) : "");
+}
+
+std::string knot_text(const Verification& verification) {
+  const CertifiedKnot& knot = verification.knot;
+  std::string text = knot.certified_frames > 0
+                         ? report_line("knot", knot.certificate) + changes_text(knot)
+                         : report_line("knot", "not known");
+  for (const PartVerification& part : verification.parts) text += part_text(part);
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <utility>
 
 #include "inspection/looped_ribbon.h"
 #include "knot/knotted_curves.h"
@@ -18,7 +19,8 @@ Verification verify_file(const std::filesystem::path& path, std::vector<int> fra
     frames.resize(reader.frame_count());
     std::iota(frames.begin(), frames.end(), 0);
   }
-  return verify_recording(reader, frames, certify_every, [](int) { return true; }).value();
+  return verify_recording(reader, {std::move(frames), certify_every}, [](int) { return true; })
+      .value();
 }
 
 Verification verify_frames(const RecordingHeader& header,
@@ -44,7 +46,7 @@ TEST(Verify, the_sample_is_in_order) {
   EXPECT_EQ(verification.frames_checked, 7);
   EXPECT_EQ(verification.intersecting_pairs, 0U);
   EXPECT_GT(verification.smallest_gap->gap.certain_m, 1e-3);
-  EXPECT_EQ(verification.certified_frames, 2);
+  EXPECT_EQ(verification.knot.certified_frames, 2);
 }
 
 TEST(Verify, a_recorder_that_was_stopped_leaves_nothing_wrong) {
@@ -54,10 +56,10 @@ TEST(Verify, a_recorder_that_was_stopped_leaves_nothing_wrong) {
 TEST(Verify, only_the_frames_asked_for_are_checked_and_certified) {
   const auto path = sample(40);
   EXPECT_EQ(verify_file(path, {4, 5, 20}).frames_checked, 3);
-  EXPECT_EQ(verify_file(path, {4, 5, 20}, 8).certified_frames, 3);   // 4, 12, 20
-  EXPECT_EQ(verify_file(path, {4, 5, 20}, 10).certified_frames, 3);  // 4, 14, 20
-  EXPECT_EQ(verify_file(path, {4, 5, 20}, 16).certified_frames, 2);  // 4, 20
-  EXPECT_EQ(verify_file(path, {4}).certified_frames, 1);
+  EXPECT_EQ(verify_file(path, {4, 5, 20}, 8).knot.certified_frames, 3);   // 4, 12, 20
+  EXPECT_EQ(verify_file(path, {4, 5, 20}, 10).knot.certified_frames, 3);  // 4, 14, 20
+  EXPECT_EQ(verify_file(path, {4, 5, 20}, 16).knot.certified_frames, 2);  // 4, 20
+  EXPECT_EQ(verify_file(path, {4}).knot.certified_frames, 1);
 }
 
 TEST(Verify, intersecting_frames_are_counted_and_the_worst_is_named) {
@@ -147,12 +149,86 @@ TEST(Verify, a_strand_that_passed_through_another_between_two_frames_is_found) {
       header, {open_trefoil(header.grid, 1, 0.1), open_trefoil(header.grid, 0.5, 0.1),
                open_trefoil(header.grid, -0.5, 0.1), open_trefoil(header.grid, -1, 0.1)});
   EXPECT_EQ(verification.complaints(), Complaints{"the knot has changed"});
-  ASSERT_EQ(verification.certificate_changes.size(), 1U);
-  const CertificateChange& change = verification.certificate_changes.front();
+  ASSERT_EQ(verification.knot.changes.size(), 1U);
+  const CertificateChange& change = verification.knot.changes.front();
   EXPECT_EQ(change.frame_before, 1);
   EXPECT_EQ(change.frame_after, 4);
   EXPECT_THAT(change.before, HasSubstr("trefoil"));
   EXPECT_NE(change.before, change.after);
+}
+
+RecordingHeader header_of_a_granny() {
+  RecordingHeader header = sample_header();
+  header.grid = {200, 2};
+  header.uv.setZero(2, header.grid.particle_count());
+  header.obstacle.reset();
+  header.ribbon_length_m = 80;
+  header.strain_limit = 0;
+  header.limited_edges = {};
+  return header;
+}
+
+// Two trefoils one after the other, the second the mirror image where `reef`.
+Eigen::Matrix3Xd two_trefoils(bool reef) {
+  const RibbonGrid half{100, 2};
+  const Eigen::Matrix3Xd first = open_trefoil(half, 1, 0.1);
+  Eigen::Matrix3Xd second = open_trefoil(half, reef ? -1 : 1, 0.1);
+  const double shift = first(0, first.cols() - 1) - second(0, 0) + 0.2;
+  second.row(0).array() += shift;
+  Eigen::Matrix3Xd both(3, first.cols() + second.cols());
+  both << first, second;
+  return both;
+}
+
+Verification verify_part(const std::optional<KnotBetween>& stored,
+                         const std::optional<std::array<double, 2>>& asked, bool reef) {
+  RecordingHeader header = header_of_a_granny();
+  header.knot_between = stored;
+  const auto path = temporary_file("part.rbn");
+  std::filesystem::remove(path);
+  write_recording(path, header, {two_trefoils(reef), two_trefoils(reef)});
+  auto reader = RecordingReader::open(path).value();
+  return verify_recording(reader, {{0, 1}, 10, asked}, [](int) { return true; }).value();
+}
+
+TEST(Verify, a_part_that_the_recording_asks_for_is_certified_by_itself) {
+  const Verification verification = verify_part(KnotBetween{{0.5, 0}, "trefoil"}, {}, false);
+  EXPECT_EQ(verification.complaints(), Complaints{});
+  EXPECT_THAT(verification.knot.certificate, HasSubstr("granny knot"));
+  ASSERT_EQ(verification.parts.size(), 1U);
+  EXPECT_EQ(verification.parts[0].rows, (RibbonPart{0, 100}));
+  EXPECT_THAT(verification.parts[0].knot.certificate, StartsWith("trefoil, "));
+  EXPECT_EQ(verification.parts[0].knot.certified_frames, 2);
+}
+
+TEST(Verify, a_part_that_is_another_knot_than_expected_is_wrong) {
+  const auto complaints = [](const std::string& expected, bool reef) {
+    return verify_part(KnotBetween{{0, 1}, expected}, {}, reef).complaints();
+  };
+  const Complaints wrong{"the knot of a part is not the one expected"};
+  EXPECT_EQ(complaints("reef knot", true), Complaints{});
+  EXPECT_EQ(complaints("square knot", true), Complaints{});
+  EXPECT_EQ(complaints("reef knot", false), wrong);
+  EXPECT_EQ(complaints("granny knot", true), wrong);
+}
+
+TEST(Verify, parts_that_are_asked_for_come_behind_that_of_the_recording) {
+  const Verification verification =
+      verify_part(KnotBetween{{0, 0.5}, ""}, std::array{0.25, 0.26}, true);
+  EXPECT_EQ(verification.complaints(), Complaints{});
+  ASSERT_EQ(verification.parts.size(), 2U);
+  EXPECT_EQ(verification.parts[1].rows, (RibbonPart{50, 52}));
+  EXPECT_THAT(verification.parts[1].knot.certificate, StartsWith("unknot"));
+}
+
+TEST(Verify, a_part_without_rows_is_refused) {
+  auto reader = RecordingReader::open(sample(7)).value();
+  const auto refusal = [&](double from, double to) {
+    return refusal_of(
+        verify_recording(reader, {{0}, 10, std::array{from, to}}, [](int) { return true; }));
+  };
+  EXPECT_THAT(refusal(0.5, 0.5), HasSubstr("no two rows lie between the places 0.5 and 0.5"));
+  EXPECT_EQ(refusal(0.5, 0.55), "");
 }
 
 // Up along the axis, beyond the post's end, to the side and down again.
@@ -162,7 +238,7 @@ const std::vector<Pose> slipping_off{
 TEST(Verify, slipping_off_the_object_is_told_and_is_no_fault) {
   const Verification verification = verify_file(record_loops(header_with_post(), slipping_off));
   EXPECT_EQ(verification.complaints(), Complaints{});
-  EXPECT_THAT(verification.certificate, HasSubstr("1 turn round the object"));
+  EXPECT_THAT(verification.knot.certificate, HasSubstr("1 turn round the object"));
   ASSERT_EQ(verification.passages_over_ends.size(), 1U);
   EXPECT_EQ(verification.passages_over_ends[0].frame, 4);
   EXPECT_EQ(verification.passages_over_ends[0].time_s, 0.06);
@@ -185,7 +261,7 @@ TEST(Verify, without_an_object_no_turns_are_certified) {
   header.obstacle.reset();
   const Verification verification = verify_file(record_loops(header, {{}, {.x_m = 0.2}}));
   EXPECT_EQ(verification.complaints(), Complaints{});
-  EXPECT_THAT(verification.certificate, Not(HasSubstr("turn")));
+  EXPECT_THAT(verification.knot.certificate, Not(HasSubstr("turn")));
 }
 
 TEST(Verify, a_loop_that_moves_beside_the_object_is_no_fault) {
@@ -199,7 +275,7 @@ TEST(Verify, whoever_watches_can_stop_it) {
   auto reader = RecordingReader::open(sample(40)).value();
   std::vector<int> frames(40);
   std::iota(frames.begin(), frames.end(), 0);
-  EXPECT_THAT(refusal_of(verify_recording(reader, frames, 10, [](int done) { return done < 20; })),
+  EXPECT_THAT(refusal_of(verify_recording(reader, {frames}, [](int done) { return done < 20; })),
               HasSubstr("interrupted after frame 32"));
 }
 

@@ -275,6 +275,21 @@ TEST_F(RibbonPlay, verification_as_json_does_not_depend_on_threads) {
   EXPECT_EQ(json["knot"]["certified_frames"], 3);
 }
 
+TEST_F(RibbonPlay, the_knot_between_two_places_is_certified_by_itself) {
+  RecordingHeader header = sample_header();
+  header.marks = {{"tip", 0.25}};
+  write_recording(recording_, header, {sample_positions(0)});
+  EXPECT_THAT(output_of(run("knot.rbn --verify --between tip 0.75")),
+              HasSubstr("between         rows 10 and 29: unknot"));
+  expect_refusal(run("knot.rbn --verify --between tipp 0.75"),
+                 "--between tipp: is no place of the ribbon; write a share of the ribbon's length "
+                 "from 0 to 1, or one of 'tip'");
+  expect_refusal(run("knot.rbn --verify --between tip 1.5"), "--between 1.5: is no place");
+  expect_refusal(run("knot.rbn --verify --between tip 0.25"), "no two rows lie between");
+  expect_refusal(run("knot.rbn --between tip 0.75"), "--between requires --verify");
+  expect_refusal(run("knot.rbn --verify --between tip"), "--between");
+}
+
 TEST_F(RibbonPlay, what_is_wrong_is_answered_with_1) {
   RecordingHeader header = sample_header();
   header.obstacle->vertices.row(1).array() += 0.2F;  // its tip is in the cloth

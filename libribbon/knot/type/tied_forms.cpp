@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <utility>
 
 #include "knot/type/jones_polynomial.h"
 #include "knot/type/knot_names.h"
@@ -89,6 +91,13 @@ std::string gauss_code(const KnotDiagram& drawing) {
   return code;
 }
 
+std::vector<std::string> names_of_type(const LaurentPolynomial& jones) {
+  std::vector<std::string> names;
+  if (const auto name = knot_name(jones))
+    append_with_general(std::string_view(*name).substr(0, name->find(" (")), names);
+  return names;
+}
+
 std::optional<std::string_view> tied_form(const KnotDiagram& drawing) {
   for (const TiedForm& form : forms)
     if (has_form(drawing, form.code)) return form.name;
@@ -100,16 +109,23 @@ std::vector<std::string> knot_names(const KnotDiagram& drawing) {
   if (const auto form = tied_form(drawing)) names.emplace_back(*form);
   if (!is_planar(drawing)) return names;
   if (const auto jones = jones_polynomial(reduced(drawing)))
-    if (const auto name = knot_name(*jones))
-      append_with_general(std::string_view(*name).substr(0, name->find(" (")), names);
+    for (std::string& name : names_of_type(*jones)) names.push_back(std::move(name));
   return names;
 }
 
 const std::vector<std::string>& known_knot_names() {
   static const std::vector<std::string> known = [] {
+    std::vector<std::string> names = known_type_names();
+    std::ranges::transform(forms, std::back_inserter(names),
+                           [](const TiedForm& form) { return std::string(form.name); });
+    return names;
+  }();
+  return known;
+}
+
+const std::vector<std::string>& known_type_names() {
+  static const std::vector<std::string> known = [] {
     std::vector<std::string> names;
-    names.reserve(forms.size());
-    for (const TiedForm& form : forms) names.emplace_back(form.name);
     for (const std::string& name : all_knot_names())
       append_with_general(std::string_view(name).substr(0, name.find(" (")), names);
     return names;

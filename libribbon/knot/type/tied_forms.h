@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "knot/type/knot_diagram.h"
+#include "knot/type/laurent_polynomial.h"
 
 namespace ribbon {
 
@@ -17,11 +18,15 @@ namespace ribbon {
 // is_planar(), none.
 std::vector<std::string> knot_names(const KnotDiagram& drawing);
 
+// Those of the closed type alone: "reef knot" and "square knot". None where it is not a usual knot.
+std::vector<std::string> names_of_type(const LaurentPolynomial& jones);
+
 // The form alone: "bow".
 std::optional<std::string_view> tied_form(const KnotDiagram& drawing);
 
-// All that knot_names() can return.
+// All that knot_names() can return, and all that names_of_type() can.
 const std::vector<std::string>& known_knot_names();
+const std::vector<std::string>& known_type_names();
 
 // The signed Gauss code of a drawing as "O1+ U2- O2- U1+": over or under, crossings numbered as
 // they are met, signs.

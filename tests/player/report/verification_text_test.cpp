@@ -18,8 +18,8 @@ Verification all_in_order() {
   verification.frames_checked = 12;
   verification.smallest_gap = {{0.5, {7, 10}}, 4};
   verification.largest_strain = {{0.0625, 4, 7}, 9};
-  verification.certificate = "trefoil";
-  verification.certified_frames = 3;
+  verification.knot.certificate = "trefoil";
+  verification.knot.certified_frames = 3;
   return verification;
 }
 
@@ -36,7 +36,7 @@ Verification all_wrong() {
   verification.first_intersections = {{8, 0.125, {0, 6}}, {9, std::nullopt, {0, 9}}};
   verification.smallest_gap = {{0, {0, 6}}, 8};
   verification.largest_strain = {{0.65, 4, 8}, 9};
-  verification.certificate_changes = {{1, 10, "trefoil", "unknot"}};
+  verification.knot.changes = {{1, 10, "trefoil", "unknot"}};
   return verification;
 }
 
@@ -132,18 +132,45 @@ TEST(VerificationText, of_edges_that_are_not_named_nothing_is_said) {
 
 TEST(VerificationText, equal_certificates_that_know_nothing_prove_nothing) {
   Verification verification = all_in_order();
-  verification.certificate = "first end buried";
-  verification.uncertain_frames = 3;
+  verification.knot.certificate = "first end buried";
+  verification.knot.uncertain_frames = 3;
   const std::string text = verification_text("knot.rbn", verification);
   EXPECT_THAT(text, HasSubstr("not known in 3 frames"));
   EXPECT_THAT(text, HasSubstr("WRONG: the knot cannot be certified"));
+}
+
+TEST(VerificationText, parts_are_told_below_the_whole) {
+  Verification verification = all_in_order();
+  verification.parts = {{{2, 6}, "reef knot", verification.knot}, {{0, 4}, "", verification.knot}};
+  verification.parts[0].knot.certificate = "reef knot (6 crossings)";
+  verification.parts[1].knot.certificate = "unknot";
+  EXPECT_THAT(verification_text("", verification),
+              HasSubstr("                the same in all of 3 frames certified\n"
+                        "between         rows 2 and 6: reef knot (6 crossings)\n"
+                        "                as expected: reef knot\n"
+                        "                the same in all of 3 frames certified\n"
+                        "between         rows 0 and 4: unknot\n"
+                        "                the same in all of 3 frames certified\n"
+                        "verdict         nothing is wrong\n"));
+  verification.parts[0].knot.unexpected_frames = 1;
+  EXPECT_THAT(verification_text("", verification),
+              AllOf(HasSubstr("                NOT as expected in 1 frame: reef knot\n"),
+                    EndsWith("WRONG: the knot of a part is not the one expected\n")));
+  const auto parts = nlohmann::json::parse(verification_json("", verification))["knot"]["between"];
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0]["first_row"], 2);
+  EXPECT_EQ(parts[0]["last_row"], 6);
+  EXPECT_EQ(parts[0]["expected"], "reef knot");
+  EXPECT_EQ(parts[0]["is_expected"], false);
+  EXPECT_EQ(parts[0]["certificate"], "reef knot (6 crossings)");
+  EXPECT_TRUE(parts[1]["is_expected"].is_null());
 }
 
 TEST(VerificationText, what_is_not_known_is_not_invented) {
   Verification nothing = all_in_order();
   nothing.smallest_gap.reset();
   nothing.largest_strain.reset();
-  nothing.certified_frames = 0;
+  nothing.knot.certified_frames = 0;
   nothing.damaged = true;
   const std::string text = verification_text("knot.rbn", nothing);
   EXPECT_THAT(text, HasSubstr("smallest gap    not known\n"));

@@ -1,0 +1,60 @@
+// The knot of a ribbon, or of a part of it, certified frame after frame.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/object_axis.h"
+#include "knot/knot_witness.h"
+#include "knot/ribbon_part.h"
+
+namespace ribbon {
+
+// The certificates of the two frames differ, as texts say. Frames are numbered from 1.
+struct CertificateChange {
+  int frame_before = 0;
+  int frame_after = 0;
+  std::string before;
+  std::string after;
+};
+
+struct CertifiedKnot {
+  std::string certificate;  // of the first frame that could be read; empty: none could
+  int certified_frames = 0;
+  int uncertain_frames = 0;   // of these, where knot or twist could not be known
+  int unexpected_frames = 0;  // of these, where it was another than the one expected
+  std::vector<CertificateChange> changes;
+};
+
+class KnotCertifier {
+ public:
+  // Of all rows of the grid, or of a part of them. Without `axis`, turns are not counted.
+  // `expected`: the name of a closed type; empty: any.
+  KnotCertifier(const RibbonGrid& grid, std::optional<RibbonPart> part,
+                const std::optional<ObjectAxis>& axis, std::string expected);
+
+  // The next frame, index from 0: 3 x the particles of the whole grid. All frames in order, as
+  // KnotWitness wants them; `certify` those whose certificate is wanted. The first always gets one.
+  void follow(int index, const Eigen::Matrix3Xf& positions, bool certify);
+
+  [[nodiscard]] const KnotWitness& witness() const { return witness_; }
+
+  // With the certificate of the frame followed last.
+  CertifiedKnot finish();
+
+ private:
+  void certify();
+
+  RibbonGrid grid_;
+  std::optional<RibbonPart> part_;
+  KnotWitness witness_;
+  std::string expected_;
+  int followed_ = -1;            // index of the frame followed last
+  int certified_ = -1;           // and of the one certified last,
+  KnotCertificate certificate_;  // with its certificate
+  CertifiedKnot result_;
+};
+
+}  // namespace ribbon
