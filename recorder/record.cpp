@@ -1,8 +1,11 @@
 #include "recorder/record.h"
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "obstacle/obstacle.h"
+#include "recorder/run/drawn_knot.h"
 #include "recorder/run/start.h"
 #include "recorder/run/stopwatch.h"
 #include "recording/codec/entropy_tables.h"
@@ -12,6 +15,20 @@
 namespace ribbon {
 
 namespace {
+
+// As many as a recording holds.
+std::vector<RecordedMark> recorded_marks(const Scene& scene, const RibbonMesh& ribbon) {
+  std::vector<RecordedMark> marks;
+  for (const PlacedMark& mark : marks_on(scene.curve, ribbon))
+    if (marks.size() < most_recorded_marks) marks.push_back({mark.id, mark.share});
+  return marks;
+}
+
+std::optional<KnotBetween> knot_between(const Scene& scene) {
+  if (!scene.knot || !scene.knot->between) return std::nullopt;
+  const auto& expected = scene.knot->expect_between;
+  return KnotBetween{shares_of(*scene.knot->between), expected ? expected->name : ""};
+}
 
 RecordingHeader header_of_run(const Scene& scene, const std::string& program, const Start& start,
                               const std::optional<TriangleMesh>& obstacle) {
@@ -37,6 +54,8 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
   header.strain_limit = start.fastening.guaranteed_strain();
   for (const StageScene& stage : scene.stages) header.stages.push_back(stage.name);
   header.input_curve = ribbon.curve.cast<float>();
+  header.marks = recorded_marks(scene, ribbon);
+  header.knot_between = knot_between(scene);
   return header;
 }
 

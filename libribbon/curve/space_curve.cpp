@@ -78,6 +78,7 @@ Result<WalkedDrawing> walked_drawing(const CurveScene& scene, const ObjectHeight
 
 struct LiftedPlan {
   std::vector<Vector3d> points;
+  std::vector<std::size_t> passages;  // their indices in `points`
   std::optional<Error> squeezed = std::nullopt;
 };
 
@@ -93,13 +94,15 @@ Result<LiftedPlan> lifted(const WalkedDrawing& drawn, const CurveScene& scene,
   auto walk = stops_of(plan);
   if (!walk) return tl::unexpected(walk.error());
   const Heights heights = passage_heights(walk->profile, gap);
-  if (!heights.tight) return LiftedPlan{raised(plan, walk->stops, heights.passages)};
+  if (!heights.tight)
+    return LiftedPlan{raised(plan, walk->stops, heights.passages), std::move(plan.passages)};
   const auto refusal = too_tight(scene, ribbon_width_m, *walk, *heights.tight);
   if (tight_passage == TightPassage::refuse || heights.gap <= 0) return refusal;
   plan = fine_plan(drawn.controls, heights.gap);
   walk = stops_of(plan);
   if (!walk) return tl::unexpected(walk.error());
-  return LiftedPlan{raised(plan, walk->stops, heights.passages), refusal.value()};
+  return LiftedPlan{raised(plan, walk->stops, heights.passages), std::move(plan.passages),
+                    refusal.value()};
 }
 
 }  // namespace
@@ -116,9 +119,12 @@ Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_w
     point = in_world(point * scene.unit_m, scene.axis);
   }
   const auto lengths = lengths_along(plan->points);
+  std::vector<double> passage_shares;
+  for (const std::size_t i : plan->passages) passage_shares.push_back(lengths[i] / lengths.back());
   return SpaceCurve{.points = evenly_sampled(plan->points, lengths, samples),
                     .length_m = lengths.back(),
                     .crossings = std::move(drawn->crossings),
+                    .passage_shares = std::move(passage_shares),
                     .objects = std::move(drawn->passages.objects),
                     .squeezed = std::move(plan->squeezed)};
 }

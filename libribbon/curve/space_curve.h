@@ -19,6 +19,7 @@ struct SpaceCurve {
   double length_m = 0;
   std::vector<Crossing> crossings;
   std::vector<ObjectPassage> objects = {};
+  std::vector<double> passage_shares = {};  // of its length, where passages_along(crossings) are
   std::optional<Error> squeezed = std::nullopt;  // what TightPassage::refuse would have said
 };
 

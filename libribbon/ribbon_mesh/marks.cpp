@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -55,7 +56,8 @@ std::vector<double> distances_m(const CurveScene& curve, const RibbonMesh& ribbo
   return distances;
 }
 
-Result<Span> span_at(const CurveScene& curve, const RibbonMesh& ribbon, const DrawnMark& mark) {
+// Of the nearest row; fails without a place.
+Result<double> share_at(const CurveScene& curve, const RibbonMesh& ribbon, const DrawnMark& mark) {
   const std::vector<double> distances = distances_m(curve, ribbon, mark.middle);
   const auto nearest = std::ranges::min_element(distances);
   const double row_m = ribbon.length_m / (ribbon.grid.along - 1);
@@ -66,50 +68,100 @@ Result<Span> span_at(const CurveScene& curve, const RibbonMesh& ribbon, const Dr
       return failure("",
                      "two parts of the band pass about as near to the mark " + in_quotes(mark.id),
                      "move the circle to where only one of them is");
-  const double middle = row / (ribbon.grid.along - 1);
-  const double half = 0.5 * ribbon.width_m / ribbon.length_m;
-  return Span{std::max(0.0, middle - half), std::min(1.0, middle + half)};
+  return row / (ribbon.grid.along - 1);
 }
 
 Result<std::vector<DrawnMark>> marks_of(const CurveScene& curve) {
   const auto* svg = std::get_if<DrawnSvg>(&curve.drawing);
   if (svg == nullptr)
     return failure("", "marks are circles of an SVG file, but the drawing is a list of points",
-                   "write two shares of the band's length, for example 'at = [0, 0.02]'");
+                   "write shares of the band's length, for example [0, 0.02]");
   if (auto there = check_readable(svg->file); !there) return tl::unexpected(there.error());
   return find_svg_marks(svg->file.path);
 }
 
-Result<Span> span_of(const std::string& id, const Scene& scene, const RibbonMesh& ribbon) {
+Result<double> share_of(const std::string& id, const Scene& scene, const RibbonMesh& ribbon) {
   const auto marks = marks_of(scene.curve);
   if (!marks) return tl::unexpected(marks.error());
   const auto mark =
       std::ranges::find_if(*marks, [&](const DrawnMark& one) { return one.id == id; });
   if (mark == marks->end())
     return failure("", "the drawing has no mark " + in_quotes(id), list_of(*marks));
-  return span_at(scene.curve, ribbon, *mark);
+  return share_at(scene.curve, ribbon, *mark);
+}
+
+// As long as the band is wide.
+std::string span_text(double middle, const RibbonMesh& ribbon) {
+  const double half = 0.5 * ribbon.width_m / ribbon.length_m;
+  return "[" + shortest(std::max(0.0, middle - half)) + ", " +
+         shortest(std::min(1.0, middle + half)) + "]";
+}
+
+Result<std::string> hand_setting(const MarkedHand& hand, const Scene& scene,
+                                 const RibbonMesh& ribbon) {
+  return share_of(hand.id, scene, ribbon).map([&](double share) {
+    return hand.path + ".at=" + span_text(share, ribbon);
+  });
+}
+
+bool is_marked(const Scene& scene) {
+  return scene.knot && scene.knot->between &&
+         std::ranges::any_of(scene.knot->between->ends,
+                             [](const auto& end) { return std::holds_alternative<Mark>(end); });
+}
+
+Result<std::string> between_setting(const Scene& scene, const RibbonMesh& ribbon) {
+  std::string setting;
+  for (const auto& end : scene.knot->between->ends) {
+    const auto* mark = std::get_if<Mark>(&end);
+    const auto share =
+        mark != nullptr ? share_of(mark->id, scene, ribbon) : Result<double>(std::get<double>(end));
+    if (!share) return tl::unexpected(share.error());
+    setting += (setting.empty() ? "knot.between=[" : ", ") + shortest(*share);
+  }
+  return setting + "]";
+}
+
+// Those that replace marks, each with the place in the scene that an error is to name.
+Result<std::vector<std::string>> settings_for_marks(const Document& document, const Scene& scene,
+                                                    const RibbonMesh& ribbon) {
+  std::vector<std::string> settings;
+  const auto add = [&](Result<std::string> setting, std::string_view table, std::string_view key) {
+    if (setting) settings.push_back(*setting);
+    if (!setting && setting.error().place.empty())
+      setting.error().place = document.place(table, key);
+    return setting;
+  };
+  for (const MarkedHand& hand : marked_hands(scene))
+    if (auto added = add(hand_setting(hand, scene, ribbon), hand.path, "at"); !added)
+      return tl::unexpected(added.error());
+  if (is_marked(scene))
+    if (auto added = add(between_setting(scene, ribbon), "knot", "between"); !added)
+      return tl::unexpected(added.error());
+  return settings;
 }
 
 }  // namespace
 
 Result<Scene> with_marks_found(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
-  const std::vector<MarkedHand> hands = marked_hands(scene);
-  if (hands.empty()) return scene;
+  if (marked_hands(scene).empty() && !is_marked(scene)) return scene;
   const auto document = parse_document(scene.file, scene.text);
   if (!document) return tl::unexpected(document.error());
   const auto ribbon = draw_ribbon(scene, obstacle);
   if (!ribbon) return tl::unexpected(ribbon.error());
-  std::vector<std::string> settings;
-  for (const MarkedHand& hand : hands) {
-    auto span = span_of(hand.id, scene, *ribbon);
-    if (!span && span.error().place.empty()) span.error().place = document->place(hand.path, "at");
-    if (!span) return tl::unexpected(span.error());
-    settings.push_back(hand.path + ".at=[" + shortest(span->begin) + ", " + shortest(span->end) +
-                       "]");
-  }
-  auto found = read_scene(scene.file, scene.text, settings);
+  const auto settings = settings_for_marks(*document, scene, *ribbon);
+  if (!settings) return tl::unexpected(settings.error());
+  auto found = read_scene(scene.file, scene.text, *settings);
   if (found) found->name = scene.name;
   return found;
+}
+
+std::vector<PlacedMark> marks_on(const CurveScene& curve, const RibbonMesh& ribbon) {
+  std::vector<PlacedMark> placed;
+  const auto marks = marks_of(curve);
+  for (const DrawnMark& mark : marks ? *marks : std::vector<DrawnMark>())
+    if (const auto share = share_at(curve, ribbon, mark)) placed.push_back({mark.id, *share});
+  return placed;
 }
 
 }  // namespace ribbon

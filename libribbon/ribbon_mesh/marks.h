@@ -2,18 +2,30 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
+#include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/scene.h"
 
 namespace ribbon {
 
-// The scene, also its text, with a span for each mark: around the row whose middle lies nearest to
-// the mark in the drawing, as long as the band is wide. So a run can go on without its drawing.
-// Fails, with the place in the scene, where the drawing has no such mark, and where two parts of
-// the band are about as near to it. obstacle: that of the scene.
+// The scene, also its text, with shares of the band's length for each mark that it names: those of
+// the row whose middle lies nearest to the mark in the drawing and, for a hand, of as much around
+// it as the band is wide. So a run can go on without its drawing. Fails, with the place in the
+// scene, where the drawing has no such mark, and where two parts of the band are about as near to
+// it. obstacle: that of the scene.
 Result<Scene> with_marks_found(const Scene& scene,
                                const std::optional<TriangleMesh>& obstacle = std::nullopt);
+
+struct PlacedMark {
+  std::string id;
+  double share;  // of the band's length, from the end where its path begins
+};
+
+// All marks of the drawing that can be told, in the order of the file.
+std::vector<PlacedMark> marks_on(const CurveScene& curve, const RibbonMesh& ribbon);
 
 }  // namespace ribbon

@@ -24,6 +24,7 @@ RibbonMesh generate_ribbon_mesh(const SpaceCurve& curve, const RibbonScene& ribb
   mesh.width_m = ribbon.width_m;
   mesh.crossings = curve.crossings;
   mesh.objects = curve.objects;
+  mesh.passage_shares = curve.passage_shares;
   mesh.squeezed = curve.squeezed;
   mesh.positions.resize(3, mesh.grid.particle_count());
   mesh.uv.resize(2, mesh.grid.particle_count());

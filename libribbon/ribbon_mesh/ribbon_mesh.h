@@ -23,6 +23,7 @@ struct RibbonMesh {
   double width_m = 0;
   std::vector<Crossing> crossings;               // of the drawing
   std::vector<ObjectPassage> objects = {};       // likewise
+  std::vector<double> passage_shares = {};       // of its length, where passages_along() them are
   std::optional<Error> squeezed = std::nullopt;  // the drawing's passage that is too tight for it
 };
 

@@ -133,9 +133,9 @@ Result<CrossingList> crossing_list(const Value& value) {
   return CrossingList{*std::move(list), value.document.place(value.toml.begin)};
 }
 
-Result<KnotScene> expected_knot(const Value& value) {
+Result<NamedKnot> named_knot(const Value& value) {
   return text(value).map([&](const std::string& name) {
-    return KnotScene{name, value.document.place(value.toml.begin)};
+    return NamedKnot{name, value.document.place(value.toml.begin)};
   });
 }
 
@@ -226,6 +226,28 @@ Result<std::variant<Span, Mark>> part_of_band(const Value& value) {
   return wrong(value, value.toml,
                "two shares of the band's length from 0 to 1, the smaller first, or the id of a "
                "circle in the drawing");
+}
+
+// Two of shares and marks.
+Result<BandPart> two_places(const Value& value) {
+  const auto* array = value.toml.as<TomlArray>();
+  const std::string duty =
+      "two places of the band, each the id of a circle in the drawing or a "
+      "share of its length from 0 to 1";
+  if (array == nullptr || array->size() != 2) return wrong(value, value.toml, duty);
+  BandPart part;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const TomlValue& element = (*array)[i];
+    const auto share = number_within({"", 0, 1}, element);
+    const auto id = text({value.key, value.example, element, value.document});
+    if (!share && !id) return wrong(value, element, duty);
+    if (share)
+      part.ends[i] = *share;
+    else
+      part.ends[i] = Mark{*id};
+  }
+  if (part.ends[0] == part.ends[1]) return wrong(value, value.toml, "two places that differ");
+  return part;
 }
 
 // ---- Where values go
@@ -367,6 +389,16 @@ std::vector<Key> curve_keys() {
   };
 }
 
+std::vector<Key> knot_keys() {
+  return {
+      {"expect", required, "\"reef knot\"", set(in(&Scene::knot, &KnotScene::expect), named_knot)},
+      {"between", optional, "[\"tip-left\", \"tip-right\"]",
+       set(in(&Scene::knot, &KnotScene::between), two_places)},
+      {"expect_between", optional, "\"reef knot\"",
+       set(in(&Scene::knot, &KnotScene::expect_between), named_knot)},
+  };
+}
+
 std::vector<Key> ribbon_keys() {
   return {
       {"width", required, "0.05", set(in(&Scene::ribbon, &RibbonScene::width_m), number(positive))},
@@ -488,7 +520,7 @@ const std::vector<Table>& tables() {
         {"stage", optional, "",
          each_of(stage_table(), [](Scene& scene) { scene.stages.emplace_back(); })}}},
       {"curve", required, curve_keys()},
-      {"knot", optional, {{"expect", required, "\"reef knot\"", set(&Scene::knot, expected_knot)}}},
+      {"knot", optional, knot_keys()},
       {"ribbon", required, ribbon_keys()},
       {"springs", optional, spring_keys()},
       {"air",
@@ -629,6 +661,13 @@ Result<void> one_way_to_pass_over(const Document& document, const Scene& scene) 
                  "remove one of them");
 }
 
+Result<void> expected_between_places(const Document& document, const Scene& scene) {
+  if (!scene.knot || !scene.knot->expect_between || scene.knot->between) return {};
+  return failure(document.place("knot", "expect_between"),
+                 "'expect_between' is the knot of a part of the band, but no part is told",
+                 "add for example 'between = [\"tip-left\", \"tip-right\"]'");
+}
+
 Result<void> countable_particles(const Document& document, const Scene& scene) {
   if (scene.ribbon.across > most_columns)
     return failure(document.place("ribbon", "across"), "'across' is more than a recording holds",
@@ -722,8 +761,9 @@ Result<Scene> scene_of(const Document& document) {
   set_defaults(document, scene);
   set_defaults_of_stages(scene);
   for (const auto& rule :
-       {one_drawing, one_way_to_pass_over, countable_particles, cloth_is_flat, countable_steps,
-        at_most_a_frame_a_step, fastening_against_air, tight_by_fastening, check_stages})
+       {one_drawing, one_way_to_pass_over, expected_between_places, countable_particles,
+        cloth_is_flat, countable_steps, at_most_a_frame_a_step, fastening_against_air,
+        tight_by_fastening, check_stages})
     if (auto kept = rule(document, scene); !kept) return tl::unexpected(kept.error());
   return scene;
 }

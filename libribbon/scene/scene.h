@@ -53,13 +53,21 @@ struct CurveScene {
   bool operator==(const CurveScene&) const = default;
 };
 
-// What the drawing is meant to tie.
-struct KnotScene {
-  std::string expect;      // a name: "reef knot"
+struct NamedKnot {
+  std::string name;        // "reef knot"
   std::string place = {};  // where the scene says it; empty: nowhere
 
   // Wherever it stands.
-  bool operator==(const KnotScene& other) const { return expect == other.expect; }
+  bool operator==(const NamedKnot& other) const { return name == other.name; }
+};
+
+// What the drawing is meant to tie.
+struct KnotScene {
+  NamedKnot expect;
+  std::optional<BandPart> between = std::nullopt;          // whose knot is certified by itself,
+  std::optional<NamedKnot> expect_between = std::nullopt;  // and what that is meant to be
+
+  bool operator==(const KnotScene&) const = default;
 };
 
 struct RibbonScene {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -23,6 +24,13 @@ struct Mark {
   std::string id;
 
   bool operator==(const Mark&) const = default;
+};
+
+// From one place of the band to another, each a share of its length or a mark, in either order.
+struct BandPart {
+  std::array<std::variant<double, Mark>, 2> ends;
+
+  bool operator==(const BandPart&) const = default;
 };
 
 // What a hand does with its part of the band: pulls it in one direction, along the band with the

@@ -1,6 +1,7 @@
 // Is what was drawn the knot that was meant, and what is simulated the knot that was drawn?
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,10 +28,15 @@ std::string text_of_knot(const KnotDiagram& drawing);
 // Fails, with the place in the scene, where the scene expects a knot of another name than any that
 // the drawing has; says then what it ties, and which list of crossings would tie what is expected,
 // if changing one to three of them does. So it does where no knot has that name.
+// Likewise of the part whose knot is expected by itself. Marks have been found.
 Result<void> check_expected_knot(const Scene& scene, const RibbonMesh& drawn);
 
-// Fails where the ribbon that begins (3 x particles) is another closed type than its drawing.
-// Either may be unknown.
-Result<void> check_first_frame(const RibbonMesh& drawn, const Eigen::Matrix3Xd& start);
+// Fails where the ribbon that begins (3 x particles), or the part of it whose knot is certified by
+// itself, is another closed type than its drawing. Either may be unknown.
+Result<void> check_first_frame(const Scene& scene, const RibbonMesh& drawn,
+                               const Eigen::Matrix3Xd& start);
+
+// Of the band's length. Marks have been found.
+std::array<double, 2> shares_of(const BandPart& part);
 
 }  // namespace ribbon

@@ -18,7 +18,7 @@ Result<void> start_is_tied_as_drawn(const Scene& scene, const RibbonMesh& ribbon
                   ? check_tying(ribbon.grid, object_axis(centre_axis(scene), obstacle),
                                 ribbon.positions, fastening.positions())
                   : Result<void>();
-  if (tied) tied = check_first_frame(ribbon, fastening.positions());
+  if (tied) tied = check_first_frame(scene, ribbon, fastening.positions());
   if (!tied) tied.error().place = scene.name;
   return tied;
 }

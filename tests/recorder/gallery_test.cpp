@@ -65,7 +65,7 @@ TEST_P(Gallery, closes_to_the_type_of_the_books) {
 TEST_P(Gallery, is_the_knot_that_its_scene_expects) {
   const Scene drawn = scene();
   ASSERT_TRUE(drawn.knot.has_value());
-  EXPECT_EQ(drawn.knot->expect, GetParam().second.expected);
+  EXPECT_EQ(drawn.knot->expect.name, GetParam().second.expected);
   EXPECT_TRUE(check_expected_knot(drawn, ribbon_of(drawn)).has_value());
 }
 

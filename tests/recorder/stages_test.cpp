@@ -149,6 +149,28 @@ TEST_F(Stages, marks_are_found_in_the_drawing_and_told_as_spans) {
   EXPECT_TRUE(resume(file(), "test", goes_on)->has_value()) << "without its drawing";
 }
 
+TEST_F(Stages, the_header_tells_marks_and_the_part_whose_knot_is_certified) {
+  (void)write_file(folder_ / "line.svg", drawing_with_marks());
+  const std::string text = drawn_in_a_file(staged_scene_text()) +
+                           "[knot]\nexpect = 'unknot'\nbetween = ['middle', 'tip']\n"
+                           "expect_between = 'unknot'\n";
+  ASSERT_EQ(refusal_of(recorded({}, text, {.frames = 3})), "");
+  const auto told = [](const fs::path& file) { return RecordingReader::open(file)->header(); };
+  const RecordingHeader header = told(file());
+  ASSERT_EQ(header.marks.size(), 2U);
+  EXPECT_EQ(header.marks[0].name, "middle");
+  EXPECT_NEAR(header.marks[0].share, 0.5, 0.5 / 59 + 1e-9);
+  EXPECT_EQ(header.marks[1], (RecordedMark{"tip", 0}));
+  EXPECT_EQ(header.knot_between, (KnotBetween{{header.marks[0].share, 0}, "unknot"}));
+  fs::remove(folder_ / "line.svg");
+  ASSERT_EQ(refusal_of(branch(file(), 1, {take(), "brancher", {}}, goes_on)), "");
+  EXPECT_EQ(told(take()).knot_between, header.knot_between);
+  EXPECT_THAT(
+      refusal_of(branch(file(), 1, {take(), "brancher", {"knot.between=[0, 0.5]"}, Overwrite::yes},
+                        goes_on)),
+      HasSubstr("[knot] cannot change in a branch"));
+}
+
 TEST_F(Stages, marks_that_are_not_there_are_refused_where_the_scene_names_them) {
   (void)write_file(folder_ / "line.svg", drawing_with_marks());
   const std::string sentence =

@@ -119,6 +119,27 @@ TEST(ReadScene, crossings_are_letters_without_their_blanks) {
               StartsWith("knot.toml:2:9: [curve] has both 'first' and 'crossings'"));
 }
 
+TEST(ReadScene, the_knot_of_a_part_is_expected_between_shares_or_marks) {
+  const auto knot = [](const std::string& lines) {
+    return read_text(with("[knot]\nexpect = 'bow'\n" + lines)).map([](const Scene& scene) {
+      return *scene.knot;
+    });
+  };
+  EXPECT_FALSE(knot("")->between.has_value());
+  const KnotScene found = knot("between = ['tip', 0.75]\nexpect_between = 'reef knot'\n").value();
+  EXPECT_EQ(found.between, (BandPart{{Mark{"tip"}, 0.75}}));
+  EXPECT_EQ(found.expect_between->name, "reef knot");
+  EXPECT_TRUE(knot("between = [1, 0]\n").has_value()) << "what it is need not be expected";
+  EXPECT_THAT(refusal_of(knot("expect_between = 'reef knot'\n")),
+              HasSubstr("'expect_between' is the knot of a part of the band, but no part is told"));
+  for (const char* wrong : {"0.5", "[0.5]", "[0.2, 0.5, 0.7]", "[0.5, 1.5]", "[0.5, '']"})
+    EXPECT_THAT(refusal_of(knot("between = " + std::string(wrong) + "\n")),
+                HasSubstr("'between' must be two places of the band"))
+        << wrong;
+  EXPECT_THAT(refusal_of(knot("between = ['tip', 'tip']\n")),
+              HasSubstr("must be two places that differ"));
+}
+
 TEST(ReadScene, a_number_for_gravity_points_down) {
   const Scene scene = read_text(with("[gravity]\nacceleration = 9.81\n")).value();
   EXPECT_EQ(scene.gravity_m_s2, Eigen::Vector3d(0, -9.81, 0));

@@ -53,11 +53,12 @@ TEST(DrawnKnot, whose_name_nobody_knows_is_asked_for) {
 }
 
 TEST(DrawnKnot, of_a_start_that_is_tied_otherwise_is_refused_with_both) {
-  const RibbonMesh drawn = draw_ribbon(scene_with("", "")).value();
-  EXPECT_EQ(refusal_of(check_first_frame(drawn, drawn.positions)), "");
+  const Scene scene = scene_with("", "");
+  const RibbonMesh drawn = draw_ribbon(scene).value();
+  EXPECT_EQ(refusal_of(check_first_frame(scene, drawn, drawn.positions)), "");
   Eigen::Matrix3Xd mirrored = drawn.positions;
   mirrored.row(1) = -mirrored.row(1);
-  EXPECT_THAT(refusal_of(check_first_frame(drawn, mirrored)),
+  EXPECT_THAT(refusal_of(check_first_frame(scene, drawn, mirrored)),
               AllOf(HasSubstr("at its start is tied as: trefoil, left-handed"),
                     HasSubstr("its drawing as: trefoil, right-handed")));
 }
