@@ -39,6 +39,7 @@ fi
 
 # Where from its picture is taken, unless close to the knot.
 declare -A view=(
+  [bow]="azimuth=10,elevation=12"
   [figure-eight]="azimuth=140,elevation=25,subject=knot"
   [four-in-hand]="azimuth=0,elevation=4,distance=1.8,lens=50,subject=knot"
   [stevedore]="azimuth=205,elevation=25,subject=knot"

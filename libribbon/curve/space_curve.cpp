@@ -124,8 +124,8 @@ Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_w
   return SpaceCurve{.points = evenly_sampled(plan->points, lengths, samples),
                     .length_m = lengths.back(),
                     .crossings = std::move(drawn->crossings),
-                    .passage_shares = std::move(passage_shares),
                     .objects = std::move(drawn->passages.objects),
+                    .passage_shares = std::move(passage_shares),
                     .squeezed = std::move(plan->squeezed)};
 }
 

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <vector>
+
 #include "recorder/run/start.h"
 #include "recorder/small_scene.h"
 #include "result/refusal.h"
+#include "ribbon_mesh/marks.h"
 
 namespace ribbon::drawn_knot_test {
 
@@ -61,6 +65,51 @@ TEST(DrawnKnot, of_a_start_that_is_tied_otherwise_is_refused_with_both) {
   EXPECT_THAT(refusal_of(check_first_frame(scene, drawn, mirrored)),
               AllOf(HasSubstr("at its start is tied as: trefoil, left-handed"),
                     HasSubstr("its drawing as: trefoil, right-handed")));
+}
+
+// Of the gallery, with its marks found.
+Scene bow_with(const std::vector<std::string>& settings) {
+  const auto file = std::filesystem::path(RIBBON_SAMPLES) / "gallery/bow.toml";
+  return with_marks_found(read_scene(file, settings).value()).value();
+}
+
+std::string refusal_of_bow(const std::vector<std::string>& settings) {
+  const Scene scene = bow_with(settings);
+  return refusal_of(check_expected_knot(scene, draw_ribbon(scene).value()));
+}
+
+// The second half knot the other way: a granny bow.
+const std::string granny_bow = "curve.crossings=UUOOUUUUOOUUOUOUOUOOUUOOOOUUOO";
+
+TEST(DrawnKnot, between_the_loops_tells_a_bow_from_a_granny_bow) {
+  EXPECT_EQ(refusal_of_bow({}), "");
+  EXPECT_THAT(refusal_of_bow({"knot.expect_between=granny knot"}),
+              HasSubstr("between the two places the drawing ties: reef knot (6 crossings); "
+                        "expected is: granny knot"));
+  EXPECT_THAT(refusal_of_bow({granny_bow, "knot.expect=trefoil"}),
+              HasSubstr("the drawing ties: granny knot"));
+  EXPECT_EQ(refusal_of_bow({granny_bow, "knot.expect=trefoil", "knot.expect_between=granny knot"}),
+            "");
+}
+
+TEST(DrawnKnot, of_a_part_is_named_by_what_it_closes_to) {
+  EXPECT_THAT(refusal_of_bow({"knot.expect_between=bow"}),
+              HasSubstr("'bow' is told by a drawing alone"));
+  EXPECT_THAT(refusal_of_bow({"knot.expect_between=rief knot"}), HasSubstr("did you mean"));
+  EXPECT_EQ(refusal_of_bow({"knot.between=[0, 1]", "knot.expect_between=trefoil"}), "");
+}
+
+TEST(DrawnKnot, of_a_part_at_the_start_is_compared_with_its_drawing) {
+  const Scene reef = bow_with({});
+  const RibbonMesh drawn = draw_ribbon(reef).value();
+  EXPECT_EQ(refusal_of(check_first_frame(reef, drawn, drawn.positions)), "");
+  const RibbonMesh granny = draw_ribbon(bow_with({granny_bow})).value();
+  EXPECT_THAT(refusal_of(check_first_frame(reef, drawn, granny.positions)),
+              HasSubstr("the part of the ribbon between the two places of 'between' at its start "
+                        "is tied as: granny knot"));
+  EXPECT_THAT(refusal_of(check_first_frame(bow_with({"knot.between=[0.5, 0.5001]"}), drawn,
+                                           drawn.positions)),
+              HasSubstr("no two rows lie between"));
 }
 
 }  // namespace ribbon::drawn_knot_test
