@@ -6,20 +6,37 @@
 #include <vector>
 
 #include "geometry/limited_edges.h"
+#include "geometry/rest_size.h"
 #include "geometry/ribbon_grid.h"
-#include "ribbon_mesh/rest_size.h"
 #include "scene/scene.h"
 
 namespace ribbon {
 
 // One spring leads from each particle (i, j) of a grid to (i + rows, j + columns), where both
-// exist. There are several for each particle, all alike, so that none is stored: the family
-// describes them, and for_each_spring() visits them. Either rows > 0, or rows = 0 and columns > 0.
+// exist. There are several for each particle, all alike but for their rest lengths, so that none is
+// stored: the family describes them, and for_each_spring() visits them. Either rows > 0, or
+// rows = 0 and columns > 0.
 struct SpringFamily {
   int rows = 0;
   int columns = 0;
-  double rest_length_m = 0;
+  double rest_length_m = 0;                 // of the shortest
+  std::vector<double> rest_lengths_m = {};  // of each, by the particle that it leads from; empty:
+                                            // all are as long
+
+  // Of the spring that leads from particle a.
+  [[nodiscard]] double rest_m(int a) const {
+    return rest_lengths_m.empty() ? rest_length_m : rest_lengths_m[a];
+  }
 };
+
+// Calls use(rest_m) where rest_m(a) is family.rest_m(a), without asking for each spring anew
+// whether all are alike.
+template <class Use>
+decltype(auto) with_rest_lengths(const SpringFamily& family, const Use& use) {
+  if (family.rest_lengths_m.empty())
+    return use([alike_m = family.rest_length_m](int) { return alike_m; });
+  return use([each_m = family.rest_lengths_m.data()](int a) { return each_m[a]; });
+}
 
 // Springs that resist one kind of deformation; with stiffness 0 there are none.
 struct SpringKind {
@@ -67,5 +84,8 @@ void for_each_spring(const RibbonGrid& grid, const SpringFamily& family, const V
   for (int row = 0; row + family.rows < grid.along; ++row)
     for_each_spring_of_row(grid, family, row, visit);
 }
+
+// Of the springs that lead from a row, which must have some: the mean of their rest lengths.
+double mean_rest_m(const RibbonGrid& grid, const SpringFamily& family, int row);
 
 }  // namespace ribbon

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/rest_size.h"
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
-#include "ribbon_mesh/rest_size.h"
 #include "simulation/start/start_report.h"
 #include "simulation/step/stage_clock.h"
 #include "simulation/step/step_report.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -72,6 +73,32 @@ TEST(Springs, rest_at_the_lengths_of_the_flat_band) {
   EXPECT_DOUBLE_EQ(network.shear.families[1].rest_length_m, 0.5);
   EXPECT_DOUBLE_EQ(network.bend.families[0].rest_length_m, 0.6);
   EXPECT_DOUBLE_EQ(network.bend.families[1].rest_length_m, 0.8);
+}
+
+// By hand: rows 0.3 m apart, 0.8, 1.6 and 2.4 m wide, columns half and a quarter of that apart.
+TEST(Springs, of_a_band_with_a_profile_rest_as_far_apart_as_its_particles_lie) {
+  const RestSize tapered{{3, 3}, 0.6, 1.6, {0.8, 1.6, 2.4}};
+  const SpringNetwork network = spring_network(tapered, {});
+  const auto& [along, across] = network.stretch.families;
+  EXPECT_DOUBLE_EQ(along.rest_m(0), 0.5);  // 0.3 along, 0.4 outwards
+  EXPECT_DOUBLE_EQ(along.rest_m(1), 0.3);
+  EXPECT_DOUBLE_EQ(across.rest_m(0), 0.4);
+  EXPECT_DOUBLE_EQ(across.rest_m(7), 1.2);
+  EXPECT_DOUBLE_EQ(network.shear.families[0].rest_m(0), 0.5);  // to the middle, 0.4 inwards
+  EXPECT_DOUBLE_EQ(network.shear.families[1].rest_m(1), std::hypot(0.3, 0.8));
+  EXPECT_DOUBLE_EQ(network.bend.families[0].rest_m(2), 1);
+  EXPECT_DOUBLE_EQ(network.bend.families[1].rest_m(3), 1.6);
+  EXPECT_DOUBLE_EQ(along.rest_length_m, 0.3) << "the shortest";
+}
+
+TEST(Springs, of_a_flat_band_with_a_profile_are_not_strained) {
+  const RestSize tapered{{3, 5}, 0.6, 0.3, {0.2, 0.3, 0.4}};
+  const SpringNetwork network = spring_network(tapered, {});
+  for (const SpringKind* kind : network.kinds())
+    for (const SpringFamily& family : kind->families)
+      for_each_spring(network.grid, family, [&](int a, int b) {
+        EXPECT_DOUBLE_EQ((tapered.place_m(b) - tapered.place_m(a)).norm(), family.rest_m(a));
+      });
 }
 
 }  // namespace ribbon::springs_test

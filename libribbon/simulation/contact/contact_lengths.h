@@ -1,7 +1,7 @@
 // The lengths at which contact works.
 #pragma once
 
-#include "ribbon_mesh/rest_size.h"
+#include "geometry/rest_size.h"
 #include "scene/scene.h"
 
 namespace ribbon {

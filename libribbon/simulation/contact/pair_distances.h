@@ -2,8 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 
-#include "ribbon_mesh/rest_size.h"
+#include "geometry/rest_size.h"
 #include "simulation/contact/contact_lengths.h"
 #include "simulation/detection/feature_pairs.h"
 
@@ -37,6 +38,8 @@ class PairDistances {
  private:
   [[nodiscard]] bool is_thick() const { return lengths_.thickness_m > 0; }
   [[nodiscard]] double thick_activation_m(const FeaturePair& pair) const;
+  [[nodiscard]] double distance_across_m(std::span<const int> first,
+                                         std::span<const int> second) const;
   [[nodiscard]] double rest_distance_m(const FeaturePair& pair) const;
 
   RestSize size_;

@@ -36,7 +36,7 @@ double effective_inverse_mass(const FeaturePair& pair, const Collision& collisio
   double sum = 0;
   for (int k = 0; k < 4; ++k)
     if (pair.vertices[k] < cloth.particle_count())
-      sum += collision.weights[k] * collision.weights[k] * (1 / cloth.particle_mass_kg);
+      sum += collision.weights[k] * collision.weights[k] * cloth.inverse_mass(pair.vertices[k]);
   return sum;
 }
 
@@ -64,7 +64,7 @@ void repel(const FeaturePair& pair, const Collision& collision, double activatio
   for (int k = 0; k < 4; ++k) {
     const int vertex = pair.vertices[k];
     if (vertex >= cloth.particle_count()) continue;
-    const double part = collision.weights[k] * (1 / cloth.particle_mass_kg) / inverse_mass;
+    const double part = collision.weights[k] * cloth.inverse_mass(vertex) / inverse_mass;
     cloth.positions.col(vertex) += part * moved;
     cloth.velocities.col(vertex) += part * accelerated;
   }

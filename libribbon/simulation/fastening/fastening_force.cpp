@@ -10,20 +10,23 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 FasteningForce::FasteningForce(const FasteningScene& scene, double air_resistance_per_s,
-                               const RibbonGrid& grid, const Matrix3Xd& start,
+                               const RestSize& size, const Matrix3Xd& start,
                                double particle_mass_kg)
     : scene_(scene),
-      grid_(grid),
-      held_rows_(std::min(grid.across, grid.along / 2)),
+      grid_(size.grid),
+      held_rows_(std::min(grid_.across, grid_.along / 2)),
       newton_per_m_s_(particle_mass_kg * air_resistance_per_s),
-      tangents_(grid) {
-  if (scene.pull == FasteningPull::ends) newton_per_m_s_ *= 0.5 * grid.along / held_rows_;
-  for (int particle = 0; particle < grid.particle_count(); ++particle)
-    mean_distance_m_ += distance_from_axis_m(start.col(particle)) / grid.particle_count();
+      tangents_(grid_) {
+  if (scene.pull == FasteningPull::ends) newton_per_m_s_ *= 0.5 * grid_.along / held_rows_;
+  const int pulled = scene.pull == FasteningPull::ends ? held_rows_ : grid_.along / 2;
+  weakened_ = {pulled / size.mean_rows(0, pulled - 1),
+               pulled / size.mean_rows(grid_.along - pulled, grid_.along - 1)};
+  for (int particle = 0; particle < grid_.particle_count(); ++particle)
+    mean_distance_m_ += distance_from_axis_m(start.col(particle)) / grid_.particle_count();
 }
 
 void FasteningForce::visit_state(StateArchive& archive) {
-  auto& [scene, grid, held_rows, newton, mean_distance, tangents, forces] = *this;
+  auto& [scene, grid, held_rows, newton, weakened, mean_distance, tangents, forces] = *this;
   archive.visit(mean_distance);
 }
 
@@ -45,7 +48,9 @@ const Matrix3Xd& FasteningForce::at(const Matrix3Xd& positions) {
   forces_ = tangents_.at(positions);
   for (int particle = 0; particle < grid_.particle_count(); ++particle) {
     const int twice_from_middle = 2 * grid_.row(particle) - (grid_.along - 1);
-    const double sign = twice_from_middle > 0 ? 1 : twice_from_middle < 0 ? -1 : 0;
+    const double sign = twice_from_middle > 0   ? weakened_[1]
+                        : twice_from_middle < 0 ? -weakened_[0]
+                                                : 0;
     forces_.col(particle) *= sign * strength_n(particle, positions.col(particle));
   }
   return forces_;

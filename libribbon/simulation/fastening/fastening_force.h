@@ -2,8 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
-#include "geometry/ribbon_grid.h"
+#include "geometry/rest_size.h"
 #include "scene/scene.h"
 #include "simulation/state/smoothed_tangents.h"
 #include "simulation/state/state_archive.h"
@@ -21,14 +22,17 @@ namespace ribbon {
 //
 // Beside the paper, pull = "ends": the force acts on the last m rows alone, with one strength, so
 // that each end draws its half of the ribbon against the air at the scene's speed.
+//
+// Where rows weigh differently, both halves, or both ends, are pulled as hard as those of a ribbon
+// of mean width: otherwise the heavier half would draw a tight ribbon through its knot.
 class FasteningForce {
  public:
-  // start: 3 x particles, the ribbon at the start, whose mean distance from the axis
-  // is where the scene's speed holds.
-  FasteningForce(const FasteningScene& scene, double air_resistance_per_s, const RibbonGrid& grid,
+  // particle_mass_kg: mean. start: 3 x particles, the ribbon at the start, whose mean distance from
+  // the axis is where the scene's speed holds.
+  FasteningForce(const FasteningScene& scene, double air_resistance_per_s, const RestSize& size,
                  const Eigen::Matrix3Xd& start, double particle_mass_kg);
 
-  // 3 x particles, N.
+  // 3 x particles, N, of particles of mean mass.
   const Eigen::Matrix3Xd& at(const Eigen::Matrix3Xd& positions);
 
   // The force on a particle for each m/s at which the scene wants it to move, N s/m.
@@ -45,7 +49,8 @@ class FasteningForce {
   RibbonGrid grid_;
   int held_rows_;  // at each end, when pulled by the ends
   double newton_per_m_s_;
-  double mean_distance_m_ = 0;  // from the axis, at the start
+  std::array<double, 2> weakened_;  // the pull on the first half and on the second, times this
+  double mean_distance_m_ = 0;      // from the axis, at the start
   SmoothedTangents tangents_;
   Eigen::Matrix3Xd forces_;
 };

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ribbon_mesh/rest_size.h"
+#include "geometry/rest_size.h"
 #include "scene/scene.h"
 
 namespace ribbon {
@@ -15,6 +15,7 @@ namespace ribbon {
 // there to the height of that end.
 class HangingWeight {
  public:
+  // particle_mass_kg: mean.
   HangingWeight(const RestSize& size, const SpringScene& stiffness, double particle_mass_kg,
                 const Eigen::Vector3d& gravity_m_s2);
 
@@ -25,8 +26,9 @@ class HangingWeight {
 
  private:
   RibbonGrid grid_;
-  Eigen::Vector3d row_weight_n_;
-  double resistance_n_;  // of the ribbon to being stretched along: force over strain
+  Eigen::Vector3d row_weight_n_;      // of a row of mean width
+  std::vector<double> heaviness_;     // of each row, over that
+  std::vector<double> resistance_n_;  // of each row to being stretched along: force over strain
   std::vector<double> strains_;
 };
 

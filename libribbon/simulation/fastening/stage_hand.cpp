@@ -35,7 +35,7 @@ StageHand::StageHand(const HandScene& hand, const Scene& scene, const RestSize& 
       grid_(size.grid),
       rows_(held_rows(std::get<Span>(hand.at), size.grid)),
       newton_per_m_s_(particle_mass_kg * scene.air_resistance_per_s),
-      draws_(0.5 * size.grid.along / rows_.count()),
+      draws_(0.5 * size.grid.along / size.mean_rows(rows_.first, rows_.last)),
       hold_per_s_(hold_per_step / scene.time.step_s),
       air_per_s_(scene.air_resistance_per_s),
       particle_mass_kg_(particle_mass_kg) {

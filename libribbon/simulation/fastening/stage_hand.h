@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "ribbon_mesh/rest_size.h"
+#include "geometry/rest_size.h"
 #include "scene/scene.h"
 #include "simulation/fastening/held_rows.h"
 #include "simulation/fastening/yielding.h"

@@ -15,8 +15,7 @@ constexpr double guard_every_s = 0.05;
 FasteningForce whole_force(const Scene& scene, const RestSize& size, const Cloth& cloth) {
   FasteningScene fastening = *scene.fastening;
   fastening.pull = FasteningPull::distributed;
-  return {fastening, scene.air_resistance_per_s, size.grid, cloth.positions,
-          cloth.particle_mass_kg};
+  return {fastening, scene.air_resistance_per_s, size, cloth.positions, cloth.particle_mass_kg};
 }
 
 bool any_pulls_along(const StageScene& stage) {

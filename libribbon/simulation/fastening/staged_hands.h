@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ribbon_mesh/rest_size.h"
+#include "geometry/rest_size.h"
 #include "scene/scene.h"
 #include "simulation/fastening/eased_force.h"
 #include "simulation/fastening/fastening_force.h"

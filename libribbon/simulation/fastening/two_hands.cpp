@@ -9,7 +9,7 @@ namespace ribbon {
 using Eigen::Matrix3Xd;
 
 TwoHands::TwoHands(const Scene& scene, const RestSize& size, const Cloth& cloth)
-    : force_(*scene.fastening, scene.air_resistance_per_s, size.grid, cloth.positions,
+    : force_(*scene.fastening, scene.air_resistance_per_s, size, cloth.positions,
              cloth.particle_mass_kg),
       progress_(size.grid, halves(size.grid), scene.time.step_s, scene.air_resistance_per_s),
       highest_m_s_(scene.fastening->max_speed_m_s.value_or(std::numeric_limits<double>::max())) {

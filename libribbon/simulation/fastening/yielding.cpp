@@ -14,7 +14,11 @@ Yielding::Yielding(const RestSize& size, double strain, std::optional<HangingWei
       along_(stretch_families(size)[0]),
       strain_(strain),
       felt_(felt.value_or(HeldRows{0, size.grid.along - 1})),
-      hanging_(std::move(hanging)) {}
+      hanging_(std::move(hanging)) {
+  if (!size.has_profile()) return;
+  for (int row = 0; row + along_.rows < grid_.along; ++row)
+    row_rests_m_.push_back(mean_rest_m(grid_, along_, row));
+}
 
 double Yielding::force_fraction(const Eigen::Matrix3Xd& positions) {
   lengths_.clear();
@@ -24,6 +28,7 @@ double Yielding::force_fraction(const Eigen::Matrix3Xd& positions) {
       sum_m += length_of(positions.col(b) - positions.col(a));
     });
     lengths_.push_back(sum_m / grid_.across);
+    if (!row_rests_m_.empty()) lengths_.back() *= along_.rest_length_m / row_rests_m_[row];
   }
   if (hanging_) {
     const std::vector<double>& strains = hanging_->strains(positions);

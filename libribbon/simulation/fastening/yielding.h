@@ -34,7 +34,8 @@ class Yielding {
   double strain_;
   HeldRows felt_;
   std::optional<HangingWeight> hanging_;
-  std::vector<double> lengths_;  // m, mean of the edges along from each row
+  std::vector<double> row_rests_m_;  // mean of the edges along from each row; empty: all alike
+  std::vector<double> lengths_;      // m, likewise, as if at rest all were along_.rest_length_m
 };
 
 }  // namespace ribbon

@@ -26,18 +26,53 @@ constexpr double sufficient_decrease = 1e-4;  // of the descent that the slope p
 constexpr double least_curvature = 1e-8;      // of the inertia's
 constexpr double energy_rounding = 1e-13;     // of the energy: what its sum may be wrong by
 
-void set_mean(const RowVector3d& mean, MatrixX3d& rows) {
-  const RowVector3d shift = mean - mean_of_rows(rows);
-  rows.rowwise() += shift;
-}
+// Sums in which each particle counts as much as it weighs.
+class Masses {
+ public:
+  // As Cloth has it.
+  explicit Masses(const Eigen::ArrayXd& lightness) : heaviness_(lightness.inverse()) {}
+
+  // Of each row of the ribbon; empty: all weigh the same.
+  [[nodiscard]] Eigen::ArrayXd of_rows(const RibbonGrid& grid) const {
+    if (heaviness_.size() == 0) return heaviness_;
+    return heaviness_(Eigen::seqN(0, grid.along, grid.across));
+  }
+
+  void weigh(MatrixX3d& rows) const {
+    if (heaviness_.size() > 0) rows.array().colwise() *= heaviness_;
+  }
+
+  double sum_of_products(const MatrixX3d& a, const MatrixX3d& b) {
+    return ribbon::sum_of_products(weighed(a), b);
+  }
+  double sum_of_squares(const MatrixX3d& a) { return sum_of_products(a, a); }
+
+  RowVector3d centre(const MatrixX3d& rows) { return mean_of_rows(weighed(rows)); }
+  void set_centre(const RowVector3d& wanted, MatrixX3d& rows) {
+    const RowVector3d shift = wanted - centre(rows);
+    rows.rowwise() += shift;
+  }
+
+ private:
+  const MatrixX3d& weighed(const MatrixX3d& rows) {
+    if (heaviness_.size() == 0) return rows;
+    weighed_ = rows;
+    weigh(weighed_);
+    return weighed_;
+  }
+
+  Eigen::ArrayXd heaviness_;  // over the mean mass; empty: all weigh the same
+  MatrixX3d weighed_;
+};
 
 class ImplicitEuler final : public Integrator {
  public:
   ImplicitEuler(const SpringNetwork& springs, const MotionProperties& properties)
       : Integrator(springs, properties, 1),
         slowed_(1 / (1 + properties.step_s * properties.air_resistance_per_s)),
-        inertia_(properties.particle_mass_kg / slowed_ / properties.step_s / properties.step_s) {
-    if (!springs_.empty()) matrix_.emplace(springs, inertia_);
+        inertia_(properties.particle_mass_kg / slowed_ / properties.step_s / properties.step_s),
+        masses_(properties.lightness) {
+    if (!springs_.empty()) matrix_.emplace(springs, inertia_, masses_.of_rows(springs.grid));
   }
 
  private:
@@ -71,7 +106,9 @@ class ImplicitEuler final : public Integrator {
     moved_ = state_.positions + iterate.displacement;
     iterate.elastic_j = springs_.forces(moved_, forces_);
     iterate.gradient = iterate.displacement - inertial_;
-    iterate.objective_j = iterate.elastic_j + inertia_ / 2 * sum_of_squares(iterate.gradient);
+    iterate.objective_j =
+        iterate.elastic_j + inertia_ / 2 * masses_.sum_of_squares(iterate.gradient);
+    masses_.weigh(iterate.gradient);
     iterate.gradient = inertia_ * iterate.gradient - forces_;
   }
 
@@ -91,12 +128,12 @@ class ImplicitEuler final : public Integrator {
 
   // Begins where the last velocities lead, or without deformation where that is lower.
   void start() {
-    const RowVector3d mean = mean_of_rows(inertial_);
+    const RowVector3d mean = masses_.centre(inertial_);
     current_.displacement = mean.replicate(inertial_.rows(), 1);
     evaluate(current_);
     undeformed_j_ = current_.elastic_j;
     trial_.displacement = properties_.step_s * state_.velocities;
-    set_mean(mean, trial_.displacement);
+    masses_.set_centre(mean, trial_.displacement);
     evaluate(trial_);
     if (trial_.objective_j < current_.objective_j) std::swap(current_, trial_);
   }
@@ -106,7 +143,7 @@ class ImplicitEuler final : public Integrator {
   double find_direction() {
     difference_ = -current_.gradient;
     history_.toward_minimum(*matrix_, difference_, direction_);
-    set_mean(RowVector3d::Zero(), direction_);
+    masses_.set_centre(RowVector3d::Zero(), direction_);
     return sum_of_products(current_.gradient, direction_);
   }
 
@@ -119,8 +156,8 @@ class ImplicitEuler final : public Integrator {
   // Of the displacement against the one that the last velocities would bring.
   double squared_change() {
     difference_ = current_.displacement - properties_.step_s * state_.velocities;
-    set_mean(RowVector3d::Zero(), difference_);
-    return sum_of_squares(difference_);
+    masses_.set_centre(RowVector3d::Zero(), difference_);
+    return masses_.sum_of_squares(difference_);
   }
 
   // Backtracks along the direction to an iterate that is lower. Stays where it finds none.
@@ -154,21 +191,23 @@ class ImplicitEuler final : public Integrator {
   // line search sees to it that something is left.
   void keep_energy() {
     const double m = properties_.particle_mass_kg;
-    const RowVector3d mean = mean_of_rows(state_.velocities);
-    set_mean(RowVector3d::Zero(), before_);
-    set_mean(RowVector3d::Zero(), state_.velocities);
-    double energy_j = undeformed_j_ + m / 2 * sum_of_squares(before_);
+    const RowVector3d mean = masses_.centre(state_.velocities);
+    masses_.set_centre(RowVector3d::Zero(), before_);
+    masses_.set_centre(RowVector3d::Zero(), state_.velocities);
+    double energy_j = undeformed_j_ + m / 2 * masses_.sum_of_squares(before_);
     energy_j += energy_rounding * energy_j;
     if (state_.accelerations.rows() > 0)
-      energy_j += m * properties_.step_s * sum_of_products(state_.accelerations, state_.velocities);
+      energy_j +=
+          m * properties_.step_s * masses_.sum_of_products(state_.accelerations, state_.velocities);
     const double left_j = std::max(0.0, energy_j - current_.elastic_j);
-    const double kinetic_j = m / 2 * sum_of_squares(state_.velocities);
+    const double kinetic_j = m / 2 * masses_.sum_of_squares(state_.velocities);
     if (kinetic_j > left_j) state_.velocities *= std::sqrt(left_j / kinetic_j);
     state_.velocities.rowwise() += mean;
   }
 
   double slowed_;   // the fraction of its velocity that the air leaves a particle in a step
-  double inertia_;  // N/m, of one particle
+  double inertia_;  // N/m, of one particle of mean mass
+  Masses masses_;
   std::optional<QuasiNewtonMatrix> matrix_;
   LbfgsHistory history_;
   Iterate current_;

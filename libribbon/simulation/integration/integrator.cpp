@@ -8,7 +8,14 @@ namespace ribbon {
 Integrator::Integrator(const SpringNetwork& springs, const MotionProperties& properties,
                        int substeps)
     : springs_(springs), properties_(properties), substeps_(substeps) {
-  if (springs.damping > 0) damping_.emplace(springs, properties.particle_mass_kg);
+  if (springs.damping > 0)
+    damping_.emplace(springs, properties.particle_mass_kg, properties.lightness);
+}
+
+void Integrator::spring_forces_on_mean(const Eigen::MatrixX3d& positions,
+                                       Eigen::MatrixX3d& forces) {
+  springs_.forces(positions, forces);
+  if (properties_.lightness.size() > 0) forces.array().colwise() *= properties_.lightness;
 }
 
 void Integrator::displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) {

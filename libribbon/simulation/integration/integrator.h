@@ -16,13 +16,14 @@ namespace ribbon {
 // What an integrator needs to know besides the springs.
 struct MotionProperties {
   double step_s = 0;
-  double particle_mass_kg = 0;
+  double particle_mass_kg = 0;      // mean
   double air_resistance_per_s = 0;  // deceleration per speed
   std::optional<Eigen::Vector3d> gravity_m_s2 = std::nullopt;
   // Of the implicit scheme, above 0: the minimum is found when the energy that is left to win is
   // less than this squared of what it takes to change the velocities so far. Too large: forces act
   // late and motion is damped; too small: each step takes more iterations.
   double tolerance = 0.1;
+  Eigen::ArrayXd lightness = {};  // as Cloth has it
 };
 
 // The particles as integrators compute with them: each axis a column of its own, so that springs
@@ -40,7 +41,8 @@ class Integrator {
   virtual ~Integrator() = default;
 
   // Moves the particles of the cloth by one step. The fastening force (3 x particles, N, or no
-  // columns for none) is held over the step.
+  // columns for none) is held over the step. It is what a particle of mean mass gets; heavier ones
+  // get more, in proportion.
   void displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth);
 
   // Likewise in substeps() parts: first the force that is held over those that follow, with
@@ -60,6 +62,10 @@ class Integrator {
 
   // Moves state_ by one substep, of h seconds.
   virtual void advance(double h) = 0;
+
+  // Overwrites `forces` (particles x 3, N) with those that would accelerate particles of mean mass
+  // as the springs do.
+  void spring_forces_on_mean(const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
 
   SpringForces springs_;
   MotionProperties properties_;

@@ -25,12 +25,16 @@ constexpr int half_lot = rows_in_lot / 2;
 // Of dashpots that have no particle in common several are computed at once.
 using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
 
+// Do all rows weigh the same?
+enum class Rows { alike, differing };
+
 // As the innermost loop needs a family.
-template <std::size_t ends>
+template <std::size_t ends, Rows rows>
 struct Loop {
   std::array<Index, ends> offsets{};  // from a dashpot's first particle, in the arrays
   std::array<double, ends> weights{};
-  double slowed = 0;  // the fraction of the speed that is lost, over sum(w^2)
+  std::array<double, ends> lighter{};  // of rows that differ: the weights times their lightness
+  double slowed = 0;  // the fraction of the speed that is lost, over sum(w^2 lightness)
   std::array<const double*, 3> positions{};
   std::array<double*, 3> velocities{};
 
@@ -55,7 +59,7 @@ struct Loop {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         double* velocity = velocities[axis] + first + offsets[k];
         std::memcpy(&value, velocity, sizeof(value));
-        value -= weights[k] * lost * apart[axis];
+        value -= (rows == Rows::alike ? weights[k] : lighter[k]) * lost * apart[axis];
         std::memcpy(velocity, &value, sizeof(value));
       }
   }
@@ -81,7 +85,8 @@ int turned(int row, int column) {
 struct Task {
   const RibbonGrid& grid;
   const DashpotFamily& family;
-  double lost;  // the fraction of the speed
+  const double* lightness;  // of the rows; null where they weigh the same for this family
+  double h;
   Layout layout;
   int begin;
   int end;
@@ -89,15 +94,20 @@ struct Task {
   MatrixX3d& velocities;
 };
 
+double fraction_lost(double rate_per_s, double h) {
+  const double r = rate_per_s * h;
+  return r < 2 ? r / (1 + r / 2) : 1;
+}
+
 // offset_of(end): where an end's particle is in the arrays, from the first.
-template <std::size_t ends, class Offset>
-[[gnu::always_inline]] inline Loop<ends> loop_of(const Task& task, const Offset& offset_of) {
-  Loop<ends> loop;
+template <std::size_t ends, Rows rows, class Offset>
+[[gnu::always_inline]] inline Loop<ends, rows> loop_of(const Task& task, const Offset& offset_of) {
+  Loop<ends, rows> loop;
   for (std::size_t k = 0; k < ends; ++k) {
     loop.offsets[k] = offset_of(task.family.ends[k]);
     loop.weights[k] = task.family.ends[k].weight;
   }
-  loop.slowed = task.lost / task.family.squared_weights;
+  loop.slowed = fraction_lost(task.family.rate_per_s, task.h) / task.family.squared_weights;
   for (int axis = 0; axis < 3; ++axis) {
     loop.positions[axis] = task.positions.col(axis).data();
     loop.velocities[axis] = task.velocities.col(axis).data();
@@ -105,16 +115,31 @@ template <std::size_t ends, class Offset>
   return loop;
 }
 
+// What changes from row to row where they weigh differently.
 template <std::size_t ends>
+void take_row(const Task& task, int row, Loop<ends, Rows::differing>& loop) {
+  double squared = 0;
+  for (std::size_t k = 0; k < ends; ++k) {
+    const DashpotFamily::End& end = task.family.ends[k];
+    loop.lighter[k] = end.weight * task.lightness[row + end.rows];
+    squared += end.weight * loop.lighter[k];
+  }
+  const double faster = std::sqrt(squared / task.family.squared_weights);
+  loop.slowed = fraction_lost(faster * task.family.rate_per_s, task.h) / squared;
+}
+
+template <std::size_t ends, Rows rows>
 [[gnu::always_inline]] inline void damp_rows(const Task& task) {
-  const auto loop = loop_of<ends>(task, [&](const DashpotFamily::End& end) -> Index {
+  auto loop = loop_of<ends, rows>(task, [&](const DashpotFamily::End& end) -> Index {
     return task.grid.particle(end.rows, end.columns);
   });
   const int columns = task.grid.across - task.family.columns;
   const int at_once = task.family.are_apart_in_a_row ? columns : 1;
-  for (int row = task.begin; row < task.end; ++row)
+  for (int row = task.begin; row < task.end; ++row) {
+    if constexpr (rows == Rows::differing) take_row(task, row, loop);
     for (int column = 0; column < columns; column += at_once)
       loop.damp_run(task.grid.particle(row, column), at_once);
+  }
 }
 
 // Column by column, the even rows before the odd ones: of families of one or two rows, whose
@@ -122,7 +147,7 @@ template <std::size_t ends>
 template <std::size_t ends>
 [[gnu::always_inline]] inline void damp_turned(const Task& task) {
   for (int parity = 0; parity < 2; ++parity) {
-    const auto loop = loop_of<ends>(task, [&](const DashpotFamily::End& end) -> Index {
+    const auto loop = loop_of<ends, Rows::alike>(task, [&](const DashpotFamily::End& end) -> Index {
       return turned(parity + end.rows, end.columns) - turned(parity, 0);
     });
     const int count = (task.end - task.begin + 1 - parity) / 2;
@@ -133,10 +158,12 @@ template <std::size_t ends>
 
 template <std::size_t ends>
 [[gnu::always_inline]] inline void damp_with(const Task& task) {
-  if (task.layout == Layout::rows)
-    damp_rows<ends>(task);
-  else
+  if (task.layout == Layout::turned)
     damp_turned<ends>(task);
+  else if (task.lightness == nullptr)
+    damp_rows<ends, Rows::alike>(task);
+  else
+    damp_rows<ends, Rows::differing>(task);
 }
 
 [[gnu::always_inline]] inline void damp_with_any(const Task& task) {
@@ -196,8 +223,10 @@ DashpotFamily::DashpotFamily(std::vector<End> of_ends) : ends(std::move(of_ends)
   are_apart_in_a_row = std::adjacent_find(ends.begin(), ends.end(), share_a_row) == ends.end();
 }
 
-InternalDamping::InternalDamping(const SpringNetwork& network, double particle_mass_kg)
+InternalDamping::InternalDamping(const SpringNetwork& network, double particle_mass_kg,
+                                 const Eigen::ArrayXd& lightness)
     : grid_(network.grid), lots_((grid_.along + rows_in_lot - 1) / rows_in_lot) {
+  for (Index i = 0; i < lightness.size(); i += grid_.across) lightness_.push_back(lightness[i]);
   const auto add = [&](DashpotFamily family, double stiffness) {
     if (stiffness == 0 || family.rows >= grid_.along || family.columns >= grid_.across) return;
     family.rate_per_s =
@@ -229,14 +258,9 @@ void InternalDamping::apply(double h, const MatrixX3d& positions, MatrixX3d& vel
   parallel_ranges(lots_.size() - 1, 8, between);
 }
 
-namespace {
-
-double fraction_lost(const DashpotFamily& family, double h) {
-  const double r = family.rate_per_s * h;
-  return r < 2 ? r / (1 + r / 2) : 1;
+const double* InternalDamping::lightness_for(const DashpotFamily& family) const {
+  return family.are_apart_in_a_row && !lightness_.empty() ? lightness_.data() : nullptr;
 }
-
-}  // namespace
 
 void InternalDamping::damp_lot(double h, int lot, const MatrixX3d& positions,
                                MatrixX3d& velocities) {
@@ -244,7 +268,7 @@ void InternalDamping::damp_lot(double h, int lot, const MatrixX3d& positions,
   const int rows = std::min(rows_in_lot, grid_.along - first_row);
   for (const DashpotFamily& family : families_)
     if (family.are_apart_in_a_row)
-      damp({grid_, family, fraction_lost(family, h), Layout::rows, first_row,
+      damp({grid_, family, lightness_for(family), h, Layout::rows, first_row,
             first_row + rows - family.rows, positions, velocities});
   auto& [turned_positions, turned_velocities] = lots_[lot];
   const auto fetch = [](double from, double& to) { to = from; };
@@ -252,8 +276,8 @@ void InternalDamping::damp_lot(double h, int lot, const MatrixX3d& positions,
   for_each_turned(grid_, first_row, rows, velocities, turned_velocities, fetch);
   for (const DashpotFamily& family : families_)
     if (!family.are_apart_in_a_row)
-      damp({grid_, family, fraction_lost(family, h), Layout::turned, 0, rows - family.rows,
-            turned_positions, turned_velocities});
+      damp({grid_, family, nullptr, h, Layout::turned, 0, rows - family.rows, turned_positions,
+            turned_velocities});
   for_each_turned(grid_, first_row, rows, velocities, turned_velocities,
                   [](double& to, double from) { to = from; });
 }
@@ -262,7 +286,7 @@ void InternalDamping::damp_after_lot(double h, int lot, const MatrixX3d& positio
                                      MatrixX3d& velocities) {
   const int next_row = (lot + 1) * rows_in_lot;
   for (const DashpotFamily& family : families_)
-    damp({grid_, family, fraction_lost(family, h), Layout::rows, next_row - family.rows,
+    damp({grid_, family, lightness_for(family), h, Layout::rows, next_row - family.rows,
           std::min(next_row, grid_.along - family.rows), positions, velocities});
 }
 

@@ -42,10 +42,15 @@ struct DashpotFamily {
 // 2003). Stable for any springs and any h; momentum and angular momentum stay, kinetic energy never
 // grows. What moves smoothly over the network loses the same in a second for any h: there each
 // dashpot meets what its neighbour has just added, by which the speed is 1 + r / 2 times as high.
+//
+// Where rows weigh differently, dashpots that lead from row to row heed it. Those that have two
+// particles in a row only exchange speed within rows, whose particles weigh the same; they slow it
+// as in a row of mean mass.
 class InternalDamping {
  public:
-  // network.damping: > 0.
-  InternalDamping(const SpringNetwork& network, double particle_mass_kg);
+  // network.damping: > 0; particle_mass_kg: mean; lightness: as Cloth has it.
+  InternalDamping(const SpringNetwork& network, double particle_mass_kg,
+                  const Eigen::ArrayXd& lightness = {});
 
   // What it does to the velocities in h seconds. particles x 3 each, m and m/s. In an order that
   // depends on the grid alone.
@@ -58,6 +63,8 @@ class InternalDamping {
     Eigen::MatrixX3d velocities;
   };
 
+  // For InternalDamping's tasks: null where rows count as equally heavy.
+  [[nodiscard]] const double* lightness_for(const DashpotFamily& family) const;
   // All dashpots between the rows of a lot.
   void damp_lot(double h, int lot, const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& velocities);
   // Those that lead from the rows of a lot to the next.
@@ -65,6 +72,7 @@ class InternalDamping {
                       Eigen::MatrixX3d& velocities);
 
   RibbonGrid grid_;
+  std::vector<double> lightness_;  // of the rows; empty: all weigh the same
   std::vector<DashpotFamily> families_;
   std::vector<Lot> lots_;
 };

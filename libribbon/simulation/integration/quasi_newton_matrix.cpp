@@ -52,10 +52,11 @@ struct Diagonals {
 // A spring counts at both of its ends. Within a row, a family costs what the mode does; between two
 // rows of amplitudes a and b it costs a^2 + b^2 - 2 (1 - cost / 2) a b, half of what it costs
 // together with its mirror image.
-Diagonals diagonals_of(const SpringNetwork& network, double inertia) {
+Diagonals diagonals_of(const SpringNetwork& network, double inertia, const ArrayXd& heaviness) {
   const auto [along, across] = network.grid;
   Diagonals result{ArrayXXd::Constant(across, along, inertia),
                    {ArrayXd::Zero(across), ArrayXd::Zero(across)}};
+  if (heaviness.size() > 0) result.main.rowwise() *= heaviness.transpose();
   for (const SpringKind* kind : network.kinds()) {
     ArrayXXd main = ArrayXXd::Zero(across, along);
     std::array<ArrayXd, 2> beside{ArrayXd::Zero(across), ArrayXd::Zero(across)};
@@ -77,7 +78,8 @@ Diagonals diagonals_of(const SpringNetwork& network, double inertia) {
 
 }  // namespace
 
-QuasiNewtonMatrix::QuasiNewtonMatrix(const SpringNetwork& network, double inertia)
+QuasiNewtonMatrix::QuasiNewtonMatrix(const SpringNetwork& network, double inertia,
+                                     const ArrayXd& heaviness)
     : grid_(network.grid),
       modes_(cosines(grid_.across)),
       columns_(modes_.transpose()),
@@ -86,11 +88,12 @@ QuasiNewtonMatrix::QuasiNewtonMatrix(const SpringNetwork& network, double inerti
       inverse_(one_before_) {
   double stiffness = 0;
   for (const SpringKind* kind : network.kinds()) stiffness += kind->stiffness;
-  factor(network, std::max(inertia, 8 * least_inertia * stiffness));
+  factor(network, std::max(inertia, 8 * least_inertia * stiffness), heaviness);
 }
 
-void QuasiNewtonMatrix::factor(const SpringNetwork& network, double inertia) {
-  auto [diagonals, beside] = diagonals_of(network, inertia);
+void QuasiNewtonMatrix::factor(const SpringNetwork& network, double inertia,
+                               const ArrayXd& heaviness) {
+  auto [diagonals, beside] = diagonals_of(network, inertia, heaviness);
   for (int row = 0; row < grid_.along; ++row) {
     auto diagonal = diagonals.col(row);
     auto one = one_before_.col(row);

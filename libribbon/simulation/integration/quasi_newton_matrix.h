@@ -9,7 +9,7 @@
 
 namespace ribbon {
 
-// The matrix A = inertia I + sum of stiffness (e_a - e_b) (e_a - e_b)^T over the springs, the same
+// The matrix A = inertia + sum of stiffness (e_a - e_b) (e_a - e_b)^T over the springs, the same
 // for each axis and however the ribbon lies. No second derivative of inertia and springs exceeds it
 // (Liu, Bargteil, O'Brien and Kavan, "Fast simulation of mass-spring systems", 2013).
 //
@@ -20,14 +20,16 @@ namespace ribbon {
 class QuasiNewtonMatrix {
  public:
   // Of a network whose families reach two rows at most, with each (rows, columns) also its mirror
-  // image (rows, -columns). inertia: N/m, above 0, what displacing one particle costs by itself.
-  QuasiNewtonMatrix(const SpringNetwork& network, double inertia);
+  // image (rows, -columns). inertia: N/m, above 0, what displacing one particle costs by itself;
+  // heaviness: how many times that, above 0, for each row; empty: once.
+  QuasiNewtonMatrix(const SpringNetwork& network, double inertia,
+                    const Eigen::ArrayXd& heaviness = {});
 
   // Overwrites `displacement` with A^-1 force, both particles x 3.
   void solve(const Eigen::MatrixX3d& force, Eigen::MatrixX3d& displacement);
 
  private:
-  void factor(const SpringNetwork& network, double inertia);
+  void factor(const SpringNetwork& network, double inertia, const Eigen::ArrayXd& heaviness);
   void solve_along(Eigen::MatrixXd& amplitudes) const;
 
   RibbonGrid grid_;

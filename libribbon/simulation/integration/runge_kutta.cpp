@@ -15,14 +15,15 @@ class RungeKutta final : public Integrator {
   RungeKutta(const SpringNetwork& springs, const MotionProperties& properties)
       : Integrator(springs, properties,
                    stable_substeps(properties.step_s,
-                                   fastest_frequency(springs, properties.particle_mass_kg) +
+                                   fastest_frequency(springs, properties.particle_mass_kg,
+                                                     properties.lightness) +
                                        properties.air_resistance_per_s,
                                    runge_kutta_stability_limit)) {}
 
  private:
   // Of one stage, from positions x and velocities v.
   void accelerate(const MatrixX3d& x, const MatrixX3d& v, MatrixX3d& a) {
-    springs_.forces(x, a);
+    spring_forces_on_mean(x, a);
     a = a / properties_.particle_mass_kg - properties_.air_resistance_per_s * v;
     if (state_.accelerations.rows() > 0) a += state_.accelerations;
   }

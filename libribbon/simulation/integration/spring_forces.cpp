@@ -41,7 +41,8 @@ SpringForces::SpringForces(const SpringNetwork& network)
 void SpringForces::add(const SpringFamily& family, double stiffness, const RibbonGrid& grid) {
   const Index offset = grid.particle(family.rows, family.columns);
   if (stiffness == 0 || offset >= particle_count_) return;
-  Family added{offset, family.rest_length_m, ArrayXd::Zero(particle_count_ - offset)};
+  Family added{offset, family.rest_length_m, family.rest_lengths_m,
+               ArrayXd::Zero(particle_count_ - offset)};
   for_each_spring(grid, family, [&](int a, int) { added.stiffness[a] = stiffness; });
   families_.push_back(std::move(added));
 }
@@ -66,6 +67,9 @@ void SpringForces::forces_on(Index begin, Index end, const MatrixX3d& positions,
     SpringRun run{.count = last - first,
                   .stiffness = family.stiffness.data() + first,
                   .rest_length_m = family.rest_length_m,
+                  .rest_lengths_m = family.rest_lengths_m.empty()
+                                        ? nullptr
+                                        : family.rest_lengths_m.data() + first,
                   .twice_energy_j = twice_energy_j.data() + (first - begin_run)};
     for (int axis = 0; axis < 3; ++axis) {
       run.starts[axis] = positions.col(axis).data() + first;
@@ -88,7 +92,8 @@ double SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
   return energy_j;
 }
 
-double fastest_frequency(const SpringNetwork& network, double particle_mass_kg) {
+double fastest_frequency(const SpringNetwork& network, double particle_mass_kg,
+                         const ArrayXd& lightness) {
   std::vector<double> sums(network.grid.particle_count());
   for (const SpringKind* kind : network.kinds())
     for (const SpringFamily& family : kind->families)
@@ -96,6 +101,7 @@ double fastest_frequency(const SpringNetwork& network, double particle_mass_kg) 
         sums[a] += kind->stiffness;
         sums[b] += kind->stiffness;
       });
+  for (Index i = 0; i < lightness.size(); ++i) sums[i] *= lightness[i];
   // Gershgorin: no eigenvalue of the stiffness exceeds twice the largest sum at one particle.
   return std::sqrt(2 * *std::max_element(sums.begin(), sums.end()) / particle_mass_kg);
 }

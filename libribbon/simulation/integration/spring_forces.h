@@ -29,7 +29,8 @@ class SpringForces {
   struct Family {
     Eigen::Index offset = 0;
     double rest_length_m = 0;
-    Eigen::ArrayXd stiffness;  // N/m
+    std::vector<double> rest_lengths_m;  // as in SpringFamily
+    Eigen::ArrayXd stiffness;            // N/m
   };
 
   // What the springs at one range of particles need while they are computed.
@@ -50,7 +51,8 @@ class SpringForces {
 };
 
 // An upper bound of the fastest angular frequency (rad/s) at which any particle can swing on its
-// springs, however the ribbon lies.
-double fastest_frequency(const SpringNetwork& network, double particle_mass_kg);
+// springs, however the ribbon lies. particle_mass_kg: mean; lightness: as Cloth has it.
+double fastest_frequency(const SpringNetwork& network, double particle_mass_kg,
+                         const Eigen::ArrayXd& lightness = {});
 
 }  // namespace ribbon

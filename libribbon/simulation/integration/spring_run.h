@@ -6,13 +6,14 @@
 
 namespace ribbon {
 
-// `count` springs of equal rest length one after the other, each array as long. No two arrays
+// `count` springs one after the other, each array as long. No two arrays
 // overlap but `starts` with `ends`.
 struct SpringRun {
   std::ptrdiff_t count = 0;
-  const double* stiffness = nullptr;      // N/m
-  double rest_length_m = 0;               // of each; not used where the stiffness is 0
-  std::array<const double*, 3> starts{};  // the coordinates of their starts and ends, m
+  const double* stiffness = nullptr;  // N/m
+  double rest_length_m = 0;  // of each, where there is no list; not used where the stiffness is 0
+  const double* rest_lengths_m = nullptr;  // of one after the other, finite
+  std::array<const double*, 3> starts{};   // the coordinates of their starts and ends, m
   std::array<const double*, 3> ends{};
   std::array<double*, 3> tension{};  // result: the force on the start, N
   double* twice_energy_j = nullptr;  // result: stiffness times elongation squared

@@ -17,14 +17,15 @@ class SymplecticEuler final : public Integrator {
   SymplecticEuler(const SpringNetwork& springs, const MotionProperties& properties)
       : Integrator(springs, properties,
                    stable_substeps(properties.step_s,
-                                   fastest_frequency(springs, properties.particle_mass_kg),
+                                   fastest_frequency(springs, properties.particle_mass_kg,
+                                                     properties.lightness),
                                    symplectic_stability_limit)) {}
 
  private:
   // v' = v + h (F(x) / m - c v'), then x' = x + h v'.
   void advance(double h) override {
     const double slowed = 1 / (1 + h * properties_.air_resistance_per_s);
-    springs_.forces(state_.positions, forces_);
+    spring_forces_on_mean(state_.positions, forces_);
     state_.velocities += h / properties_.particle_mass_kg * forces_;
     if (state_.accelerations.rows() > 0) state_.velocities += h * state_.accelerations;
     state_.velocities *= slowed;

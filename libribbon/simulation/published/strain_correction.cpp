@@ -26,8 +26,7 @@ bool PublishedStrainCorrection::any_over_limit(const Matrix3Xd& positions) const
   bool any = false;
   for (const SpringFamily& family : {along_, across_})
     for_each_spring(grid_, family, [&](int a, int b) {
-      any = any ||
-            excess_m(length_of(positions.col(b) - positions.col(a)), family.rest_length_m) != 0;
+      any = any || excess_m(length_of(positions.col(b) - positions.col(a)), family.rest_m(a)) != 0;
     });
   return any;
 }
@@ -48,14 +47,13 @@ void PublishedStrainCorrection::correct_edge(int a, int b, double rest_length_m,
 void PublishedStrainCorrection::apply(Matrix3Xd& positions) const {
   const Matrix3Xd directions = SmoothedTangents(grid_).at(positions);
   for_each_spring(grid_, along_, [&](int a, int b) {
-    correct_edge(a, b, along_.rest_length_m, directions.col(a) + directions.col(b), positions);
+    correct_edge(a, b, along_.rest_m(a), directions.col(a) + directions.col(b), positions);
   });
   for_each_spring(grid_, across_, [&](int a, int b) {
     // Across, the neighbours on either side smooth the direction.
     const int before = grid_.column(a) > 0 ? a - 1 : a;
     const int after = grid_.column(b) + 1 < grid_.across ? b + 1 : b;
-    correct_edge(a, b, across_.rest_length_m, positions.col(after) - positions.col(before),
-                 positions);
+    correct_edge(a, b, across_.rest_m(a), positions.col(after) - positions.col(before), positions);
   });
 }
 

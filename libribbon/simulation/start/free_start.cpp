@@ -175,15 +175,16 @@ class StartSearch {
     if (growth.settled_fraction == 0)
       return failure(scene_.name, "even a thin band along the drawing does not settle" + at,
                      remedy(false));
-    const double roomy_m = growth.settled_fraction * ribbon_.width_m;
-    return failure(scene_.name,
-                   "the ribbon finds no room for its width of " + metres(ribbon_.width_m) +
-                       ": grown from a thin band it settles up to " + metres(roomy_m) + " only" +
-                       at,
-                   // With a margin: grown in other steps, it folds otherwise.
-                   "set ribbon.width to " + short_number(0.9 * roomy_m, 3) +
-                       ", or leave more room there, between the strands" +
-                       (bodies_.obstacle ? " and around the obstacle" : " of the drawing"));
+    const double width_m = ribbon_.size().widest_m();
+    const double roomy_m = growth.settled_fraction * width_m;
+    return failure(
+        scene_.name,
+        "the ribbon finds no room for its width of " + metres(width_m) +
+            ": grown from a thin band it settles up to " + metres(roomy_m) + " only" + at,
+        // With a margin: grown in other steps, it folds otherwise.
+        "set ribbon.width to " + std::string(ribbon_.size().has_profile() ? "at most " : "") +
+            short_number(0.9 * roomy_m, 3) + ", or leave more room there, between the strands" +
+            (bodies_.obstacle ? " and around the obstacle" : " of the drawing"));
   }
 
   static std::string remedy(bool of_obstacle) {

@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "geometry/rest_size.h"
 #include "geometry/ribbon_grid.h"
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
-#include "ribbon_mesh/rest_size.h"
 #include "scene/scene.h"
 #include "simulation/contact/contact_lengths.h"
 

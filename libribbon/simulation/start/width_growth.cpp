@@ -47,7 +47,7 @@ bool are_few(const StrainedEdges& edges, const RibbonGrid& grid) {
 }  // namespace
 
 RestSize rest_size(const RibbonMesh& ribbon, double fraction) {
-  return {ribbon.grid, ribbon.length_m, fraction * ribbon.width_m};
+  return ribbon.size().narrowed(fraction);
 }
 
 Matrix3Xd rows_scaled(const RibbonGrid& grid, double scale, const Matrix3Xd& positions) {

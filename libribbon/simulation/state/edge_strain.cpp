@@ -10,8 +10,11 @@ namespace ribbon {
 
 using Eigen::Matrix3Xd;
 
-double worst_strain(const RibbonGrid& grid, const SpringFamily& family,
-                    const Matrix3Xd& positions) {
+namespace {
+
+// By length alone, for all have the same at rest: no root and no quotient for each of them.
+double worst_strain_of_alike(const RibbonGrid& grid, const SpringFamily& family,
+                             const Matrix3Xd& positions) {
   double shortest = std::numeric_limits<double>::infinity();  // squared
   double longest = 0;
   for_each_spring(grid, family, [&](int a, int b) {
@@ -23,6 +26,18 @@ double worst_strain(const RibbonGrid& grid, const SpringFamily& family,
   const double rest_m = family.rest_length_m;
   return std::max(std::abs(std::sqrt(shortest) / rest_m - 1),
                   std::abs(std::sqrt(longest) / rest_m - 1));
+}
+
+}  // namespace
+
+double worst_strain(const RibbonGrid& grid, const SpringFamily& family,
+                    const Matrix3Xd& positions) {
+  if (family.rest_lengths_m.empty()) return worst_strain_of_alike(grid, family, positions);
+  double worst = 0;
+  for_each_spring(grid, family, [&](int a, int b) {
+    worst = std::max(worst, std::abs(edge_strain(family, a, b, positions)));
+  });
+  return worst;
 }
 
 double worst_strain(const SpringNetwork& springs, const Matrix3Xd& positions) {

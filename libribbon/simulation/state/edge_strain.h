@@ -15,7 +15,7 @@ inline constexpr double paper_strain_limit = 0.1;
 // it is stretched. positions, here and below: 3 x particles.
 inline double edge_strain(const SpringFamily& family, int a, int b,
                           const Eigen::Matrix3Xd& positions) {
-  return length_of(positions.col(b) - positions.col(a)) / family.rest_length_m - 1;
+  return length_of(positions.col(b) - positions.col(a)) / family.rest_m(a) - 1;
 }
 
 // The largest |strain| of a family's edges.

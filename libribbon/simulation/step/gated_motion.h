@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "ribbon_mesh/rest_size.h"
+#include "geometry/rest_size.h"
 #include "simulation/contact/pair_distances.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/detection/feature_pairs.h"

@@ -335,12 +335,13 @@ TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLength
       integrator_(
           create_integrator(scene.time.integrator, spring_network(size, scene.springs),
                             {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s,
-                             scene.gravity_m_s2, scene.time.tolerance})),
+                             scene.gravity_m_s2, scene.time.tolerance, lightness(size)})),
       distances_(pair_distances(scene, size, lengths)),
       repulsion_{.friction = scene.friction},
       strain_correction_(scene.strain_correction),
       strain_constraints_(strain_constraints(scene, size, lengths.rounding_m)),
       activity_(strain_constraints_.activity()),
+      contacts_(lightness(size)),
       gate_(size, distances_),
       published_correction_(size, paper_strain_limit),
       recovery_(RecoverySettings::of_edge(size.shortest_edge_m())) {}

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "ribbon_mesh/rest_size.h"
+#include "geometry/rest_size.h"
 #include "scene/scene.h"
 #include "simulation/contact/contact_lengths.h"
 #include "simulation/contact/repulsion.h"
@@ -36,6 +36,7 @@ inline constexpr int settling_rounds = 50;
 class TimeStep {
  public:
   // `lengths`: of a band of that size. contact = "paper" has distances of its own.
+  // particle_mass_kg: mean.
   TimeStep(const Scene& scene, const RestSize& size, const ContactLengths& lengths,
            double particle_mass_kg);
 

@@ -24,7 +24,8 @@ constexpr double negligible_violation = 0.03;  // of a distance
 // Where the closest points leave no direction, or nothing could move, one of distance 0, which is
 // always kept.
 ContactConstraint constraint_of(const FeaturePair& pair, const Bodies& bodies,
-                                const VertexPositions& vertices, const PairDistances& distances) {
+                                const VertexPositions& vertices, const PairDistances& distances,
+                                const Eigen::ArrayXd& lightness) {
   const auto x = corners(pair, vertices);
   ContactConstraint constraint;
   constraint.vertices = pair.vertices;
@@ -33,7 +34,9 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Bodies& bodies,
   const double distance_m = length_of(apart);
   for (int k = 0; k < 4; ++k)
     constraint.corrections[k] = bodies.is_particle(pair.vertices[k]) ? constraint.weights[k] : 0;
-  // Of particles of mass 1.
+  for (int k = 0; k < 4 && lightness.size() > 0; ++k)
+    if (constraint.corrections[k] != 0) constraint.corrections[k] *= lightness[pair.vertices[k]];
+  // Of particles of mean mass 1.
   const double effective_inverse_mass = dot(constraint.corrections, constraint.weights);
   if (distance_m == 0 || effective_inverse_mass == 0) return constraint;
   constraint.corrections /= effective_inverse_mass;
@@ -57,7 +60,7 @@ const std::vector<ContactConstraint>& ContactConstraints::find(
   found_.resize(near.size());
   parallel_ranges(near.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      found_[i] = constraint_of(candidates.pairs[near[i]], bodies, vertices, distances);
+      found_[i] = constraint_of(candidates.pairs[near[i]], bodies, vertices, distances, lightness_);
   });
   return found_;
 }

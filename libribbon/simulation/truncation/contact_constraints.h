@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "simulation/contact/pair_distances.h"
@@ -26,6 +27,9 @@ struct ContactConstraint {
 // Keeps its memory.
 class ContactConstraints {
  public:
+  // As Cloth has it.
+  explicit ContactConstraints(Eigen::ArrayXd lightness = {}) : lightness_(std::move(lightness)) {}
+
   // One for each listed pair that could come into contact between `free_positions`, in which
   // nothing intersects, and `target` (3 x particles each): along the line between its closest
   // points in the free ones, contact shall not begin, or, where it has begun, open by a fifth of
@@ -36,6 +40,7 @@ class ContactConstraints {
                                              const Eigen::Matrix3Xd& target);
 
  private:
+  Eigen::ArrayXd lightness_;
   Eigen::Matrix3Xd displacement_;
   ApproachingPairs approaching_;
   std::vector<ContactConstraint> found_;

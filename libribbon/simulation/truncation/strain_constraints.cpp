@@ -20,12 +20,12 @@ constexpr double recordable_strain = 0.99 * paper_strain_limit;
 
 // Moves the two ends of an edge that is too long or too short, and takes from them the speed at
 // which it becomes more so. By how much of its rest length was it?
-double tighten_edge(const LimitedFamily& limited, int a, int b, Cloth& cloth) {
+double tighten_edge(double limit, double rest_m, int a, int b, Cloth& cloth) {
   const Eigen::Vector3d apart = cloth.positions.col(b) - cloth.positions.col(a);
   const double length_m = length_of(apart);
   const double excess_m =
-      length_m - std::clamp(length_m, limited.shortest_m(), limited.longest_m());
-  const double from_rest_m = length_m - limited.family.rest_length_m;
+      length_m - std::clamp(length_m, (1 - limit) * rest_m, (1 + limit) * rest_m);
+  const double from_rest_m = length_m - rest_m;
   const double corrected_m = std::copysign(
       std::min(over_relaxation * std::abs(excess_m), std::abs(from_rest_m)), excess_m);
   const Eigen::Vector3d correction = 0.5 * corrected_m / length_m * apart;
@@ -37,24 +37,25 @@ double tighten_edge(const LimitedFamily& limited, int a, int b, Cloth& cloth) {
     cloth.velocities.col(a) += 0.5 * worsening * correction;
     cloth.velocities.col(b) -= 0.5 * worsening * correction;
   }
-  return std::abs(excess_m) / limited.family.rest_length_m;
+  return std::abs(excess_m) / rest_m;
 }
 
 // Was any of them beyond its limit by more than is negligible?
-bool tighten_all(const LimitedFamily& limited, const RibbonGrid& grid, RowActivity& activity,
-                 Cloth& cloth) {
-  const double shortest_m = limited.shortest_m();
-  const double longest_m = limited.longest_m();
+template <class RestLengths>
+bool tighten_all(const SpringFamily& family, double limit, const RestLengths& rest_m,
+                 const RibbonGrid& grid, RowActivity& activity, Cloth& cloth) {
   double worst = 0;
-  for (int row = 0; row + limited.family.rows < grid.along; ++row) {
-    const int other_row = row + limited.family.rows;
+  for (int row = 0; row + family.rows < grid.along; ++row) {
+    const int other_row = row + family.rows;
     if (activity.is_resting(row) && activity.is_resting(other_row)) continue;
-    for_each_spring_of_row(grid, limited.family, row, [&](int a, int b) {
+    for_each_spring_of_row(grid, family, row, [&](int a, int b) {
+      const double shortest_m = (1 - limit) * rest_m(a);
+      const double longest_m = (1 + limit) * rest_m(a);
       const double squared = squared_length_of(cloth.positions.col(b) - cloth.positions.col(a));
       // A collapsed edge has no direction to grow in; its neighbours give it one.
       if ((squared >= shortest_m * shortest_m && squared <= longest_m * longest_m) || squared == 0)
         return;
-      worst = std::max(worst, tighten_edge(limited, a, b, cloth));
+      worst = std::max(worst, tighten_edge(limit, rest_m(a), a, b, cloth));
       activity.move(row);
       activity.move(other_row);
     });
@@ -71,7 +72,12 @@ bool StrainConstraints::tighten(RowActivity& activity, Cloth& cloth) const {
   bool any = false;
   for (std::size_t i = 0; i < families_.size(); ++i) {
     activity.begin(first_family_task + i);
-    any = tighten_all(families_[i], grid_, activity, cloth) || any;
+    const auto& [family, limit, most] = families_[i];
+    any = with_rest_lengths(family,
+                            [&](const auto& rest_m) {
+                              return tighten_all(family, limit, rest_m, grid_, activity, cloth);
+                            }) ||
+          any;
   }
   return any;
 }

@@ -16,9 +16,6 @@ struct LimitedFamily {
   SpringFamily family;
   double limit = 0;  // of the rest length, in both directions: what is aimed at
   double most = 0;   // what no step may leave
-
-  [[nodiscard]] double shortest_m() const { return (1 - limit) * family.rest_length_m; }
-  [[nodiscard]] double longest_m() const { return (1 + limit) * family.rest_length_m; }
 };
 
 // Of all edges.

@@ -61,6 +61,21 @@ TEST(PairDistances, a_corner_and_the_diagonal_beside_it_do_not_touch_in_the_flat
   EXPECT_NEAR(thick().activation_m(corner), 0.5 * 0.02 / std::sqrt(0.05), 1e-12);
 }
 
+// By hand: rows 0.1 m apart; columns 0.1 m apart in row 0, 0.3 m in row 9.
+TEST(PairDistances, of_a_ribbon_with_a_profile_go_by_its_own_rows) {
+  RestSize tapered{grid, 0.9, 0.6};
+  for (int row = 0; row < grid.along; ++row) tapered.row_widths_m.push_back(0.3 + 0.6 * row / 9);
+  const PairDistances distances(
+      tapered, {.min_separation_m = 0.001, .activation_m = 0.002, .thickness_m = 1});
+  const auto across = [](int row) {
+    return FeaturePair{Kind::edge_edge,
+                       {grid.particle(row, 0), grid.particle(row, 1), grid.particle(row, 2),
+                        grid.particle(row, 3)}};
+  };
+  EXPECT_NEAR(distances.activation_m(across(0)), 0.05, 1e-12);
+  EXPECT_NEAR(distances.activation_m(across(9)), 0.15, 1e-12);
+}
+
 TEST(PairDistances, the_obstacle_is_touched_at_half_the_thickness) {
   const int first = grid.particle_count();
   const FeaturePair with_obstacle{Kind::vertex_triangle, {0, first, first + 1, first + 2}};

@@ -23,7 +23,7 @@ Matrix3Xd straight(const RibbonGrid& particles) {
 }
 
 FasteningForce force_on_straight(const FasteningScene& scene, double air_per_s = 1) {
-  return {scene, air_per_s, grid, straight(grid), mass_kg};
+  return {scene, air_per_s, {grid, 8, 1}, straight(grid), mass_kg};
 }
 
 Matrix3Xd forces_on_straight(const FasteningScene& scene, double air_per_s = 1) {
@@ -91,9 +91,27 @@ TEST(FasteningForce, by_the_ends_draws_each_half_at_the_given_speed) {
 
 TEST(FasteningForce, by_the_ends_holds_no_more_than_there_is) {
   const RibbonGrid wide{4, 6};
-  FasteningForce force({.speed_m_s = 1, .pull = FasteningPull::ends}, 1, wide, straight(wide), 1);
+  FasteningForce force({.speed_m_s = 1, .pull = FasteningPull::ends}, 1, {wide, 3, 5},
+                       straight(wide), 1);
   // By hand: 12 particles a half, all of them held.
   EXPECT_NEAR(force.at(straight(wide)).leftCols(12).rowwise().sum().norm(), 12, 1e-12);
+}
+
+// Forces are those on particles of mean mass; the last row weighs five times as much as the first.
+TEST(FasteningForce, draws_both_halves_as_hard_where_rows_weigh_differently) {
+  RestSize tapered{grid, 8, 0.6};
+  for (int row = 0; row < grid.along; ++row) tapered.row_widths_m.push_back(0.2 + 0.1 * row);
+  for (const FasteningPull pull : {FasteningPull::distributed, FasteningPull::ends}) {
+    FasteningForce force({.speed_m_s = 0.7, .pull = pull}, 3, tapered, straight(grid), mass_kg);
+    Eigen::Vector2d pulled = Eigen::Vector2d::Zero();
+    const Matrix3Xd forces = force.at(straight(grid));
+    for (int p = 0; p < grid.particle_count(); ++p)
+      pulled[grid.row(p) < grid.along / 2 ? 0 : 1] +=
+          forces(0, p) * tapered.row_width_m(grid.row(p)) / tapered.width_m;
+    EXPECT_LT(pulled[0], -1);
+    // Published, it also goes by the distance from the axis, whose mean over the masses differs.
+    EXPECT_NEAR(pulled.sum(), 0, pull == FasteningPull::ends ? 1e-12 : 0.15 * pulled[1]);
+  }
 }
 
 }  // namespace ribbon::fastening_force_test

@@ -54,7 +54,7 @@ TEST(StagedHands, pull_the_rows_that_they_have_and_no_others) {
 TEST(StagedHands, along_on_all_of_the_band_is_the_fastening_force) {
   const Scene scene = scene_of({{.hands = {hand(0, 1, HandTask::pull_along)}}});
   const Cloth cloth = cloth_at_rest();
-  FasteningForce published(*scene.fastening, 2, size.grid, cloth.positions, 0.5);
+  FasteningForce published(*scene.fastening, 2, size, cloth.positions, 0.5);
   EXPECT_TRUE(hands_of(scene).pull(cloth).isApprox(published.at(cloth.positions)));
 }
 

@@ -29,6 +29,19 @@ TEST(Yielding, gives_way_altogether_at_one_and_a_half_of_its_strain) {
   for (const double stretch : {0.0751, 3.0}) EXPECT_EQ(fraction_at(stretch), 0) << stretch;
 }
 
+TEST(Yielding, of_a_ribbon_with_a_profile_goes_by_its_own_rest_lengths) {
+  RestSize tapered = size;
+  for (int row = 0; row < size.grid.along; ++row) tapered.row_widths_m.push_back(1 + 0.8 * row);
+  const auto fraction_at = [&](double stretch) {
+    Eigen::Matrix3Xd stretched(3, size.grid.particle_count());
+    for (int p = 0; p < size.grid.particle_count(); ++p)
+      stretched.col(p) << (1 + stretch) * tapered.place_m(p), 0;
+    return Yielding(tapered, 0.05).force_fraction(stretched);
+  };
+  EXPECT_EQ(fraction_at(0.024), 1);
+  EXPECT_NEAR(fraction_at(0.05), 0.5, 1e-9);
+}
+
 TEST(Yielding, does_not_mind_one_row_in_a_hundred) {
   // By hand: edges lead from 100 rows, so those of one may be stretched.
   Yielding yielding(size, 0.05);

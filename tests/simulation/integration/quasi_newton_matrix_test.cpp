@@ -74,6 +74,18 @@ TEST(QuasiNewtonMatrix, solves_for_the_displacement_of_forces) {
   }
 }
 
+TEST(QuasiNewtonMatrix, heeds_that_rows_weigh_differently) {
+  const RibbonGrid grid{12, 5};
+  const SpringNetwork network = network_of(grid);
+  const Eigen::ArrayXd heaviness = Eigen::ArrayXd::LinSpaced(grid.along, 0.5, 1.5);
+  MatrixXd matrix = mirrored_matrix_of(network, 0);
+  for (int p = 0; p < grid.particle_count(); ++p) matrix(p, p) += 0.25 * heaviness[grid.row(p)];
+  const MatrixX3d forces = some_forces(grid.particle_count());
+  MatrixX3d displacement;
+  QuasiNewtonMatrix(network, 0.25, heaviness).solve(forces, displacement);
+  EXPECT_LT((displacement - matrix.ldlt().solve(forces)).norm(), 1e-11);
+}
+
 TEST(QuasiNewtonMatrix, costs_no_less_than_the_network) {
   const SpringNetwork network = network_of({9, 6});
   const MatrixXd excess = mirrored_matrix_of(network, 0.25) - matrix_of(network, 0.25);

@@ -20,7 +20,7 @@ void for_each_spring(const SpringNetwork& network, const Visit& visit) {
   for (const SpringKind* kind : network.kinds())
     for (const SpringFamily& family : kind->families)
       for_each_spring(network.grid, family,
-                      [&](int a, int b) { visit(a, b, family.rest_length_m, kind->stiffness); });
+                      [&](int a, int b) { visit(a, b, family.rest_m(a), kind->stiffness); });
 }
 
 inline double elastic_energy_j(const SpringNetwork& network, const Eigen::Matrix3Xd& positions) {

@@ -52,6 +52,28 @@ TEST(ContactConstraints, move_what_is_pressed_together_apart_gently) {
     EXPECT_NEAR(sheet.cloth.positions(1, p), 0.02, 1e-3) << p;
 }
 
+// By hand, of a vertex that weighs three times as much as each corner of the triangle beneath, over
+// its middle: of the way apart it makes one part, and they three. lightness: 1/3 and 1.
+TEST(ContactConstraints, move_what_is_light_farther) {
+  const Bodies bodies{grid, std::nullopt};
+  Matrix3Xd positions = flat_ribbon(grid);
+  const int vertex = grid.particle(4, 1);
+  positions.col(vertex) = (positions.col(0) + positions.col(3) + positions.col(1)) / 3;
+  positions(1, vertex) = 0.1;
+  const ContactCandidates candidates{
+      .from = positions,
+      .bounds = {},
+      .pairs = {{FeaturePair::Kind::vertex_triangle, {vertex, 0, 3, 1}}},
+      .distances_m = {0.1}};
+  Eigen::ArrayXd lightness = Eigen::ArrayXd::Ones(grid.particle_count());
+  lightness[vertex] = 1.0 / 3;
+  const auto constraints =
+      ContactConstraints(lightness).find(candidates, bodies, distances, 0.3, positions, positions);
+  ASSERT_EQ(constraints.size(), 1U);
+  EXPECT_NEAR(constraints[0].corrections[0], 0.5, 1e-12);
+  EXPECT_NEAR(constraints[0].corrections[1], -0.5, 1e-12);
+}
+
 TEST(ContactConstraints, stop_what_sinks_without_throwing_it_back) {
   Sinking sheet(-0.5, 1);
   sheet.cloth.velocities.row(0).setConstant(3);
