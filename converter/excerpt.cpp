@@ -19,11 +19,6 @@ double largest_change_m(double coordinate_error_m) {
   return 2 * std::sqrt(3.0) * (1 + 1e-12) * coordinate_error_m;
 }
 
-double shortest_edge_m(const RecordingHeader& header) {
-  return std::min(header.ribbon_length_m / (header.grid.along - 1),
-                  header.ribbon_width_m / (header.grid.across - 1));
-}
-
 // One of how many frames is kept?
 int thinned_by(const std::vector<int>& kept) {
   return kept.size() < 2 ? 1 : kept[1] - kept[0];
@@ -44,7 +39,8 @@ Result<void> coarsen(RecordingHeader& header, double max_error_m, float reach_m)
             metres(header.max_position_error_m + header.stated_gap_m / largest_change_m(1)) +
             " for --max-error");
   header.stated_gap_m -= std::min(change_m, header.stated_gap_m);
-  if (header.strain_limit > 0) header.strain_limit += change_m / shortest_edge_m(header);
+  if (header.strain_limit > 0)
+    header.strain_limit += change_m / rest_size(header).shortest_edge_m();
   header.max_position_error_m = max_error_m;
   header.quantisation_step_m = quantisation_step_m(added_m, reach_m);
   return {};

@@ -8,7 +8,7 @@ Result<void> InterpolationCheck::add(const PlayedFrame& frame, Interpolated& int
   if (auto read = between_.read(frame.index, frame.after, positions_); !read) return read;
   if (!verifier_) {
     const RecordingHeader& header = reader_.header();
-    verifier_.emplace(header.grid, header.ribbon_length_m, header.ribbon_width_m, header.obstacle);
+    verifier_.emplace(rest_size(header), header.obstacle);
   }
   ++interpolated.moments;
   if (positions_.allFinite() && !verifier_->intersects(positions_)) return {};

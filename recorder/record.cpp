@@ -41,6 +41,7 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
   header.uv = ribbon.uv;
   header.ribbon_length_m = ribbon.length_m;
   header.ribbon_width_m = ribbon.width_m;
+  header.row_widths_m = ribbon.row_widths_m;
   header.frames_per_second = scene.recording.frames_per_second;
   header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
   header.entropy_tables = standard_entropy_tables();

@@ -26,8 +26,7 @@ class RecordingVerifier {
                     std::vector<PartVerification> parts)
       : reader_(reader),
         order_(order),
-        verifier_(reader.header().grid, reader.header().ribbon_length_m,
-                  reader.header().ribbon_width_m, reader.header().obstacle,
+        verifier_(rest_size(reader_.header()), reader.header().obstacle,
                   reader.header().limited_edges),
         knot_(reader.header().grid, std::nullopt,
               object_axis(reader.header().centre_axis, reader.header().obstacle), "") {

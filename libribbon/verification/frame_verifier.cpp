@@ -1,6 +1,7 @@
 #include "verification/frame_verifier.h"
 
 #include <cassert>
+#include <utility>
 
 namespace ribbon {
 
@@ -25,25 +26,22 @@ TriangleSoup joined(const RibbonGrid& grid, const std::optional<TriangleMesh>& o
 
 }  // namespace
 
-FrameVerifier::FrameVerifier(const RibbonGrid& grid, double length_m, double width_m,
-                             const std::optional<TriangleMesh>& obstacle,
+FrameVerifier::FrameVerifier(RestSize size, const std::optional<TriangleMesh>& obstacle,
                              const LimitedEdges& limited)
-    : grid_(grid),
-      length_m_(length_m),
-      width_m_(width_m),
+    : size_(std::move(size)),
       limited_(limited),
-      soup_(joined(grid, obstacle)),
+      soup_(joined(size_.grid, obstacle)),
       owners_(soup_.triangles),
       obstacle_(soup_, soup_.judged, static_cast<int>(soup_.triangles.cols())) {}
 
 TriangleSoup FrameVerifier::soup(const Eigen::Matrix3Xf& positions) const {
   TriangleSoup soup = soup_;
-  soup.points.leftCols(grid_.particle_count()) = positions;
+  soup.points.leftCols(size_.grid.particle_count()) = positions;
   return soup;
 }
 
 LayerGaps FrameVerifier::layer_gaps(const Eigen::Matrix3Xf& positions) const {
-  return {soup(positions), grid_, length_m_, width_m_, obstacle_};
+  return {soup(positions), size_, obstacle_};
 }
 
 bool FrameVerifier::intersects(const Eigen::Matrix3Xf& positions) const {
@@ -53,13 +51,13 @@ bool FrameVerifier::intersects(const Eigen::Matrix3Xf& positions) const {
 }
 
 FrameVerdict FrameVerifier::verify(const Eigen::Matrix3Xf& positions) const {
-  assert(positions.cols() == grid_.particle_count());
+  assert(positions.cols() == size_.grid.particle_count());
   FrameVerdict verdict;
   verdict.finite = positions.allFinite();
   if (!verdict.finite) return verdict;
   const TriangleSoup frame = soup(positions);
   const BoxTree ribbon(frame, 0, frame.judged);
-  verdict.strain = largest_strain(grid_, length_m_, width_m_, limited_, positions);
+  verdict.strain = largest_strain(size_, limited_, positions);
   verdict.intersections = intersecting_pairs(frame, ribbon, obstacle_, most_pairs);
   const auto& pairs = verdict.intersections.pairs;
   if (!pairs.empty())

@@ -29,10 +29,10 @@ struct FrameVerdict {
 
 class FrameVerifier {
  public:
-  // A grid of at least 2 x 2 particles, the ribbon's size at rest, an obstacle whose positions are
+  // The ribbon's size at rest, of at least 2 x 2 particles, an obstacle whose positions are
   // finite and whose triangles may be as bad as they like, and the edges whose strain is measured.
-  FrameVerifier(const RibbonGrid& grid, double length_m, double width_m,
-                const std::optional<TriangleMesh>& obstacle, const LimitedEdges& limited = {});
+  explicit FrameVerifier(RestSize size, const std::optional<TriangleMesh>& obstacle = std::nullopt,
+                         const LimitedEdges& limited = {});
 
   // At most so many intersecting pairs are listed per frame.
   static constexpr std::size_t most_pairs = 100'000;
@@ -51,9 +51,7 @@ class FrameVerifier {
   [[nodiscard]] LayerGaps layer_gaps(const Eigen::Matrix3Xf& positions) const;
 
  private:
-  RibbonGrid grid_;
-  double length_m_;
-  double width_m_;
+  RestSize size_;
   LimitedEdges limited_;
   TriangleSoup soup_;  // the ribbon's points are still to be filled in
   FeatureOwners owners_;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/limited_edges.h"
-#include "geometry/ribbon_grid.h"
+#include "geometry/rest_size.h"
 
 namespace ribbon {
 
@@ -16,14 +16,14 @@ struct LargestStrain {
   int second = 0;
 };
 
-// Of a ribbon that is at rest length_m x width_m, as far as its edges are limited; 0 where none is.
-// positions: 3 x particles.
-LargestStrain largest_strain(const RibbonGrid& grid, double length_m, double width_m,
-                             const LimitedEdges& limited, const Eigen::Matrix3Xf& positions);
+// Of a ribbon of that size, as far as its edges are limited; 0 where none is. positions:
+// 3 x particles.
+LargestStrain largest_strain(const RestSize& rest, const LimitedEdges& limited,
+                             const Eigen::Matrix3Xf& positions);
 
 // Of each particle: the strain of that of its limited edges which is strained most; 0 where none of
 // them is limited.
-std::vector<float> particle_strains(const RibbonGrid& grid, double length_m, double width_m,
-                                    const LimitedEdges& limited, const Eigen::Matrix3Xf& positions);
+std::vector<float> particle_strains(const RestSize& rest, const LimitedEdges& limited,
+                                    const Eigen::Matrix3Xf& positions);
 
 }  // namespace ribbon

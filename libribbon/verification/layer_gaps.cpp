@@ -22,14 +22,11 @@ int steps_between(int place, int begin) {
 
 }  // namespace
 
-LayerGaps::LayerGaps(TriangleSoup soup, const RibbonGrid& grid, double length_m, double width_m,
-                     const BoxTree& rest)
+LayerGaps::LayerGaps(TriangleSoup soup, RestSize size, const BoxTree& others)
     : soup_(std::move(soup)),
-      grid_(grid),
-      along_m_(length_m / (grid.along - 1)),
-      across_m_(width_m / (grid.across - 1)),
+      size_(std::move(size)),
       ribbon_(soup_, 0, soup_.judged),
-      rest_(rest) {}
+      others_(others) {}
 
 LayerGap LayerGaps::at(int particle, double reach_m) const {
   // What is as far away as the reach is found, too.
@@ -39,9 +36,9 @@ LayerGap LayerGaps::at(int particle, double reach_m) const {
     return distance_m < rest_distance_m(particle, triangle) / 2;
   };
   approach(ribbon_, ribbon_.root(), particle, is_other_layer, gap.to_ribbon_m);
-  if (!rest_.empty())
+  if (!others_.empty())
     approach(
-        rest_, rest_.root(), particle, [](int, double) { return true; }, gap.to_obstacle_m);
+        others_, others_.root(), particle, [](int, double) { return true; }, gap.to_obstacle_m);
   for (double* found : {&gap.to_ribbon_m, &gap.to_obstacle_m})
     if (*found == beyond_m) *found = std::numeric_limits<double>::infinity();
   return gap;
@@ -74,9 +71,22 @@ void LayerGaps::approach(const BoxTree& tree, const BoxTree::Node& node, int par
 
 // To the quad of the triangle.
 double LayerGaps::rest_distance_m(int particle, int triangle) const {
+  const RibbonGrid& grid = size_.grid;
   const int quad = triangle / 2;
-  return std::hypot(along_m_ * steps_between(grid_.row(particle), quad / (grid_.across - 1)),
-                    across_m_ * steps_between(grid_.column(particle), quad % (grid_.across - 1)));
+  return std::hypot(size_.along_m() * steps_between(grid.row(particle), quad / (grid.across - 1)),
+                    rest_across_m(particle, quad));
+}
+
+// To its columns; at least, where these are no parallels.
+double LayerGaps::rest_across_m(int particle, int quad) const {
+  const RibbonGrid& grid = size_.grid;
+  if (!size_.has_profile())
+    return size_.across_m() * steps_between(grid.column(particle), quad % (grid.across - 1));
+  const auto across_m = [this](int corner) { return size_.place_m(corner).y(); };
+  const auto [a, b, c, d] = grid.quad(quad);
+  const double place_m = across_m(particle);
+  return std::max({0.0, std::min(across_m(a), across_m(b)) - place_m,
+                   place_m - std::max(across_m(c), across_m(d))});
 }
 
 }  // namespace ribbon

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "geometry/ribbon_grid.h"
+#include "geometry/rest_size.h"
 #include "verification/box_tree.h"
 #include "verification/triangle_soup.h"
 
@@ -20,10 +20,9 @@ struct LayerGap {
 // as one where it is less than half as far away as it is at rest.
 class LayerGaps {
  public:
-  // The judged triangles of `soup`, whose points must be finite, are those of `grid` that is at
-  // rest length_m x width_m; `rest` is a tree of the others and must outlive this.
-  LayerGaps(TriangleSoup soup, const RibbonGrid& grid, double length_m, double width_m,
-            const BoxTree& rest);
+  // The judged triangles of `soup`, whose points must be finite, are those of a ribbon of that
+  // size; `others` is a tree of the others and must outlive this.
+  LayerGaps(TriangleSoup soup, RestSize size, const BoxTree& others);
 
   // May be called from several threads at a time.
   [[nodiscard]] LayerGap at(int particle, double reach_m) const;
@@ -33,13 +32,12 @@ class LayerGaps {
   void approach(const BoxTree& tree, const BoxTree::Node& node, int particle, const Counts& counts,
                 double& nearest_m) const;
   [[nodiscard]] double rest_distance_m(int particle, int triangle) const;
+  [[nodiscard]] double rest_across_m(int particle, int quad) const;
 
   TriangleSoup soup_;
-  RibbonGrid grid_;
-  double along_m_;   // between rows at rest
-  double across_m_;  // between columns
+  RestSize size_;
   BoxTree ribbon_;
-  const BoxTree& rest_;
+  const BoxTree& others_;
 };
 
 }  // namespace ribbon

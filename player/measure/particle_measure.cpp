@@ -19,7 +19,7 @@ ParticleMeasure::ParticleMeasure(RecordingReader& reader, Quantity quantity, dou
     : reader_(reader), quantity_(quantity), reach_m_(reach_m) {
   const RecordingHeader& header = reader.header();
   if (quantity == Quantity::gap || quantity == Quantity::contact)
-    verifier_.emplace(header.grid, header.ribbon_length_m, header.ribbon_width_m, header.obstacle);
+    verifier_.emplace(rest_size(header), header.obstacle);
 }
 
 std::vector<float> ParticleMeasure::values(int index, const Eigen::Matrix3Xf& positions) {
@@ -39,8 +39,7 @@ std::vector<float> ParticleMeasure::values(int index, const Eigen::Matrix3Xf& po
 std::vector<float> ParticleMeasure::strains(const Eigen::Matrix3Xf& positions) const {
   const RecordingHeader& header = reader_.header();
   const LimitedEdges& limited = header.limited_edges;
-  return particle_strains(header.grid, header.ribbon_length_m, header.ribbon_width_m,
-                          limited.any() ? limited : all_edges, positions);
+  return particle_strains(rest_size(header), limited.any() ? limited : all_edges, positions);
 }
 
 std::optional<int> ParticleMeasure::load_frame_before(int index) {

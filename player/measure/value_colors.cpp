@@ -39,16 +39,11 @@ Result<double> largest_in(RecordingReader& reader, Quantity quantity,
 // rows touch as the simulation counts, which asks all features and not only the particles.
 constexpr double touching = 0.4;
 
-double nearest_particles_m(const RecordingHeader& header) {
-  return std::min(header.ribbon_length_m / (header.grid.along - 1),
-                  header.ribbon_width_m / (header.grid.across - 1));
-}
-
 Result<double> automatic_end(RecordingReader& reader, Quantity quantity,
                              const std::vector<int>& frames) {
   const RecordingHeader& header = reader.header();
   if (quantity == Quantity::gap) return header.ribbon_width_m / 10;
-  if (quantity == Quantity::contact) return touching * nearest_particles_m(header);
+  if (quantity == Quantity::contact) return touching * rest_size(header).shortest_edge_m();
   return largest_in(reader, quantity, frames);
 }
 

@@ -250,6 +250,15 @@ RecordingInfo recording_info(const std::filesystem::path& file, RecordingReader&
   return info;
 }
 
+std::string ribbon_text(const RecordingHeader& header) {
+  const RestSize size = rest_size(header);
+  return filled_in("{} x {} particles, ", header.grid.across, header.grid.along) +
+         (size.has_profile() ? filled_in("{:.6g} to {:.6g} m wide, {:.6g} m in the mean",
+                                         size.narrowest_m(), size.widest_m(), size.width_m)
+                             : filled_in("{:.6g} m wide", size.width_m)) +
+         filled_in(", {:.6g} m long", size.length_m);
+}
+
 std::string info_text(const RecordingInfo& info) {
   const RecordingHeader& header = info.header;
   return report_line("recording", info.file.string()) + report_line("scene", header.scene_name) +
@@ -257,10 +266,7 @@ std::string info_text(const RecordingInfo& info) {
          sessions_text(info) + report_line("frames", frames_text(info)) + stages_text(info) +
          ending_text(info.ending) +
          (info.outcome ? report_line("outcome", outcome_text(*info.outcome)) : "") +
-         checkpoints_text(info) +
-         report_line("ribbon", filled_in("{} x {} particles, {:.6g} m wide, {:.6g} m long",
-                                         header.grid.across, header.grid.along,
-                                         header.ribbon_width_m, header.ribbon_length_m)) +
+         checkpoints_text(info) + report_line("ribbon", ribbon_text(header)) +
          report_line("input curve", curve_text(header.input_curve)) +
          report_line("obstacle", obstacle_text(info)) +
          report_line("centre axis", axis_text(header.centre_axis)) +

@@ -39,8 +39,7 @@ Result<SimulatedFrames> from_drawing(const RecordedRun& run) {
     start.error().place = run.file.string();
     return tl::unexpected(start.error());
   }
-  if (!(start->ribbon.grid == header.grid) || start->ribbon.length_m != header.ribbon_length_m ||
-      start->ribbon.width_m != header.ribbon_width_m)
+  if (!(start->ribbon.size() == run.rest_size()))
     return failure(run.file.string(),
                    "there is no usable checkpoint, and the drawing is not the one it was recorded "
                    "from",
@@ -117,8 +116,7 @@ Result<RecordedRun> RecordedRun::open(const fs::path& file, std::optional<int> b
 }
 
 RestSize RecordedRun::rest_size() const {
-  const RecordingHeader& header = reader.header();
-  return {header.grid, header.ribbon_length_m, header.ribbon_width_m};
+  return ribbon::rest_size(reader.header());
 }
 
 Result<std::optional<SimulatedFrames>> RecordedRun::simulated_again(

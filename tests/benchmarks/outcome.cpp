@@ -21,8 +21,7 @@ bool is_judged(const ExtremeScene& extreme, int step) {
 
 Outcome run(const ExtremeScene& extreme, int steps, FasteningProcessor& fastening) {
   using Clock = std::chrono::steady_clock;
-  const FrameVerifier verifier(extreme.mesh.grid, extreme.mesh.length_m, extreme.mesh.width_m,
-                               extreme.obstacle);
+  const FrameVerifier verifier(extreme.mesh.size(), extreme.obstacle);
   // What the strain limit cares for, whether there are springs or not.
   const SpringNetwork limited =
       spring_network({extreme.mesh.grid, extreme.mesh.length_m, extreme.mesh.width_m},

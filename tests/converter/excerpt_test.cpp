@@ -59,8 +59,7 @@ TEST_F(Excerpts, are_other_recordings) {
 
 double smallest_gap_m(RecordingReader& reader) {
   const RecordingHeader& header = reader.header();
-  const FrameVerifier verifier(header.grid, header.ribbon_length_m, header.ribbon_width_m,
-                               header.obstacle);
+  const FrameVerifier verifier(rest_size(header), header.obstacle);
   double smallest_m = 1;
   Eigen::Matrix3Xf positions;
   for (int index = 0; index < reader.frame_count(); ++index)

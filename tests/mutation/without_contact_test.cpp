@@ -25,7 +25,7 @@ TEST_P(WithoutContact, both_oracles_find_the_same_intersections) {
   const RibbonMesh ribbon = generate_ribbon_mesh(curve, scene.ribbon, scene.curve.axis);
   const TriangleMesh obstacle = read_obstacle(*scene.obstacle).value();
   FasteningProcessor fastening = FasteningProcessor::create(scene, ribbon, obstacle).value();
-  const FrameVerifier verifier(ribbon.grid, ribbon.length_m, ribbon.width_m, obstacle);
+  const FrameVerifier verifier(ribbon.size(), obstacle);
 
   EXPECT_TRUE(verifier.verify(fastening.positions().cast<float>()).intersections.pairs.empty());
   for (int step = 0; step < 60; ++step) fastening.step();

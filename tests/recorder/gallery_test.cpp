@@ -75,7 +75,7 @@ TEST_P(Gallery, begins_free_of_intersections_and_tied_as_drawn) {
   const auto start = find_start(drawn, obstacle);
   ASSERT_TRUE(start.has_value()) << start.error().sentence();
   const RibbonMesh& ribbon = start->ribbon;
-  const FrameVerifier verifier(ribbon.grid, ribbon.length_m, ribbon.width_m, obstacle);
+  const FrameVerifier verifier(ribbon.size(), obstacle);
   const FrameVerdict verdict = verifier.verify(start->fastening.positions().cast<float>());
   EXPECT_TRUE(verdict.finite);
   EXPECT_TRUE(verdict.intersections.pairs.empty());

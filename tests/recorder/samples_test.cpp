@@ -37,7 +37,7 @@ TEST_P(Sample, starts_free_of_intersections_and_stays_so) {
   EXPECT_EQ(fastening.start().kind, StartKind::free);
   for (int step = 0; step < 5; ++step) fastening.step();
   EXPECT_LT(fastening.strain(), 0.1);
-  const FrameVerifier verifier(ribbon.grid, ribbon.length_m, ribbon.width_m, obstacle);
+  const FrameVerifier verifier(ribbon.size(), obstacle);
   const FrameVerdict verdict = verifier.verify(fastening.positions().cast<float>());
   EXPECT_TRUE(verdict.finite);
   EXPECT_TRUE(verdict.intersections.pairs.empty());

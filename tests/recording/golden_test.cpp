@@ -97,6 +97,9 @@ RecordingHeader golden_header() {
   header.stages = {"half knot", "bow"};
   header.marks = {{"left", 0.25}, {"right", 0.75}};
   header.knot_between = KnotBetween{{0.25, 0.75}, "reef knot"};
+  // Rows of three quarters and of five quarters of the width, in turn.
+  for (int row = 0; row < header.grid.along; ++row)
+    header.row_widths_m.push_back((row % 2 == 0 ? 0.75 : 1.25) * header.ribbon_width_m);
   header.origin = Origin{0x12345678, "golden mother", 17, "time.step = 0.5\n"};
   return header;
 }
@@ -170,6 +173,8 @@ TEST_P(GoldenVersions, it_is_read_as_it_was_written) {
             tells_marks ? golden_header().marks : std::vector<RecordedMark>());
   EXPECT_EQ(reader->header().knot_between,
             tells_marks ? golden_header().knot_between : std::nullopt);
+  EXPECT_EQ(reader->header().row_widths_m,
+            tells_marks ? golden_header().row_widths_m : std::vector<double>());
   const auto expected_numbers = [tells_stages](int frame) {
     return tells_stages ? golden_numbers_in_stages(frame) : golden_numbers_with_tightness(frame);
   };

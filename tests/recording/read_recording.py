@@ -99,6 +99,12 @@ class Header:
         self.marks = [(fields.text(), fields.take("d")) for _ in range(marks)]
         has_part = self.minor >= 4 and fields.take("B") == 1
         self.knot_between = (*fields.take("dd"), fields.text()) if has_part else None
+        has_rows = self.minor >= 4 and fields.take("B") == 1
+        self.row_widths_m = (
+            np.frombuffer(fields.block(), "<f4").astype(float)
+            if has_rows
+            else np.full(self.along, self.width_m)
+        )
 
     @property
     def particles(self):
@@ -128,18 +134,26 @@ class Header:
 
     def edge_strain(self, positions):
         """abs(length / length at rest - 1) by kind of edge; positions 3 x particles."""
-        grid = positions.astype("f8").reshape(3, self.along, self.across)
-        along_m, across_m = self.length_m / (self.along - 1), self.width_m / (self.across - 1)
+        now = self.edge_lengths(positions.astype("f8").reshape(3, self.along, self.across))
+        at_rest = self.edge_lengths(self.flat())
+        return {kind: np.abs(now[kind] / at_rest[kind] - 1) for kind in EDGES}
+
+    def flat(self):
+        """The particles of the flat ribbon, 2 x along x across."""
+        along = np.linspace(0, self.length_m, self.along)[:, None]
+        across = np.linspace(-0.5, 0.5, self.across) * self.row_widths_m[:, None]
+        return np.stack(np.broadcast_arrays(along, across))
+
+    @staticmethod
+    def edge_lengths(grid):
+        """By kind of edge; grid: coordinates x along x across."""
         diagonals = (grid[:, 1:, 1:] - grid[:, :-1, :-1], grid[:, 1:, :-1] - grid[:, :-1, 1:])
         edges = {
-            "along": (grid[:, 1:] - grid[:, :-1], along_m),
-            "across": (grid[:, :, 1:] - grid[:, :, :-1], across_m),
-            "diagonals": (np.stack(diagonals, axis=1), np.hypot(along_m, across_m)),
+            "along": grid[:, 1:] - grid[:, :-1],
+            "across": grid[:, :, 1:] - grid[:, :, :-1],
+            "diagonals": np.stack(diagonals, axis=1),
         }
-        return {
-            kind: np.abs(np.linalg.norm(edge, axis=0) / rest_m - 1)
-            for kind, (edge, rest_m) in edges.items()
-        }
+        return {kind: np.linalg.norm(edge, axis=0) for kind, edge in edges.items()}
 
     def largest_strain(self, positions):
         """Of the limited edges; 0 where none is."""

@@ -27,7 +27,7 @@ def differences(recording_file, frames_file):
             recording.check_directory(data)
     header = recording.header
     if limits(header) != our_limits(frames_file.with_suffix(".limits")):
-        yield "the limit of strain differs"
+        yield "the limit of strain or the widths of the rows differ"
     if header.input_curve.tobytes() != frames_file.with_suffix(".curve").read_bytes():
         yield "the input curve differs"
     ours = our_frames(frames_file, header.particles)
@@ -42,13 +42,15 @@ def differences(recording_file, frames_file):
 
 
 def limits(header):
-    """Which kinds of edges are limited, and to what."""
-    return tuple(kind in header.limited_edges for kind in EDGES), header.strain_limit
+    """Which kinds of edges are limited, to what, and the widths of the rows."""
+    edges = tuple(kind in header.limited_edges for kind in EDGES)
+    return edges, header.strain_limit, tuple(header.row_widths_m)
 
 
 def our_limits(limits_file):
-    *limited, limit = struct.unpack("<3Bd", limits_file.read_bytes())
-    return tuple(map(bool, limited)), limit
+    content = limits_file.read_bytes()
+    *limited, limit = struct.unpack_from("<3Bd", content)
+    return tuple(map(bool, limited)), limit, tuple(np.frombuffer(content[11:], "<f8"))
 
 
 def our_frames(frames_file, particles):

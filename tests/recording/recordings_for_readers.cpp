@@ -1,9 +1,9 @@
 // recordings_for_readers FOLDER: writes small recordings of all kinds into the folder, and beside
 // each NAME.rbn the frames that our own reader decodes from it: NAME.frames, of each frame that is
 // readable its number, u32, and f32 x, y, z of each particle; and what strain is limited to:
-// NAME.limits, of each kind of edge a u8, then f64; and the input curve: NAME.curve, f32 x, y, z of
-// each point. recordings_for_readers FOLDER RECORDING...:
-// does so for these.
+// NAME.limits, of each kind of edge a u8, then f64, then the f64 width of each row; and the input
+// curve: NAME.curve, f32 x, y, z of each point. recordings_for_readers FOLDER RECORDING...: does so
+// for these.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -33,6 +33,7 @@ struct Kind {
   bool finished = true;
   bool damaged = false;  // here and there
   bool flat = false;     // z is -0
+  bool tapered = false;  // rows differ in width
 };
 
 const std::vector<Kind> kinds = {
@@ -40,6 +41,7 @@ const std::vector<Kind> kinds = {
     {.name = "killed", .grid = {21, 6}, .max_error_m = 1e-4, .frames = 19, .finished = false},
     {.name = "damaged", .grid = {21, 6}, .max_error_m = 1e-4, .frames = 60, .damaged = true},
     {.name = "odd", .grid = {33, 7}, .max_error_m = 1e-5, .frames = 20},
+    {.name = "tapered", .grid = {30, 5}, .max_error_m = 1e-5, .frames = 20, .tapered = true},
     {.name = "narrow", .grid = {50, 2}, .max_error_m = 1e-5, .frames = 20},
     {.name = "short", .grid = {2, 9}, .max_error_m = 1e-6, .frames = 20},
     {.name = "coarse", .grid = {40, 16}, .max_error_m = 1e-2, .frames = 20},
@@ -64,6 +66,9 @@ RecordingHeader header_of(const Kind& kind) {
   header.frames_per_second = 60;
   header.max_position_error_m = kind.max_error_m;
   header.quantisation_step_m = quantisation_step_m(kind.max_error_m, 2);
+  for (int row = 0; row < kind.grid.along && kind.tapered; ++row)
+    header.row_widths_m.push_back(static_cast<float>(
+        header.ribbon_width_m * (0.5 + static_cast<double>(row) / (kind.grid.along - 1))));
   if (kind.rich) header.entropy_tables = standard_entropy_tables();
   if (!kind.rich) return header;
   header.obstacle =
@@ -147,6 +152,8 @@ void write_limits(const std::filesystem::path& recording, const std::filesystem:
   for (const bool limited : {edges.along, edges.across, edges.diagonals})
     put<std::uint8_t>(bytes, limited ? 1 : 0);
   put<double>(bytes, header.strain_limit);
+  for (int row = 0; row < header.grid.along; ++row)
+    put<double>(bytes, rest_size(header).row_width_m(row));
   demanded(write_file(limits, bytes));
 }
 

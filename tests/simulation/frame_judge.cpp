@@ -9,8 +9,7 @@ struct FrameJudge::Hidden {
 };
 
 FrameJudge::FrameJudge(const RibbonMesh& ribbon, const std::optional<TriangleMesh>& obstacle)
-    : hidden_(std::make_unique<Hidden>(
-          Hidden{FrameVerifier(ribbon.grid, ribbon.length_m, ribbon.width_m, obstacle)})) {}
+    : hidden_(std::make_unique<Hidden>(Hidden{FrameVerifier(ribbon.size(), obstacle)})) {}
 FrameJudge::FrameJudge(FrameJudge&&) noexcept = default;
 FrameJudge& FrameJudge::operator=(FrameJudge&&) noexcept = default;
 FrameJudge::~FrameJudge() = default;

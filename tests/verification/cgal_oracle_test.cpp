@@ -52,7 +52,7 @@ TEST(RandomSoups, both_oracles_agree_on_nearly_flat_soups) {
 // A ribbon of whole numbers: neighbours fold onto each other, touch and cross.
 TEST(RandomRibbons, all_oracles_agree) {
   const RibbonGrid grid{8, 4};
-  const FrameVerifier verifier(grid, 1, 1, std::nullopt);
+  const FrameVerifier verifier({grid, 1, 1}, std::nullopt);
   int compared = 0;
   for (unsigned seed = 1; seed <= 30; ++seed) {
     const TriangleSoup random = random_soup(seed, grid.particle_count(), 1, {-9, 9, 0.3F});

@@ -27,7 +27,7 @@ TriangleMesh two_blades(float bottom) {
 
 FrameVerdict verdict_on(const Eigen::Matrix3Xf& positions,
                         const std::optional<TriangleMesh>& obstacle = std::nullopt) {
-  return FrameVerifier(grid, length_m, width_m, obstacle).verify(positions);
+  return FrameVerifier({grid, length_m, width_m}, obstacle).verify(positions);
 }
 
 TEST(FrameVerifier, a_flat_ribbon_is_in_order) {
@@ -41,7 +41,7 @@ TEST(FrameVerifier, measures_the_strain_of_the_edges_that_are_named) {
   Eigen::Matrix3Xf sheared = flat;
   sheared.row(0) += 0.5F * flat.row(2);
   const auto strain_of = [&](const LimitedEdges& limited) {
-    return FrameVerifier(grid, length_m, width_m, std::nullopt, limited)
+    return FrameVerifier({grid, length_m, width_m}, std::nullopt, limited)
         .verify(sheared)
         .strain.strain;
   };
@@ -57,7 +57,7 @@ TEST(FrameVerifier, a_ribbon_folded_onto_itself_is_found) {
   const FrameVerdict verdict = verdict_on(positions);
   EXPECT_FALSE(verdict.intersections.pairs.empty());
   EXPECT_EQ(verdict.gap.certain_m, 0);
-  const FrameVerifier verifier(grid, length_m, width_m, std::nullopt);
+  const FrameVerifier verifier({grid, length_m, width_m}, std::nullopt);
   EXPECT_TRUE(verifier.intersects(positions));
   EXPECT_FALSE(verifier.intersects(flat));
 }

@@ -18,7 +18,7 @@ constexpr double nothing = std::numeric_limits<double>::infinity();
 constexpr RibbonGrid grid{21, 3};
 
 FrameVerifier verifier(const std::optional<TriangleMesh>& obstacle = std::nullopt) {
-  return {grid, 20, 2, obstacle};
+  return FrameVerifier({grid, 20, 2}, obstacle);
 }
 
 // Row i at (x, y) of profile(i), columns along z.
@@ -78,6 +78,19 @@ TEST(LayerGaps, what_is_half_as_far_as_at_rest_is_another_layer_from_there_on) {
   const int particle = grid.particle(1, 1);
   EXPECT_NEAR(folded_verifier.layer_gaps(folded(8.4F)).at(particle, 100).to_ribbon_m, 8.4, 1e-6);
   EXPECT_GT(folded_verifier.layer_gaps(folded(9.6F)).at(particle, 100).to_ribbon_m, 9.6);
+}
+
+// Columns are 0.1 m apart in the first row: less than half of their mean distance, and no gap.
+TEST(LayerGaps, of_a_ribbon_with_a_profile_its_narrow_part_is_no_other_layer) {
+  RestSize tapered{grid, 20, 2};
+  for (int row = 0; row < grid.along; ++row) tapered.row_widths_m.push_back(0.2 + 0.18 * row);
+  Eigen::Matrix3Xf flat(3, grid.particle_count());
+  for (int p = 0; p < grid.particle_count(); ++p)
+    flat.col(p) << tapered.place_m(p).cast<float>(), 0;
+  const FrameVerifier of_profile(tapered);
+  const FrameVerifier of_mean({grid, 20, 2});
+  EXPECT_EQ(of_profile.layer_gaps(flat).at(0, 10).to_ribbon_m, nothing);
+  EXPECT_LT(of_mean.layer_gaps(flat).at(0, 10).to_ribbon_m, 0.2);
 }
 
 TEST(LayerGaps, the_obstacle_is_measured_by_itself) {

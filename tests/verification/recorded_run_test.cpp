@@ -37,8 +37,7 @@ class RecordedRun : public testing::Test {
   }
 
   RecordingReader reader_ = record_run();
-  FrameVerifier verifier_{reader_.header().grid, reader_.header().ribbon_length_m,
-                          reader_.header().ribbon_width_m, reader_.header().obstacle};
+  FrameVerifier verifier_{rest_size(reader_.header()), reader_.header().obstacle};
 };
 
 TEST_F(RecordedRun, all_oracles_find_it_free_of_intersections) {

@@ -74,8 +74,7 @@ bool compare_all(const char* file, Tally& tally) {
     return false;
   }
   const RecordingHeader& header = reader->header();
-  const FrameVerifier verifier(header.grid, header.ribbon_length_m, header.ribbon_width_m,
-                               header.obstacle);
+  const FrameVerifier verifier(rest_size(header), header.obstacle);
   Eigen::Matrix3Xf positions;
   for (int index = 0; index < reader->frame_count(); ++index) {
     if (reader->read(index, positions))

@@ -1,8 +1,11 @@
 #include "recording/records/header_record.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "recording/codec/frame_loops.h"
@@ -18,6 +21,7 @@ constexpr std::uint16_t minor_version = 4;
 constexpr std::uint16_t first_minor_with_limits = 1;
 constexpr std::uint16_t first_minor_with_curve = 2;
 constexpr std::uint16_t first_minor_with_stages = 3;
+// And with the part to certify and the widths of rows.
 constexpr std::uint16_t first_minor_with_marks = 4;
 constexpr std::uint32_t position_codec = 2;
 constexpr std::uint32_t most_entropy_tables = 64;
@@ -231,6 +235,25 @@ bool take_grid(ByteTaker& taker, RibbonGrid& grid) {
   return is_recordable(grid);
 }
 
+void put_row_widths(std::string& bytes, const std::vector<double>& widths_m) {
+  put<std::uint8_t>(bytes, widths_m.empty() ? 0 : 1);
+  if (widths_m.empty()) return;
+  put_matrix<float>(bytes, Eigen::RowVectorXd::Map(widths_m.data(), std::ssize(widths_m)));
+}
+
+// Their mean must be the ribbon's width, or what goes by the one contradicts what goes by the
+// others.
+bool take_row_widths(ByteTaker& taker, const RibbonGrid& grid, double mean_m,
+                     std::vector<double>& widths_m) {
+  if (taker.take<std::uint8_t>() == 0) return taker.complete();
+  Eigen::Matrix<float, 1, Eigen::Dynamic> widths;
+  if (!take_matrix<float>(taker, static_cast<std::uint64_t>(grid.along), widths)) return false;
+  widths_m.assign(widths.begin(), widths.end());
+  const double sum_m = std::accumulate(widths_m.begin(), widths_m.end(), 0.0);
+  return std::all_of(widths_m.begin(), widths_m.end(), is_positive) &&
+         std::abs(sum_m / grid.along - mean_m) <= 1e-6 * mean_m;
+}
+
 }  // namespace
 
 bool is_recordable(const RibbonGrid& grid) {
@@ -268,6 +291,8 @@ std::string header_payload(const RecordingHeader& header) {
   put_strings(bytes, header.stages);
   put_marks(bytes, header.marks);
   put_knot_between(bytes, header.knot_between);
+  assert(header.row_widths_m.empty() || std::ssize(header.row_widths_m) == header.grid.along);
+  put_row_widths(bytes, header.row_widths_m);
   return bytes;
 }
 
@@ -308,7 +333,8 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (minor >= first_minor_with_stages && !take_strings(taker, most_stages, header.stages))
     return damaged();
   if (minor >= first_minor_with_marks &&
-      (!take_marks(taker, header.marks) || !take_knot_between(taker, header.knot_between)))
+      (!take_marks(taker, header.marks) || !take_knot_between(taker, header.knot_between) ||
+       !take_row_widths(taker, header.grid, header.ribbon_width_m, header.row_widths_m)))
     return damaged();
   const bool valid = taker.complete() && !header.scene_name.empty() &&
                      is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&

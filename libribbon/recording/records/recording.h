@@ -12,6 +12,7 @@
 
 #include "geometry/centre_axis.h"
 #include "geometry/limited_edges.h"
+#include "geometry/rest_size.h"
 #include "geometry/ribbon_grid.h"
 #include "geometry/triangle_mesh.h"
 #include "recording/codec/codec_parameters.h"
@@ -54,7 +55,9 @@ struct RecordingHeader {
   RibbonGrid grid;
   Eigen::Matrix2Xf uv;  // 2 x particles, u along and v across, both from 0 to 1
   double ribbon_length_m = 0;
-  double ribbon_width_m = 0;
+  double ribbon_width_m = 0;  // mean of all rows
+  // One a row, each as single precision has it; empty: all are ribbon_width_m wide.
+  std::vector<double> row_widths_m;
   double frames_per_second = 0;
   // Bound on every recorded coordinate; 0: each is the truth rounded to single precision.
   double max_position_error_m = 0;
@@ -78,6 +81,10 @@ struct RecordingHeader {
   // on. Empty: not told; else at least 2.
   Eigen::Matrix3Xf input_curve;
 };
+
+inline RestSize rest_size(const RecordingHeader& header) {
+  return {header.grid, header.ribbon_length_m, header.ribbon_width_m, header.row_widths_m};
+}
 
 inline CodecParameters codec_parameters(const RecordingHeader& header) {
   return {header.grid, header.ribbon_length_m, header.ribbon_width_m,

@@ -23,6 +23,8 @@ TEST(InfoJson, programs_read_what_people_read) {
   const auto json = nlohmann::json::parse(info_json(two_frames()));
   EXPECT_EQ(json["scene"]["name"], "obi");
   EXPECT_EQ(json["ribbon"]["across"], 4);
+  EXPECT_EQ(json["ribbon"]["narrowest_m"], json["ribbon"]["width_m"]);
+  EXPECT_EQ(json["ribbon"]["widest_m"], json["ribbon"]["width_m"]);
   EXPECT_EQ(json["obstacle"]["triangles"], 8);
   EXPECT_EQ(json["frame_count"], 2);
   EXPECT_EQ(json["worst_strain"]["value"], 0.25);

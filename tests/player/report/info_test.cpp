@@ -47,6 +47,17 @@ TEST(RecordingInfo, without_frames_there_is_nothing_to_sum_up) {
   EXPECT_THAT(info_text(info), HasSubstr("0 in 0.00 s"));
 }
 
+TEST(RecordingInfo, tells_from_where_to_where_the_width_goes) {
+  RecordingInfo info = three_frames();
+  EXPECT_THAT(info_text(info), HasSubstr("4 x 10 particles, 0.08 m wide, 2 m long\n"));
+  info.header.row_widths_m.assign(10, 0.08);
+  info.header.row_widths_m.front() = 0.06;
+  info.header.row_widths_m.back() = 0.1;
+  EXPECT_THAT(info_text(info),
+              HasSubstr("4 x 10 particles, 0.06 to 0.1 m wide, 0.08 m in the mean, "
+                        "2 m long\n"));
+}
+
 // A number that the header does not name is nobody's.
 TEST(RecordingInfo, tells_the_frames_of_each_stage) {
   RecordingInfo info = three_frames();

@@ -12,6 +12,14 @@
 
 namespace ribbon::header_record_test {
 
+RecordingHeader with_row_widths() {
+  RecordingHeader header = sample_header();
+  for (int row = 0; row < header.grid.along; ++row)
+    header.row_widths_m.push_back(static_cast<float>(
+        header.ribbon_width_m * (0.5 + static_cast<double>(row) / (header.grid.along - 1))));
+  return header;
+}
+
 TEST(HeaderRecord, everything_comes_back) {
   const RecordingHeader written = sample_header();
   const auto read = parse_header_payload(header_payload(written));
@@ -54,7 +62,7 @@ TEST(HeaderRecord, every_prefix_is_refused) {
 }
 
 TEST(HeaderRecord, what_a_newer_minor_version_appends_is_ignored) {
-  std::string payload = header_payload(sample_header()) + "news";
+  std::string payload = header_payload(with_row_widths()) + "news";
   payload[2] = 9;
   EXPECT_TRUE(parse_header_payload(payload).has_value());
 }
@@ -75,10 +83,11 @@ RecordingHeader without_curve() {
 }
 
 // Without a curve the counts of its points and of the stages stand behind the limit of strain, a
-// byte and a number in double precision; then the count of the marks and a byte for the part.
+// byte and a number in double precision; then the count of the marks and a
+// byte each for the part and the widths of rows.
 constexpr std::size_t count_bytes = 4;
 constexpr std::size_t limit_bytes = 9;
-constexpr std::size_t bytes_of_2_4 = count_bytes + 1;
+constexpr std::size_t bytes_of_2_4 = count_bytes + 2;
 
 // As versions before 2.4 wrote it, all but its number.
 std::string payload_of_2_3(const RecordingHeader& header) {
@@ -195,6 +204,48 @@ TEST(HeaderRecord, minor_version_3_has_neither_marks_nor_part) {
   ASSERT_TRUE(read.has_value()) << read.error().sentence();
   EXPECT_TRUE(read->marks.empty());
   EXPECT_FALSE(read->knot_between.has_value());
+}
+
+TEST(HeaderRecord, row_widths_come_back_or_are_none) {
+  const RecordingHeader header = with_row_widths();
+  const std::string payload = header_payload(header);
+  EXPECT_EQ(parse_header_payload(payload)->row_widths_m, header.row_widths_m);
+  const std::string even = header_payload(sample_header());
+  EXPECT_TRUE(parse_header_payload(even)->row_widths_m.empty());
+  for (std::size_t size = even.size(); size < payload.size(); ++size)
+    EXPECT_FALSE(parse_header_payload(payload.substr(0, size)).has_value()) << size;
+}
+
+TEST(HeaderRecord, row_widths_that_are_none_or_not_of_the_ribbon_are_refused) {
+  const auto is_taken_with_first = [](double width_m, double second_m) {
+    RecordingHeader header = with_row_widths();
+    header.row_widths_m[0] += width_m;
+    header.row_widths_m[1] += second_m;
+    return parse_header_payload(header_payload(header)).has_value();
+  };
+  const double first_m = with_row_widths().row_widths_m[0];
+  EXPECT_TRUE(is_taken_with_first(0, 0));
+  EXPECT_TRUE(is_taken_with_first(-first_m / 2, first_m / 2));
+  EXPECT_FALSE(is_taken_with_first(-first_m, first_m)) << "a row without width";
+  EXPECT_FALSE(is_taken_with_first(-2 * first_m, 2 * first_m));
+  EXPECT_FALSE(is_taken_with_first(std::numeric_limits<double>::quiet_NaN(), 0));
+  EXPECT_FALSE(is_taken_with_first(std::numeric_limits<double>::infinity(), 0));
+  EXPECT_FALSE(is_taken_with_first(first_m / 2, 0)) << "another mean than the ribbon's width";
+}
+
+// The block says how many it holds; the grid, how many there must be.
+TEST(HeaderRecord, more_or_fewer_row_widths_than_rows_are_refused) {
+  const RecordingHeader header = with_row_widths();
+  std::string before = header_payload(sample_header());
+  before.back() = '\1';
+  for (const int surplus : {-1, 0, 1}) {
+    std::string widths;
+    for (int row = 0; row < header.grid.along + surplus; ++row)
+      put<float>(widths, static_cast<float>(header.ribbon_width_m));
+    std::string payload = before;
+    put_block(payload, widths);
+    EXPECT_EQ(parse_header_payload(payload).has_value(), surplus == 0) << surplus;
+  }
 }
 
 TEST(HeaderRecord, minor_version_0_names_no_limited_edges) {
