@@ -21,6 +21,7 @@ struct Edge {
   std::size_t to = 0;
   double length = 0;
   std::optional<std::size_t> way = std::nullopt;  // none: the edge of a crossing or a bound
+  double share = 0;                               // of a crossing
 };
 
 Edge edge_of(const ObjectBound& bound, double gap) {
@@ -36,8 +37,8 @@ std::vector<Edge> edges_of(const WalkProfile& profile, double gap) {
     edges.push_back({i, next, profile.rises[i], i});
     edges.push_back({next, i, profile.rises[i], i});
   }
-  for (const auto& [above, below] : profile.crossings)
-    edges.push_back({above + 1, below + 1, -gap});
+  for (const auto& [above, below, share] : profile.crossings)
+    edges.push_back({above + 1, below + 1, -gap * share, std::nullopt, share});
   for (const ObjectBound& bound : profile.bounds) edges.push_back(edge_of(bound, gap));
   return edges;
 }
@@ -79,7 +80,7 @@ std::variant<Lengths, Circle> shortest_ways(const std::vector<Edge>& edges, std:
 // A crossing's edge leads from passage to passage, a bound's from the plane or to it.
 void add_gap(const Edge& edge, double gap, TightCircle& tight) {
   if (edge.from != 0 && edge.to != 0) {
-    ++tight.crossings;
+    tight.crossings += edge.share;
   } else {
     ++tight.bounds;
     tight.object -= edge.length + gap / 2;
@@ -111,9 +112,9 @@ TightCircle tight_circle(Circle circle, const WalkProfile& profile, double gap) 
 
 std::vector<double> two_levels(const WalkProfile& profile, double gap) {
   std::vector<double> heights(profile.passage_count());
-  for (const auto& [above, below] : profile.crossings) {
-    heights[above] = gap / 2;
-    heights[below] = -gap / 2;
+  for (const auto& [above, below, share] : profile.crossings) {
+    heights[above] = gap * share / 2;
+    heights[below] = -gap * share / 2;
   }
   return heights;
 }

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace ribbon {
@@ -22,8 +21,13 @@ struct WalkProfile {
   // The most that each way may rise or fall: from the start to passage 0, from each passage to the
   // next, from passage n - 1 to the end. None below 0.
   std::vector<double> rises;
-  std::vector<std::pair<std::size_t, std::size_t>> crossings;  // passage above, passage below
-  std::vector<ObjectBound> bounds = {};                        // where it passes the object
+  struct Crossing {
+    std::size_t above = 0;  // passage
+    std::size_t below = 0;
+    double share = 1;  // of the gap that is needed there: above 0, at most 1
+  };
+  std::vector<Crossing> crossings;
+  std::vector<ObjectBound> bounds = {};  // where it passes the object
 
   [[nodiscard]] std::size_t passage_count() const { return rises.size() - 1; }
 };
@@ -38,7 +42,7 @@ struct Stretch {
 // Why a profile has no room: round a circle of crossings, bounds and stretches of the walk, the
 // crossings and the object take more height than the stretches can rise.
 struct TightCircle {
-  std::size_t crossings = 0;
+  double crossings = 0;  // their shares together
   std::size_t bounds = 0;
   double object = 0;  // height that the bounds take besides their gaps
   std::vector<Stretch> stretches;
@@ -46,7 +50,7 @@ struct TightCircle {
 
   // The height that crossings and bounds take for each length of the gap.
   [[nodiscard]] double rise_per_gap() const {
-    return static_cast<double>(crossings) + 0.5 * static_cast<double>(bounds);
+    return crossings + 0.5 * static_cast<double>(bounds);
   }
   // The widest gap for which there is room; not above 0 where there is none for any.
   [[nodiscard]] double gap() const { return (rise - object) / rise_per_gap(); }
@@ -54,14 +58,14 @@ struct TightCircle {
 
 struct Heights {
   std::vector<double> passages;  // above the plane of both ends; none where no gap has room
-  double gap = 0;                // at each crossing: what was asked for, or what there is room for
+  double gap = 0;                // what was asked for, or what there is room for
   std::optional<TightCircle> tight = std::nullopt;  // where there was no room for it
 };
 
-// Passages `gap` apart at each crossing. If the ways allow it, half of that above and below the
-// plane. Else each passage lies in the middle between the highest and the lowest place that
-// difference constraints leave it (Bellman 1958); where they leave none, the gap is the widest for
-// which they do, to a thousandth. With bounds, all stay as near to the plane as is possible.
+// Passages its share of `gap` apart at each crossing. If the ways allow it, half of that above and
+// below the plane. Else each passage lies in the middle between the highest and the lowest place
+// that difference constraints leave it (Bellman 1958); where they leave none, the gap is the widest
+// for which they do, to a thousandth. With bounds, all stay as near to the plane as is possible.
 Heights passage_heights(const WalkProfile& profile, double gap);
 
 }  // namespace ribbon

@@ -76,6 +76,21 @@ Result<WalkedDrawing> walked_drawing(const CurveScene& scene, const ObjectHeight
       *std::move(crossings), {std::move(passages), *std::move(objects)}, std::move(controls)};
 }
 
+// Of the room that the widest row would need, each crossing gets what its two strands do, which are
+// as wide as at the same share of the plan's length.
+void share_gap(double length, const CurveScene& scene, const RibbonScene& ribbon,
+               StoppedWalk& walk) {
+  if (!ribbon.profile) return;
+  const double most_m = widest_m(ribbon) + scene.clearance_m;
+  const auto width_m_at = [&](std::size_t stop) {
+    return width_at_m(ribbon, walk.stops[stop].length / length);
+  };
+  for (WalkProfile::Crossing& crossing : walk.profile.crossings) {
+    const double mean_m = (width_m_at(crossing.above) + width_m_at(crossing.below)) / 2;
+    crossing.share = std::min(1.0, (mean_m + scene.clearance_m) / most_m);
+  }
+}
+
 struct LiftedPlan {
   std::vector<Vector3d> points;
   std::vector<std::size_t> passages;  // their indices in `points`
@@ -83,20 +98,25 @@ struct LiftedPlan {
 };
 
 Result<LiftedPlan> lifted(const WalkedDrawing& drawn, const CurveScene& scene,
-                          double ribbon_width_m, TightPassage tight_passage,
+                          const RibbonScene& ribbon, TightPassage tight_passage,
                           const ObjectHeights& object) {
+  const double width_m = widest_m(ribbon);
   const auto stops_of = [&](const Plan& plan) {
-    return stopped_walk(plan, drawn.passages, object, ribbon_width_m / 2 / scene.unit_m,
-                        scene.clearance_m / 2 / scene.unit_m);
+    return stopped_walk(plan, drawn.passages, object, width_m / 2 / scene.unit_m,
+                        scene.clearance_m / 2 / scene.unit_m)
+        .map([&](StoppedWalk&& walk) {
+          share_gap(plan.lengths.back(), scene, ribbon, walk);
+          return std::move(walk);
+        });
   };
-  const double gap = (ribbon_width_m + scene.clearance_m) / scene.unit_m;
+  const double gap = (width_m + scene.clearance_m) / scene.unit_m;
   Plan plan = fine_plan(drawn.controls, gap);
   auto walk = stops_of(plan);
   if (!walk) return tl::unexpected(walk.error());
   const Heights heights = passage_heights(walk->profile, gap);
   if (!heights.tight)
     return LiftedPlan{raised(plan, walk->stops, heights.passages), std::move(plan.passages)};
-  const auto refusal = too_tight(scene, ribbon_width_m, *walk, *heights.tight);
+  const auto refusal = too_tight(scene, ribbon, *walk, *heights.tight);
   if (tight_passage == TightPassage::refuse || heights.gap <= 0) return refusal;
   plan = fine_plan(drawn.controls, heights.gap);
   walk = stops_of(plan);
@@ -107,12 +127,12 @@ Result<LiftedPlan> lifted(const WalkedDrawing& drawn, const CurveScene& scene,
 
 }  // namespace
 
-Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m, int samples,
+Result<SpaceCurve> generate_space_curve(const CurveScene& scene, const RibbonScene& ribbon,
                                         TightPassage tight_passage, const ObjectHeights& object) {
-  assert(samples >= 2 && scene.unit_m > 0 && ribbon_width_m > 0 && scene.clearance_m >= 0);
+  assert(ribbon.along >= 2 && scene.unit_m > 0 && ribbon.width_m > 0 && scene.clearance_m >= 0);
   auto drawn = walked_drawing(scene, object);
   if (!drawn) return tl::unexpected(drawn.error());
-  auto plan = lifted(*drawn, scene, ribbon_width_m, tight_passage, object);
+  auto plan = lifted(*drawn, scene, ribbon, tight_passage, object);
   if (!plan) return tl::unexpected(plan.error());
   for (Vector3d& point : plan->points) {
     point.head<2>() -= scene.origin;
@@ -121,7 +141,7 @@ Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_w
   const auto lengths = lengths_along(plan->points);
   std::vector<double> passage_shares;
   for (const std::size_t i : plan->passages) passage_shares.push_back(lengths[i] / lengths.back());
-  return SpaceCurve{.points = evenly_sampled(plan->points, lengths, samples),
+  return SpaceCurve{.points = evenly_sampled(plan->points, lengths, ribbon.along),
                     .length_m = lengths.back(),
                     .crossings = std::move(drawn->crossings),
                     .objects = std::move(drawn->passages.objects),

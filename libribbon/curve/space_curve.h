@@ -32,14 +32,15 @@ enum class TightPassage {
 };
 
 // Reads the drawing of `scene`, finds its crossings, pulls the two passages of each apart along the
-// chosen axis so that bands of `ribbon_width_m` standing along that axis have room, smooths with
-// Catmull-Rom and samples `samples` (>= 2) points. The curve is level at each passage and lies in
-// the plane at its ends. Passages are half of width + clearance above or below the plane; where
-// that would be too steep, or where the drawing tells of the object, as high as passage_heights()
-// finds room for. Fails, with the place, where the drawing cannot be told, where smoothing would
-// make it cross elsewhere, and where a passage is too tight and not to be squeezed or the object
-// too high to be passed. object: empty where there is none.
-Result<SpaceCurve> generate_space_curve(const CurveScene& scene, double ribbon_width_m, int samples,
+// chosen axis so that bands as wide as `ribbon` there, standing along that axis, have room, smooths
+// with Catmull-Rom and samples as many points (>= 2) as the ribbon has rows. The curve is level at
+// each passage and lies in the plane at its ends. Passages are half of both strands' mean width +
+// clearance above or below the plane (from the object as far as the widest row needs); where that
+// would be too steep, or where the drawing tells of the object, as high as passage_heights() finds
+// room for. Fails, with the place, where the drawing cannot be told, where smoothing would make it
+// cross elsewhere, and where a passage is too tight and not to be squeezed or the object too high
+// to be passed. object: empty where there is none.
+Result<SpaceCurve> generate_space_curve(const CurveScene& scene, const RibbonScene& ribbon,
                                         TightPassage tight_passage = TightPassage::refuse,
                                         const ObjectHeights& object = {});
 

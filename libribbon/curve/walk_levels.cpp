@@ -191,8 +191,8 @@ Result<StoppedWalk> stopped_walk(const Plan& plan, const WalkedPassages& passage
   for (LooseStop& loose : loose_stops(plan, passages, *runs)) {
     if (loose.passage) {
       const Passage& passage = passages.crossings[*loose.passage];
-      auto& [above, below] = walk.profile.crossings[passage.crossing];
-      (passage.over ? above : below) = walk.stops.size();
+      WalkProfile::Crossing& crossing = walk.profile.crossings[passage.crossing];
+      (passage.over ? crossing.above : crossing.below) = walk.stops.size();
     }
     walk.stops.push_back(std::move(loose.stop));
   }
@@ -201,28 +201,32 @@ Result<StoppedWalk> stopped_walk(const Plan& plan, const WalkedPassages& passage
   return walk;
 }
 
-tl::unexpected<Error> too_tight(const CurveScene& scene, double width_m, const StoppedWalk& walk,
-                                const TightCircle& tight) {
+tl::unexpected<Error> too_tight(const CurveScene& scene, const RibbonScene& ribbon,
+                                const StoppedWalk& walk, const TightCircle& tight) {
+  const double width_m = widest_m(ribbon);
+  const bool varies = ribbon.profile.has_value();
   const double gap = (width_m + scene.clearance_m) / scene.unit_m;
   const double length = tight.rise * blend_slope / steepest_slope;
   const double needed =
       length + (gap - tight.gap()) * tight.rise_per_gap() * blend_slope / steepest_slope;
-  const double widest_m = tight.gap() * scene.unit_m - scene.clearance_m;
+  const double most_m = tight.gap() * scene.unit_m - scene.clearance_m;
   const Vector2d place =
       walk.stops[std::min(tight.stretches.front().to, walk.stops.size() - 1)].point;
   const Vector2d metres = (place - scene.origin) * scene.unit_m;
   const bool one = tight.stretches.size() == 1;
   const bool passes_object = tight.bounds > 0;
   constexpr double spare = 1.01;  // so that the numbers hold although they are rounded
-  return failure(
-      drawing_place(place) + ", in metres " + coordinates(metres),
-      text_of(tight.stretches, walk.stops) + (one ? " is " : " are together ") +
-          three_digits(length * scene.unit_m) + " m long, too short for a ribbon " +
-          three_digits(width_m) + " m wide" + (passes_object ? " that passes the object" : ""),
-      std::string(one ? "draw it " : "draw them together ") + three_digits(spare * needed) +
-          " drawing units long" +
-          (widest_m > 0 ? ", or set ribbon.width to " + three_digits(widest_m / spare) : "") +
-          (passes_object ? ", or make the object smaller with obstacle.scale" : ""));
+  return failure(drawing_place(place) + ", in metres " + coordinates(metres),
+                 text_of(tight.stretches, walk.stops) + (one ? " is " : " are together ") +
+                     three_digits(length * scene.unit_m) + " m long, too short for a ribbon " +
+                     (varies ? "up to " : "") + three_digits(width_m) + " m wide" +
+                     (passes_object ? " that passes the object" : ""),
+                 std::string(one ? "draw it " : "draw them together ") +
+                     three_digits(spare * needed) + " drawing units long" +
+                     (most_m > 0 ? std::string(", or set ribbon.width to ") +
+                                       (varies ? "at most " : "") + three_digits(most_m / spare)
+                                 : "") +
+                     (passes_object ? ", or make the object smaller with obstacle.scale" : ""));
 }
 
 std::vector<Vector3d> raised(const Plan& plan, const std::vector<WalkStop>& stops,

@@ -40,9 +40,9 @@ struct StoppedWalk {
 Result<StoppedWalk> stopped_walk(const Plan& plan, const WalkedPassages& passages,
                                  const ObjectHeights& object, double margin, double clearance);
 
-// What is to be said where a ribbon of that width has no room.
-tl::unexpected<Error> too_tight(const CurveScene& scene, double width_m, const StoppedWalk& walk,
-                                const TightCircle& tight);
+// What is to be said where the ribbon has no room.
+tl::unexpected<Error> too_tight(const CurveScene& scene, const RibbonScene& ribbon,
+                                const StoppedWalk& walk, const TightCircle& tight);
 
 // The plan with heights: of the stops, and 0 towards both ends.
 std::vector<Eigen::Vector3d> raised(const Plan& plan, const std::vector<WalkStop>& stops,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -209,6 +210,37 @@ Result<std::vector<Eigen::Vector2d>> points(const Value& value) {
   return points;
 }
 
+// The next of the pairs [share, width] of a profile, of which `before` have been read.
+Result<WidthAt> width_at(const Value& value, const TomlValue& pair,
+                         const std::vector<WidthAt>& before, bool is_last) {
+  const auto* numbers = pair.as<TomlArray>();
+  if (numbers == nullptr || numbers->size() != 2)
+    return wrong(value, pair, "pairs of a share of the length and a width");
+  const double least = before.empty() ? 0 : std::nextafter(before.back().share, 2);
+  const double most = before.empty() ? 0 : 1;
+  const auto share = number_within({"", is_last ? 1 : least, most}, (*numbers)[0]);
+  if (!share)
+    return wrong(value, (*numbers)[0], "pairs whose shares of the length rise from 0 to 1");
+  const auto width_m = number_within(positive, (*numbers)[1]);
+  if (!width_m)
+    return wrong(value, (*numbers)[1], "pairs with a width " + std::string(positive.words));
+  return WidthAt{*share, *width_m};
+}
+
+// Of an array.
+Result<WidthProfile> width_profile(const Value& value) {
+  const auto& pairs = *value.toml.as<TomlArray>();
+  if (pairs.size() < 2)
+    return wrong(value, value.toml, "a number, or at least 2 pairs [share of the length, width]");
+  WidthProfile profile{{}, value.document.place(value.toml.begin)};
+  for (const TomlValue& pair : pairs) {
+    const auto next = width_at(value, pair, profile.points, &pair == &pairs.back());
+    if (!next) return tl::unexpected(next.error());
+    profile.points.push_back(*next);
+  }
+  return profile;
+}
+
 Result<std::optional<double>> seconds_or_tight(const Value& value) {
   if (const auto* text = value.toml.as<std::string>(); text != nullptr && *text == "tight")
     return std::nullopt;
@@ -327,6 +359,18 @@ Result<void> read_hold(const Value& value, Scene& scene) {
   return {};
 }
 
+// One number, or a profile; one that is as wide everywhere is one number.
+Result<void> read_width(const Value& value, Scene& scene) {
+  RibbonScene& ribbon = scene.ribbon;
+  if (value.toml.as<TomlArray>() == nullptr)
+    return number(positive)(value).map([&ribbon](double width_m) { ribbon.width_m = width_m; });
+  return width_profile(value).map([&ribbon](WidthProfile&& profile) {
+    ribbon.width_m = profile.points.front().width_m;
+    const auto differs = [&](const WidthAt& point) { return point.width_m != ribbon.width_m; };
+    if (std::ranges::any_of(profile.points, differs)) ribbon.profile = std::move(profile);
+  });
+}
+
 // ---- The table of keys. docs/scene.md tells users about each; a test compares the two.
 
 enum class Need { optional, required };
@@ -401,7 +445,7 @@ std::vector<Key> knot_keys() {
 
 std::vector<Key> ribbon_keys() {
   return {
-      {"width", required, "0.05", set(in(&Scene::ribbon, &RibbonScene::width_m), number(positive))},
+      {"width", required, "0.05", read_width},
       {"along", required, "400", set(in(&Scene::ribbon, &RibbonScene::along), particle_count)},
       {"across", required, "8", set(in(&Scene::ribbon, &RibbonScene::across), particle_count)},
       {"mass", optional, "1", set(in(&Scene::ribbon, &RibbonScene::mass_kg), number(positive))},
@@ -729,8 +773,15 @@ Result<void> tight_by_fastening(const Document& document, const Scene& scene) {
                  "add '[fastening]' with for example 'speed = 0.5' below it, or remove 'until'");
 }
 
+void set_mean_width(RibbonScene& ribbon) {
+  if (!ribbon.profile) return;
+  const std::vector<double> rows_m = row_widths_m(ribbon);
+  ribbon.width_m = std::accumulate(rows_m.begin(), rows_m.end(), 0.0) / ribbon.along;
+}
+
 void set_defaults(const Document& document, Scene& scene) {
   if (scene.name.empty()) scene.name = document.file.stem().string();
+  set_mean_width(scene.ribbon);
   if (scene.curve.clearance_m == 0)
     scene.curve.clearance_m = default_clearance_of_width * scene.ribbon.width_m;
   if (document.find("recording", "frames_per_second") == nullptr)

@@ -11,6 +11,7 @@
 #include "result/result.h"
 #include "scene/named_file.h"
 #include "scene/stage_scene.h"
+#include "scene/width_profile.h"
 
 namespace ribbon {
 
@@ -71,7 +72,8 @@ struct KnotScene {
 };
 
 struct RibbonScene {
-  double width_m = 0;
+  double width_m = 0;                                  // mean of all rows
+  std::optional<WidthProfile> profile = std::nullopt;  // none: all rows are as wide
   int along = 0;
   int across = 0;
   double mass_kg = 1;

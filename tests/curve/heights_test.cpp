@@ -13,8 +13,8 @@ namespace ribbon::heights_test {
 void expect_room(const WalkProfile& profile, const Heights& heights) {
   ASSERT_EQ(heights.passages.size(), profile.passage_count());
   constexpr double rounding = 1e-12;
-  for (const auto& [above, below] : profile.crossings)
-    EXPECT_GE(heights.passages[above] - heights.passages[below], heights.gap - rounding);
+  for (const auto& [above, below, share] : profile.crossings)
+    EXPECT_GE(heights.passages[above] - heights.passages[below], share * heights.gap - rounding);
   for (const ObjectBound& bound : profile.bounds) {
     const double sign = bound.in_front ? 1 : -1;
     EXPECT_GE(sign * (heights.passages[bound.passage] - bound.height), heights.gap / 2 - rounding);
@@ -60,7 +60,7 @@ TEST(Heights, a_small_loop_is_the_tight_circle) {
   const Heights heights = passage_heights(loop, 2);
   expect_room(loop, heights);
   ASSERT_TRUE(heights.tight.has_value());
-  EXPECT_EQ(heights.tight->crossings, 1U);
+  EXPECT_EQ(heights.tight->crossings, 1);
   ASSERT_EQ(heights.tight->stretches.size(), 1U);
   EXPECT_EQ(heights.tight->stretches[0].from, 1U);
   EXPECT_EQ(heights.tight->stretches[0].to, 1U);
@@ -68,6 +68,17 @@ TEST(Heights, a_small_loop_is_the_tight_circle) {
   EXPECT_NEAR(heights.gap, 0.5, 0.001);
   EXPECT_FALSE(passage_heights(loop, 0.499).tight.has_value());
   EXPECT_TRUE(passage_heights(loop, 0.501).tight.has_value());
+}
+
+TEST(Heights, a_crossing_that_needs_less_of_the_gap_gets_less) {
+  const WalkProfile trefoil{{9, 2, 2, 9, 2, 2, 9}, {{0, 3}, {4, 1, 0.5}, {2, 5}}};
+  const Heights heights = passage_heights(trefoil, 2);
+  EXPECT_EQ(heights.passages, (std::vector<double>{1, -0.5, 1, -1, 0.5, -1}));
+  const WalkProfile loop{{9, 0.5, 9}, {{0, 1, 0.25}}};
+  EXPECT_FALSE(passage_heights(loop, 1.9).tight.has_value());
+  ASSERT_TRUE(passage_heights(loop, 2.1).tight.has_value());
+  EXPECT_DOUBLE_EQ(passage_heights(loop, 2.1).tight->gap(), 2);
+  expect_room(loop, passage_heights(loop, 2.1));
 }
 
 TEST(Heights, stretches_on_both_sides_of_the_walks_ends_are_two) {
@@ -127,7 +138,7 @@ TEST(Heights, the_tight_circle_accounts_for_the_gap_whatever_the_drawing) {
     std::shuffle(order.begin(), order.end(), random);
     WalkProfile profile;
     for (std::size_t i = 0; i < crossings; ++i)
-      profile.crossings.emplace_back(order[2 * i], order[2 * i + 1]);
+      profile.crossings.push_back({order[2 * i], order[2 * i + 1]});
     for (std::size_t i = 0; i <= 2 * crossings; ++i) profile.rises.push_back(between(0.1, 2));
     const Heights heights = passage_heights(profile, 1);
     expect_room(profile, heights);
@@ -139,7 +150,7 @@ TEST(Heights, the_tight_circle_accounts_for_the_gap_whatever_the_drawing) {
     double rise = 0;
     for (const Stretch& stretch : heights.tight->stretches)
       for (std::size_t way = stretch.from; way <= stretch.to; ++way) rise += profile.rises[way];
-    EXPECT_NEAR(rise / static_cast<double>(heights.tight->crossings), heights.gap, 0.002);
+    EXPECT_NEAR(rise / heights.tight->crossings, heights.gap, 0.002);
   }
   EXPECT_GT(tight, 50);
   EXPECT_LT(tight, 200);

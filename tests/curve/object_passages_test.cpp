@@ -45,7 +45,8 @@ Result<SpaceCurve> curve_of(const Points& points, const std::string& letters,
                             const ObjectHeights& object = block(0.5),
                             double ribbon_width_m = width_m,
                             TightPassage tight = TightPassage::refuse) {
-  return generate_space_curve(scene_of(points, letters), ribbon_width_m, 2001, tight, object);
+  return generate_space_curve(scene_of(points, letters), {.width_m = ribbon_width_m, .along = 2001},
+                              tight, object);
 }
 
 std::string refusal(const Points& points, const std::string& letters,

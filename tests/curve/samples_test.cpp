@@ -17,7 +17,7 @@ class Samples : public testing::TestWithParam<const char*> {
     scene.drawing =
         DrawnSvg{{std::filesystem::path(SAMPLES_FOLDER) / (std::string(GetParam()) + ".svg")}, ""};
     scene.clearance_m = 0.01;
-    const auto result = generate_space_curve(scene, width_m, samples);
+    const auto result = generate_space_curve(scene, {.width_m = width_m, .along = samples});
     EXPECT_TRUE(result.has_value()) << result.error().sentence();
     return result.value();
   }

@@ -25,13 +25,13 @@ CurveScene scene_of(const std::vector<Eigen::Vector2d>& points, double unit_m = 
 }
 
 SpaceCurve curve_of(const CurveScene& scene, double width_m, int samples) {
-  const auto curve = generate_space_curve(scene, width_m, samples);
+  const auto curve = generate_space_curve(scene, {.width_m = width_m, .along = samples});
   EXPECT_TRUE(curve.has_value()) << curve.error().sentence();
   return curve.value();
 }
 
 std::string problem_of(const CurveScene& scene, double width_m) {
-  return refusal_of(generate_space_curve(scene, width_m, 10));
+  return refusal_of(generate_space_curve(scene, {.width_m = width_m, .along = 10}));
 }
 
 // The heights (world y) of the passages over a plan point, in order of the walk.
@@ -167,7 +167,8 @@ TEST(SpaceCurve, passages_too_close_for_the_width_are_refused_with_a_width_that_
 
 TEST(SpaceCurve, passages_too_close_are_squeezed_where_that_is_asked_for) {
   CurveScene scene = scene_of(trefoil, 0.1);
-  const auto squeezed = generate_space_curve(scene, 0.5, 20001, TightPassage::squeeze);
+  const auto squeezed =
+      generate_space_curve(scene, {.width_m = 0.5, .along = 20001}, TightPassage::squeeze);
   ASSERT_TRUE(squeezed.has_value()) << squeezed.error().sentence();
   const std::vector<double> heights = heights_at(*squeezed, 0.1, 0);
   ASSERT_EQ(heights.size(), 2U);
@@ -176,8 +177,24 @@ TEST(SpaceCurve, passages_too_close_are_squeezed_where_that_is_asked_for) {
   EXPECT_GT(gap_m, 0.18);
   EXPECT_LT(gap_m, 0.26);
   // Where there is room nothing is squeezed.
-  EXPECT_EQ(generate_space_curve(scene, 0.1, 100, TightPassage::squeeze)->points,
-            generate_space_curve(scene, 0.1, 100)->points);
+  EXPECT_EQ(
+      generate_space_curve(scene, {.width_m = 0.1, .along = 100}, TightPassage::squeeze)->points,
+      generate_space_curve(scene, {.width_m = 0.1, .along = 100})->points);
+}
+
+// Of a loop whose two strands are a share s and 1 - s of its length away from its first end.
+TEST(SpaceCurve, strands_of_different_width_are_half_of_both_and_the_clearance_apart) {
+  const CurveScene scene = scene_of({{-4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, -4}}, 0.1);
+  const RibbonScene tapered{
+      .width_m = 0.1, .profile = WidthProfile{{{0, 0.02}, {1, 0.18}}}, .along = 20001};
+  const auto curve = generate_space_curve(scene, tapered);
+  ASSERT_TRUE(curve.has_value()) << curve.error().sentence();
+  const std::vector<double> heights = heights_at(*curve, 0, 0);
+  ASSERT_EQ(heights.size(), 2U);
+  EXPECT_NEAR(heights[0] - heights[1], 0.1 + 0.01, 2e-3);
+  const RibbonScene even{.width_m = 0.18, .along = 20001};
+  const std::vector<double> wide = heights_at(generate_space_curve(scene, even).value(), 0, 0);
+  EXPECT_NEAR(wide[0] - wide[1], 0.19, 1e-6);
 }
 
 TEST(SpaceCurve, crossing_at_the_very_end_is_passed_near_the_plane) {

@@ -32,6 +32,7 @@ const Knots gallery = {{"bow", {3, "bow"}},
                        {"overhand", {3, "overhand knot"}},
                        {"reef", {9, "reef knot"}},
                        {"stevedore", {9, "stevedore knot"}},
+                       {"tapered", {3, "overhand knot"}},
                        {"windsor", {3, "Windsor knot"}}};
 
 class Gallery : public testing::TestWithParam<Knots::value_type> {
@@ -85,6 +86,22 @@ TEST(GalleryFolder, holds_no_other_scenes) {
   for (const auto& entry : std::filesystem::directory_iterator(RIBBON_SAMPLES "/gallery")) {
     const std::filesystem::path& file = entry.path();
     EXPECT_TRUE(file.extension() != ".toml" || gallery.contains(file.stem().string())) << file;
+  }
+}
+
+TEST(Tapered, begins_free_of_intersections_and_as_wide_as_its_scene_says) {
+  const Scene drawn =
+      read_scene(std::filesystem::path(RIBBON_SAMPLES) / "gallery/tapered.toml").value();
+  const auto obstacle = read_obstacle(*drawn.obstacle).value();
+  const auto start = find_start(drawn, obstacle);
+  ASSERT_TRUE(start.has_value()) << start.error().sentence();
+  const Eigen::Matrix3Xf positions = start->fastening.positions().cast<float>();
+  const RestSize size = start->ribbon.size();
+  EXPECT_TRUE(FrameVerifier(size, obstacle).verify(positions).intersections.pairs.empty());
+  for (const int row : {0, size.grid.along - 1}) {
+    const auto particles = positions.middleCols(size.grid.particle(row, 0), size.grid.across);
+    const double width_m = (particles.rightCols<1>() - particles.leftCols<1>()).norm();
+    EXPECT_NEAR(width_m / size.row_width_m(row), 1, 0.1);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "files/temporary_folder.h"
 #include "playback/recording_reader.h"
@@ -87,6 +89,38 @@ TEST_F(Record, a_fine_ribbon_is_recorded_within_the_strain_limit) {
     worst = std::max(worst, strain);
   }
   EXPECT_GT(worst, 0.06);  // or it would have stayed within it anyway
+}
+
+// Pulled as above, measured by the rows' widths as the file tells them.
+TEST_F(Record,
+       a_ribbon_with_a_width_profile_is_recorded_with_its_rows_and_within_the_strain_limit) {
+  const std::vector<std::string> settings = {"ribbon.width=[[0, 0.015], [0.5, 0.02], [1, 0.045]]",
+                                             "ribbon.along=120", "fastening.speed=3"};
+  scene_ = read_scene(scene_.file, settings).value();
+  (void)record_all(folder_ / "knot.rbn");
+  auto reader = recorded();
+  const RecordingHeader& header = reader.header();
+  EXPECT_EQ(header.row_widths_m, row_widths_m(scene_.ribbon));
+  EXPECT_EQ(header.row_widths_m.front(), 0.015F);
+  EXPECT_EQ(header.row_widths_m.back(), 0.045F);
+  Eigen::Matrix3Xf positions;
+  double by_mean = 0;
+  for (int frame = 0; frame < reader.frame_count(); ++frame) {
+    ASSERT_TRUE(reader.read(frame, positions).has_value());
+    const double strain = largest_strain(rest_size(header), header.limited_edges, positions).strain;
+    EXPECT_LE(strain, 0.1) << frame;
+    const RestSize mean{header.grid, header.ribbon_length_m, header.ribbon_width_m};
+    by_mean = std::max(by_mean, largest_strain(mean, header.limited_edges, positions).strain);
+  }
+  EXPECT_GT(by_mean, 0.4) << "or the profile had no effect";
+}
+
+TEST_F(Record, a_profile_of_one_width_gives_the_same_frames_as_the_number) {
+  (void)record_all(folder_ / "number.rbn");
+  const std::vector<std::string> settings = {"ribbon.width=[[0, 0.03], [1, 0.03]]"};
+  scene_.ribbon = read_scene(scene_.file, settings).value().ribbon;
+  (void)record_all(folder_ / "profile.rbn");
+  EXPECT_EQ(read_file(folder_ / "number.rbn").value(), read_file(folder_ / "profile.rbn").value());
 }
 
 TEST_F(Record, the_header_names_the_edges_that_are_limited) {

@@ -28,7 +28,7 @@ class Sample : public testing::TestWithParam<fs::path> {};
 TEST_P(Sample, starts_free_of_intersections_and_stays_so) {
   const Scene scene = read_scene(GetParam()).value();
   ASSERT_TRUE(scene.obstacle.has_value());
-  const auto curve = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along);
+  const auto curve = generate_space_curve(scene.curve, scene.ribbon);
   ASSERT_TRUE(curve.has_value()) << curve.error().sentence();
   EXPECT_EQ(curve->crossings.size(), 3U);
   const RibbonMesh ribbon = generate_ribbon_mesh(*curve, scene.ribbon, scene.curve.axis);
@@ -65,12 +65,11 @@ INSTANTIATE_TEST_SUITE_P(All, Sample, testing::ValuesIn(sample_scenes()), [](con
 TEST(Samples, are_three_overhand_knots_in_two_granularities_one_in_a_third_and_one_hangs) {
   std::vector<std::string> names;
   for (const fs::path& scene : sample_scenes()) names.push_back(scene.stem().string());
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"overhand-cylinder-16x400", "overhand-cylinder-8x400",
-                                      "overhand-hanging-8x400", "overhand-hourglass-16x400",
-                                      "overhand-hourglass-32x800", "overhand-hourglass-8x400",
-                                      "overhand-small-object-16x400",
-                                      "overhand-small-object-8x400"}));
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "overhand-cylinder-16x400", "overhand-cylinder-8x400",
+                       "overhand-hanging-8x400", "overhand-hourglass-16x400",
+                       "overhand-hourglass-32x800", "overhand-hourglass-8x400",
+                       "overhand-small-object-16x400", "overhand-small-object-8x400"}));
 }
 
 }  // namespace ribbon::samples_test

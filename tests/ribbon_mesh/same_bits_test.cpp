@@ -18,7 +18,7 @@ TEST(SameBits, of_a_ribbon_along_arcs_come_from_every_build) {
   CurveScene scene;
   scene.drawing = DrawnPoints{path->pieces.at(0)};
   scene.clearance_m = 0.002;
-  const auto curve = generate_space_curve(scene, 0.03, 200);
+  const auto curve = generate_space_curve(scene, {.width_m = 0.03, .along = 200});
   ASSERT_TRUE(curve.has_value()) << curve.error().sentence();
   EXPECT_EQ(curve->crossings.size(), 1U);
   const RibbonMesh ribbon =

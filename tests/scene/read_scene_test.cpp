@@ -245,6 +245,23 @@ std::string ribbon_line(const std::string& from, const std::string& to) {
   return replaced(smallest_scene(), from, to);
 }
 
+TEST(ReadScene, a_width_may_vary_along_the_ribbon) {
+  const Scene scene = read_text(ribbon_line("0.05", "[[0, 0.02], [0.5, 0.04], [1, 0.06]]")).value();
+  ASSERT_TRUE(scene.ribbon.profile.has_value());
+  EXPECT_EQ(scene.ribbon.profile->points,
+            (std::vector<WidthAt>{{0, 0.02}, {0.5, 0.04}, {1, 0.06}}));
+  EXPECT_THAT(scene.ribbon.profile->place, testing::EndsWith("knot.toml:4:9"));
+  EXPECT_NEAR(scene.ribbon.width_m, 0.04, 1e-9) << "the mean of its rows";
+  EXPECT_NEAR(scene.curve.clearance_m, 0.004, 1e-9) << "a tenth of it";
+}
+
+TEST(ReadScene, a_profile_of_one_width_is_that_width) {
+  const Scene alike = read_text(ribbon_line("0.05", "[[0, 0.07], [0.5, 0.07], [1, 0.07]]")).value();
+  const Scene number = read_text(ribbon_line("0.05", "0.07")).value();
+  EXPECT_EQ(alike.ribbon, number.ribbon);
+  EXPECT_EQ(alike.curve, number.curve);
+}
+
 class ImpossibleValue : public testing::TestWithParam<Impossible> {};
 
 TEST_P(ImpossibleValue, is_told_with_place_and_remedy) {
@@ -252,6 +269,8 @@ TEST_P(ImpossibleValue, is_told_with_place_and_remedy) {
 }
 
 const std::string width_rule = "'width' must be a number above 0 (from 1e-12 to 1e12), not ";
+const std::string shares_rule =
+    "'width' must be pairs whose shares of the length rise from 0 to 1, not ";
 const std::string width_remedy = "; write for example 'width = 0.05'";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -268,6 +287,33 @@ INSTANTIATE_TEST_SUITE_P(
                    "4:9: " + width_rule + "1e+300" + width_remedy},
         Impossible{"text_for_a_number", ribbon_line("0.05", "'5 cm'"),
                    "4:9: " + width_rule + "the text '5 cm'" + width_remedy},
+        Impossible{"one_pair_for_a_profile", ribbon_line("0.05", "[[0, 0.05]]"),
+                   "4:9: 'width' must be a number, or at least 2 pairs [share of the length, "
+                   "width], not an array of 1" +
+                       width_remedy},
+        Impossible{"no_pair_in_a_profile", ribbon_line("0.05", "[[0, 0.05], [1]]"),
+                   "4:21: 'width' must be pairs of a share of the length and a width, not an array "
+                   "of 1" +
+                       width_remedy},
+        Impossible{"profile_that_begins_late", ribbon_line("0.05", "[[0.1, 0.05], [1, 0.1]]"),
+                   "4:11: " + shares_rule + "0.1" + width_remedy},
+        Impossible{"profile_that_ends_early", ribbon_line("0.05", "[[0, 0.05], [0.9, 0.1]]"),
+                   "4:22: " + shares_rule + "0.9" + width_remedy},
+        Impossible{"profile_that_stands_still",
+                   ribbon_line("0.05", "[[0, 1], [0.5, 1], [0.5, 2], [1, 1]]"),
+                   "4:29: " + shares_rule + "0.5" + width_remedy},
+        Impossible{"profile_that_goes_back",
+                   ribbon_line("0.05", "[[0, 1], [0.5, 1], [0.4, 2], [1, 1]]"),
+                   "4:29: " + shares_rule + "0.4" + width_remedy},
+        Impossible{"profile_beyond_the_end", ribbon_line("0.05", "[[0, 1], [1.5, 1], [1, 1]]"),
+                   "4:19: " + shares_rule + "1.5" + width_remedy},
+        Impossible{"profile_of_no_width", ribbon_line("0.05", "[[0, 0.05], [1, 0]]"),
+                   "4:25: 'width' must be pairs with a width above 0 (from 1e-12 to 1e12), not 0" +
+                       width_remedy},
+        Impossible{"profile_of_negative_width", ribbon_line("0.05", "[[0, -0.05], [1, 1]]"),
+                   "4:14: 'width' must be pairs with a width above 0 (from 1e-12 to 1e12), not "
+                   "-0.05" +
+                       width_remedy},
         Impossible{"fraction_for_a_count", ribbon_line("400", "1.5"),
                    "5:9: 'along' must be a whole number of at least 2, not 1.5; "
                    "write for example 'along = 400'"},

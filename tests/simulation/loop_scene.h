@@ -40,6 +40,12 @@ inline Scene scene_of_loop() {
   return scene;
 }
 
+// From a third of its width to five thirds.
+inline RibbonScene with_profile(RibbonScene ribbon) {
+  ribbon.profile = WidthProfile{{{0, ribbon.width_m / 3}, {1, ribbon.width_m * 5 / 3}}};
+  return ribbon;
+}
+
 inline RibbonMesh mesh_of_loop(const Scene& scene, double size = 1) {
   return generate_ribbon_mesh(loop(scene.ribbon.along, size), scene.ribbon, Axis::y);
 }

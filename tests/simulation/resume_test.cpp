@@ -69,6 +69,8 @@ std::vector<Case> runs() {
   all.back().scene.fastening->pull = FasteningPull::ends;
   all.push_back({"in stages", all.front().scene});
   all.back().scene.stages = stages();
+  all.push_back({"with a width profile", all.front().scene, post(post_radius_m)});
+  all.back().scene.ribbon = with_profile(all.back().scene.ribbon);
   all.push_back({"without loss", all.front().scene, post(post_radius_m)});
   all.back().scene.recording.max_position_error = 0;
   return all;
@@ -82,8 +84,7 @@ FasteningProcessor begun(const Case& run, int steps = 0) {
 }
 
 RestSize size_of(const Scene& scene) {
-  const RibbonMesh mesh = mesh_of_loop(scene);
-  return {mesh.grid, mesh.length_m, mesh.width_m};
+  return mesh_of_loop(scene).size();
 }
 
 FasteningProcessor restored(const Case& run, const std::string& state,

@@ -56,7 +56,7 @@ TEST(JitteredScene, is_the_same_knot_with_the_same_cloth) {
     EXPECT_EQ(scene.name, "overhand-hourglass-8x400-jitter-" + std::to_string(seed));
     EXPECT_EQ(scene.springs.stretch, original.springs.stretch);
     EXPECT_EQ(scene.time.duration_s, original.time.duration_s);
-    const auto curve = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along);
+    const auto curve = generate_space_curve(scene.curve, scene.ribbon);
     ASSERT_TRUE(curve.has_value()) << curve.error().sentence();
     EXPECT_EQ(curve->crossings.size(), 3U);
   }

@@ -82,6 +82,9 @@ std::vector<FeatureScene> feature_scenes(const Scene& full) {
                         .yield_strain = s.fastening->yield_strain};
     s.stages = {{.hands = {all}}};
   });
+  list.add_choice("sample, width profile", full, [](Scene& s) {
+    s.ribbon.profile = WidthProfile{{{0, 0.5 * s.ribbon.width_m}, {1, 1.5 * s.ribbon.width_m}}};
+  });
   list.add_choice("sample, `contact = \"paper\"`", full,
                   [](Scene& s) { s.contact = ContactMethod::paper; });
   return std::move(list).scenes();

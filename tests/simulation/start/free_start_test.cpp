@@ -38,8 +38,7 @@ Scene scene_of_crossing(double width_m) {
 }
 
 RibbonMesh mesh_of(const Scene& scene) {
-  const auto curve = generate_space_curve(scene.curve, scene.ribbon.width_m, scene.ribbon.along,
-                                          TightPassage::squeeze);
+  const auto curve = generate_space_curve(scene.curve, scene.ribbon, TightPassage::squeeze);
   return generate_ribbon_mesh(curve.value(), scene.ribbon, scene.curve.axis);
 }
 

@@ -48,6 +48,17 @@ TEST(WidthGrowth, with_room_the_band_gets_its_whole_width_and_stays_flat) {
   EXPECT_EQ(cloth.velocities.cwiseAbs().maxCoeff(), 0);
 }
 
+TEST(WidthGrowth, with_room_a_band_with_a_profile_gets_all_of_its_widths) {
+  Scene scene = scene_of_loop();
+  scene.ribbon = with_profile({.width_m = 0.3, .along = 20, .across = 4, .mass_kg = 1});
+  const RibbonMesh ribbon = generate_ribbon_mesh(straight_curve(20, 1.9), scene.ribbon, Axis::y);
+  Bodies bodies{ribbon.grid, std::nullopt};
+  Cloth cloth{rows_scaled(ribbon.grid, 0.25, ribbon.positions), Matrix3Xd::Zero(3, 80), 0.01,
+              lightness(ribbon.size())};
+  EXPECT_TRUE(grow_width(scene, ribbon, 0.25, {}, bodies, cloth).complete);
+  EXPECT_LT((cloth.positions - ribbon.positions).cwiseAbs().maxCoeff(), 0.15 * 0.3);
+}
+
 TEST(WidthGrowth, a_band_that_nothing_can_settle_is_told_with_the_place) {
   Scene scene = scene_of_loop();
   scene.ribbon.across = 2;
