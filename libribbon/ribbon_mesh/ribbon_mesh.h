@@ -17,15 +17,15 @@ namespace ribbon {
 
 struct RibbonMesh {
   RibbonGrid grid;
-  Eigen::Matrix3Xd curve;            // 3 x along, metres: the centre line that it was put on
-  Eigen::Matrix3Xd positions;        // 3 x particles, metres
-  Eigen::Matrix2Xf uv;               // 2 x particles: u along, v across, both from 0 to 1
-  double length_m = 0;               // of the flat band
-  double width_m = 0;                // mean of its rows
-  std::vector<double> row_widths_m;  // as in RestSize
-  std::vector<Crossing> crossings;   // of the drawing
-  std::vector<ObjectPassage> objects = {};       // likewise
-  std::vector<double> passage_shares = {};       // of its length, where passages_along() them are
+  Eigen::Matrix3Xd curve;                   // 3 x along, metres: the centre line that it was put on
+  Eigen::Matrix3Xd positions;               // 3 x particles, metres
+  Eigen::Matrix2Xf uv;                      // 2 x particles: u along, v across, both from 0 to 1
+  double length_m = 0;                      // of the flat band
+  double width_m = 0;                       // mean of its rows
+  std::vector<double> row_widths_m;         // as in RestSize
+  std::vector<Crossing> crossings;          // of the drawing
+  std::vector<ObjectPassage> objects = {};  // likewise
+  std::vector<double> passage_shares = {};  // of its length, where passages_along() them are
   std::optional<Error> squeezed = std::nullopt;  // the drawing's passage that is too tight for it
 
   [[nodiscard]] RestSize size() const { return {grid, length_m, width_m, row_widths_m}; }

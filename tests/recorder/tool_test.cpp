@@ -253,7 +253,7 @@ TEST_F(RibbonRecord, a_disk_that_fills_while_it_resumes_keeps_all_before) {
 }
 
 TEST_F(RibbonRecord, a_full_disk_keeps_the_frames_before_it) {
-  const ToolRun answer = run("small.toml -o knot.rbn", "ulimit -f 8;");
+  const ToolRun answer = run("small.toml -o knot.rbn", "ulimit -f 16;");
   expect_refusal(answer, "knot.rbn");
   const auto reader = RecordingReader::open(folder_ / "knot.rbn");
   ASSERT_TRUE(reader.has_value()) << reader.error().sentence();

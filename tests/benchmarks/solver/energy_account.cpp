@@ -16,13 +16,13 @@ constexpr double strain_limit = 0.1;  // paper, section 5.5
 }  // namespace
 
 EnergyAccount::EnergyAccount(const Scene& scene, const RibbonMesh& mesh, const Matrix3Xd& start)
-    : network_(spring_network({mesh.grid, mesh.length_m, mesh.width_m}, scene.springs)),
+    : network_(spring_network(mesh.size(), scene.springs)),
       step_s_(scene.time.step_s),
       mass_kg_(scene.ribbon.mass_kg / mesh.grid.particle_count()),
       put_in_j_(elastic_energy_j(network_, start)),
       gravity_m_s2_(scene.gravity_m_s2.value_or(Eigen::Vector3d::Zero())) {
   if (scene.fastening)
-    force_.emplace(*scene.fastening, scene.air_resistance_per_s, mesh.grid, start, mass_kg_);
+    force_.emplace(*scene.fastening, scene.air_resistance_per_s, mesh.size(), start, mass_kg_);
 }
 
 void EnergyAccount::add_step(const Matrix3Xd& before, const Matrix3Xd& after) {

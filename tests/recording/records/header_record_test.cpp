@@ -160,7 +160,7 @@ TEST(HeaderRecord, stages_come_back_but_not_more_than_a_byte_counts) {
   header.stages.assign(255, "x");
   std::string payload = header_payload(header);
   EXPECT_EQ(parse_header_payload(payload)->stages.size(), 255U);
-  const std::size_t count_at = payload.size() - bytes_of_2_4 - 255 * 5 - count_bytes;
+  const std::size_t count_at = payload.size() - bytes_of_2_4 - std::size_t{255} * 5 - count_bytes;
   payload[count_at + 1] = 1;
   payload[count_at] = 0;
   EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());

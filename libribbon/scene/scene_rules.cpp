@@ -1,0 +1,155 @@
+#include "scene/scene_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+#include "scene/scene_values.h"
+#include "scene/stage_rules.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr double most_steps = 1e9;
+constexpr double default_frames_per_second = 50;
+constexpr double default_clearance_of_width = 0.1;
+constexpr double default_frames_per_checkpoint = 10'000;
+
+Result<void> one_drawing(const Document& document, const Scene&) {
+  const bool svg = document.find("curve", "svg") != nullptr;
+  const bool points = document.find("curve", "points") != nullptr;
+  if (svg && points)
+    return failure(document.place("curve", "points"), "[curve] has both 'svg' and 'points'",
+                   "remove one of them");
+  if (!svg && !points)
+    return failure(document.place("curve", ""), "[curve] has no drawing",
+                   "write for example 'svg = \"overhand.svg\"' or 'points = [[0, 0], [100, 50]]'");
+  if (points && document.find("curve", "path") != nullptr)
+    return failure(document.place("curve", "path"),
+                   "'path' names a path of an SVG file, but the drawing is a list of 'points'",
+                   "remove 'path', or replace 'points' by 'svg'");
+  return {};
+}
+
+Result<void> one_way_to_pass_over(const Document& document, const Scene& scene) {
+  if (!scene.curve.crossings || document.find("curve", "first") == nullptr) return {};
+  return failure(document.place("curve", "first"),
+                 "[curve] has both 'first' and 'crossings', which says it of every passage",
+                 "remove one of them");
+}
+
+Result<void> expected_between_places(const Document& document, const Scene& scene) {
+  if (!scene.knot || !scene.knot->expect_between || scene.knot->between) return {};
+  return failure(document.place("knot", "expect_between"),
+                 "'expect_between' is the knot of a part of the band, but no part is told",
+                 "add for example 'between = [\"tip-left\", \"tip-right\"]'");
+}
+
+Result<void> countable_particles(const Document& document, const Scene& scene) {
+  if (scene.ribbon.across > scene_values::most_columns)
+    return failure(document.place("ribbon", "across"), "'across' is more than a recording holds",
+                   "write at most " + std::to_string(scene_values::most_columns));
+  const std::int64_t particles = std::int64_t{scene.ribbon.along} * scene.ribbon.across;
+  if (particles <= scene_values::most_particles) return {};
+  return failure(document.place("ribbon", "along"),
+                 "'along' times 'across' is " + std::to_string(particles) + " particles",
+                 "write smaller numbers, at most " + std::to_string(scene_values::most_particles) +
+                     " particles together");
+}
+
+// Thicker, each layer would meet all others, and lists of what touches would fill the memory.
+Result<void> cloth_is_flat(const Document& document, const Scene& scene) {
+  if (scene.ribbon.thickness_m <= scene.ribbon.width_m) return {};
+  return failure(document.place("ribbon", "thickness"),
+                 "'thickness' is " + shortest(scene.ribbon.thickness_m) +
+                     " m, more than the 'width' of the ribbon",
+                 "write the thickness of the cloth in metres, for example 'thickness = 0.001'");
+}
+
+Result<void> countable_steps(const Document& document, const Scene& scene) {
+  const double steps = scene.time.duration_s / scene.time.step_s;
+  if (steps < 1 - 1e-9)
+    return failure(document.place("time", "duration"),
+                   "'duration' is shorter than one 'step' of " + shortest(scene.time.step_s) + " s",
+                   "write a longer duration or a shorter step");
+  if (steps > most_steps)
+    return failure(document.place("time", "duration"),
+                   "'duration' is " + shortest(std::round(steps)) + " steps of " +
+                       shortest(scene.time.step_s) + " s",
+                   "write a shorter duration or a longer step, at most 1e9 steps");
+  return {};
+}
+
+// Frames are taken at steps, so there cannot be more frames than steps.
+Result<void> at_most_a_frame_a_step(const Document& document, const Scene& scene) {
+  const double most = 1 / scene.time.step_s;
+  if (scene.recording.frames_per_second <= most * (1 + 1e-9)) return {};
+  return failure(document.place("recording", "frames_per_second"),
+                 "'frames_per_second' is " + shortest(scene.recording.frames_per_second) +
+                     ", but with a step of " + shortest(scene.time.step_s) + " s there are only " +
+                     shortest(most) + " steps per second",
+                 "write 'frames_per_second = " + shortest(most) + "' or less, or a shorter step");
+}
+
+Result<void> fastening_against_air(const Document& document, const Scene& scene) {
+  if (!scene.fastening || scene.air_resistance_per_s > 0) return {};
+  return failure(document.place("fastening", ""),
+                 "[fastening] needs air resistance, because its force is the one that reaches "
+                 "'speed' against it",
+                 "write for example 'resistance = 10' in [air]");
+}
+
+Result<void> tight_by_fastening(const Document& document, const Scene& scene) {
+  if (scene.fastening || scene.time.until == RunsUntil::duration) return {};
+  return failure(document.place("time", "until"),
+                 "a ribbon that nothing pulls never becomes 'tight'",
+                 "add '[fastening]' with for example 'speed = 0.5' below it, or remove 'until'");
+}
+
+void set_mean_width(RibbonScene& ribbon) {
+  if (!ribbon.profile) return;
+  const std::vector<double> rows_m = row_widths_m(ribbon);
+  ribbon.width_m = std::accumulate(rows_m.begin(), rows_m.end(), 0.0) / ribbon.along;
+}
+
+// Hands pull and yield as [fastening] says, unless they say otherwise.
+void set_defaults_of_stages(Scene& scene) {
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    StageScene& stage = scene.stages[i];
+    if (stage.name.empty()) stage.name = "stage " + std::to_string(i + 1);
+    for (HandScene& hand : stage.hands) {
+      if (!scene.fastening) continue;
+      if (hand.speed_m_s == 0) hand.speed_m_s = scene.fastening->speed_m_s;
+      if (!hand.yield_strain && hand.task != HandTask::hold)
+        hand.yield_strain = scene.fastening->yield_strain;
+    }
+  }
+}
+
+}  // namespace
+
+void set_defaults(const Document& document, Scene& scene) {
+  if (scene.name.empty()) scene.name = document.file.stem().string();
+  set_mean_width(scene.ribbon);
+  if (scene.curve.clearance_m == 0)
+    scene.curve.clearance_m = default_clearance_of_width * scene.ribbon.width_m;
+  if (document.find("recording", "frames_per_second") == nullptr)
+    scene.recording.frames_per_second = std::min(default_frames_per_second, 1 / scene.time.step_s);
+  if (document.find("recording", "checkpoint_every") == nullptr)
+    scene.recording.checkpoint_every_s =
+        default_frames_per_checkpoint / scene.recording.frames_per_second;
+  set_defaults_of_stages(scene);
+}
+
+Result<void> check_rules(const Document& document, const Scene& scene) {
+  for (const auto& rule :
+       {one_drawing, one_way_to_pass_over, expected_between_places, countable_particles,
+        cloth_is_flat, countable_steps, at_most_a_frame_a_step, fastening_against_air,
+        tight_by_fastening, check_stages})
+    if (auto kept = rule(document, scene); !kept) return kept;
+  return {};
+}
+
+}  // namespace ribbon
