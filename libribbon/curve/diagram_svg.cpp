@@ -124,7 +124,7 @@ struct Stroke {
 std::vector<Stroke> object_strokes(const MeasuredDrawing& drawing,
                                    const std::vector<ObjectPassage>& objects, double diagonal) {
   const std::string dashes =
-      " class=\"behind\" stroke-dasharray=\"" + number(dash * diagonal) + "\"";
+      R"( class="behind" stroke-dasharray=")" + number(dash * diagonal) + "\"";
   std::vector<Stroke> strokes;
   strokes.reserve(objects.size());
   for (const auto& [run, in_front] : objects)

@@ -173,7 +173,7 @@ std::vector<Key> curve_keys() {
 std::vector<Key> knot_keys() {
   return {
       {"expect", required, "\"reef knot\"", set(in(&Scene::knot, &KnotScene::expect), named_knot)},
-      {"between", optional, "[\"tip-left\", \"tip-right\"]",
+      {"between", optional, R"(["tip-left", "tip-right"])",
        set(in(&Scene::knot, &KnotScene::between), two_places)},
       {"expect_between", optional, "\"reef knot\"",
        set(in(&Scene::knot, &KnotScene::expect_between), named_knot)},

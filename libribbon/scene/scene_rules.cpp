@@ -44,7 +44,7 @@ Result<void> expected_between_places(const Document& document, const Scene& scen
   if (!scene.knot || !scene.knot->expect_between || scene.knot->between) return {};
   return failure(document.place("knot", "expect_between"),
                  "'expect_between' is the knot of a part of the band, but no part is told",
-                 "add for example 'between = [\"tip-left\", \"tip-right\"]'");
+                 R"(add for example 'between = ["tip-left", "tip-right"]')");
 }
 
 Result<void> countable_particles(const Document& document, const Scene& scene) {

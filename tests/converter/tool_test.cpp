@@ -485,10 +485,10 @@ TEST_F(TexturedTool, the_back_of_a_solid_can_show_another_picture) {
   record(without_obstacle());
   const std::string lining = sample_png() + "another";
   ASSERT_TRUE(write_file(folder_ / "lining.png", lining));
-  const std::string both = "--texture-back lining.png --thickness 0.002 --frames 1,2 ";
+  const std::string both = " --texture-back lining.png --thickness 0.002 --frames 1,2 --verify";
   for (const std::string output :
        {"'1/a.{frame}.obj'", "'2/a.{frame}.fbx'", "3/a.fbx", "4/a.mdd", "5/a.usda", "6/a.glb"}) {
-    EXPECT_EQ(output_of(convert_to(output + " " + both + "--verify")), "") << output;
+    EXPECT_EQ(output_of(convert_to(output + both)), "") << output;
     if (output == "6/a.glb") continue;  // it holds them
     const std::string below = output.substr(output[0] == '\'' ? 1 : 0, 2);
     EXPECT_EQ(bytes(below + "a.png"), sample_png()) << output;

@@ -25,11 +25,12 @@ float hill(double x, double z) {
 TriangleMesh hilly(int squares) {
   TriangleMesh mesh;
   const int side = squares + 1;
-  mesh.vertices.resize(3, side * side);
-  mesh.triangles.resize(3, 2 * squares * squares);
+  mesh.vertices.resize(3, Eigen::Index{side} * side);
+  mesh.triangles.resize(3, Eigen::Index{2} * squares * squares);
   for (int i = 0; i < side * side; ++i) {
     const double x = static_cast<double>(i % side) / squares;
-    const double z = static_cast<double>(i / side) / squares;
+    const int row = i / side;
+    const double z = static_cast<double>(row) / squares;
     mesh.vertices.col(i) << static_cast<float>(x), hill(x, z), static_cast<float>(z);
   }
   for (int s = 0; s < squares * squares; ++s) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "geometry/rest_size.h"
 #include "simulation/contact/contact_lengths.h"
@@ -16,8 +17,8 @@ namespace ribbon {
 // touching at half of that distance at most.
 class PairDistances {
  public:
-  PairDistances(const RestSize& size, const ContactLengths& lengths)
-      : size_(size), lengths_(lengths) {}
+  PairDistances(RestSize size, const ContactLengths& lengths)
+      : size_(std::move(size)), lengths_(lengths) {}
 
   [[nodiscard]] double min_separation_m(const FeaturePair& pair) const {
     return is_thick() ? std::max(lengths_.min_separation_m, 0.5 * thick_activation_m(pair))

@@ -72,10 +72,11 @@ bool StrainConstraints::tighten(RowActivity& activity, Cloth& cloth) const {
   bool any = false;
   for (std::size_t i = 0; i < families_.size(); ++i) {
     activity.begin(first_family_task + i);
-    const auto& [family, limit, most] = families_[i];
-    any = with_rest_lengths(family,
+    const LimitedFamily& limited = families_[i];
+    any = with_rest_lengths(limited.family,
                             [&](const auto& rest_m) {
-                              return tighten_all(family, limit, rest_m, grid_, activity, cloth);
+                              return tighten_all(limited.family, limited.limit, rest_m, grid_,
+                                                 activity, cloth);
                             }) ||
           any;
   }
