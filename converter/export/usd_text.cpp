@@ -43,7 +43,7 @@ char* write_tuple(char* text, const float* numbers, Eigen::Index count) {
 
 // Written in place: this is most of the time that a file takes.
 std::string tuples_text(const Eigen::Ref<const Eigen::MatrixXf>& columns) {
-  assert(columns.cols() <= tuples_per_range && columns.rows() <= 3);
+  assert(static_cast<std::size_t>(columns.cols()) <= tuples_per_range && columns.rows() <= 3);
   std::array<char, tuples_per_range * most_tuple_bytes> text;
   char* end = text.data();
   for (Eigen::Index i = 0; i < columns.cols(); ++i)
