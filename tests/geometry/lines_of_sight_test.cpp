@@ -12,8 +12,10 @@ namespace ribbon::lines_of_sight_test {
 // Looked at from above: right is x, below is z, towards the viewer is y.
 LinesOfSight from_above(const TriangleMesh& mesh) {
   Eigen::Matrix3Xd seen(3, mesh.vertices.cols());
-  seen << mesh.vertices.row(0).cast<double>(), mesh.vertices.row(2).cast<double>(),
-      mesh.vertices.row(1).cast<double>();
+  for (Eigen::Index i = 0; i < seen.cols(); ++i) {
+    const Eigen::Vector3d vertex = mesh.vertices.col(i).cast<double>();
+    seen.col(i) << vertex.x(), vertex.z(), vertex.y();
+  }
   return {seen, mesh.triangles};
 }
 
