@@ -9,6 +9,7 @@
 
 #include "converter/export/alembic_tree.h"
 #include "converter/export/number_digits.h"
+#include "converter/export/point_bounds.h"
 #include "converter/export/raw_bytes.h"
 #include "converter/export/unique_names.h"
 #include "recording/coding/bytes.h"
@@ -67,13 +68,11 @@ class AlembicMesh {
         normals_(normals_type, time_sampling) {}
 
   void append(OgawaFile& file, const ModelObject& object) {
-    const Eigen::Matrix3Xf& positions = object.positions;
-    Eigen::Matrix<double, 3, 2> bounds = Eigen::Matrix<double, 3, 2>::Zero();
-    if (positions.cols() > 0)
-      bounds << positions.rowwise().minCoeff().cast<double>(),
-          positions.rowwise().maxCoeff().cast<double>();
+    const PointBounds reach = bounds_of(object.positions);
+    Eigen::Matrix<double, 3, 2> bounds;
+    bounds << reach.least.cast<double>(), reach.largest.cast<double>();
     bounds_.append(file, raw_bytes(bounds));
-    positions_.append(file, raw_bytes(positions));
+    positions_.append(file, raw_bytes(object.positions));
     if (object.normals.cols() > 0) normals_.append(file, raw_bytes(object.normals));
     ++samples_;
   }

@@ -267,26 +267,6 @@ std::size_t glb_padding(std::size_t bytes) {
   return (4 - bytes % 4) % 4;
 }
 
-// Four points at a time, which the processor compares at once.
-PointBounds bounds_of(const Eigen::Matrix3Xf& points) {
-  using FourPoints = Eigen::Array<float, 12, 1>;
-  const Eigen::Index fours = points.cols() / 4;
-  const Eigen::Map<const Eigen::Array<float, 12, Eigen::Dynamic>> packed(points.data(), 12, fours);
-  FourPoints least = points.col(0).replicate<4, 1>();
-  FourPoints largest = least;
-  for (Eigen::Index four = 0; four < fours; ++four) {
-    least = least.min(packed.col(four));
-    largest = largest.max(packed.col(four));
-  }
-  PointBounds bounds{.least = least.reshaped(3, 4).rowwise().minCoeff(),
-                     .largest = largest.reshaped(3, 4).rowwise().maxCoeff()};
-  for (Eigen::Index point = 4 * fours; point < points.cols(); ++point) {
-    bounds.least = bounds.least.cwiseMin(points.col(point));
-    bounds.largest = bounds.largest.cwiseMax(points.col(point));
-  }
-  return bounds;
-}
-
 Eigen::Matrix3Xi triangulated(const Eigen::MatrixXi& faces) {
   if (faces.rows() == 3) return faces;
   Eigen::Matrix3Xi triangles(3, 2 * faces.cols());

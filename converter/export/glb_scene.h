@@ -7,16 +7,9 @@
 #include <vector>
 
 #include "converter/export/model.h"
+#include "converter/export/point_bounds.h"
 
 namespace ribbon {
-
-// The smallest and the largest coordinates of some points.
-struct PointBounds {
-  Eigen::Vector3f least = Eigen::Vector3f::Zero();
-  Eigen::Vector3f largest = Eigen::Vector3f::Zero();
-};
-
-PointBounds bounds_of(const Eigen::Matrix3Xf& points);
 
 // Corners of triangles, 3 x count; quads are split from their first corner to their third.
 Eigen::Matrix3Xi triangulated(const Eigen::MatrixXi& faces);

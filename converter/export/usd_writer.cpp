@@ -8,6 +8,7 @@
 
 #include "converter/export/number_digits.h"
 #include "converter/export/picture_file.h"
+#include "converter/export/point_bounds.h"
 #include "converter/export/unique_names.h"
 #include "converter/export/usd_text.h"
 #include "files/pending_file.h"
@@ -65,9 +66,9 @@ def Xform "World"
 }
 
 Eigen::Matrix<float, 3, 2> extent_of(const Eigen::Matrix3Xf& positions) {
-  Eigen::Matrix<float, 3, 2> extent = Eigen::Matrix<float, 3, 2>::Zero();
-  if (positions.cols() > 0)
-    extent << positions.rowwise().minCoeff(), positions.rowwise().maxCoeff();
+  const PointBounds bounds = bounds_of(positions);
+  Eigen::Matrix<float, 3, 2> extent;
+  extent << bounds.least, bounds.largest;
   return extent;
 }
 
