@@ -1,6 +1,7 @@
 #include "simulation/step/gated_motion.h"
 
 #include <numeric>
+#include <utility>
 
 namespace ribbon {
 
@@ -14,8 +15,8 @@ constexpr int detections_of_stragglers = 3;  // before all particles count as su
 
 }  // namespace
 
-Gate::Gate(const RestSize& size, const PairDistances& pair_distances)
-    : distances(pair_distances),
+Gate::Gate(const RestSize& size, PairDistances pair_distances)
+    : distances(std::move(pair_distances)),
       broad_phase({.reach_m = distances.largest_activation_m(),
                    .slack_m = 0.05 * size.shortest_edge_m(),
                    .longest_displacement_m = 4 * size.shortest_edge_m()}),

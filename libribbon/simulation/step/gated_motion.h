@@ -17,7 +17,7 @@ namespace ribbon {
 
 // The gate's settings, and its stages, which keep their memory from motion to motion.
 struct Gate {
-  Gate(const RestSize& size, const PairDistances& pair_distances);
+  Gate(const RestSize& size, PairDistances pair_distances);
 
   PairDistances distances;
   BroadPhase broad_phase;
