@@ -43,7 +43,7 @@ class RecordingVerifier {
   void verify_batch(int begin, int end) {
     std::vector<DecodedFrame> batch;
     for (int index = begin; index < end; ++index) {
-      const bool is_asked = std::ranges::binary_search(order_.frames, index);
+      const bool is_asked = std::binary_search(order_.frames.begin(), order_.frames.end(), index);
       DecodedFrame frame{index, {}};
       if (!reader_.read(index, frame.positions)) {
         if (is_asked) result_.lost.push_back(index + 1);

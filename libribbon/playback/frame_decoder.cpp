@@ -114,7 +114,7 @@ bool FrameDecoder::decode_record(const RecordingContents& contents, const Indexe
     return decoded == nullptr ? nullptr : &decoded->quantised;
   });
   // Where the contents were checked meanwhile, the frame may refer to others than before.
-  if (std::ranges::find(references, nullptr) != references.end()) return false;
+  if (std::find(references.begin(), references.end(), nullptr) != references.end()) return false;
   return decoder_.decode(record->encoding, record->geometry, references, slot.quantised);
 }
 

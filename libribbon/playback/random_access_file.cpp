@@ -42,7 +42,7 @@ bool RandomAccessFile::is_being_written() const {
 
 std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) const {
   if (offset >= size_) return {};
-  std::string bytes(std::min(count, size_ - offset), '\0');
+  std::string bytes(static_cast<std::size_t>(std::min(count, size_ - offset)), '\0');
   std::size_t filled = 0;
   while (filled < bytes.size()) {
     const ssize_t got = ::pread(file_.number(), bytes.data() + filled, bytes.size() - filled,

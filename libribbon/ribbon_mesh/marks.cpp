@@ -14,6 +14,7 @@
 #include "geometry/vectors.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/document.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -59,7 +60,7 @@ std::vector<double> distances_m(const CurveScene& curve, const RibbonMesh& ribbo
 // Of the nearest row; fails without a place.
 Result<double> share_at(const CurveScene& curve, const RibbonMesh& ribbon, const DrawnMark& mark) {
   const std::vector<double> distances = distances_m(curve, ribbon, mark.middle);
-  const auto nearest = std::ranges::min_element(distances);
+  const auto nearest = std::min_element(distances.begin(), distances.end());
   const double row_m = ribbon.length_m / (ribbon.grid.along - 1);
   const auto row = static_cast<double>(nearest - distances.begin());
   for (std::size_t other = 0; other < distances.size(); ++other)
@@ -83,8 +84,8 @@ Result<std::vector<DrawnMark>> marks_of(const CurveScene& curve) {
 Result<double> share_of(const std::string& id, const Scene& scene, const RibbonMesh& ribbon) {
   const auto marks = marks_of(scene.curve);
   if (!marks) return tl::unexpected(marks.error());
-  const auto mark =
-      std::ranges::find_if(*marks, [&](const DrawnMark& one) { return one.id == id; });
+  const auto mark = std::find_if(marks->begin(), marks->end(),
+                                 [&](const DrawnMark& one) { return one.id == id; });
   if (mark == marks->end())
     return failure("", "the drawing has no mark " + in_quotes(id), list_of(*marks));
   return share_at(scene.curve, ribbon, *mark);
@@ -105,9 +106,10 @@ Result<std::string> hand_setting(const MarkedHand& hand, const Scene& scene,
 }
 
 bool is_marked(const Scene& scene) {
-  return scene.knot && scene.knot->between &&
-         std::ranges::any_of(scene.knot->between->ends,
-                             [](const auto& end) { return std::holds_alternative<Mark>(end); });
+  if (!scene.knot || !scene.knot->between) return false;
+  const auto& ends = scene.knot->between->ends;
+  return std::any_of(ends.begin(), ends.end(),
+                     [](const auto& end) { return std::holds_alternative<Mark>(end); });
 }
 
 Result<std::string> between_setting(const Scene& scene, const RibbonMesh& ribbon) {

@@ -1,7 +1,6 @@
 #include "scene/document.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "scene/outside_quotes.h"
@@ -14,7 +13,7 @@ namespace {
 TomlPosition position_at(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const std::size_t begin = before.rfind('\n') + 1;  // 0 where there is none
-  return {static_cast<std::uint32_t>(std::ranges::count(before, '\n') + 1),
+  return {static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n') + 1),
           static_cast<std::uint32_t>(offset - begin + 1)};
 }
 
@@ -83,12 +82,6 @@ std::string in_quotes(std::string_view text) {
       line.begin(), line.end(), [](unsigned char letter) { return letter < ' ' || letter == 127; },
       '?');
   return line;
-}
-
-std::string shortest(double number) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  return {digits.data(), end};
 }
 
 }  // namespace ribbon

@@ -32,7 +32,4 @@ Result<Document> parse_document(const std::filesystem::path& file, std::string_v
 // In quotes and on one line, whatever stands in it.
 std::string in_quotes(std::string_view text);
 
-// With as many digits as the number needs.
-std::string shortest(double number);
-
 }  // namespace ribbon

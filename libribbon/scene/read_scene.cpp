@@ -104,7 +104,8 @@ Result<void> read_width(const Value& value, Scene& scene) {
   return width_profile(value).map([&ribbon](WidthProfile&& profile) {
     ribbon.width_m = profile.points.front().width_m;
     const auto differs = [&](const WidthAt& point) { return point.width_m != ribbon.width_m; };
-    if (std::ranges::any_of(profile.points, differs)) ribbon.profile = std::move(profile);
+    if (std::any_of(profile.points.begin(), profile.points.end(), differs))
+      ribbon.profile = std::move(profile);
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "scene/scene_values.h"
 #include "scene/stage_rules.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/vectors.h"
+#include "text/number_text.h"
 
 namespace ribbon::scene_values {
 

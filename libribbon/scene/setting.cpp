@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scene/document.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -30,7 +31,7 @@ std::string trimmed(const std::string& text) {
 }
 
 bool is_bare(std::string_view word) {
-  return std::ranges::all_of(word, [](unsigned char letter) {
+  return std::all_of(word.begin(), word.end(), [](unsigned char letter) {
     return std::isalnum(letter) != 0 || letter == '_' || letter == '-';
   });
 }
@@ -41,8 +42,8 @@ bool is_counted_step(std::string_view step) {
   if (bracket == std::string_view::npos || bracket == 0 || !step.ends_with(']')) return false;
   const std::string_view number = step.substr(bracket + 1, step.size() - bracket - 2);
   return is_bare(step.substr(0, bracket)) && !number.empty() && number.size() <= 6 &&
-         std::ranges::all_of(number,
-                             [](unsigned char letter) { return std::isdigit(letter) != 0; });
+         std::all_of(number.begin(), number.end(),
+                     [](unsigned char letter) { return std::isdigit(letter) != 0; });
 }
 
 // "stage[2]" or "stage[2].hand[1]"

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "text/number_text.h"
+
 namespace ribbon {
 
 namespace {
@@ -73,8 +75,9 @@ Result<void> stage_can_end(const Document& document, const StageScene& stage, st
     return failure(document.place(path, "at_most"),
                    "'at_most' is for stages that last until they are tight",
                    "remove it, or write 'until = \"tight\"'");
-  const bool any_pulls = std::ranges::any_of(
-      stage.hands, [](const HandScene& hand) { return hand.task != HandTask::hold; });
+  const bool any_pulls =
+      std::any_of(stage.hands.begin(), stage.hands.end(),
+                  [](const HandScene& hand) { return hand.task != HandTask::hold; });
   if (any_pulls || stage.until_s || stage.at_most_s) return {};
   return failure(document.place(path, "until"),
                  "'" + stage.name + "' can never end: what nobody pulls never becomes tight",

@@ -61,7 +61,7 @@ std::vector<double> row_widths_m(const RibbonScene& ribbon) {
 
 double widest_m(const RibbonScene& ribbon) {
   const std::vector<double> rows_m = row_widths_m(ribbon);
-  return rows_m.empty() ? ribbon.width_m : std::ranges::max(rows_m);
+  return rows_m.empty() ? ribbon.width_m : *std::max_element(rows_m.begin(), rows_m.end());
 }
 
 }  // namespace ribbon

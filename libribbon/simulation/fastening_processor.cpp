@@ -217,13 +217,13 @@ double FasteningProcessor::time_s() const {
          static_cast<double>(parts_->steps - parts_->steps_before) * parts_->step_s;
 }
 
-long FasteningProcessor::steps() const {
+std::int64_t FasteningProcessor::steps() const {
   return parts_->steps;
 }
 
-long FasteningProcessor::steps_at(double time_s) const {
+std::int64_t FasteningProcessor::steps_at(double time_s) const {
   const double steps = (time_s - parts_->before_s) / parts_->step_s;
-  return parts_->steps_before + static_cast<long>(std::ceil(steps - 1e-9 * (1 + steps)));
+  return parts_->steps_before + static_cast<std::int64_t>(std::ceil(steps - 1e-9 * (1 + steps)));
 }
 
 const StageSums& FasteningProcessor::stage_sums() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -105,10 +106,10 @@ class FasteningProcessor {
   [[nodiscard]] const Eigen::Matrix3Xd& positions() const;
   [[nodiscard]] double time_s() const;
   // Since the start.
-  [[nodiscard]] long steps() const;
+  [[nodiscard]] std::int64_t steps() const;
   // How many there are at the first step at or after a time. A time that falls on a step up to
   // rounding is on it.
-  [[nodiscard]] long steps_at(double time_s) const;
+  [[nodiscard]] std::int64_t steps_at(double time_s) const;
 
  private:
   struct Parts;  // so that callers need not know what a simulation consists of

@@ -13,6 +13,10 @@ std::string short_number(double number, int digits) {
   return fmt::format("{:.{}g}", number, digits);
 }
 
+std::string shortest(double number) {
+  return fmt::format("{}", number);
+}
+
 std::string metres(double length_m) {
   return short_number(length_m, 3) + " m";
 }

@@ -18,6 +18,9 @@ std::string decimals(double number, int digits);
 // As short as that many significant digits allow: "0.25", "1e-05".
 std::string short_number(double number, int digits = 6);
 
+// With as many digits as the number needs.
+std::string shortest(double number);
+
 // Three significant digits and the unit: "0.0123 m".
 std::string metres(double length_m);
 

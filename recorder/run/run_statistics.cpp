@@ -79,7 +79,7 @@ std::string ending_text(const RunStatistics& statistics) {
          tightness_text(*statistics.tightness);
 }
 
-std::string profile_line(std::string_view what, double time_s, double of_s, long times) {
+std::string profile_line(std::string_view what, double time_s, double of_s, std::int64_t times) {
   const double each_ms = times > 0 ? 1000 * time_s / static_cast<double>(times) : 0;
   const double percent = of_s > 0 ? 100 * time_s / of_s : 0;
   return filled_in("  {:<17}{:>6.1f} %{:>11.3f} ms\n", what, percent, each_ms);
@@ -116,9 +116,9 @@ std::string profile_text(const RunStatistics& statistics) {
           profile_line("encoding", statistics.beside_it.writer.encoding_s, all_s, frames) +
           profile_line("writing", statistics.beside_it.writer.writing_s, all_s, frames) +
           profile_line("syncing", statistics.beside_it.writer.syncing_s, all_s, frames);
-  const auto per_step = [&](long count) {
+  const auto per_step = [&](std::int64_t count) {
     return static_cast<double>(count) /
-           static_cast<double>(std::max(1L, statistics.computed_steps));
+           static_cast<double>(std::max(std::int64_t{1}, statistics.computed_steps));
   };
   const StageSums& sums = statistics.stages;
   return text + filled_in(

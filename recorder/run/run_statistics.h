@@ -17,10 +17,11 @@ struct RunStatistics {
   std::string scene_name = {};
   int along = 0;
   int across = 0;
-  std::string start = {};   // how it was made: "free", "grown" or "recovered"
-  double start_s = 0;       // wall time that took
-  long steps = 0;           // that led to the last frame
-  long computed_steps = 0;  // by this run: others may have been before it
+  std::string start = {};  // how it was made: "free", "grown" or "recovered"
+  double start_s = 0;      // wall time that took
+  std::int64_t steps = 0;  // that led to the last frame
+  // By this run: others may have been before it.
+  std::int64_t computed_steps = 0;
   int frames = 0;
   int first_frame = 0;  // how many frames were there before this run
   double simulated_s = 0;

@@ -32,7 +32,7 @@ class StepSums {
 
  private:
   int steps_ = 0;
-  long recovery_iterations_ = 0;
+  std::int64_t recovery_iterations_ = 0;
   int penetrating_edges_ = 0;
   double truncated_ = 0;
   double pull_ = 0;
@@ -73,7 +73,7 @@ SimulatedFrame SimulatedFrames::next() {
   if (++index_ == 0)
     sums.add({.recovery_iterations = fastening_.start().recovery_iterations,
               .penetrating_edges = fastening_.start().penetrating_edges});
-  const long last = fastening_.steps_at(index_ / frames_per_second_);
+  const std::int64_t last = fastening_.steps_at(index_ / frames_per_second_);
   for (; fastening_.steps() < last; ++effort_.steps) sums.add(fastening_.step());
   effort_.simulation_s += stopwatch.lap();
   SimulatedFrame frame{.index = index_, .numbers = {}, .positions = fastening_.positions()};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 
 #include "recording/records/recording.h"
 #include "scene/scene.h"
@@ -22,7 +23,7 @@ class SimulatedFrames {
   struct Effort {
     double simulation_s = 0;
     double measuring_s = 0;  // of the numbers
-    long steps = 0;
+    std::int64_t steps = 0;
   };
 
   // `fastening` stands where frame `index` was taken; -1: at its start, of which no frame has been

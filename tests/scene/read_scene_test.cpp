@@ -377,7 +377,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "100 steps per second; write 'frames_per_second = 100' or less, or a shorter "
                    "step"},
         Impossible{"too_many_steps", ribbon_line("duration = 4", "duration = 1e8"),
-                   "8:12: 'duration' is 1e+10 steps of 0.01 s; "
+                   "8:12: 'duration' is 10000000000 steps of 0.01 s; "
                    "write a shorter duration or a longer step, at most 1e9 steps"},
         Impossible{"less_than_a_step", ribbon_line("duration = 4", "duration = 0.005"),
                    "8:12: 'duration' is shorter than one 'step' of 0.01 s; "

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 
 #include "knot/type/jones_polynomial.h"
@@ -116,8 +115,7 @@ std::vector<std::string> knot_names(const KnotDiagram& drawing) {
 const std::vector<std::string>& known_knot_names() {
   static const std::vector<std::string> known = [] {
     std::vector<std::string> names = known_type_names();
-    std::ranges::transform(forms, std::back_inserter(names),
-                           [](const TiedForm& form) { return std::string(form.name); });
+    for (const TiedForm& form : forms) names.emplace_back(form.name);
     return names;
   }();
   return known;

@@ -54,7 +54,8 @@ class NormalEquations {
       solved[a] = sum / sums_[a][a];
     }
     // Numbers whose squares do not fit, or infinite differences: then there are no weights.
-    if (!std::ranges::all_of(solved, [](double w) { return std::isfinite(w); })) solved.fill(0);
+    const auto is_finite = [](double weight) { return std::isfinite(weight); };
+    if (!std::all_of(solved.begin(), solved.end(), is_finite)) solved.fill(0);
     return solved;
   }
 

@@ -1,7 +1,7 @@
 // Little-endian numbers in byte strings, whatever the machine's own order.
 #pragma once
 
-#include <bit>
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -19,7 +19,7 @@ using BitsOf = std::conditional_t<
 // Appends a number of fixed size: put<std::uint32_t>(bytes, 7).
 template <class Number>
 void put(std::string& bytes, std::type_identity_t<Number> number) {
-  const auto bits = std::bit_cast<BitsOf<Number>>(number);
+  const auto bits = Eigen::numext::bit_cast<BitsOf<Number>>(number);
   for (std::size_t i = 0; i < sizeof(Number); ++i)
     bytes.push_back(static_cast<char>(static_cast<std::uint8_t>(bits >> (8 * i))));
 }
@@ -37,7 +37,7 @@ class ByteTaker {
     for (std::size_t i = 0; i < bytes.size(); ++i)
       bits = static_cast<BitsOf<Number>>(
           bits | (static_cast<BitsOf<Number>>(static_cast<std::uint8_t>(bytes[i])) << (8 * i)));
-    return std::bit_cast<Number>(bits);
+    return Eigen::numext::bit_cast<Number>(bits);
   }
 
   // `count` bytes; none of them where fewer are left.

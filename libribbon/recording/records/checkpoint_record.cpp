@@ -54,7 +54,8 @@ std::optional<Checkpoint> parse_checkpoint_payload(std::string_view payload,
       state_at > payload.size())
     return std::nullopt;
   Decompressor decompressor;
-  const auto state = decompressor.decompress(payload.substr(state_at), state_bytes);
+  const auto state =
+      decompressor.decompress(payload.substr(state_at), static_cast<std::size_t>(state_bytes));
   if (!state || state->size() != state_bytes || checksum(*state) != state_checksum)
     return std::nullopt;
   return Checkpoint{fields->frame, fields->steps, std::string(*state)};

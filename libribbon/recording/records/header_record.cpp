@@ -48,7 +48,7 @@ bool take_matrix(ByteTaker& taker, std::uint64_t columns, Matrix& matrix) {
   const std::string_view block = taker.take_bytes(taker.take<std::uint32_t>());
   const std::uint64_t expected = columns * Matrix::RowsAtCompileTime * sizeof(Stored);
   Decompressor decompressor;
-  const auto content = decompressor.decompress(block, expected);
+  const auto content = decompressor.decompress(block, static_cast<std::size_t>(expected));
   if (!content || content->size() != expected) return false;
   matrix.resize(Eigen::NoChange, static_cast<Eigen::Index>(columns));
   ByteTaker numbers(*content);

@@ -1,7 +1,6 @@
 #include "simulation/detection/ribbon_bvh.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -358,13 +357,14 @@ bool RibbonBvh::are_flat(const Tangents& tangents) const {
          least_stretch(along[1], along_m_, across[1], across_m_, u, v) * apart_m_ > wanted_m;
 }
 
-// Whoever asks first on any core finds the same answer.
+// Whoever asks first on any core finds the same answer. (By the compilers' own functions: libc++
+// has no std::atomic_ref.)
 bool RibbonBvh::is_flat(int patch) {
-  const std::atomic_ref<Flat> known(flat_[patch]);
-  Flat flat = known.load(std::memory_order_relaxed);
+  Flat flat = Flat::unknown;
+  __atomic_load(&flat_[patch], &flat, __ATOMIC_RELAXED);
   if (flat == Flat::unknown) {
     flat = are_flat(tangents_[patch]) ? Flat::yes : Flat::no;
-    known.store(flat, std::memory_order_relaxed);
+    __atomic_store(&flat_[patch], &flat, __ATOMIC_RELAXED);
   }
   return flat == Flat::yes;
 }

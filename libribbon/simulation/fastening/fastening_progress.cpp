@@ -54,13 +54,13 @@ void FasteningProgress::visit_memory(StateArchive& archive) {
 FasteningProgress::Slot& FasteningProgress::slot_of_this_step() {
   if (steps_in_slot_ == steps_per_slot_) {
     slot_ = (slot_ + 1) % std::ssize(slots_);
-    std::ranges::fill(slots_[slot_].moved_m, 0);
-    std::ranges::fill(slots_[slot_].commanded_m, 0);
+    for (auto* of_groups : {&this_slot().moved_m, &this_slot().commanded_m})
+      std::fill(of_groups->begin(), of_groups->end(), 0);
     steps_in_slot_ = 0;
   }
   ++steps_in_slot_;
   is_full_ = is_full_ || (slot_ + 1 == std::ssize(slots_) && steps_in_slot_ == steps_per_slot_);
-  return slots_[slot_];
+  return this_slot();
 }
 
 // For how long a free particle that started at rest would have to move at the commanded velocity to

@@ -50,6 +50,7 @@ class FasteningProgress {
   };
 
   Slot& slot_of_this_step();
+  Slot& this_slot() { return slots_[static_cast<std::size_t>(slot_)]; }
   double free_travel_s();
 
   RibbonGrid grid_;

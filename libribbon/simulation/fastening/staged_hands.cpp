@@ -19,8 +19,8 @@ FasteningForce whole_force(const Scene& scene, const RestSize& size, const Cloth
 }
 
 bool any_pulls_along(const StageScene& stage) {
-  return std::ranges::any_of(
-      stage.hands, [](const HandScene& hand) { return hand.task == HandTask::pull_along; });
+  return std::any_of(stage.hands.begin(), stage.hands.end(),
+                     [](const HandScene& hand) { return hand.task == HandTask::pull_along; });
 }
 
 // Each hand that pulls is asked by itself.

@@ -1,6 +1,5 @@
 #include "simulation/state/state_archive.h"
 
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -54,9 +53,9 @@ void StateArchive::visit_bits(std::uint64_t& bits) {
 }
 
 void StateArchive::visit(double& number) {
-  auto bits = std::bit_cast<std::uint64_t>(number);
+  auto bits = Eigen::numext::bit_cast<std::uint64_t>(number);
   visit_bits(bits);
-  const auto value = std::bit_cast<double>(bits);
+  const auto value = Eigen::numext::bit_cast<double>(bits);
   if (!is_reading_) return;
   if (!std::isfinite(value)) return refuse("a number in it is not finite");
   number = value;

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -29,9 +30,9 @@ std::string_view word_for(StepStage stage);
 // Of many steps together.
 struct StageSums {
   std::array<double, step_stage_count> time_s{};  // wall time, by stage
-  long detections = 0;
-  long listed_pairs = 0;  // of features, by all detections
-  long sweeps = 0;        // of the strain correction over all edges
+  std::int64_t detections = 0;
+  std::int64_t listed_pairs = 0;  // of features, by all detections
+  std::int64_t sweeps = 0;        // of the strain correction over all edges
 };
 
 // At any time one stage, or none, is charged: the one of the StageTimer that was started last.
@@ -39,7 +40,7 @@ class StageClock {
  public:
   void count_detection(std::size_t pairs) {
     ++sums_.detections;
-    sums_.listed_pairs += static_cast<long>(pairs);
+    sums_.listed_pairs += static_cast<std::int64_t>(pairs);
   }
   void count_sweeps(int sweeps) { sums_.sweeps += sweeps; }
 
