@@ -20,6 +20,11 @@ test_packages=(
 # For tests/run.sh --all alone.
 farm_packages=(slurm-wlm)
 
+# For pages that play recordings in a browser; without them ribbon-play writes none. The second list
+# drives those pages in tests.
+page_packages=(emscripten xz-utils)
+browser_packages=(chromium chromium-driver python3-selenium)
+
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
 }
@@ -58,6 +63,38 @@ install_gltf_validator() {
   echo "== Installing $package"
   npm install --prefix "$folder" --no-save --no-audit --no-fund "$package" || true
 }
+
+# Sources of the libraries that pages need and Debian compiles for this machine only: into the build
+# folder, by a list of sources of their own, so that the machine's lists stay as they are.
+fetch_page_sources() {
+  local folder=$root/build/page-sources lists package
+  [[ ! -f $folder/complete ]] || return 0
+  echo "== Fetching the sources of libzstd, pugixml and libdeflate"
+  mkdir -p "$folder/lists/partial"
+  cat >"$folder/sources.sources" <<END
+Types: deb-src
+URIs: http://deb.debian.org/debian
+Suites: bookworm
+Components: main
+Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
+END
+  lists=(-o "Dir::Etc::sourcelist=$folder/sources.sources" -o Dir::Etc::sourceparts=-
+    -o "Dir::State::lists=$folder/lists")
+  (
+    cd "$folder" || exit
+    apt-get --quiet --quiet "${lists[@]}" update &&
+      apt-get --quiet --quiet "${lists[@]}" source --download-only libzstd pugixml libdeflate
+  ) || return
+  for package in libzstd pugixml libdeflate; do
+    mkdir -p "$folder/$package"
+    tar --extract --directory "$folder/$package" --strip-components=1 \
+      --file "$(echo "$folder/$package"_*.orig.tar.?z)" || return
+  done
+  touch "$folder/complete"
+}
+
+# What the preset `page` needs. Fails where it cannot be had.
+install_page_tools() { install_missing "${page_packages[@]}" && fetch_page_sources; }
 
 # build PRESET CMAKE_OPTION... -- TARGET...   Without targets: everything. Reuses what is built.
 build() {

@@ -1,88 +1,14 @@
 #include "recording/writer/background_writer.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace ribbon {
-
-namespace {
-
-constexpr std::chrono::seconds longest_unsynced{1};
-
-}  // namespace
-
-BackgroundWriter::BackgroundWriter(RecordingWriter writer)
-    : writer_(std::move(writer)), bytes_(writer_.bytes_written()), thread_([this] { run(); }) {}
-
-BackgroundWriter::~BackgroundWriter() {
-  end();
-}
-
-void BackgroundWriter::add(Task task, Clock::time_point called) {
-  {
-    const std::lock_guard lock(mutex_);
-    queue_.push_back(std::move(task));
-    figures_.longest_queue = std::max(figures_.longest_queue, queue_.size());
-  }
-  changed_.notify_one();
-  const double blocked_s = std::chrono::duration<double>(Clock::now() - called).count();
-  const std::lock_guard lock(mutex_);
-  figures_.blocked_s += blocked_s;
-}
-
-// The next task, once there is one; nothing when it is time to sync, or when all is done.
-std::optional<BackgroundWriter::Task> BackgroundWriter::next(
-    std::optional<Clock::time_point> sync_at) {
-  std::unique_lock lock(mutex_);
-  const auto has_news = [this] { return !queue_.empty() || closing_; };
-  if (sync_at)
-    changed_.wait_until(lock, *sync_at, has_news);
-  else
-    changed_.wait(lock, has_news);
-  if (queue_.empty() || (sync_at && Clock::now() >= *sync_at)) return std::nullopt;
-  Task task = std::move(queue_.front());
-  queue_.pop_front();
-  return task;
-}
 
 void BackgroundWriter::note(Result<void> outcome) {
   const std::lock_guard lock(mutex_);
   if (problem_ && !outcome) problem_ = std::move(outcome);
   figures_.writer = writer_.figures();
   bytes_ = writer_.bytes_written();
-}
-
-// Until end() is called and the queue is empty.
-void BackgroundWriter::run() {
-  std::optional<Clock::time_point> sync_at;  // set while something is not on the disk yet
-  bool broken = false;
-  while (true) {
-    const auto task = next(sync_at);
-    if (task) {
-      if (broken) continue;
-      auto outcome = (*task)(writer_);
-      broken = !outcome;
-      note(std::move(outcome));
-      if (!sync_at) sync_at = Clock::now() + longest_unsynced;
-      continue;
-    }
-    if (std::exchange(sync_at, std::nullopt) && !broken) {
-      auto outcome = writer_.sync();
-      broken = !outcome;
-      note(std::move(outcome));
-    }
-    const std::lock_guard lock(mutex_);
-    if (closing_ && queue_.empty()) return;
-  }
-}
-
-void BackgroundWriter::end() {
-  {
-    const std::lock_guard lock(mutex_);
-    closing_ = true;
-  }
-  changed_.notify_one();
-  if (thread_.joinable()) thread_.join();
 }
 
 void BackgroundWriter::append(const FrameNumbers& numbers, const Eigen::Matrix3Xd& positions) {
