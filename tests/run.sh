@@ -78,6 +78,10 @@ fi
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
 install_gltf_validator
+if [[ ${1-} == --all ]]; then
+  # Without them the test that needs them says so.
+  install_page_tools || true
+fi
 build release "${release[@]}"
 run_ctest release
 [[ ${1-} != --quick ]] || exit 0
@@ -88,5 +92,6 @@ check "shell scripts" "$root/tests/lint.sh" shell
 if [[ ${1-} == --all ]]; then
   check "lint" "$root/tests/lint.sh" tidy
   install_missing "${farm_packages[@]}" || true # without it that test says so
+  check "the same bits in WebAssembly" "$root/tests/page/same_bits.sh" "$root/build/release"
   check "farm" "$root/tests/farm/slurm.sh" "$root/build/release" "$root/build/farm"
 fi

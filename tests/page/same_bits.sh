@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Runs in WebAssembly come to the bits of native ones: records samples by ribbon-record with each
+# integrator, records them again under Node by the same code compiled by Emscripten, and compares the
+# files byte by byte; then compares what both decode. Some minutes of one core. Exit code 77 (skipped) where Emscripten is missing.
+#   same_bits.sh BUILD   (folder of a build with tests)
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../../.ci/setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../../.ci/setup.sh"
+
+record=$1/recorder/ribbon-record
+decode=$1/tests/page/decoded_frames
+work=$root/build/page-same-bits
+programs=$root/build/page/tests/page
+
+if ! command -v emcc >/dev/null || ! command -v node >/dev/null; then
+  echo "SKIPPED: emcc or node is missing (install_page_tools of .ci/setup.sh installs emcc), so nobody" \
+    "has seen whether pages come to the same bits" >&2
+  exit 77
+fi
+build page -- record_again decoded_frames >/dev/null
+
+rm -rf "$work"
+mkdir -p "$work"
+cp -r "$root/samples" "$work/samples"
+different=0
+
+# same FRAMES SCENE SETTING...   The recording lies beside the scene, where its drawing is found again.
+same() {
+  local native=$work/samples/$2.rbn page=$work/samples/$2.page.rbn settings=() setting
+  for setting in "${@:3}"; do settings+=(--set "$setting"); done
+  "$record" --quiet --force "$work/samples/$2" -o "$native" --frames "$1" "${settings[@]}"
+  node "$programs/record_again.js" "$native" "$page"
+  "$decode" "$native" >"$work/native.txt"
+  node "$programs/decoded_frames.js" "$native" >"$work/page.txt"
+  if cmp "$native" "$page" && cmp "$work/native.txt" "$work/page.txt"; then
+    echo "the same bytes, $(stat --format %s "$native"): $*"
+  else
+    echo "DIFFERENT: $*"
+    different=1
+  fi
+}
+
+coarse=(ribbon.along=200 ribbon.across=4)
+for integrator in symplectic_euler rk4 implicit; do
+  same 150 overhand-hourglass-8x400.toml "${coarse[@]}" "time.integrator=$integrator"
+done
+same 150 overhand-small-object-8x400.toml "${coarse[@]}"
+same 60 overhand-hanging-8x400.toml "${coarse[@]}"
+same 40 overhand-cylinder-8x400.toml
+same 10 gallery/bow.toml
+same 40 gallery/tapered.toml
+exit "$different"
