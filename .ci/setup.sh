@@ -9,16 +9,17 @@ build_packages=(
   libassimp-dev libboost-dev libcli11-dev libdeflate-dev libeigen3-dev libembree-dev libexpected-dev
   libfmt-dev libfreetype-dev libopenexr-dev libosmesa6-dev libpng-dev libpugixml-dev libsvgpp-dev
   libtbb-dev libtinyobjloader-dev libtomlplusplus-dev
-  libzstd-dev nlohmann-json3-dev fonts-dejavu-core
+  libzstd-dev nlohmann-json3-dev fonts-dejavu-core python3
 )
 test_packages=(
   blender clang clang-format clang-tidy ffmpeg libcgal-dev libclang-14-dev libclang-rt-dev libdraco-dev
   libgmp-dev libgmock-dev libmeshoptimizer-dev libmpfr-dev libzfp-dev llvm-14-dev
-  python3 python3-numpy regina-normal-dev shellcheck
+  python3-numpy regina-normal-dev shellcheck
 )
 
 # For tests/run.sh --all alone.
 farm_packages=(slurm-wlm)
+package_packages=(lintian mmdebstrap)
 
 # For pages that play recordings in a browser; without them ribbon-play writes none. The second list
 # drives those pages in tests.

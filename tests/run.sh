@@ -4,7 +4,7 @@
 # recordings, command lines), checks format and shell scripts. Ends with one line "N passed, N failed";
 # fails when that is not 0. Takes 8 minutes on two cores.
 #   --quick   only the Release build and its tests
-#   --all     benchmarks and their tests as well, nearly all tests under the sanitizers, lint: an hour
+#   --all     benchmarks, their tests and packages as well, nearly all tests under the sanitizers, lint: an hour
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
@@ -91,7 +91,8 @@ check "format" "$root/tests/lint.sh" format
 check "shell scripts" "$root/tests/lint.sh" shell
 if [[ ${1-} == --all ]]; then
   check "lint" "$root/tests/lint.sh" tidy
-  install_missing "${farm_packages[@]}" || true # without it that test says so
+  install_missing "${farm_packages[@]}" "${package_packages[@]}" || true # without them those tests say so
   check "the same bits in WebAssembly" "$root/tests/page/same_bits.sh" "$root/build/release"
   check "farm" "$root/tests/farm/slurm.sh" "$root/build/release" "$root/build/farm"
+  check "packages" "$root/tests/package.sh" "$root/build/packaged"
 fi

@@ -1,0 +1,36 @@
+# Debian packages, by cpack in a build folder.
+set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL tools)
+
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME ribbon)
+
+# What every package must have.
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER ${component} upper)
+  set(documents_of_package ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+  install(FILES copyright DESTINATION ${documents_of_package} COMPONENT ${component})
+  install_compressed(${component} ${CMAKE_CURRENT_SOURCE_DIR}/changelog ${documents_of_package} changelog.Debian)
+endforeach()
+
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+
+set(CPACK_PACKAGE_CONTACT "The ribbon authors <authors@ribbon.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # otherwise it goes before that of each package
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_TOOLS_DESCRIPTION "simulates how a band of cloth is fastened
+Fastens a band of cloth (a kimono sash, a cravat, a gift ribbon) around an
+object, records it frame by frame, replays it as ray-traced pictures and
+exports it to modelling packages. A knot is drawn as a flat curve and drawn
+tight without passing through itself or the object.")
+# Loaded when they are needed, and told by name where they are missing.
+set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS libosmesa6)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "ffmpeg, bash-completion, blender")
+
+include(CPack)

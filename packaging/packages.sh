@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Makes the Debian package of this tree: ribbon, the tools.
+#   packaging/packages.sh [FOLDER]      default: build/packages
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
+
+folder=${1-$root/build/packages}
+
+install_missing "${build_packages[@]}"
+build release -- ribbon-record ribbon-play ribbon-convert
+echo "== Making packages"
+mkdir -p "$folder"
+rm -f "$folder"/*.deb
+cpack --config "$root/build/release/CPackConfig.cmake" -B "$folder" >"$folder/cpack.log" ||
+  { cat "$folder/cpack.log" >&2 && exit 1; }
+ls "$folder"/*.deb
