@@ -1,9 +1,10 @@
 # Debian packages, by cpack in a build folder.
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL tools)
+set(CPACK_COMPONENTS_ALL tools development)
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME ribbon)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libribbon-dev)
 
 # What every package must have.
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
@@ -32,5 +33,13 @@ tight without passing through itself or the object.")
 # Loaded when they are needed, and told by name where they are missing.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS libosmesa6)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "ffmpeg, bash-completion, blender")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    "libdeflate-dev, libeigen3-dev, libexpected-dev, libfmt-dev, libtbb-dev, libzstd-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "recordings of bands of cloth in programs of one's own
+Headers and static libraries that read recordings of ribbon, also while they
+are written, verify that nothing intersects in them, and write them.")
 
 include(CPack)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the Debian package of this tree: ribbon, the tools.
+# Makes the Debian packages of this tree: ribbon, the tools, and libribbon-dev.
 #   packaging/packages.sh [FOLDER]      default: build/packages
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh

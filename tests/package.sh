@@ -47,7 +47,7 @@ inside() {
 
 looked_at_by_lintian() {
   echo "== lintian"
-  # Nobody has asked Debian to take the package.
+  # Nobody has asked Debian to take the packages, and static libraries are what libribbon-dev is for.
   lintian --allow-root --no-tag-display-limit --fail-on error \
     --suppress-tags initial-upload-closes-no-bugs "$packages"/*.deb
 }
@@ -97,8 +97,17 @@ documents_are_whole() {
   cmp "$root/packaging/copyright" "$documents/copyright"
 }
 
+# The library, by its document, with the compiler that its users need.
+library_works() {
+  system development "$packages"/{ribbon,libribbon-dev}_*.deb g++ cmake make python3
+  cp --recursive "$root/tests/library" "$root/docs/library.md" "$here/development/work"
+  inside development python3 library/documented_programs.py library.md programs \
+    /usr/share/ribbon/samples/overhand-hourglass-8x400.toml
+}
+
 looked_at_by_lintian
 tools_work
 completion_works
 documents_are_whole
+library_works
 echo "The packages are as they should be."

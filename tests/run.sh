@@ -4,7 +4,8 @@
 # recordings, command lines), checks format and shell scripts. Ends with one line "N passed, N failed";
 # fails when that is not 0. Takes 8 minutes on two cores.
 #   --quick   only the Release build and its tests
-#   --all     benchmarks, their tests and packages as well, nearly all tests under the sanitizers, lint: an hour
+#   --all     benchmarks, their tests, programs with the installed library, packages, nearly all tests under the
+#             sanitizers, lint: an hour
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
