@@ -11,6 +11,8 @@ build_packages=(
   libtbb-dev libtinyobjloader-dev libtomlplusplus-dev
   libzstd-dev nlohmann-json3-dev fonts-dejavu-core python3
 )
+# For the module for Python.
+python_packages=(pybind11-dev python3-dev python3-numpy)
 test_packages=(
   blender clang clang-format clang-tidy ffmpeg libcgal-dev libclang-14-dev libclang-rt-dev libdraco-dev
   libgmp-dev libgmock-dev libmeshoptimizer-dev libmpfr-dev libzfp-dev llvm-14-dev

@@ -2,9 +2,13 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL tools development)
+if(RIBBON_BUILD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME ribbon)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libribbon-dev)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-ribbon)
 
 # What every package must have.
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
@@ -41,5 +45,12 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "recordings of bands of cloth in programs of one's own
 Headers and static libraries that read recordings of ribbon, also while they
 are written, verify that nothing intersects in them, and write them.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "recordings of bands of cloth in Python
+Reads recordings of ribbon as arrays of NumPy, also while they are written,
+verifies that nothing intersects in them, and writes them.")
 
 include(CPack)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the Debian packages of this tree: ribbon, the tools, and libribbon-dev.
+# Makes the Debian packages of this tree: ribbon (the tools), libribbon-dev, python3-ribbon.
 #   packaging/packages.sh [FOLDER]      default: build/packages
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
@@ -7,8 +7,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
 
 folder=${1-$root/build/packages}
 
-install_missing "${build_packages[@]}"
-build release -- ribbon-record ribbon-play ribbon-convert
+install_missing "${build_packages[@]}" "${python_packages[@]}"
+build release -DRIBBON_BUILD_PYTHON=ON -- ribbon-record ribbon-play ribbon-convert ribbon_python
 echo "== Making packages"
 mkdir -p "$folder"
 rm -f "$folder"/*.deb

@@ -48,7 +48,7 @@ inside() {
 looked_at_by_lintian() {
   echo "== lintian"
   # Nobody has asked Debian to take the packages, and static libraries are what libribbon-dev is for.
-  lintian --allow-root --no-tag-display-limit --fail-on error \
+  lintian --allow-root --tag-display-limit 0 --fail-on error \
     --suppress-tags initial-upload-closes-no-bugs "$packages"/*.deb
 }
 
@@ -97,17 +97,21 @@ documents_are_whole() {
   cmp "$root/packaging/copyright" "$documents/copyright"
 }
 
-# The library, by its document, with the compiler that its users need.
-library_works() {
-  system development "$packages"/{ribbon,libribbon-dev}_*.deb g++ cmake make python3
-  cp --recursive "$root/tests/library" "$root/docs/library.md" "$here/development/work"
+# The library and the module, by their documents, with the compiler that their users need.
+library_and_python_work() {
+  system development "$packages"/{ribbon,libribbon-dev,python3-ribbon}_*.deb g++ cmake make
+  cp --recursive "$root/tests/library" "$root/tests/python" "$root/docs/library.md" "$here/development/work"
+  cp "$here/tools/work/knot.rbn" "$here/development/work"
   inside development python3 library/documented_programs.py library.md programs \
     /usr/share/ribbon/samples/overhand-hourglass-8x400.toml
+  inside development python3 -m unittest discover --start-directory python --pattern '*_test.py'
+  inside development python3 /usr/share/ribbon/samples/tension.py knot.rbn tension.svg
+  [[ -s $here/development/work/tension.svg ]] || fail "there is no plot of the tension"
 }
 
 looked_at_by_lintian
 tools_work
 completion_works
 documents_are_whole
-library_works
+library_and_python_work
 echo "The packages are as they should be."

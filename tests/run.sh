@@ -4,8 +4,8 @@
 # recordings, command lines), checks format and shell scripts. Ends with one line "N passed, N failed";
 # fails when that is not 0. Takes 8 minutes on two cores.
 #   --quick   only the Release build and its tests
-#   --all     benchmarks, their tests, programs with the installed library, packages, nearly all tests under the
-#             sanitizers, lint: an hour
+#   --all     benchmarks, the module for Python and packages as well, nearly all tests under the sanitizers,
+#             lint: an hour
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
@@ -70,14 +70,15 @@ check() {
 # which take the same paths as others, nor the mutation tests, whose whole runs judge the oracles. What
 # GoogleTest adds to names of tests with parameters comes after them.
 left_out='Sample.*_(16|32)x[0-9]+|^mutation\.|nothing_can_settle|ribbon_without_room'
-release=(-DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=OFF)
+release=(-DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=OFF -DRIBBON_BUILD_PYTHON=OFF)
 sanitize=(-DRIBBON_TEST_EVERY_STATION=OFF)
 if [[ ${1-} == --all ]]; then
-  release=(-DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=ON)
+  release=(-DRIBBON_BUILD_TESTS=ON -DRIBBON_BUILD_BENCHMARKS=ON -DRIBBON_BUILD_PYTHON=ON)
   sanitize=(-DRIBBON_TEST_EVERY_STATION=ON)
 fi
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
+[[ ${1-} != --all ]] || install_missing "${python_packages[@]}"
 install_gltf_validator
 if [[ ${1-} == --all ]]; then
   # Without them the test that needs them says so.

@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-TOOLS = ("recorder", "player", "converter")
+TOOLS = ("recorder", "player", "converter", "python")
 SOURCES = {".h", ".hpp", ".cpp", ".inc"}
 
 # Third-party headers that any file may include.
@@ -18,6 +18,7 @@ FREE = ("Eigen/", "tl/expected.hpp")
 
 # Headers that only one tool may include.
 HOMES = {
+    "pybind11/": "python",
     "embree3/": "player",
     "GL/": "player",
     "assimp/Exporter.hpp": "converter",

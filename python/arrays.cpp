@@ -1,0 +1,37 @@
+#include "python/arrays.h"
+
+#include <string>
+
+namespace ribbon::python {
+
+namespace {
+
+std::string shape_text(const Shape& shape) {
+  std::string text = "(";
+  for (std::size_t i = 0; i < shape.size(); ++i)
+    text += (i > 0 ? ", " : "") + (shape[i] < 0 ? "any" : std::to_string(shape[i]));
+  return text + ")";
+}
+
+}  // namespace
+
+bool has_shape(const pybind11::array& array, const Shape& shape) {
+  if (array.ndim() != static_cast<pybind11::ssize_t>(shape.size())) return false;
+  for (std::size_t i = 0; i < shape.size(); ++i)
+    if (shape[i] >= 0 && array.shape(static_cast<pybind11::ssize_t>(i)) != shape[i]) return false;
+  return true;
+}
+
+void require_shape(const char* what, const pybind11::array& array, const Shape& shape) {
+  if (has_shape(array, shape)) return;
+  throw pybind11::value_error(std::string(what) + " must have the shape " + shape_text(shape) +
+                              ", not " +
+                              shape_text(Shape(array.shape(), array.shape() + array.ndim())));
+}
+
+Eigen::Matrix3Xd positions_of(const Given<double>& array, const RibbonGrid& grid) {
+  require_shape("positions", array, shape_of(grid, 3));
+  return Eigen::Matrix3Xd::Map(array.data(), 3, grid.particle_count());
+}
+
+}  // namespace ribbon::python
