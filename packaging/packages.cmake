@@ -48,7 +48,7 @@ are written, verify that nothing intersects in them, and write them.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, blender")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "recordings of bands of cloth in Python
 Reads recordings of ribbon as arrays of NumPy, also while they are written,
 verifies that nothing intersects in them, and writes them.")

@@ -1,0 +1,91 @@
+"""Installs the add-on in Blender as a user does, imports a recording by it and looks at what is there.
+
+usage: import_recording.py PACKAGE ADD_ON FOLDER      PACKAGE: folder in which the package ribbon lies
+"""
+
+import sys
+from pathlib import Path
+
+import bpy
+import numpy
+
+package, add_on, folder = sys.argv[sys.argv.index("--") + 1:]
+sys.path.insert(0, package)
+folder = Path(folder)
+
+import ribbon  # noqa: E402, found only now
+
+ALONG, ACROSS, FRAMES = 20, 4, 12
+
+
+def wave(frame):
+    positions = numpy.empty((ALONG, ACROSS, 3))
+    positions[..., 0] = numpy.linspace(0, 0.4, ALONG)[:, None]
+    positions[..., 1] = 0.05 * numpy.sin(positions[..., 0] * 20 + frame)
+    positions[..., 2] = numpy.linspace(-0.02, 0.02, ACROSS)
+    return positions
+
+
+def check(claim, text):
+    if not claim:
+        sys.exit(f"FAILED: {text}")
+
+
+def vertices_of(thing):
+    numbers = numpy.empty(3 * len(thing.data.vertices), dtype=numpy.float32)
+    thing.data.vertices.foreach_get("co", numbers)
+    return numbers.reshape(-1, 3)
+
+
+def check_frames(recording, first):
+    scene = bpy.context.scene
+    thing = next(thing for thing in scene.objects if "ribbon_recording" in thing)
+    for frame in (first + 5, first, first + FRAMES - 1, first + 3):
+        scene.frame_set(frame)
+        expected = recording[frame - first].reshape(-1, 3)
+        check((vertices_of(thing) == expected).all(), f"frame {frame} is not as recorded, bit for bit")
+        world = numpy.array(thing.matrix_world) @ [*map(float, expected[7]), 1]
+        check(abs(world[2] - expected[7][1]) < 1e-6, "up is not up")
+    scene.frame_set(first + FRAMES + 50)
+    check((vertices_of(thing) == recording[-1].reshape(-1, 3)).all(), "behind the last frame it does not hold still")
+    return thing
+
+
+def check_refused(path, word):
+    try:
+        bpy.ops.import_scene.ribbon_recording(filepath=str(path))
+    except RuntimeError as error:
+        check(word in str(error), f"the refusal says {error}")
+    else:
+        sys.exit(f"FAILED: {path} was imported")
+
+
+path, picture = folder / "wave.rbn", folder / "cloth.png"
+stone = ribbon.Mesh([[0, 0, 0], [0, 0, 0.1], [0.1, 0, 0], [0, 0.1, 0]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+                    "stone")
+ribbon.write(path, map(wave, range(FRAMES)), length=0.4, width=0.04, frames_per_second=23.976, name="wave",
+             obstacle=stone)
+recording = ribbon.open(path)
+image = bpy.data.images.new("cloth", 8, 4)
+image.filepath_raw, image.file_format = str(picture), "PNG"
+image.save()
+
+bpy.ops.preferences.addon_install(filepath=add_on)
+bpy.ops.preferences.addon_enable(module=Path(add_on).stem)
+check_refused(folder / "nothing.rbn", "nothing.rbn")
+bpy.ops.import_scene.ribbon_recording(filepath=str(path), first_frame=11, texture=str(picture))
+
+thing = check_frames(recording, 11)
+scene = bpy.context.scene
+check(abs(scene.render.fps / scene.render.fps_base - 23.976) < 1e-4, "the rate is another")
+check((scene.frame_start, scene.frame_end) == (11, 10 + FRAMES), "the range of frames is another")
+check([list(face.vertices) for face in thing.data.polygons] == recording.triangles.tolist(), "triangles are others")
+check(len(thing.data.uv_layers) == 1 and thing.data.materials[0].use_nodes, "there is no cloth")
+check("stone" in scene.objects, "there is no obstacle")
+
+bpy.ops.wm.save_as_mainfile(filepath=str(folder / "wave.blend"))
+bpy.ops.wm.open_mainfile(filepath=str(folder / "wave.blend"))
+check_frames(recording, 11)
+
+bpy.ops.preferences.addon_disable(module=Path(add_on).stem)
+print("Blender shows what was recorded.")
