@@ -68,20 +68,19 @@ install_gltf_validator() {
 }
 
 # Sources of the libraries that pages need and Debian compiles for this machine only: into the build
-# folder, by a list of sources of their own, so that the machine's lists stay as they are.
+# folder, from where this machine gets its packages, by lists of their own: the machine's stay as they
+# are.
 fetch_page_sources() {
-  local folder=$root/build/page-sources lists package
+  local folder=$root/build/page-sources lists list package
   [[ ! -f $folder/complete ]] || return 0
   echo "== Fetching the sources of libzstd, pugixml and libdeflate"
-  mkdir -p "$folder/lists/partial"
-  cat >"$folder/sources.sources" <<END
-Types: deb-src
-URIs: http://deb.debian.org/debian
-Suites: bookworm
-Components: main
-Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
-END
-  lists=(-o "Dir::Etc::sourcelist=$folder/sources.sources" -o Dir::Etc::sourceparts=-
+  rm -rf "$folder"
+  mkdir -p "$folder/lists/partial" "$folder/parts"
+  for list in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
+    [[ ! -s $list ]] ||
+      sed 's/^deb /deb-src /; s/^Types:.*/Types: deb-src/' "$list" >"$folder/parts/$(basename "$list")"
+  done
+  lists=(-o Dir::Etc::sourcelist=- -o "Dir::Etc::sourceparts=$folder/parts"
     -o "Dir::State::lists=$folder/lists")
   (
     cd "$folder" || exit
