@@ -139,7 +139,8 @@ done
 job=$("$root/samples/farm/sweep.sh" "$root/samples/overhand-cylinder-8x400.toml" "$here/sweep.txt" \
   "$here/sweep")
 wait_until 60 runs ribbon-record || fail "no task records"
-scancel --batch --signal=TERM "$job" # as when the time is nearly up
+# As when the time is nearly up. It complains where one of the tasks is over by then.
+scancel --batch --signal=TERM "$job" || true
 wait_until 300 is_over "$job" || fail "the array does not end"
 grep --quiet "asks to be queued again" ribbon-"$job"_*.log || fail "nobody asked to be queued again"
 # A recording that was taken up again says so; its pictures are the same.
