@@ -13,6 +13,9 @@
 #include "player/follow_recording.h"
 #include "player/memory_forecast.h"
 #include "player/options.h"
+#include "player/output/existing_file.h"
+#include "player/page/page_options.h"
+#include "player/page/write_page.h"
 #include "player/places.h"
 #include "player/report/info.h"
 #include "player/report/verification_report.h"
@@ -77,6 +80,18 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
     tell(options, *done);
   }
   return answer;
+}
+
+// It plays all of the recording, and is looked at as whoever opens it likes.
+Result<ExitCode> render_page(const RecordingReader& reader, const Options& options) {
+  const auto free = check_place(options.pictures, options.force).and_then([&] {
+    return check_page_options(options.given);
+  });
+  if (!free) return tl::unexpected(free.error());
+  const auto done = write_page(reader, options.recording, options.pictures);
+  if (!done) return tl::unexpected(done.error());
+  tell(options, *done);
+  return ExitCode::done;
 }
 
 // In ascending order, whatever the order asked for.
@@ -151,6 +166,7 @@ Result<ExitCode> play(const Options& options) {
   if (options.verify) return verify(*reader, options);
   if (options.bench) return print_bench(*reader, options);
   if (options.follow) return follow_recording(*reader, options);
+  if (is_page(options.pictures)) return render_page(*reader, options);
   RecordingInfo info = recording_info(options.recording, *reader);
   info.memory_bytes = memory_forecast(info.header, options);
   if (options.info || options.json || !options.sheet.empty() || !options.plot.empty())

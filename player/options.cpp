@@ -37,6 +37,8 @@ constexpr const char* examples = R"(Examples:
       shows how far the cloth is stretched, its mesh and the time
   ribbon-play knot.rbn --plot knot.svg
       draws charts over time: strain, tightness, pull, contact
+  ribbon-play knot.rbn -o knot.html
+      a page that plays the recording in any browser, turned and zoomed by hand: one file
   ribbon-play knot.rbn --info
       tells what the recording holds; --json tells it to programs
   ribbon-play knot.rbn --follow
@@ -119,7 +121,8 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
   const auto pictures = arguments.add(
       "-o,--output", options.pictures, "PATTERN",
       "what to write: .png or .exr files, with {frame} or {frame:04} for the number (one frame "
-      "needs none); a .mp4, .webm or .gif; or '-', raw frames on standard output");
+      "needs none); a .mp4, .webm or .gif; a .html that plays the recording; or '-', raw frames on "
+      "standard output");
   const auto frames = arguments.add(
       "--frames", options.frames, "1,5,A:B:STEP",
       "frames by number and from A to B, every STEP-th; -1 is the last (default: all)");

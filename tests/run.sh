@@ -81,8 +81,8 @@ install_missing "${build_packages[@]}" "${test_packages[@]}"
 [[ ${1-} != --all ]] || install_missing "${python_packages[@]}"
 install_gltf_validator
 if [[ ${1-} == --all ]]; then
-  # Without them the test that needs them says so.
-  install_page_tools || true
+  # Without them what needs them says so.
+  { install_page_tools && install_missing "${browser_packages[@]}"; } || true
 fi
 build release "${release[@]}"
 run_ctest release
@@ -95,6 +95,7 @@ if [[ ${1-} == --all ]]; then
   check "lint" "$root/tests/lint.sh" tidy
   install_missing "${farm_packages[@]}" "${package_packages[@]}" || true # without them those tests say so
   check "the same bits in WebAssembly" "$root/tests/page/same_bits.sh" "$root/build/release"
+  check "pages in a browser" "$root/tests/page/in_browser.sh" "$root/build/release"
   check "farm" "$root/tests/farm/slurm.sh" "$root/build/release" "$root/build/farm"
   check "packages" "$root/tests/package.sh" "$root/build/packaged"
 fi

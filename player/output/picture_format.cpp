@@ -20,9 +20,10 @@ Result<PictureFormat> picture_format(const std::string& output) {
   if (extension == ".exr") return PictureFormat::exr;
   if (extension == ".mp4" || extension == ".webm" || extension == ".gif")
     return PictureFormat::video;
-  return failure(output, extension.empty() ? "has no extension" : "is not written as " + extension,
-                 "choose .png or .exr (a file a picture), .mp4, .webm or .gif (by ffmpeg), or '-' "
-                 "for raw frames on standard output");
+  return failure(
+      output, extension.empty() ? "has no extension" : "is not written as " + extension,
+      "choose .png or .exr (a file a picture), .mp4, .webm or .gif (by ffmpeg), .html (a "
+      "page that plays the recording), or '-' for raw frames on standard output");
 }
 
 }  // namespace ribbon

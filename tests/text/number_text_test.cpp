@@ -14,6 +14,13 @@ TEST(NumberText, runs_of_numbers_are_drawn_together) {
   EXPECT_EQ(number_list({1, 2}), "1-2");
 }
 
+TEST(NumberText, shortest_has_as_many_digits_as_the_number_needs) {
+  EXPECT_EQ(shortest(20), "20");
+  EXPECT_EQ(shortest(0.1), "0.1");
+  EXPECT_EQ(shortest(1.0 / 3), "0.3333333333333333");
+  EXPECT_EQ(shortest(-1e300), "-1e+300");
+}
+
 TEST(NumberText, decimals_are_fixed_and_short_numbers_are_short) {
   EXPECT_EQ(decimals(4.1, 2), "4.10");
   EXPECT_EQ(decimals(0.96, 1), "1.0");

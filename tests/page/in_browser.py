@@ -1,0 +1,322 @@
+"""Plays a page as a person would, in headless Chromium: mouse, keys, touch, files that are dropped.
+
+in_browser.py PAGE RECORDING OTHER FOLDER   (OTHER is a second recording; pictures go to FOLDER)
+Every check is a method of Page; one that fails ends with what was seen.
+"""
+
+import base64
+import pathlib
+import sys
+import time
+import unittest
+
+from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
+
+PAGE, RECORDING, OTHER, PICTURES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:5])
+LONGEST_S = 60
+
+
+def browser(*options, calm=True):
+    settings = webdriver.ChromeOptions()
+    settings.binary_location = "/usr/bin/chromium"
+    for option in ("--headless=new", "--no-sandbox", "--window-size=1200,900",
+                   "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                   *(["--force-prefers-reduced-motion"] if calm else []), *options):
+        settings.add_argument(option)
+    settings.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    service = webdriver.chrome.service.Service("/usr/bin/chromedriver")
+    return webdriver.Chrome(service=service, options=settings)
+
+
+class Opened(unittest.TestCase):
+    """A page that has been opened and has shown its first frame."""
+
+    options = ()
+    calm = True
+
+    def setUp(self):
+        self.browser = browser(*self.options, calm=self.calm)
+        self.addCleanup(self.browser.quit)
+        self.browser.get(PAGE.as_uri())
+        self.wait_for(lambda: self.body_is_ready(), "no frame was shown")
+
+    def body_is_ready(self):
+        return self.script("return document.body.dataset.ready !== undefined")
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def wait_for(self, condition, complaint):
+        WebDriverWait(self.browser, LONGEST_S, poll_frequency=0.05).until(
+            lambda _: condition(), f"{complaint}; status: {self.status()}")
+
+    def find(self, name):
+        return self.browser.find_element(By.ID, name)
+
+    def status(self):
+        return self.find("status").text
+
+    def frame(self):
+        return int(self.find("frame").text.split()[0])
+
+    def frames(self):
+        return int(self.find("frame").text.split()[-1])
+
+    def wait_for_frame(self, number):
+        self.wait_for(lambda: self.frame() == number, f"frame {number} did not come")
+
+    def press(self, *keys):
+        ActionChains(self.browser).send_keys(*keys).perform()
+
+    def camera(self):
+        return self.script("const c = view.camera; return [c.azimuth, c.elevation, c.distance, ...c.middle]")
+
+    def colours(self):
+        """How many colours of how many pixels stand on the stage, in what was drawn last."""
+        return self.script("""
+            view.draw();
+            const gl = view.gl, width = gl.drawingBufferWidth, height = gl.drawingBufferHeight;
+            const bytes = new Uint8Array(4 * width * height);
+            gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+            const colours = new Set();
+            let drawn = 0, blue = 0, red = 0;
+            for (let i = 0; i < bytes.length; i += 4) {
+              if (bytes[i + 3] === 0) continue;
+              ++drawn;
+              if (bytes[i + 2] > 1.3 * bytes[i]) ++blue;
+              if (bytes[i] > 1.6 * bytes[i + 2]) ++red;
+              colours.add(bytes[i] << 16 | bytes[i + 1] << 8 | bytes[i + 2]);
+            }
+            return {share: drawn / (width * height), count: colours.size, blue, red}""")
+
+    def drop(self, name, content):
+        """A file of this name and content, dropped on the page."""
+        self.script("""
+            const bytes = Uint8Array.from(atob(arguments[1]), letter => letter.charCodeAt(0));
+            const data = new DataTransfer();
+            data.items.add(new File([bytes], arguments[0]));
+            document.body.dispatchEvent(
+                new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}));""",
+                    name, base64.b64encode(content).decode())
+
+    def picture(self, name):
+        PICTURES.mkdir(parents=True, exist_ok=True)
+        self.browser.save_screenshot(str(PICTURES / f"{name}.png"))
+
+
+class Page(Opened):
+    def test_shows_the_ribbon_with_both_sides_and_nothing_goes_wrong(self):
+        seen = self.colours()
+        self.assertGreater(seen["share"], 0.005)
+        self.assertGreater(seen["count"], 100)
+        self.assertGreater(seen["blue"], 50)
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+        self.picture("last")
+        seen = self.colours()
+        self.assertGreater(seen["red"], 50)
+        errors = [entry for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+        self.assertEqual(errors, [])
+
+    def test_loads_nothing_from_anywhere(self):
+        asked = [entry["message"] for entry in self.browser.get_log("performance")
+                 if "Network.requestWillBeSent" in entry["message"]]
+        others = [message for message in asked if '"url":"http' in message]
+        self.assertEqual(others, [])
+        blocked = self.browser.execute_async_script("""
+            const done = arguments[0];
+            fetch('https://example.org/').then(() => done('loaded'), () => done('refused'));""")
+        self.assertEqual(blocked, "refused")
+
+    def test_keys_go_to_frames(self):
+        last = self.frames()
+        self.press(Keys.ARROW_RIGHT)
+        self.wait_for_frame(2)
+        self.press(Keys.ARROW_RIGHT)
+        self.wait_for_frame(3)
+        self.press(Keys.ARROW_LEFT)
+        self.wait_for_frame(2)
+        self.press(Keys.END)
+        self.wait_for_frame(last)
+        self.press(Keys.ARROW_RIGHT)
+        self.press(Keys.HOME)
+        self.wait_for_frame(1)
+
+    def test_plays_and_pauses(self):
+        self.assertEqual(self.find("play").text, "Play")
+        self.press(Keys.SPACE)
+        self.wait_for(lambda: self.frame() > 3, "it does not play")
+        self.assertEqual(self.find("play").text, "Pause")
+        self.find("play").click()
+        self.wait_for(lambda: self.find("play").text == "Play", "it does not pause")
+        time.sleep(0.3)
+        frame = self.frame()
+        time.sleep(0.3)
+        self.assertEqual(self.frame(), frame)
+
+    def test_plays_to_its_end(self):
+        self.script("const s = document.getElementById('speed'); s.value = '4'")
+        self.press(Keys.SPACE)
+        self.wait_for_frame(self.frames())
+        self.wait_for(lambda: self.find("play").text == "Play", "it does not end")
+        self.press(Keys.SPACE)
+        self.wait_for(lambda: self.frame() < self.frames(), "it does not begin again")
+
+    def test_slider_scrubs_and_says_where_it_is(self):
+        slider = self.find("slider")
+        ActionChains(self.browser).click(slider).perform()
+        middle = self.frames() / 2
+        self.wait_for(lambda: abs(self.frame() - middle) <= 2, "the middle did not come")
+        self.press(Keys.ARROW_RIGHT)
+        self.wait_for(lambda: slider.get_attribute("aria-valuetext").startswith(
+            f"frame {self.frame()} of"), "the slider does not tell")
+
+    def test_mouse_turns_moves_and_zooms(self):
+        stage = self.find("stage")
+        before = self.camera()
+        ActionChains(self.browser).drag_and_drop_by_offset(stage, 100, 40).perform()
+        turned = self.camera()
+        self.assertLess(turned[0], before[0])
+        self.assertGreater(turned[1], before[1])
+        self.assertEqual(turned[2:], before[2:])
+        ActionChains(self.browser).key_down(Keys.SHIFT).drag_and_drop_by_offset(
+            stage, 100, 0).key_up(Keys.SHIFT).perform()
+        moved = self.camera()
+        self.assertEqual(moved[:3], turned[:3])
+        self.assertNotEqual(moved[3:], turned[3:])
+        ActionChains(self.browser).scroll_from_origin(
+            webdriver.common.actions.wheel_input.ScrollOrigin.from_element(stage), 0, -300).perform()
+        self.wait_for(lambda: self.camera()[2] < moved[2], "the wheel does not zoom")
+        self.picture("zoomed")
+        ActionChains(self.browser).double_click(stage).perform()
+        self.wait_for(lambda: self.camera() == before, "a double click does not go back")
+
+    def test_keys_turn_move_and_zoom_once_the_picture_has_them(self):
+        before = self.camera()
+        self.script("document.getElementById('stage').focus()")
+        self.press(Keys.ARROW_LEFT, Keys.ARROW_UP, "+")
+        turned = self.camera()
+        self.assertNotEqual(turned[0], before[0])
+        self.assertGreater(turned[1], before[1])
+        self.assertLess(turned[2], before[2])
+        self.assertEqual(self.frame(), 1)
+        self.press("0")
+        self.assertEqual(self.camera(), before)
+
+    def test_two_fingers_zoom(self):
+        before = self.camera()
+
+        def touch(kind, *points):
+            self.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {
+                "type": kind, "touchPoints": [{"x": x, "y": y, "id": i}
+                                              for i, (x, y) in enumerate(points)]})
+        touch("touchStart", (500, 300), (700, 300))
+        for step in range(1, 6):
+            touch("touchMove", (500 - 20 * step, 300), (700 + 20 * step, 300))
+        touch("touchEnd")
+        zoomed = self.camera()
+        self.assertAlmostEqual(zoomed[2] / before[2], 0.5, delta=0.05)
+        self.assertEqual(zoomed[:2], before[:2])
+        touch("touchStart", (600, 300))
+        touch("touchMove", (650, 320))
+        touch("touchEnd")
+        self.assertNotEqual(self.camera()[0], before[0])
+
+    def test_colours_tell_strain_with_a_legend(self):
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+        cloth = self.colours()
+        self.find("by_strain").click()
+        self.assertTrue(self.find("legend").is_displayed())
+        self.assertIn("%", self.find("legend_most").text)
+        self.assertNotEqual(self.colours(), cloth)
+        self.picture("strain")
+
+    def test_other_recordings_can_be_dropped(self):
+        name = self.find("name").text
+        self.drop("other.rbn", OTHER.read_bytes())
+        self.wait_for(lambda: self.find("name").text != name, "the other recording did not come")
+        self.assertEqual(self.status(), "")
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+        self.picture("other")
+
+    def test_foreign_files_are_refused_and_nothing_is_lost(self):
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+        recording = RECORDING.read_bytes()
+        for name, content in (("notes.txt", b"no recording " * 100), ("empty.rbn", b""),
+                              ("cut.rbn", recording[:40]),
+                              ("flipped.rbn", bytes([255 - recording[0]]) + recording[1:])):
+            self.drop(name, content)
+            self.wait_for(lambda n=name: self.status().startswith(n), f"{name} was not refused")
+            self.assertIn(";", self.status())
+        self.press(Keys.HOME)
+        self.wait_for_frame(1)
+        self.assertGreater(self.colours()["share"], 0.005)
+
+    def test_damaged_recordings_are_shown_as_far_as_they_can_be_read(self):
+        content = bytearray(RECORDING.read_bytes())
+        for byte in range(len(content) // 2, len(content) // 2 + 40):
+            content[byte] ^= 255
+        self.drop("damaged.rbn", bytes(content))
+        self.wait_for(lambda: "damaged.rbn is damaged" in self.status(), "the damage is not told")
+        self.press(Keys.END)
+        self.wait_for(lambda: self.frame() > 1, "no other frame can be read")
+        self.drop("half.rbn", bytes(content[:len(content) // 3]))
+        self.wait_for(lambda: self.frames() > 1 and self.frame() == 1, "a cut file is not read")
+
+    def test_worker_that_falls_is_replaced_and_nothing_is_lost(self):
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+        self.script("take({broken: 'out of memory'})")
+        self.assertIn("out of memory", self.status())
+        self.press(Keys.HOME)
+        self.wait_for_frame(1)
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+
+    def test_every_control_has_a_name_and_room_for_a_finger(self):
+        for control in self.browser.find_elements(By.CSS_SELECTOR, "button, select, label, input[type=range]"):
+            name = control.get_attribute("aria-label") or control.text
+            self.assertTrue(name, control.get_attribute("id"))
+            self.assertGreaterEqual(round(control.rect["height"]), 44, name)
+
+    def test_fits_a_phone(self):
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": True})
+        self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
+        self.picture("phone")
+        self.assertGreater(self.script("return document.getElementById('stage').clientHeight"), 250)
+
+    def test_has_a_dark_face(self):
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": "prefers-color-scheme", "value": "dark"}]})
+        paper = self.script("return getComputedStyle(document.body).backgroundColor")
+        self.assertEqual(paper, "rgb(29, 31, 34)")
+        self.picture("dark")
+
+
+class PageInMotion(Opened):
+    calm = False
+
+    def test_plays_by_itself(self):
+        self.wait_for(lambda: self.frame() > 2, "it does not play")
+
+
+class PageWithoutPicture(Opened):
+    options = ("--disable-gpu", "--disable-3d-apis")
+
+    def test_still_tells_numbers(self):
+        self.assertTrue(self.find("no_picture").is_displayed())
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+        self.assertIn("%", self.find("strain").text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[5:])

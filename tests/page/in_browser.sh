@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Plays pages in headless Chromium as a person would. Exit code 77 (skipped) where the page was not built
+# or the browser is missing. Pictures of what was seen are left in build/page-pictures.
+#   in_browser.sh BUILD [TEST...]   (folder of a build; names as in Page.test_fits_a_phone)
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../../.ci/setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../../.ci/setup.sh"
+
+work=$root/build/page-pictures
+mkdir -p "$work"
+
+for program in chromium chromedriver; do
+  if ! command -v $program >/dev/null || ! /usr/bin/python3 -c 'import selenium' 2>/dev/null; then
+    echo "SKIPPED: $program or python3-selenium is missing (the list browser_packages in .ci/setup.sh)," \
+      "so nobody has seen whether pages play" >&2
+    exit 77
+  fi
+done
+
+# make NAME SCENE SETTING...
+make() {
+  local settings=() setting
+  for setting in "${@:3}"; do settings+=(--set "$setting"); done
+  [[ -f $work/$1.rbn ]] || "$build/recorder/ribbon-record" --quiet "$root/samples/$2" -o "$work/$1.rbn" "${settings[@]}"
+}
+
+build=$1
+make knot overhand-hourglass-8x400.toml ribbon.along=200 ribbon.across=4
+make other overhand-cylinder-8x400.toml ribbon.along=100 ribbon.across=3 time.duration=2
+if ! "$build/player/ribbon-play" "$work/knot.rbn" -o "$work/knot.html" --force 2>"$work/errors.txt"; then
+  cat "$work/errors.txt" >&2
+  grep -q "without Emscripten" "$work/errors.txt" || exit 1
+  echo "SKIPPED: nobody has seen whether pages play" >&2
+  exit 77
+fi
+exec env PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$root/tests/page/in_browser.py" \
+  "$work/knot.html" "$work/knot.rbn" "$work/other.rbn" "$work" "${@:2}"

@@ -1,0 +1,66 @@
+// A recording as a page: one file that holds all of it and loads nothing.
+#include <gtest/gtest.h>
+
+#include "player/page/base64.h"
+#include "player/page/page_parts.h"
+#include "player/page/viewer_page.h"
+#include "player/ribbon_play.h"
+
+namespace ribbon::page_test {
+
+// The reverse, for texts that are right.
+std::string bytes_of(std::string_view text) {
+  constexpr std::string_view letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int waiting = 0;
+  for (const char letter : text.substr(0, text.find('='))) {
+    bits = bits << 6 | static_cast<std::uint32_t>(letters.find(letter));
+    waiting += 6;
+    if (waiting < 8) continue;
+    waiting -= 8;
+    bytes += static_cast<char>(bits >> waiting & 0xFFU);
+  }
+  return bytes;
+}
+
+TEST(Base64, is_that_of_the_standard) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xFB\xFF\xBF"), "+/+/");
+}
+
+TEST(PageParts, are_texts_and_places_in_turn) {
+  const auto parts = page_parts("a{{b}}{{c d}}e{{f");
+  std::string told;
+  for (const PagePart& part : parts)
+    told += (part.is_place ? "<" : "") + std::string(part.text) + (part.is_place ? ">" : "|");
+  EXPECT_EQ(told, "a|<b>|<c d>e{{f|");
+}
+
+TEST_F(RibbonPlay, pages_follow_no_option_of_pictures) {
+  expect_refusal(play_small("-o knot.html --view knot"), "--size");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "knot.html"));
+}
+
+TEST_F(RibbonPlay, page_holds_the_recording_and_loads_nothing) {
+  if (viewer_page().empty()) {
+    expect_refusal(run("knot.rbn -o knot.html"), "built without Emscripten");
+    return;
+  }
+  EXPECT_THAT(output_of(run("knot.rbn -o knot.html")), HasSubstr("page: "));
+  const std::string page = bytes("knot.html");
+  const std::size_t begin = page.find('>', page.find("id=\"recording\"")) + 1;
+  EXPECT_EQ(bytes_of(page.substr(begin, page.find('<', begin) - begin)), bytes("knot.rbn"));
+  EXPECT_LE(page.size(), 350'000 + (bytes("knot.rbn").size() + 2) / 3 * 4);
+  EXPECT_THAT(page, Not(HasSubstr("http:")));
+  EXPECT_THAT(page, Not(HasSubstr("https:")));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  expect_refusal(run("knot.rbn -o knot.html"), "--force");
+}
+
+}  // namespace ribbon::page_test
