@@ -75,13 +75,13 @@ fetch_page_sources() {
   [[ ! -f $folder/complete ]] || return 0
   echo "== Fetching the sources of libzstd, pugixml and libdeflate"
   rm -rf "$folder"
-  mkdir -p "$folder/lists/partial" "$folder/parts"
+  mkdir -p "$folder/lists/partial" "$folder/parts" "$folder/cache/archives/partial"
   for list in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
     [[ ! -s $list ]] ||
       sed 's/^deb /deb-src /; s/^Types:.*/Types: deb-src/' "$list" >"$folder/parts/$(basename "$list")"
   done
   lists=(-o Dir::Etc::sourcelist=- -o "Dir::Etc::sourceparts=$folder/parts"
-    -o "Dir::State::lists=$folder/lists")
+    -o "Dir::State::lists=$folder/lists" -o "Dir::Cache=$folder/cache" -o APT::Sandbox::User=root)
   (
     cd "$folder" || exit
     apt-get --quiet --quiet "${lists[@]}" update &&
@@ -92,6 +92,7 @@ fetch_page_sources() {
     tar --extract --directory "$folder/$package" --strip-components=1 \
       --file "$(echo "$folder/$package"_*.orig.tar.?z)" || return
   done
+  rm -r "$folder/lists" "$folder/cache"
   touch "$folder/complete"
 }
 
