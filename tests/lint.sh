@@ -56,8 +56,9 @@ case ${1-} in
     if [[ $# -gt 1 ]]; then
       printf '%s\0' "${@:2}" | tidy_by_compile_commands
     else
-      # What is built with its boxes counted has no compile command of its own.
-      git ls-files -z '*.cpp' ':!tests/lint' ':!tests/benchmarks/solver/detection_tests.cpp' |
+      # What is built with its boxes counted, or for pages alone, has no compile command of its own.
+      git ls-files -z '*.cpp' ':!tests/lint' ':!tests/benchmarks/solver/detection_tests.cpp' \
+        ':!*_serial.cpp' |
         tidy_by_compile_commands
     fi
     ;;
