@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "files/files.h"
 #include "files/flipped.h"
@@ -34,7 +35,7 @@ TEST_F(ShownRecordingTest, describes_what_does_not_change) {
 TEST_F(ShownRecordingTest, numbers_are_those_of_the_frames) {
   const auto shown = ShownRecording::open(file_).value();
   ASSERT_EQ(shown.numbers().size(), 7U * ShownRecording::numbers_per_frame);
-  const double* last = shown.numbers().data() + 6 * ShownRecording::numbers_per_frame;
+  const auto last = std::span(shown.numbers()).last(ShownRecording::numbers_per_frame);
   EXPECT_EQ(last[ShownRecording::time_s], sample_numbers(6).time_s);
   EXPECT_EQ(last[ShownRecording::strain], sample_numbers(6).worst_strain);
   EXPECT_EQ(last[ShownRecording::readable], 1);
