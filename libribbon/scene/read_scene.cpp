@@ -96,6 +96,22 @@ Result<void> read_hold(const Value& value, Scene& scene) {
   return {};
 }
 
+Result<void> read_carry(const Value& value, Scene& scene) {
+  HandScene& hand = scene.stages.back().hands.back();
+  hand.task = HandTask::carry;
+  return carry_path(value).map([&](const auto& path) { hand.carry.path = path; });
+}
+
+Result<void> read_until(const Value& value, Scene& scene) {
+  StageScene& stage = scene.stages.back();
+  return seconds_or_goal(value).map([&](const std::variant<double, StageGoal>& until) {
+    if (const auto* seconds = std::get_if<double>(&until))
+      stage.until_s = *seconds;
+    else
+      stage.goal = std::get<StageGoal>(until);
+  });
+}
+
 // One number, or a profile; one that is as wide everywhere is one number.
 Result<void> read_width(const Value& value, Scene& scene) {
   RibbonScene& ribbon = scene.ribbon;
@@ -264,6 +280,11 @@ std::vector<Key> hand_keys() {
       {"at", required, "[0, 0.02]", set(in_hand(&HandScene::at), part_of_band)},
       {"pull", optional, "[1, 0, 0]", read_pull},
       {"hold", optional, "true", read_hold},
+      {"carry", optional, "\"over-the-front\"", read_carry},
+      {"height", optional, "0.1",
+       set(
+           [](Scene & scene) -> auto& { return scene.stages.back().hands.back().carry.heights; },
+           heights)},
       {"speed", optional, "0.3", set(in_hand(&HandScene::speed_m_s), number(positive))},
       {"yield", optional, "0.05", set(in_hand(&HandScene::yield_strain), number(yield_strain))},
   };
@@ -277,7 +298,7 @@ const Table& hand_table() {
 std::vector<Key> stage_keys() {
   return {
       {"name", optional, "\"half knot\"", set(in_stage(&StageScene::name), text)},
-      {"until", optional, "\"tight\"", set(in_stage(&StageScene::until_s), seconds_or_tight)},
+      {"until", optional, "\"tight\"", read_until},
       {"at_most", optional, "12", set(in_stage(&StageScene::at_most_s), number(positive))},
       {"friction", optional, "0.3", set(in_stage(&StageScene::friction), number(not_negative))},
       {"hand", optional, "",

@@ -123,7 +123,7 @@ void set_defaults_of_stages(Scene& scene) {
     for (HandScene& hand : stage.hands) {
       if (!scene.fastening) continue;
       if (hand.speed_m_s == 0) hand.speed_m_s = scene.fastening->speed_m_s;
-      if (!hand.yield_strain && hand.task != HandTask::hold)
+      if (!hand.yield_strain && hand.task && pulls(*hand.task))
         hand.yield_strain = scene.fastening->yield_strain;
     }
   }

@@ -10,21 +10,47 @@ namespace ribbon::scene_values {
 
 namespace {
 
-// The next of the pairs [share, width] of a profile, of which `before` have been read.
-Result<WidthAt> width_at(const Value& value, const TomlValue& pair,
-                         const std::vector<WidthAt>& before, bool is_last) {
+// What has another size at each share of a length: a width, a height.
+struct Sizes {
+  std::string_view what;
+  Range range;
+};
+
+// The next of the pairs [share, size], of which `before` have been read.
+template <class SizeAt>
+Result<SizeAt> size_at(const Value& value, const Sizes& sizes, const TomlValue& pair,
+                       const std::vector<SizeAt>& before, bool is_last) {
+  const std::string what(sizes.what);
   const auto* numbers = pair.as<TomlArray>();
   if (numbers == nullptr || numbers->size() != 2)
-    return wrong(value, pair, "pairs of a share of the length and a width");
+    return wrong(value, pair, "pairs of a share of the length and a " + what);
   const double least = before.empty() ? 0 : std::nextafter(before.back().share, 2);
   const double most = before.empty() ? 0 : 1;
   const auto share = number_within({"", is_last ? 1 : least, most}, (*numbers)[0]);
   if (!share)
     return wrong(value, (*numbers)[0], "pairs whose shares of the length rise from 0 to 1");
-  const auto width_m = number_within(positive, (*numbers)[1]);
-  if (!width_m)
-    return wrong(value, (*numbers)[1], "pairs with a width " + std::string(positive.words));
-  return WidthAt{*share, *width_m};
+  const auto size_m = number_within(sizes.range, (*numbers)[1]);
+  if (!size_m)
+    return wrong(value, (*numbers)[1],
+                 "pairs with a " + what + " " + std::string(sizes.range.words));
+  return SizeAt{*share, *size_m};
+}
+
+// Of a number or an array.
+template <class SizeAt>
+Result<std::vector<SizeAt>> sizes_along(const Value& value, const Sizes& sizes) {
+  const auto* pairs = value.toml.as<TomlArray>();
+  if (pairs == nullptr || pairs->size() < 2)
+    return wrong(
+        value, value.toml,
+        "a number, or at least 2 pairs [share of the length, " + std::string(sizes.what) + "]");
+  std::vector<SizeAt> all;
+  for (const TomlValue& pair : *pairs) {
+    const auto next = size_at(value, sizes, pair, all, &pair == &pairs->back());
+    if (!next) return tl::unexpected(next.error());
+    all.push_back(*next);
+  }
+  return all;
 }
 
 }  // namespace
@@ -164,23 +190,32 @@ Result<std::vector<Eigen::Vector2d>> points(const Value& value) {
 }
 
 Result<WidthProfile> width_profile(const Value& value) {
-  const auto& pairs = *value.toml.as<TomlArray>();
-  if (pairs.size() < 2)
-    return wrong(value, value.toml, "a number, or at least 2 pairs [share of the length, width]");
-  WidthProfile profile{{}, value.document.place(value.toml.begin)};
-  for (const TomlValue& pair : pairs) {
-    const auto next = width_at(value, pair, profile.points, &pair == &pairs.back());
-    if (!next) return tl::unexpected(next.error());
-    profile.points.push_back(*next);
-  }
-  return profile;
+  return sizes_along<WidthAt>(value, {"width", positive}).map([&](std::vector<WidthAt>&& points) {
+    return WidthProfile{std::move(points), value.document.place(value.toml.begin)};
+  });
 }
 
-Result<std::optional<double>> seconds_or_tight(const Value& value) {
-  if (const auto* text = value.toml.as<std::string>(); text != nullptr && *text == "tight")
-    return std::nullopt;
-  if (const auto seconds = number_within(positive, value.toml)) return seconds;
-  return wrong(value, value.toml, "\"tight\" or a number of seconds");
+Result<std::vector<HeightAt>> heights(const Value& value) {
+  if (const auto everywhere = number_within(any_number, value.toml))
+    return std::vector{HeightAt{0, *everywhere}};
+  return sizes_along<HeightAt>(value, {"height", any_number});
+}
+
+Result<std::variant<PathId, std::vector<Eigen::Vector2d>>> carry_path(const Value& value) {
+  using Path = std::variant<PathId, std::vector<Eigen::Vector2d>>;
+  if (value.toml.as<TomlArray>() != nullptr)
+    return points(value).map(
+        [](std::vector<Eigen::Vector2d>&& path) { return Path(std::move(path)); });
+  return text(value).map([](std::string id) { return Path(PathId{std::move(id)}); });
+}
+
+Result<std::variant<double, StageGoal>> seconds_or_goal(const Value& value) {
+  using Until = std::variant<double, StageGoal>;
+  const auto* text = value.toml.as<std::string>();
+  if (text != nullptr && *text == "tight") return Until(StageGoal::tight);
+  if (text != nullptr && *text == "carried") return Until(StageGoal::carried);
+  if (const auto seconds = number_within(positive, value.toml)) return Until(*seconds);
+  return wrong(value, value.toml, R"("tight", "carried" or a number of seconds)");
 }
 
 Result<std::variant<Span, Mark>> part_of_band(const Value& value) {

@@ -95,7 +95,12 @@ Result<std::vector<Eigen::Vector2d>> points(const Value& value);
 // Of an array.
 Result<WidthProfile> width_profile(const Value& value);
 
-Result<std::optional<double>> seconds_or_tight(const Value& value);
+// One number, or pairs of a share of a path's length and a height.
+Result<std::vector<HeightAt>> heights(const Value& value);
+// The id of a path, or points.
+Result<std::variant<PathId, std::vector<Eigen::Vector2d>>> carry_path(const Value& value);
+
+Result<std::variant<double, StageGoal>> seconds_or_goal(const Value& value);
 // Two shares of its length, or a mark.
 Result<std::variant<Span, Mark>> part_of_band(const Value& value);
 // Two of shares and marks.

@@ -38,17 +38,32 @@ Result<void> force_is_known(const Document& document, const Scene& scene) {
 }
 
 Result<void> hand_has_a_task(const Document& document, const std::string& path) {
-  const bool pulls = document.find(path, "pull") != nullptr;
-  const bool holds = document.find(path, "hold") != nullptr;
-  if (pulls && holds)
-    return failure(document.place(path, "hold"), "a hand cannot both pull and hold",
-                   "remove 'pull' or 'hold'");
-  if (!pulls && !holds)
-    return failure(document.place(path, ""), "a hand that neither pulls nor holds does nothing",
+  std::vector<std::string> tasks;
+  for (const std::string task : {"pull", "hold", "carry"})
+    if (document.find(path, task) != nullptr) tasks.push_back(task);
+  if (tasks.empty())
+    return failure(document.place(path, ""),
+                   "a hand that neither pulls nor holds nor carries does nothing",
                    "add for example 'pull = [1, 0, 0]', 'pull = \"along\"' or 'hold = true'");
-  if (holds && document.find(path, "yield") != nullptr)
-    return failure(document.place(path, "yield"), "a hand that holds does not yield",
+  if (tasks.size() > 1)
+    return failure(document.place(path, tasks[1]),
+                   "a hand cannot both " + tasks[0] + " and " + tasks[1],
+                   "remove " + in_quotes(tasks[0]) + " or " + in_quotes(tasks[1]));
+  return {};
+}
+
+// Some keys belong to one task.
+Result<void> keys_fit_the_task(const Document& document, const HandScene& hand,
+                               const std::string& path) {
+  if (!pulls(*hand.task) && document.find(path, "yield") != nullptr)
+    return failure(document.place(path, "yield"),
+                   hand.task == HandTask::hold ? "a hand that holds does not yield"
+                                               : "a hand that carries does not yield",
                    "remove 'yield'; the 'speed' of the hand tells how strong it is");
+  if (hand.task != HandTask::carry && document.find(path, "height") != nullptr)
+    return failure(document.place(path, "height"),
+                   "'height' is how high a hand carries its part, but this one carries nothing",
+                   "remove it, or write 'carry' with the id of a path in the drawing");
   return {};
 }
 
@@ -73,16 +88,22 @@ Result<void> stage_can_end(const Document& document, const StageScene& stage, st
   const std::string path = stage_path(number);
   if (stage.until_s && stage.at_most_s)
     return failure(document.place(path, "at_most"),
-                   "'at_most' is for stages that last until they are tight",
+                   "'at_most' is for stages that last until they are tight, or all is carried",
                    "remove it, or write 'until = \"tight\"'");
-  const bool any_pulls =
-      std::any_of(stage.hands.begin(), stage.hands.end(),
-                  [](const HandScene& hand) { return hand.task != HandTask::hold; });
-  if (any_pulls || stage.until_s || stage.at_most_s) return {};
+  if (stage.until_s || stage.at_most_s) return {};
+  const bool is_tightened = stage.goal == StageGoal::tight;
+  const bool any_works =
+      std::any_of(stage.hands.begin(), stage.hands.end(), [&](const HandScene& hand) {
+        return is_tightened ? pulls(*hand.task) : hand.task == HandTask::carry;
+      });
+  if (any_works) return {};
   return failure(document.place(path, "until"),
-                 "'" + stage.name + "' can never end: what nobody pulls never becomes tight",
-                 "write how many seconds it lasts, for example 'until = 2', or add a hand that "
-                 "pulls");
+                 "'" + stage.name + "' can never end: " +
+                     (is_tightened ? "what nobody pulls never becomes tight"
+                                   : "what nobody carries never arrives"),
+                 std::string("write how many seconds it lasts, for example 'until = 2', or add a "
+                             "hand that ") +
+                     (is_tightened ? "pulls" : "carries"));
 }
 
 Result<void> stages_fit_in(const Document& document, const Scene& scene) {
@@ -113,7 +134,9 @@ Result<void> check_stages(const Document& document, const Scene& scene) {
                      "add '[[stage.hand]]' with for example 'at = [0, 0.02]' and 'pull = [1, 0, "
                      "0]' below it");
     for (std::size_t j = 0; j < stage.hands.size() && kept; ++j)
-      kept = hand_has_a_task(document, hand_path(i, j));
+      kept = hand_has_a_task(document, hand_path(i, j)).and_then([&] {
+        return keys_fit_the_task(document, stage.hands[j], hand_path(i, j));
+      });
     if (kept) kept = hands_do_not_fight(document, stage, i);
     if (kept) kept = stage_can_end(document, stage, i);
   }

@@ -34,26 +34,62 @@ struct BandPart {
 };
 
 // What a hand does with its part of the band: pulls it in one direction, along the band with the
-// fastening force, or away from the axis; or holds it where it is when the stage begins.
-enum class HandTask { pull, pull_along, pull_outwards, hold };
+// fastening force, or away from the axis; holds it where it is when the stage begins; or carries it
+// from there along a path.
+enum class HandTask { pull, pull_along, pull_outwards, hold, carry };
+
+constexpr bool pulls(HandTask task) {
+  return task != HandTask::hold && task != HandTask::carry;
+}
+
+// A path of the drawing, other than the band's.
+struct PathId {
+  std::string id;
+
+  bool operator==(const PathId&) const = default;
+};
+
+struct HeightAt {
+  double share = 0;     // of the path's length
+  double height_m = 0;  // above the plane of the drawing, along its axis
+
+  bool operator==(const HeightAt&) const = default;
+};
+
+// Where a hand carries its part: seen along the drawing's axis on a path, in its plane or above it.
+struct CarryPath {
+  // Points: at least 2, in drawing units, y down as in SVG.
+  std::variant<PathId, std::vector<Eigen::Vector2d>> path;
+  // Their shares rise; straight between them. At least one, which counts everywhere if it is alone.
+  std::vector<HeightAt> heights = {HeightAt{}};
+
+  bool operator==(const CarryPath&) const = default;
+};
 
 struct HandScene {
   std::variant<Span, Mark> at;
   std::optional<HandTask> task = std::nullopt;  // in a scene that has been read there is one
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // of HandTask::pull, of unit length
   double speed_m_s = 0;  // at which it would draw half of the band if nothing held that; along: as
-                         // FasteningScene::speed_m_s. Its force is never more.
+                         // FasteningScene::speed_m_s. Its force is never more. Carrying, it goes
+                         // along its path as fast.
   std::optional<double> yield_strain = std::nullopt;  // at which a hand that pulls gives way
+  CarryPath carry = {};                               // of HandTask::carry
 
   bool operator==(const HandScene&) const = default;
 };
 
+// What ends a stage that has no time: all that is pulled has come to a stop and all that is carried
+// has arrived, or only the latter.
+enum class StageGoal { tight, carried };
+
 struct StageScene {
   std::string name = {};
-  std::optional<double> until_s = std::nullopt;    // how long it lasts; none: until tight
+  std::optional<double> until_s = std::nullopt;    // how long it lasts; none: until its goal
   std::optional<double> at_most_s = std::nullopt;  // how long that may take; none: any time
   std::optional<double> friction = std::nullopt;   // while it lasts; none: the scene's
   std::vector<HandScene> hands;                    // at least one
+  StageGoal goal = StageGoal::tight;
 
   bool operator==(const StageScene&) const = default;
 };

@@ -50,6 +50,29 @@ TEST(Stages, every_key_reaches_its_place) {
       << "what it does not say, [fastening] says";
 }
 
+TEST(Stages, a_hand_carries_along_a_path_at_heights) {
+  const auto hand_of = [](const std::string& lines) {
+    return read_text(one_stage("until = 'carried'\n", "at = [0, 0.25]\n" + lines))
+        ->stages[0]
+        .hands[0];
+  };
+  const HandScene named = hand_of("carry = 'over'\nheight = [[0, 0.1], [0.25, -3], [1, 0]]\n");
+  EXPECT_EQ(named.task, HandTask::carry);
+  EXPECT_EQ(named.carry, (CarryPath{PathId{"over"}, {{0, 0.1}, {0.25, -3}, {1, 0}}}));
+  EXPECT_EQ(named.speed_m_s, 0.5);
+  EXPECT_EQ(named.yield_strain, std::nullopt);
+  EXPECT_EQ(hand_of("carry = [[1, 2], [3, 4]]\n").carry,
+            (CarryPath{std::vector<Eigen::Vector2d>{{1, 2}, {3, 4}}, {{0, 0}}}));
+  EXPECT_EQ(hand_of("carry = 'over'\nheight = 0.25\n").carry.heights,
+            (std::vector<HeightAt>{{0, 0.25}}));
+  const StageScene stage =
+      read_text(one_stage("until = 'carried'\nat_most = 3\n", "at = [0, 1]\ncarry = 'over'\n"))
+          ->stages[0];
+  EXPECT_EQ(stage.goal, StageGoal::carried);
+  EXPECT_EQ(stage.until_s, std::nullopt);
+  EXPECT_EQ(stage.at_most_s, 3);
+}
+
 TEST(Stages, a_scene_without_them_has_none) {
   EXPECT_TRUE(read_text(fastened(""))->stages.empty());
 }
@@ -70,9 +93,27 @@ TEST(Stages, what_cannot_be_is_refused_where_it_stands) {
            {one_stage("", "at = [0, 1]\nhold = false\n"), ":18:8", "true, or not there"},
            {one_stage("", "at = [0, 1]\nuntil = 3\n"), ":18:1", "it belongs in [[stage]]"},
            {one_stage("speed = 1\n", pulling_hand), ":16:1", "it belongs in [[stage.hand]]"},
-           {one_stage("until = 0\n", pulling_hand), ":16:9", "\"tight\" or a number of seconds"},
-           {one_stage("", "at = [0, 1]\n"), ":16:1", "neither pulls nor holds"},
+           {one_stage("until = 0\n", pulling_hand), ":16:9", "\"carried\" or a number of seconds"},
+           {one_stage("", "at = [0, 1]\n"), ":16:1", "neither pulls nor holds nor carries"},
            {one_stage("", pulling_hand + "hold = true\n"), ":19:8", "both pull and hold"},
+           {one_stage("", pulling_hand + "carry = 'x'\n"), ":19:9", "both pull and carry"},
+           {one_stage("", "at = [0, 1]\nhold = true\ncarry = 'x'\n"), ":19:9",
+            "both hold and carry"},
+           {one_stage("", pulling_hand + "height = 0.1\n"), ":19:10", "this one carries nothing"},
+           {one_stage("", "at = [0, 1]\ncarry = 3\n"), ":18:9", "one line that is not empty"},
+           {one_stage("", "at = [0, 1]\ncarry = [[0, 0]]\n"), ":18:9", "at least 2 points"},
+           {one_stage("", "at = [0, 1]\ncarry = 'x'\nheight = [[0, 1]]\n"), ":19:10",
+            "at least 2 pairs [share of the length, height]"},
+           {one_stage("", "at = [0, 1]\ncarry = 'x'\nheight = [[0, 1], [0.5, 1]]\n"), ":19:20",
+            "rise from 0 to 1"},
+           {one_stage("until = 1\n", "at = [0, 1]\ncarry = 'x'\nyield = 0.1\n"), ":20:9",
+            "a hand that carries does not yield"},
+           {one_stage("until = 1\n", pulling_hand + "[[stage.hand]]\nat = [0.2, 0.3]\ncarry = "
+                                                    "'x'\n"),
+            ":21:6", "fight over one part"},
+           {one_stage("", "at = [0, 1]\ncarry = 'x'\n"), ":15:1", "never becomes tight"},
+           {one_stage("until = 'carried'\n", pulling_hand), ":16:9",
+            "can never end: what nobody carries never arrives"},
            {one_stage("until = 1\n", "at = [0, 1]\nhold = true\nyield = 0.1\n"), ":20:9",
             "does not yield"},
            {fastened("[[stage]]\nname = 'knot'\n"), ":15:1", "'knot' has no hands"},
