@@ -159,10 +159,9 @@ Result<std::vector<pugi::xml_node>> paths_by_id(const SvgFile& file,
     return failure(file.place(other),
                    "'" + id + "' is a <" + other.name() + "> that is hidden or not a path",
                    "show it, or convert it by Path > Object to Path in Inkscape");
-  return failure(file.name, "has no path with the id '" + id + "'",
-                 paths.empty()
-                     ? "draw one"
-                     : "correct 'path' in the scene's [curve]: there are " + list_ids(paths));
+  return failure(
+      file.name, "has no path with the id '" + id + "'",
+      paths.empty() ? "draw one" : "write another one in the scene: there are " + list_ids(paths));
 }
 
 // One of the words between blanks.

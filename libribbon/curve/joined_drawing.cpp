@@ -19,6 +19,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double flatness_per_extent = 1e-5;  // a tenth of what find_double_points calls touching
+constexpr double path_flatness_per_extent = 1e-3;
 constexpr double widest_gap_per_extent = 0.1;
 constexpr double largest_turn = std::numbers::pi / 6;  // at each end of a gap
 constexpr double meeting_per_extent = 1e-5;            // ends nearer than this have no gap
@@ -159,13 +160,17 @@ Result<std::vector<DrawnPiece>> flattened(const std::vector<SvgPath>& paths, dou
 }
 
 // Flattened twice: how fine depends on how large the drawing is.
-Result<JoinedDrawing> read(const DrawnSvg& drawn) {
+Result<JoinedDrawing> read(const DrawnSvg& drawn, double flatness) {
   if (auto there = check_readable(drawn.file); !there) return tl::unexpected(there.error());
   const auto paths = find_svg_paths(drawn.file.path, drawn.path_id);
   if (!paths) return tl::unexpected(paths.error());
   const auto coarse = flattened(*paths, std::numeric_limits<double>::max());
   if (!coarse) return tl::unexpected(coarse.error());
-  return flattened(*paths, flatness_per_extent * extent_of_all(*coarse)).and_then(joined);
+  return flattened(*paths, flatness * extent_of_all(*coarse)).and_then(joined);
+}
+
+Result<JoinedDrawing> read(const DrawnSvg& drawn) {
+  return read(drawn, flatness_per_extent);
 }
 
 }  // namespace
@@ -186,6 +191,12 @@ Result<JoinedDrawing> joined(const std::vector<DrawnPiece>& pieces) {
 
 Result<JoinedDrawing> read_drawing(const CurveScene& scene) {
   return std::visit([](const auto& drawn) { return read(drawn); }, scene.drawing);
+}
+
+Result<Drawing> read_path(const DrawnSvg& drawn) {
+  return read(drawn, path_flatness_per_extent).map([](JoinedDrawing&& path) {
+    return std::move(path.points);
+  });
 }
 
 }  // namespace ribbon

@@ -12,6 +12,7 @@
 #include "curve/axis_view.h"
 #include "curve/drawing.h"
 #include "geometry/vectors.h"
+#include "ribbon_mesh/carry_way.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/document.h"
 #include "text/number_text.h"
@@ -25,19 +26,25 @@ using Eigen::Vector2d;
 constexpr double about_as_near = 0.25;  // widths
 constexpr double another_part = 2;      // widths along the band
 
-// A hand that is asked for at a mark.
-struct MarkedHand {
-  std::string path;  // "stage[1].hand[2]"
-  std::string id;
+// A hand that is told by the drawing: at a mark, or on a path.
+struct DrawnHand {
+  std::string table;                // "stage[1].hand[2]"
+  const Mark* at = nullptr;         // null: it is told otherwise
+  const PathId* carries = nullptr;  // likewise
 };
 
-std::vector<MarkedHand> marked_hands(const Scene& scene) {
-  std::vector<MarkedHand> hands;
+std::vector<DrawnHand> drawn_hands(const Scene& scene) {
+  std::vector<DrawnHand> hands;
   for (std::size_t i = 0; i < scene.stages.size(); ++i)
-    for (std::size_t j = 0; j < scene.stages[i].hands.size(); ++j)
-      if (const auto* mark = std::get_if<Mark>(&scene.stages[i].hands[j].at))
-        hands.push_back(
-            {"stage[" + std::to_string(i + 1) + "].hand[" + std::to_string(j + 1) + "]", mark->id});
+    for (std::size_t j = 0; j < scene.stages[i].hands.size(); ++j) {
+      const HandScene& hand = scene.stages[i].hands[j];
+      const auto* at = std::get_if<Mark>(&hand.at);
+      const auto* carries =
+          hand.task == HandTask::carry ? std::get_if<PathId>(&hand.carry.path) : nullptr;
+      if (at != nullptr || carries != nullptr)
+        hands.push_back({"stage[" + std::to_string(i + 1) + "].hand[" + std::to_string(j + 1) + "]",
+                         at, carries});
+    }
   return hands;
 }
 
@@ -98,10 +105,20 @@ std::string span_text(double middle, const RibbonMesh& ribbon) {
          shortest(std::min(1.0, middle + half)) + "]";
 }
 
-Result<std::string> hand_setting(const MarkedHand& hand, const Scene& scene,
+Result<std::string> span_setting(const DrawnHand& hand, const Scene& scene,
                                  const RibbonMesh& ribbon) {
-  return share_of(hand.id, scene, ribbon).map([&](double share) {
-    return hand.path + ".at=" + span_text(share, ribbon);
+  return share_of(hand.at->id, scene, ribbon).map([&](double share) {
+    return hand.table + ".at=" + span_text(share, ribbon);
+  });
+}
+
+Result<std::string> carry_setting(const DrawnHand& hand, const CurveScene& curve) {
+  return drawn_path(curve, *hand.carries).map([&](const std::vector<Vector2d>& path) {
+    std::string points;
+    for (const Vector2d& point : path)
+      points +=
+          (points.empty() ? "[" : ", [") + shortest(point.x()) + ", " + shortest(point.y()) + "]";
+    return hand.table + ".carry=[" + points + "]";
   });
 }
 
@@ -124,7 +141,7 @@ Result<std::string> between_setting(const Scene& scene, const RibbonMesh& ribbon
   return setting + "]";
 }
 
-// Those that replace marks, each with the place in the scene that an error is to name.
+// Those that replace marks and paths, each with the place in the scene that an error is to name.
 Result<std::vector<std::string>> settings_for_marks(const Document& document, const Scene& scene,
                                                     const RibbonMesh& ribbon) {
   std::vector<std::string> settings;
@@ -134,9 +151,13 @@ Result<std::vector<std::string>> settings_for_marks(const Document& document, co
       setting.error().place = document.place(table, key);
     return setting;
   };
-  for (const MarkedHand& hand : marked_hands(scene))
-    if (auto added = add(hand_setting(hand, scene, ribbon), hand.path, "at"); !added)
-      return tl::unexpected(added.error());
+  for (const DrawnHand& hand : drawn_hands(scene)) {
+    Result<std::string> added;
+    if (hand.at != nullptr) added = add(span_setting(hand, scene, ribbon), hand.table, "at");
+    if (added && hand.carries != nullptr)
+      added = add(carry_setting(hand, scene.curve), hand.table, "carry");
+    if (!added) return tl::unexpected(added.error());
+  }
   if (is_marked(scene))
     if (auto added = add(between_setting(scene, ribbon), "knot", "between"); !added)
       return tl::unexpected(added.error());
@@ -146,7 +167,7 @@ Result<std::vector<std::string>> settings_for_marks(const Document& document, co
 }  // namespace
 
 Result<Scene> with_marks_found(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
-  if (marked_hands(scene).empty() && !is_marked(scene)) return scene;
+  if (drawn_hands(scene).empty() && !is_marked(scene)) return scene;
   const auto document = parse_document(scene.file, scene.text);
   if (!document) return tl::unexpected(document.error());
   const auto ribbon = draw_ribbon(scene, obstacle);

@@ -1,4 +1,4 @@
-// Marks of the drawing, by which a scene tells where hands have the band.
+// Marks and paths of the drawing, by which a scene tells where hands have the band and carry it.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,10 @@ namespace ribbon {
 
 // The scene, also its text, with shares of the band's length for each mark that it names: those of
 // the row whose middle lies nearest to the mark in the drawing and, for a hand, of as much around
-// it as the band is wide. So a run can go on without its drawing. Fails, with the place in the
-// scene, where the drawing has no such mark, and where two parts of the band are about as near to
-// it. obstacle: that of the scene.
+// it as the band is wide; and with points for each path on which a hand carries the band. So a run
+// can go on without its drawing. Fails, with the place in the scene, where the drawing has no such
+// mark or path, and where two parts of the band are about as near to a mark. obstacle: that of the
+// scene.
 Result<Scene> with_marks_found(const Scene& scene,
                                const std::optional<TriangleMesh>& obstacle = std::nullopt);
 
