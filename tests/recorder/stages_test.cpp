@@ -1,6 +1,7 @@
 // Runs in stages: what their recordings tell, how they go on and branch off.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -169,6 +170,80 @@ TEST_F(Stages, the_header_tells_marks_and_the_part_whose_knot_is_certified) {
       refusal_of(branch(file(), 1, {take(), "brancher", {"knot.between=[0, 0.5]"}, Overwrite::yes},
                         goes_on)),
       HasSubstr("[knot] cannot change in a branch"));
+}
+
+// A band of 60 cm, and a path on which its first end is carried inwards.
+std::string drawing_with_a_path() {
+  return "<svg xmlns='http://www.w3.org/2000/svg'><path id='band' d='M -300 0 L 300 0'/>"
+         "<g transform='translate(0 -100)'><path id='round' d='M -200 100 L -150 0 L -100 0'/></g>"
+         "<circle id='tip' cx='-310' cy='0' r='4'/></svg>";
+}
+
+std::string carrying_scene_text(const std::string& path = "round") {
+  std::string text = drawn_in_a_file(small_scene_text("3"));
+  return text.insert(text.find("[ribbon]"), "path = 'band'\n") +
+         "checkpoint_every = 0.5\n"
+         "[[stage]]\nuntil = 'carried'\n"
+         "[[stage.hand]]\nat = 'tip'\ncarry = '" +
+         path +
+         "'\nheight = [[0, 0], [0.5, 0.2], [1, 0]]\nspeed = 0.4\n"
+         "[[stage.hand]]\nat = [0.9, 1]\nhold = true\n"
+         "[[stage]]\nuntil = 0.2\n[[stage.hand]]\nat = [0.9, 1]\nhold = true\n";
+}
+
+Eigen::Vector3f middle_of_first_rows(const PlayedFrame& frame) {
+  return frame.positions.leftCols(2 * 4).rowwise().mean();
+}
+
+TEST_F(Stages, an_end_is_carried_to_where_it_was_drawn) {
+  (void)write_file(folder_ / "line.svg", drawing_with_a_path());
+  const auto done = recorded({"time.until=tight"}, carrying_scene_text());
+  ASSERT_EQ(refusal_of(done), "");
+  EXPECT_EQ(done->ending, RunEnding::stages_over);
+  const auto frames = frames_of(file());
+  const int arrived = frames_in_stages(file())[1] - 1;
+  const auto at = [&](int frame) { return middle_of_first_rows(frames[frame]); };
+  EXPECT_LT((at(arrived) - Eigen::Vector3f(-0.1F, 0, -0.1F)).norm(), 0.04F)
+      << "a little behind what draws it";
+  float highest_m = 0;
+  for (int frame = 0; frame <= arrived; ++frame) highest_m = std::max(highest_m, at(frame).y());
+  EXPECT_NEAR(highest_m, 0.2F, 0.02F);
+}
+
+TEST_F(Stages, what_is_carried_goes_on_to_the_same_bits_without_its_drawing) {
+  (void)write_file(folder_ / "line.svg", drawing_with_a_path());
+  ASSERT_EQ(refusal_of(recorded({}, carrying_scene_text())), "");
+  const auto whole = frames_of(file());
+  for (const int frames : {8, 30, 50}) {
+    (void)write_file(folder_ / "line.svg", drawing_with_a_path());
+    ASSERT_EQ(refusal_of(recorded({}, carrying_scene_text(), {.frames = frames})), "");
+    fs::remove(folder_ / "line.svg");
+    ASSERT_EQ(refusal_of(resume(file(), "test", goes_on)), "");
+    EXPECT_EQ(first_difference(frames_of(file()), whole), -1) << frames;
+  }
+  const auto taken = [&](const std::string& setting) {
+    return refusal_of(branch(file(), 9, {take(), "brancher", {setting}, Overwrite::yes}, goes_on));
+  };
+  ASSERT_EQ(taken("stage[1].hand[1].height=-0.3"), "");
+  EXPECT_EQ(first_difference(frames_of(take()), whole), 10);
+  ASSERT_EQ(taken("stage[1].hand[1].speed=1"), "");
+  EXPECT_LT(frames_in_stages(take())[1], frames_in_stages(file())[1]);
+}
+
+TEST_F(Stages, paths_that_are_not_there_are_refused_where_the_scene_names_them) {
+  (void)write_file(folder_ / "line.svg", drawing_with_a_path());
+  const auto refused = [&](const std::string& text) { return refusal_of(recorded({}, text)); };
+  const std::string sentence = refused(carrying_scene_text("over"));
+  EXPECT_THAT(sentence, HasSubstr("knot.toml:28:9: "));
+  EXPECT_THAT(sentence, HasSubstr("the drawing has no path with the id 'over'"));
+  EXPECT_THAT(sentence, HasSubstr("there are 'band', 'round'"));
+  EXPECT_THAT(refused(carrying_scene_text("tip")),
+              HasSubstr("line.svg:1: 'tip' is a <circle> that is hidden or not a path"));
+  EXPECT_THAT(
+      refused(small_scene_text() + "[[stage]]\nuntil = 'carried'\n[[stage.hand]]\nat = [0, 0.1]\n"
+                                   "carry = 'round'\n"),
+      HasSubstr("paths are those of an SVG file, but the drawing is a list of points"));
+  EXPECT_FALSE(fs::exists(file()));
 }
 
 TEST_F(Stages, marks_that_are_not_there_are_refused_where_the_scene_names_them) {

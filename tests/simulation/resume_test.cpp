@@ -41,13 +41,15 @@ std::vector<StageScene> stages() {
   const auto hand = [](double begin, double end, HandTask task) {
     return HandScene{Span{begin, end}, task, {1, 0, 0}, 2, 0.05};
   };
+  HandScene carries = hand(0.84, 0.9, HandTask::carry);
+  carries.carry = {std::vector<Eigen::Vector2d>{{0, 900}, {400, 900}}, {{0, 0.1}, {1, 0.3}}};
   return {{.until_s = 0.155,
            .friction = 0.4,
            .hands = {hand(0, 0.4, HandTask::pull_along), hand(0.48, 0.52, HandTask::hold),
                      hand(0.6, 1, HandTask::pull_along)}},
           {.at_most_s = 9,
            .hands = {hand(0, 0.05, HandTask::pull), hand(0.5, 0.6, HandTask::pull_outwards),
-                     hand(0.95, 1, HandTask::hold)}}};
+                     carries, hand(0.95, 1, HandTask::hold)}}};
 }
 
 std::vector<Case> runs() {

@@ -55,7 +55,7 @@ StagedHands::StagedHands(const Scene& scene, const RestSize& size, const Cloth& 
 void StagedHands::take_places() {
   hands_.clear();
   for (const HandScene& hand : present().hands)
-    hands_.emplace_back(hand, scene_, size_, particle_mass_kg_);
+    hands_.emplace_back(hand, scene_, size_, particle_mass_kg_, begun_);
   progress_ = FasteningProgress(size_.grid, groups_of(hands_, size_.grid), scene_.time.step_s,
                                 scene_.air_resistance_per_s);
 }
@@ -95,6 +95,7 @@ void StagedHands::follow(const Cloth& cloth) {
   eased_.pull_more();
   if (are_over()) return;
   progress_.add(command_, before_, cloth.positions);
+  for (StageHand& hand : hands_) hand.follow(cloth);
   elapsed_s_ += scene_.time.step_s;
 }
 
@@ -103,7 +104,12 @@ bool StagedHands::is_over() const {
     return time_s && elapsed_s_ >= *time_s * (1 - 1e-9);
   };
   return present().until_s ? has_lasted(present().until_s)
-                           : progress_.is_at_standstill() || has_lasted(present().at_most_s);
+                           : goal_is_reached() || has_lasted(present().at_most_s);
+}
+
+bool StagedHands::goal_is_reached() const {
+  return std::ranges::all_of(hands_, &StageHand::has_arrived) &&
+         (present().goal == StageGoal::carried || progress_.is_at_standstill());
 }
 
 bool StagedHands::are_over() const {
@@ -111,7 +117,8 @@ bool StagedHands::are_over() const {
 }
 
 bool StagedHands::are_done() const {
-  return are_over() && !present().until_s && progress_.is_at_standstill();
+  return are_over() && !present().until_s && present().goal == StageGoal::tight &&
+         goal_is_reached();
 }
 
 double StagedHands::friction() const {
@@ -133,6 +140,7 @@ void StagedHands::visit_state(StateArchive& archive) {
   eased.visit_state(archive);
   archive.visit(force_fraction);
   if (archive.is_reading()) take_places();
+  for (StageHand& hand : hands) hand.visit_state(archive);
   progress.visit_state(archive);
 }
 

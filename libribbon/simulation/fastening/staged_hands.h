@@ -17,9 +17,10 @@
 
 namespace ribbon {
 
-// In each stage other hands have parts of the band, and pull or hold them. A stage is over when its
-// time is, or when each part that is pulled has come to a stop; the next one then begins with the
-// next step. After the last stage, and once an end is about to slip out of its knot, nobody pulls.
+// In each stage other hands have parts of the band, and pull, hold or carry them. A stage is over
+// when its time is, or when each part that is pulled has come to a stop and each that is carried
+// has arrived; the next one then begins with the next step. After the last stage, and once an end
+// is about to slip out of its knot, nobody pulls.
 class StagedHands : public Hands {
  public:
   // The scene has stages, whose spans are known; cloth is the ribbon at its start.
@@ -54,6 +55,7 @@ class StagedHands : public Hands {
  private:
   [[nodiscard]] const StageScene& present() const { return scene_.stages[stage_]; }
   [[nodiscard]] bool is_over() const;
+  [[nodiscard]] bool goal_is_reached() const;
   void take_places();
 
   Scene scene_;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/flat_ribbon.h"
 
 namespace ribbon::staged_hands_test {
@@ -114,6 +117,88 @@ TEST(StagedHands, what_they_hold_comes_back_without_swinging) {
     }
     EXPECT_NEAR(cloth.positions(1, 0), place_m, 1e-3);
   }
+}
+
+// In drawing units, which are millimetres: from beside the row in the middle 4 m to the right, 3 m
+// up.
+HandScene carrying_hand(double begin = 0.5, double end = 0.5) {
+  HandScene carrying = hand(begin, end, HandTask::carry);
+  carrying.carry = {std::vector<Eigen::Vector2d>{{50'000, 500}, {54'000, 500}}, {{0, 0}, {1, 3}}};
+  return carrying;
+}
+
+// Particles on which nothing else acts but what has them, with the steps of the simulation.
+class Carried {
+ public:
+  explicit Carried(const Scene& scene)
+      : air_per_s_(scene.air_resistance_per_s), hands_(scene, size, cloth_) {}
+
+  void step() {
+    hands_.begin_step(cloth_);
+    cloth_.velocities += 0.1 * hands_.pull(cloth_) / 0.5;
+    cloth_.velocities /= 1 + 0.1 * air_per_s_;
+    cloth_.positions += 0.1 * cloth_.velocities;
+    hands_.follow(cloth_);
+  }
+  void step_stuck() {
+    hands_.begin_step(cloth_);
+    (void)hands_.pull(cloth_);
+    hands_.follow(cloth_);
+  }
+  [[nodiscard]] Vector3d middle() const { return rows(cloth_.positions, 50, 1).rowwise().mean(); }
+  [[nodiscard]] const StagedHands& hands() const { return hands_; }
+  StagedHands& hands() { return hands_; }
+  Cloth& cloth() { return cloth_; }
+
+ private:
+  double air_per_s_;
+  Cloth cloth_ = cloth_at_rest();
+  StagedHands hands_;
+};
+
+TEST(StagedHands, what_they_carry_follows_the_path_and_stays_at_its_end) {
+  Carried row(scene_of({{.until_s = 90, .hands = {carrying_hand()}}}));
+  double farthest_off_m = 0;
+  for (int step = 0; step < 100; ++step) {
+    row.step();
+    const Vector3d gone = row.middle() - Vector3d(50, 0, 0.5);
+    farthest_off_m = std::max(farthest_off_m, std::abs(gone.y() - 0.75 * gone.x()));
+  }
+  EXPECT_LT(farthest_off_m, 0.5) << "it climbs 3 on 4";
+  EXPECT_TRUE(row.middle().isApprox(Vector3d(54, 3, 0.5), 1e-3)) << row.middle().transpose();
+  EXPECT_LT(row.cloth().velocities.norm(), 1e-2);
+}
+
+TEST(StagedHands, a_stage_is_over_when_all_is_carried) {
+  const auto steps_of = [](double speed_m_s) {
+    Scene scene = scene_of({{.hands = {carrying_hand()}, .goal = StageGoal::carried},
+                            {.until_s = 9, .hands = {hand(0, 0, HandTask::hold)}}});
+    scene.stages[0].hands[0].speed_m_s = speed_m_s;
+    Carried row(scene);
+    const double way_m = (Vector3d(50, 0, 0.5) - row.middle()).norm() + 5;
+    int steps = 0;
+    for (; steps < 500 && row.hands().stage() == 0; ++steps) row.step();
+    return steps - 1 - way_m / (0.1 * speed_m_s);
+  };
+  // It begins where the row is; the last part of a step counts as a whole one.
+  EXPECT_GE(steps_of(3), 0);
+  EXPECT_LT(steps_of(3), 1);
+  EXPECT_GE(steps_of(2), 0);
+  EXPECT_LT(steps_of(2), 1);
+}
+
+TEST(StagedHands, wait_for_what_cannot_follow_and_pull_no_harder_than_they_can) {
+  // Forty-one rows, of which each draws no more than one or two: they need all their force soon.
+  Carried stuck(scene_of({{.hands = {carrying_hand(0.3, 0.7)}, .goal = StageGoal::carried}}));
+  for (int step = 0; step < 200; ++step) stuck.step_stuck();
+  EXPECT_FALSE(stuck.hands().are_over());
+  const double most_n = 0.5 * 2 * 3 * (0.5 * 101 / 41);
+  const Matrix3Xd force = rows(stuck.hands().pull(stuck.cloth()), 30, 41);
+  EXPECT_NEAR(force.col(0).norm(), most_n, 1e-9 * most_n);
+  EXPECT_TRUE(force.isApprox(force.col(0).replicate(1, 82))) << "it is free to turn";
+  for (int step = 0; step < 100; ++step) stuck.step();
+  EXPECT_TRUE(stuck.hands().are_over());
+  EXPECT_FALSE(stuck.hands().are_done()) << "nothing is tight";
 }
 
 // Steps in which each particle moves along its pull by so much.
