@@ -60,6 +60,12 @@ mirrored() {
     /^\[\[stage\]\]/ { stage++; hand = 0 }
     /^\[\[stage\.hand\]\]/ { hand++ }
     /^pull = \[/ { printf "stage[%d].hand[%d].pull=[%s, %s, %s]\n", stage, hand, $2, -$3, $4 }
+    /^height = \[/ {
+      printf "stage[%d].hand[%d].height=[", stage, hand
+      for (i = 2; i < NF; i += 2) printf "%s[%s, %s]", (i > 2 ? ", " : ""), $i, -$(i + 1)
+      print "]"
+    }
+    /^acceleration = \[/ { printf "gravity.acceleration=[%s, %s, %s]\n", $2, -$3, $4 }
     /^position = \[/ { printf "obstacle.position=[%s, %s, %s]\n", $2, -$3, $4 }' "$1")
 }
 

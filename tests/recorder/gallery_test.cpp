@@ -25,10 +25,12 @@ using Knots = std::map<std::string, Tied>;
 
 const Knots gallery = {{"bow", {3, "bow"}},
                        {"cinquefoil", {5, "cinquefoil knot"}},
+                       {"cravat", {3, "overhand knot"}},
                        {"figure-eight", {5, "figure-eight knot"}},
                        {"four-in-hand", {3, "four-in-hand"}},
                        {"gift", {3, "overhand knot"}},
                        {"granny", {9, "granny knot"}},
+                       {"obi", {3, "overhand knot"}},
                        {"overhand", {3, "overhand knot"}},
                        {"reef", {9, "reef knot"}},
                        {"stevedore", {9, "stevedore knot"}},
