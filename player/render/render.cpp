@@ -124,13 +124,12 @@ void fill_pixel(const PixelSums& sums, std::size_t pixel, PixelPlanes& planes) {
   const float samples = sums.shown[3];
   set_planes(planes.direct, pixel, sums.direct / samples);
   set_planes(planes.albedo, pixel, sums.albedo / samples);
-  set_planes(planes.sky, pixel, sums.sky / samples);
+  // Samples that saw the backdrop know nothing of it.
+  set_planes(planes.sky, pixel, sums.sky / std::max(sums.normal[3], 1.0F));
   set_planes(planes.position, pixel, sums.position / samples);
   const float length = sums.normal.matrix().head<3>().norm();
   set_planes(planes.normal, pixel, sums.normal / std::max(length, 1e-20F));
-  const bool one_body =
-      sums.direct[3] == samples || sums.albedo[3] == samples || sums.sky[3] == samples;
-  planes.evenness[pixel] = one_body ? samples : 0;
+  planes.evenness[pixel] = sums.saw_one_surface() ? sums.normal[3] : 0;
 }
 
 void leave_pixel(const Color& backdrop, std::size_t pixel, PixelPlanes& planes) {

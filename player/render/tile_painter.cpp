@@ -313,6 +313,7 @@ void TilePainter::add_up() {
     sums.direct += sum_of(direct, begin, end);
     sums.albedo += sum_of(seen_.albedo, begin, end);
     sums.sky += sum_of(skylight_, begin, end);
+    sums.normal[3] += samples;
     sums.normal += sum_of(seen_.normal, begin, end);
     sums.position += sum_of(seen_.position, begin, end);
   }

@@ -21,13 +21,16 @@ namespace ribbon {
 struct PixelSums {
   Eigen::Array4f shown;  // the fourth: all samples
   // Only where the sky is to be smoothed, all but the squared luminance:
-  Eigen::Array4f direct;  // backdrop, and the sun's light returned; the fourth: samples that saw
-                          // the ground
-  Eigen::Array4f albedo;  // the fourth: samples that saw the ribbon
-  Eigen::Array4f sky;     // the fourth: samples that saw the obstacle
-  Eigen::Array4f normal;
+  Eigen::Array4f direct;    // backdrop, and the sun's light returned; the fourth: samples that saw
+                            // the ground
+  Eigen::Array4f albedo;    // the fourth: samples that saw the ribbon
+  Eigen::Array4f sky;       // the fourth: samples that saw the obstacle
+  Eigen::Array4f normal;    // the fourth: samples behind `sky`
   Eigen::Array4f position;  // the fourth: squared luminance
 
+  [[nodiscard]] bool saw_one_surface() const {
+    return direct[3] == shown[3] || albedo[3] == shown[3] || sky[3] == shown[3];
+  }
   void clear() {
     for (Eigen::Array4f* sum : {&shown, &direct, &albedo, &sky, &normal, &position}) sum->setZero();
   }

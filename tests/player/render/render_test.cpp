@@ -316,6 +316,22 @@ TEST(Render, a_smoothed_sky_is_nearer_to_many_samples_than_its_own_few) {
   EXPECT_LT(mean_square(picture(few), reference), rough / 1.5);
 }
 
+TEST(Render, a_smoothed_sky_leaves_outlines_as_they_are) {
+  const RenderScene scene = flat_scene();
+  const Backdrop black{Color::Zero(), Color::Zero()};
+  const auto picture = [&](bool smooths) {
+    Quality quality = with_samples(16);
+    quality.smooth_sky = smooths;
+    return Renderer({quality, only_sky(Color::Ones(), Color::Ones()), black})
+        .render(scene, from_above(12, 0.4F, 0.2F), {160, 80})
+        .light;
+  };
+  const LightPicture plain = picture(false);
+  const LightPicture smooth = picture(true);
+  for (std::size_t pixel = 0; pixel < plain.pixels.size(); ++pixel)
+    expect_color(smooth.pixels[pixel], plain.pixels[pixel]);
+}
+
 TEST(Render, pictures_do_not_depend_on_those_before) {
   const RenderScene scene = wavy_scene();
   const RenderSettings settings{*quality_named("standard"), {}, {}};
