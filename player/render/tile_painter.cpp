@@ -118,8 +118,12 @@ void TilePainter::sample_wanting(int first_samples) {
 // If it wants samples: its first ones, or as many again.
 void TilePainter::sample_again(int row, int column, int first_samples) {
   if (!wanting_[place_in_tile(column, row)]) return;
-  const int taken = static_cast<int>(pixel(column, row).shown[3]);
+  const PixelSums& sums = pixel(column, row);
+  const int taken = static_cast<int>(sums.shown[3]);
   const int end = taken == 0 ? first_samples : 2 * taken;
+  // Smoothing does the rest where there is a surface to smooth.
+  asking_[place_in_tile(column, row)] =
+      !s_.quality.smooth_sky || taken < s_.quality.samples || !sums.saw_one_surface();
   for (int number = taken; number < end; ++number) add(row, column, number);
 }
 
@@ -208,6 +212,18 @@ void TilePainter::look(Pattern pattern, const Samples& samples, std::size_t coun
   to_disc(u, v, count, disc_x_, disc_y_);
 }
 
+// Lays out the rays that go from the wanted surfaces towards_ a light.
+template <class Wanted>
+void TilePainter::send(const SurfaceBatch& surface, const Wanted& wanted) {
+  asked_for_.count = 0;
+  for (std::size_t i = 0; i < surface.count; ++i) {
+    set_lane(light_rays_.origin, asked_for_.count, lane_of(surface.start, i));
+    set_lane(light_rays_.direction, asked_for_.count, lane_of(towards_, i));
+    asked_for_.add_if(i, wanted(i));
+  }
+  light_rays_.count = asked_for_.count;
+}
+
 // Light that the sun sends to each surface, as white cloth would show it.
 void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                                VectorLanes& light) {
@@ -216,13 +232,7 @@ void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface, con
          towards_);
   Lanes<float> cosines;
   products(surface.normal, towards_, surface.count, cosines);
-  asked_for_.count = 0;
-  for (std::size_t i = 0; i < surface.count; ++i) {
-    set_lane(light_rays_.origin, asked_for_.count, lane_of(surface.start, i));
-    set_lane(light_rays_.direction, asked_for_.count, lane_of(towards_, i));
-    asked_for_.add_if(i, cosines[i] > 0);
-  }
-  light_rays_.count = asked_for_.count;
+  send(surface, [&](std::size_t lane) { return cosines[lane] > 0; });
   s_.scene.rays().unblocked(light_rays_, Coherence::similar, free_);
   const LaneVector sun = lane_vector(s_.lighting.sun);
   for (std::size_t r = 0; r < light_rays_.count; ++r) {
@@ -231,31 +241,33 @@ void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface, con
   }
 }
 
-// One ray a surface, into a direction of the sky that is as likely as its light counts.
-void TilePainter::ask_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples) {
+// Of each surface one direction of the sky, as likely as its light counts.
+void TilePainter::look_at_sky(Pattern pattern, const SurfaceBatch& surface,
+                              const Samples& samples) {
   look(pattern, samples, surface.count);
-  to_sky(surface.normal, disc_x_, disc_y_, surface.count, light_rays_.direction);
-  light_rays_.origin = surface.start;
-  light_rays_.count = surface.count;
+  to_sky(surface.normal, disc_x_, disc_y_, surface.count, towards_);
 }
 
-// All of the sky's light, which has no noise, less what is hidden. What hides it sends back the
-// part `returned`.
+// All of the sky's light, which has no noise, less what is hidden, where that is asked for. What
+// hides it sends back the part `returned`.
 void TilePainter::add_skylight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                                float returned, VectorLanes& light) {
   add_mean_sky(s_.lighting, surface, light);
   if (s_.quality.sky == SkyLight::open) return;
-  ask_sky(pattern, surface, samples);
+  look_at_sky(pattern, surface, samples);
+  send(surface, [&](std::size_t lane) { return asking_[samples.place[lane]]; });
   s_.scene.rays().unblocked(light_rays_, Coherence::mixed, free_);
-  for (std::size_t i = 0; i < surface.count; ++i)
-    if (free_[i] == 0)
-      add_to(light, i, s_.lighting.sky(light_rays_.direction.at(i)) * (returned - 1));
+  for (std::size_t r = 0; r < light_rays_.count; ++r)
+    if (free_[r] == 0)
+      add_to(light, asked_for_.lanes[r],
+             s_.lighting.sky(light_rays_.direction.at(r)) * (returned - 1));
 }
 
 // Instead of hidden sky, the light that the hiding surface itself receives and returns.
 void TilePainter::add_bounced_skylight(VectorLanes& light) {
   add_mean_sky(s_.lighting, seen_, light);
-  ask_sky(Pattern::sky, seen_, seen_samples_);
+  look_at_sky(Pattern::sky, seen_, seen_samples_);
+  send(seen_, [](std::size_t) { return true; });
   s_.scene.rays().first_hits(light_rays_, Coherence::mixed, hits_);
   bounce_.count = 0;
   bounce_of_.count = 0;
@@ -310,10 +322,12 @@ void TilePainter::add_up() {
     for (std::size_t i = begin; i < end; ++i) sums.position[3] += squared_light[i];
     if (!s_.quality.smooth_sky) continue;
     samples_of_body(body, sums) += samples;
+    if (asking_[place]) {
+      sums.sky += sum_of(skylight_, begin, end);
+      sums.normal[3] += samples;
+    }
     sums.direct += sum_of(direct, begin, end);
     sums.albedo += sum_of(seen_.albedo, begin, end);
-    sums.sky += sum_of(skylight_, begin, end);
-    sums.normal[3] += samples;
     sums.normal += sum_of(seen_.normal, begin, end);
     sums.position += sum_of(seen_.position, begin, end);
   }

@@ -86,7 +86,9 @@ class TilePainter {
                     float returned, VectorLanes& light);
   void add_bounced_skylight(VectorLanes& light);
   void look(Pattern pattern, const Samples& samples, std::size_t count);
-  void ask_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples);
+  void look_at_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples);
+  template <class Wanted>
+  void send(const SurfaceBatch& surface, const Wanted& wanted);
   void add_up();
 
   // What is aligned for vectors comes first, so that little is left empty between.
@@ -108,6 +110,7 @@ class TilePainter {
   int height_ = 0;
   std::size_t sample_count_ = 0;
   std::bitset<tile_pixels> wanting_;
+  std::bitset<tile_pixels> asking_;  // whose samples ask what is hidden of the sky
   TileNoise noise_;
 
   Samples samples_;

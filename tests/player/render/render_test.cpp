@@ -9,6 +9,7 @@
 #include "parallel/any_threads.h"
 #include "player/quads.h"
 #include "player/render/cloth_pattern.h"
+#include "player/render/ray_log.h"
 
 namespace ribbon::render_test {
 
@@ -330,6 +331,22 @@ TEST(Render, a_smoothed_sky_leaves_outlines_as_they_are) {
   const LightPicture smooth = picture(true);
   for (std::size_t pixel = 0; pixel < plain.pixels.size(); ++pixel)
     expect_color(smooth.pixels[pixel], plain.pixels[pixel]);
+}
+
+TEST(Render, the_sky_of_a_smooth_surface_is_asked_for_by_its_first_samples) {
+  RenderScene scene = wavy_scene();
+  RayLog log;
+  scene.log_rays_to(&log);
+  const Quality quality{.samples = 4, .most_samples = 64, .noise = 1, .smooth_sky = true};
+  Renderer({quality, {}, {}}).render(scene, from_above(12, 0.2F, 0.1F), {160, 80});
+  std::size_t seen = 0;
+  std::size_t sky = 0;
+  for (const LoggedRays& logged : log.batches()) {
+    if (logged.question == RayQuestion::first_hit_similar) seen += logged.rays.count;
+    if (logged.question == RayQuestion::free_mixed) sky += logged.rays.count;
+  }
+  EXPECT_GT(sky, 0U);
+  EXPECT_LT(sky, seen / 3) << "samples that find edges and patterns need no more of it";
 }
 
 TEST(Render, pictures_do_not_depend_on_those_before) {
