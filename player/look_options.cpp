@@ -92,6 +92,7 @@ Quality quality_of(const LookTexts& texts) {
   Quality quality = *quality_named(texts.quality);
   if (texts.samples == 0 && texts.noise == 0) return quality;
   quality.smooth_sky = false;
+  quality.least_gain = 0;
   quality.noise = static_cast<float>(texts.noise);
   if (texts.samples > 0) {
     quality.samples = quality.most_samples = texts.samples;

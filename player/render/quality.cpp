@@ -5,9 +5,16 @@ namespace ribbon {
 // Measured (docs/play.md): beside 1024 samples standard comes to about 50 dB, final to 57 dB and
 // more.
 std::optional<Quality> quality_named(const std::string& name) {
-  if (name == "draft") return Quality{SkyLight::open, 1, 1, 0, false};
-  if (name == "standard") return Quality{SkyLight::occluded, 4, 32, 3, true};
-  if (name == "final") return Quality{SkyLight::bounced, 16, 256, 1.1F, false};
+  if (name == "draft") return Quality{.sky = SkyLight::open, .samples = 1, .most_samples = 1};
+  if (name == "standard")
+    return Quality{.sky = SkyLight::occluded,
+                   .samples = 4,
+                   .most_samples = 64,
+                   .least_gain = 4,
+                   .smooth_sky = true};
+  if (name == "final")
+    return Quality{
+        .sky = SkyLight::bounced, .samples = 16, .most_samples = 256, .least_gain = 0.05F};
   return std::nullopt;
 }
 

@@ -15,14 +15,22 @@ enum class SkyLight {
 
 struct Quality {
   SkyLight sky = SkyLight::occluded;
-  // Per pixel: all get the first number. In tiles whose estimated error exceeds `noise`, pixels
-  // where that helps most get twice as many, again and again, until it does not, or until they have
-  // the second. Where there is a `noise`, the first is even.
+  // Per pixel: all get the first number. Some get twice as many, again and again, until they have
+  // the second. Which, is told by one of the next two; where neither is set, none. Where one is,
+  // the first number is even.
   int samples = 4;
   int most_samples = 64;
-  float noise = 0;  // in 8-bit levels, of 255; 0: all pixels get `samples`
+  // In 8-bit levels, of 255. In tiles whose estimated error exceeds it: the pixels where that helps
+  // most.
+  float noise = 0;
+  // In squared 8-bit levels. Everywhere: the pixels from whose squared error each further sample
+  // takes at least so much. Samples go where they do most for the picture as a whole.
+  float least_gain = 0;
   // Light of the sky is averaged over neighbouring pixels of the same smooth surface.
   bool smooth_sky = false;
+
+  // Whether some pixels may get more samples than others.
+  [[nodiscard]] bool is_adaptive() const { return noise > 0 || least_gain > 0; }
 };
 
 // Draft for speed, standard for dailies, final for a film. Nothing for other names.

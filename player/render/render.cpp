@@ -81,7 +81,7 @@ class PicturePainter {
       report.samples += tile.samples;
       report.paint_s += tile.paint_s;
       report.error += tile.error * tile.error * tile.pixels;
-      if (tile.error > setting_.quality.noise) report.wanting += tile.pixels;
+      if (is_above_noise(tile.error)) report.wanting += tile.pixels;
     }
     pixels = std::max(pixels, 1.0);
     report.samples /= pixels;
@@ -91,6 +91,10 @@ class PicturePainter {
   }
 
  private:
+  [[nodiscard]] bool is_above_noise(double error) const {
+    return setting_.quality.noise > 0 && error > setting_.quality.noise;
+  }
+
   template <class Function>
   void for_pixels(int left, int top, const Function& function) const {
     const int right = std::min(left + tile_side, size_.width);

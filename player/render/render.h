@@ -29,10 +29,11 @@ struct RenderSettings {
 // anything but the backdrop.
 struct RenderReport {
   double samples = 0;  // of a pixel, mean
-  double error = 0;    // in 8-bit levels: root of the mean square over the pixels; 0 where
-                       // Quality::noise is
+  double error = 0;    // in 8-bit levels: root of the mean square over the pixels; 0 where all
+                       // have as many samples
   double paint_s = 0;  // tracing and shading, of all threads together
-  double wanting = 0;  // share of the pixels whose tile is still above Quality::noise
+  double wanting = 0;  // share of the pixels whose tile is still above Quality::noise, if that is
+                       // asked for
 };
 
 struct Rendered {

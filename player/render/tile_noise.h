@@ -32,19 +32,23 @@ class TileNoise {
   // Estimated error of the tile, in 8-bit levels: root of the mean square over its pixels. Wants
   // every pixel to have been updated twice.
   [[nodiscard]] float error() const;
-  // The pixels that are to have twice as many samples; none where all have so many that twice of
-  // them are more than `most_samples`.
-  [[nodiscard]] std::bitset<tile_pixels> worth_doubling(int most_samples) const;
+  // The pixels where each further sample takes at least `least_gain` squared levels from the
+  // squared error, but for those that have so many that twice of them are more than `most_samples`.
+  [[nodiscard]] std::bitset<tile_pixels> worth_doubling(float least_gain, int most_samples) const;
+  // Those where it takes most.
+  [[nodiscard]] std::bitset<tile_pixels> most_worth_doubling(int most_samples) const;
 
  private:
+  using Worth = std::array<float, tile_pixels>;
   struct Pixel {
     float samples = 0;
     float mean = 0;
     float squared_error = 0;  // by the halves of its samples
     float variance = 0;       // of the mean, if samples were independent
+    float likely_error = 0;   // squared, by both
   };
-  [[nodiscard]] float variance_around(int column, int row) const;
-  [[nodiscard]] float worth(int column, int row, int most_samples) const;
+  [[nodiscard]] float mean_around(int column, int row, float Pixel::*number) const;
+  [[nodiscard]] Worth worth(float Pixel::*squared_error, int most_samples) const;
 
   int width_ = 0;
   int height_ = 0;

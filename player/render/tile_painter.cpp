@@ -90,7 +90,7 @@ void TilePainter::paint(int left, int top) {
     for (int column = 0; column < width_; ++column)
       backdrop_[place_in_tile(column, row)] = four(s_.backdrop.at(left_ + column, top_ + row));
   wanting_.set();
-  if (s_.quality.noise == 0) {
+  if (!s_.quality.is_adaptive()) {
     sample_wanting(s_.quality.samples);
     return;
   }
@@ -101,8 +101,17 @@ void TilePainter::paint(int left, int top) {
   do {
     sample_wanting(first);
     estimate_noise();
-    wanting_ = noise_.worth_doubling(s_.quality.most_samples);
-  } while (wanting_.any() && noise_.error() > s_.quality.noise);
+    wanting_ = worth_more();
+  } while (wanting_.any());
+}
+
+// The pixels that are to get twice the samples that they have.
+std::bitset<tile_pixels> TilePainter::worth_more() const {
+  const Quality& quality = s_.quality;
+  if (quality.least_gain > 0)
+    return noise_.worth_doubling(quality.least_gain, quality.most_samples);
+  if (noise_.error() <= quality.noise) return {};
+  return noise_.most_worth_doubling(quality.most_samples);
 }
 
 // In small blocks, whose rays travel together.

@@ -59,8 +59,9 @@ class TilePainter {
   [[nodiscard]] const PixelSums& pixel(int column, int row) const {
     return sums_[place_in_tile(column, row)];
   }
-  // Estimated error of the tile, in 8-bit levels; 0 where quality.noise is, as nobody asked.
-  [[nodiscard]] float error() const { return s_.quality.noise == 0 ? 0 : noise_.error(); }
+  // Estimated error of the tile, in 8-bit levels; 0 where nobody asked, as all pixels get as many
+  // samples.
+  [[nodiscard]] float error() const { return s_.quality.is_adaptive() ? noise_.error() : 0; }
 
  private:
   // Which samples the lanes are.
@@ -75,6 +76,7 @@ class TilePainter {
   void sample_wanting(int first_samples);
   void sample_again(int row, int column, int first_samples);
   void estimate_noise();
+  [[nodiscard]] std::bitset<tile_pixels> worth_more() const;
   void add(int row, int column, int number);
   void finish_batch();
   void sort_hits();

@@ -37,7 +37,7 @@ std::bitset<tile_pixels> pixels(const std::vector<std::pair<int, int>>& places) 
 TEST(TileNoise, where_all_samples_agree_there_is_none) {
   const TileNoise noise = even_tile(16, 16);
   EXPECT_EQ(noise.error(), 0);
-  EXPECT_TRUE(noise.worth_doubling(4096).none());
+  EXPECT_TRUE(noise.most_worth_doubling(4096).none());
 }
 
 TEST(TileNoise, is_half_of_the_difference_of_the_halves_means) {
@@ -52,28 +52,42 @@ TEST(TileNoise, samples_that_differ_alike_in_both_halves_are_none) {
   TileNoise noise = even_tile(1, 1);
   sample(noise, 0, 0, {0, 0.5F, 0.5F, 0});
   EXPECT_EQ(noise.error(), 0);
-  EXPECT_EQ(noise.worth_doubling(4096), pixels({{0, 0}})) << "but more samples may help";
+  EXPECT_EQ(noise.most_worth_doubling(4096), pixels({{0, 0}})) << "but more samples may help";
 }
 
 TEST(TileNoise, more_samples_help_most_where_they_differ_and_beside_it) {
   TileNoise noise = even_tile(16, 16);
   sample(noise, 0, 7, {0, 0.5F, 0.5F, 0.1F});
-  EXPECT_EQ(noise.worth_doubling(4096), pixels({{0, 6}, {1, 6}, {0, 7}, {1, 7}, {0, 8}, {1, 8}}));
+  EXPECT_EQ(noise.most_worth_doubling(4096),
+            pixels({{0, 6}, {1, 6}, {0, 7}, {1, 7}, {0, 8}, {1, 8}}));
 }
 
 TEST(TileNoise, what_differs_far_less_can_wait) {
   TileNoise noise = even_tile(16, 16);
   sample(noise, 0, 0, {0, 0.5F, 0.5F, 0});
   sample(noise, 15, 15, {0.2F, 0.3F, 0.3F, 0.2F});
-  EXPECT_TRUE(noise.worth_doubling(4096).test(0));
-  EXPECT_FALSE(noise.worth_doubling(4096).test(tile_pixels - 1));
+  EXPECT_TRUE(noise.most_worth_doubling(4096).test(0));
+  EXPECT_FALSE(noise.most_worth_doubling(4096).test(tile_pixels - 1));
+}
+
+TEST(TileNoise, samples_are_worth_what_they_take_from_the_squared_error) {
+  TileNoise noise = even_tile(1, 1);
+  sample(noise, 0, 0, {0.2F, 0.2F, 0.3F, 0.3F});
+  // 12.75 levels by the halves; the variance of the mean, were samples independent, is a third of
+  // the square of that. A fifth sample takes a fourth of it.
+  constexpr float square = 12.75F * 12.75F;
+  constexpr float gain = (0.8F * square + 0.2F * square / 3) / 4;
+  EXPECT_TRUE(noise.worth_doubling(0.99F * gain, 8).any());
+  EXPECT_TRUE(noise.worth_doubling(1.01F * gain, 8).none());
 }
 
 TEST(TileNoise, nobody_gets_more_than_the_most) {
   TileNoise noise = even_tile(1, 1);
   sample(noise, 0, 0, {0, 0.5F, 0.5F, 0});
-  EXPECT_TRUE(noise.worth_doubling(8).any());
-  EXPECT_TRUE(noise.worth_doubling(7).none());
+  EXPECT_TRUE(noise.worth_doubling(1, 8).any());
+  EXPECT_TRUE(noise.worth_doubling(1, 7).none());
+  EXPECT_TRUE(noise.most_worth_doubling(8).any());
+  EXPECT_TRUE(noise.most_worth_doubling(7).none());
 }
 
 }  // namespace ribbon::tile_noise_test
