@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "parallel/parallel.h"
+#include "parallel/vector_loop.h"
 
 namespace ribbon {
 
@@ -75,21 +76,24 @@ void add_neighbours(const Rows& r, int y, Segment segment, int other, int dx, fl
   float* weights = sums.weights.data();
   const int begin = std::max(segment.begin, -dx);
   const int end = std::min(segment.end, width - dx);
-  for (int x = begin; x < end; ++x) {
-    const float cosine = normal.x[x] * their_normal.x[x] + normal.y[x] * their_normal.y[x] +
-                         normal.z[x] * their_normal.z[x];
-    const float lean = (1 - cosine) * lean_scale;
-    const float offset = (normal.x[x] * (their_position.x[x] - position.x[x]) +
-                          normal.y[x] * (their_position.y[x] - position.y[x]) +
-                          normal.z[x] * (their_position.z[x] - position.z[x])) *
-                         offset_scale;
-    const float near = std::max(0.0F, 1 - lean) * std::max(0.0F, 1 - offset * offset);
-    const float w = weight * even[x] * near;
-    sum_r[x] += w * light.x[x];
-    sum_g[x] += w * light.y[x];
-    sum_b[x] += w * light.z[x];
-    weights[x] += w;
-  }
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (int x = begin; x < end; ++x) {
+      const float cosine = normal.x[x] * their_normal.x[x] + normal.y[x] * their_normal.y[x] +
+                           normal.z[x] * their_normal.z[x];
+      const float lean = (1 - cosine) * lean_scale;
+      const float offset = (normal.x[x] * (their_position.x[x] - position.x[x]) +
+                            normal.y[x] * (their_position.y[x] - position.y[x]) +
+                            normal.z[x] * (their_position.z[x] - position.z[x])) *
+                           offset_scale;
+      const float near = std::max(0.0F, 1 - lean) * std::max(0.0F, 1 - offset * offset);
+      const float w = weight * even[x] * near;
+      sum_r[x] += w * light.x[x];
+      sum_g[x] += w * light.y[x];
+      sum_b[x] += w * light.z[x];
+      weights[x] += w;
+    }
+  });
 }
 
 void smooth_segment(const Rows& r, int y, Segment segment, Sums& sums) {
