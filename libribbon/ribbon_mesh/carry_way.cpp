@@ -29,7 +29,7 @@ std::vector<double> shares_of(const std::vector<Vector2d>& points) {
 // On the straight line between the two nearest shares; beyond them as at the first or last one.
 template <class Value>
 Value at(double share, const std::vector<double>& shares, const std::vector<Value>& values) {
-  const auto above = std::ranges::upper_bound(shares, share);
+  const auto above = std::upper_bound(shares.begin(), shares.end(), share);
   if (above == shares.begin()) return values.front();
   if (above == shares.end()) return values.back();
   const auto i = static_cast<std::size_t>(above - shares.begin());
@@ -63,7 +63,7 @@ Matrix3Xd carry_way(const CurveScene& curve, const CarryPath& carry) {
   }
   std::vector<double> corners = point_shares;
   corners.insert(corners.end(), height_shares.begin(), height_shares.end());
-  std::ranges::sort(corners);
+  std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   Matrix3Xd way(3, static_cast<Eigen::Index>(corners.size()));
   for (std::size_t i = 0; i < corners.size(); ++i) {

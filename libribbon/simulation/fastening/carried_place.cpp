@@ -19,7 +19,7 @@ CarriedPlace::CarriedPlace(const Vector3d& from, const Matrix3Xd& way)
 }
 
 Vector3d CarriedPlace::now() const {
-  const auto next = std::ranges::upper_bound(ends_m_, gone_m_);
+  const auto next = std::upper_bound(ends_m_.begin(), ends_m_.end(), gone_m_);
   if (next == ends_m_.end()) return corners_.rightCols<1>();
   const auto i = static_cast<Index>(next - ends_m_.begin());
   const double begin_m = *(next - 1);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace ribbon {
 
@@ -108,7 +109,7 @@ bool StagedHands::is_over() const {
 }
 
 bool StagedHands::goal_is_reached() const {
-  return std::ranges::all_of(hands_, &StageHand::has_arrived) &&
+  return std::all_of(hands_.begin(), hands_.end(), std::mem_fn(&StageHand::has_arrived)) &&
          (present().goal == StageGoal::carried || progress_.is_at_standstill());
 }
 
