@@ -93,6 +93,82 @@ py::dict marks(const Recording& recording) {
   return shares;
 }
 
+// A property that is what the header has there.
+template <class Value>
+auto of_header(Value RecordingHeader::*member) {
+  return [member](const Recording& self) { return self.header().*member; };
+}
+
+// A property that the reader is asked for.
+template <class Answer>
+auto of_reader(Answer (RecordingReader::*question)() const) {
+  return [question](const Recording& self) { return (self.reader().*question)(); };
+}
+
+bool is_readable(const Recording& self, int frame) {
+  return self.reader().readable(self.index_of(frame));
+}
+
+void bind_frames(py::class_<Recording>& recording) {
+  recording.def(py::init<const std::filesystem::path&>(), py::arg("path"))
+      .def("__len__", of_reader(&RecordingReader::frame_count))
+      .def("__getitem__", &Recording::positions, py::arg("frame"),
+           "Positions of a frame: along x across x 3, single precision, metres, y up.")
+      .def("numbers", &Recording::numbers,
+           "Name -> array over all frames; not a number where a frame has none.")
+      .def("readable", &is_readable, py::arg("frame"),
+           "Can the frame be decoded? Damage may have taken it.")
+      .def("refresh", &Recording::refresh, "Looks for new frames; tells how many there are now.");
+}
+
+void bind_state(py::class_<Recording>& recording) {
+  recording
+      .def_property_readonly("being_written", of_reader(&RecordingReader::is_being_written),
+                             "Is a writer at it at this moment?")
+      .def_property_readonly("finished", of_reader(&RecordingReader::finished))
+      .def_property_readonly(
+          "ending", [](const Recording& self) { return word_for(self.reader().ending()); },
+          "What ended the run: 'tight', 'duration', ...; 'unknown' where that is not told.")
+      .def_property_readonly("damage", &damage_of,
+                             "(byte, length, reason) of each part that cannot be read.");
+}
+
+void bind_ribbon(py::class_<Recording>& recording) {
+  recording
+      .def_property_readonly("along",
+                             [](const Recording& self) { return self.header().grid.along; })
+      .def_property_readonly("across",
+                             [](const Recording& self) { return self.header().grid.across; })
+      .def_property_readonly("length", of_header(&RecordingHeader::ribbon_length_m), "Metres.")
+      .def_property_readonly("width", of_header(&RecordingHeader::ribbon_width_m),
+                             "Metres, the mean of all rows.")
+      .def_property_readonly("row_widths", &row_widths, "Width of each row at rest, metres.")
+      .def_property_readonly("triangles", &ribbon_triangles,
+                             "T x 3 numbers of particles, row by row from 0.")
+      .def_property_readonly("uv", &uv, "along x across x 2, from 0 to 1.")
+      .def_property_readonly("obstacle", &obstacle, "A Mesh, or None.")
+      .def_property_readonly("input_curve", &input_curve,
+                             "P x 3: the drawing in space; empty if not told.");
+}
+
+void bind_scene(py::class_<Recording>& recording) {
+  recording
+      .def_property_readonly("frames_per_second", of_header(&RecordingHeader::frames_per_second))
+      .def_property_readonly(
+          "max_error", of_header(&RecordingHeader::max_position_error_m),
+          "How far a coordinate may be from the truth, metres; 0: single precision.")
+      .def_property_readonly("stated_gap", of_header(&RecordingHeader::stated_gap_m),
+                             "No two features come nearer, metres; 0: nothing is stated.")
+      .def_property_readonly("strain_limit", of_header(&RecordingHeader::strain_limit),
+                             "No limited edge is strained further; 0: nothing is stated.")
+      .def_property_readonly("scene_name", of_header(&RecordingHeader::scene_name))
+      .def_property_readonly("scene_text", of_header(&RecordingHeader::scene_text), "TOML.")
+      .def_property_readonly("writer", of_header(&RecordingHeader::writer), "Program and version.")
+      .def_property_readonly("stages", of_header(&RecordingHeader::stages))
+      .def_property_readonly("marks", &marks,
+                             "Name -> share of the length, of the drawing's marks.");
+}
+
 }  // namespace
 
 Recording::Recording(const std::filesystem::path& path)
@@ -124,63 +200,13 @@ int Recording::refresh() {
   return reader_.frame_count();
 }
 
-// What each says to Python is said by ribbon/_ribbon.pyi and by the texts here.
 void bind_recording(py::module_& module) {
-  py::class_<Recording>(module, "Recording",
-                        "A recording, any frame at any time, also while it is written.")
-      .def(py::init<const std::filesystem::path&>(), py::arg("path"))
-      .def("__len__", [](const Recording& self) { return self.reader().frame_count(); })
-      .def("__getitem__", &Recording::positions, py::arg("frame"),
-           "Positions of a frame: along x across x 3, single precision, metres, y up.")
-      .def(
-          "readable",
-          [](const Recording& self, int frame) {
-            return self.reader().readable(self.index_of(frame));
-          },
-          py::arg("frame"), "Can the frame be decoded? Damage may have taken it.")
-      .def("refresh", &Recording::refresh, "Looks for new frames; tells how many there are now.")
-      .def("numbers", &Recording::numbers,
-           "Name -> array over all frames; not a number where a frame has none.")
-      .def_property_readonly("being_written",
-                             [](const Recording& self) { return self.reader().is_being_written(); })
-      .def_property_readonly("finished",
-                             [](const Recording& self) { return self.reader().finished(); })
-      .def_property_readonly("ending",
-                             [](const Recording& self) { return word_for(self.reader().ending()); })
-      .def_property_readonly("damage", &damage_of,
-                             "(byte, length, reason) of each part that cannot be read.")
-      .def_property_readonly("along",
-                             [](const Recording& self) { return self.header().grid.along; })
-      .def_property_readonly("across",
-                             [](const Recording& self) { return self.header().grid.across; })
-      .def_property_readonly("length",
-                             [](const Recording& self) { return self.header().ribbon_length_m; })
-      .def_property_readonly("width",
-                             [](const Recording& self) { return self.header().ribbon_width_m; })
-      .def_property_readonly("row_widths", &row_widths, "Width of each row at rest, metres.")
-      .def_property_readonly("frames_per_second",
-                             [](const Recording& self) { return self.header().frames_per_second; })
-      .def_property_readonly(
-          "max_error", [](const Recording& self) { return self.header().max_position_error_m; },
-          "How far a coordinate may be from the truth, metres; 0: single precision.")
-      .def_property_readonly("stated_gap",
-                             [](const Recording& self) { return self.header().stated_gap_m; })
-      .def_property_readonly("strain_limit",
-                             [](const Recording& self) { return self.header().strain_limit; })
-      .def_property_readonly("scene_name",
-                             [](const Recording& self) { return self.header().scene_name; })
-      .def_property_readonly("scene_text",
-                             [](const Recording& self) { return self.header().scene_text; })
-      .def_property_readonly("writer", [](const Recording& self) { return self.header().writer; })
-      .def_property_readonly("stages", [](const Recording& self) { return self.header().stages; })
-      .def_property_readonly("marks", &marks,
-                             "Name -> share of the length, of the drawing's marks.")
-      .def_property_readonly("triangles", &ribbon_triangles,
-                             "T x 3 numbers of particles, row by row from 0.")
-      .def_property_readonly("uv", &uv, "along x across x 2, from 0 to 1.")
-      .def_property_readonly("input_curve", &input_curve,
-                             "P x 3: the drawing in space; empty if not told.")
-      .def_property_readonly("obstacle", &obstacle, "A Mesh, or None.");
+  py::class_<Recording> recording(module, "Recording",
+                                  "A recording, any frame at any time, also while it is written.");
+  bind_frames(recording);
+  bind_state(recording);
+  bind_ribbon(recording);
+  bind_scene(recording);
 }
 
 }  // namespace ribbon::python
