@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "curve/outline.h"
 #include "recorder/run/drawn_knot.h"
 #include "recorder/run/start.h"
 #include "recorder/run/stopwatch.h"
@@ -65,9 +66,10 @@ Result<RunStatistics> record_around(const std::optional<TriangleMesh>& obstacle,
                                     const Scene& wanted, const NewRecording& recording,
                                     const RunObserver& observer, const RunLimit& limit) {
   if (auto place = recording.check_place(); !place) return tl::unexpected(place.error());
-  const auto plan = with_marks_found(wanted, obstacle).and_then([&limit](const Scene& found) {
-    return plan_of(found, limit);
-  });
+  const auto plan =
+      with_outline_read(wanted)
+          .and_then([&](const Scene& scene) { return with_marks_found(scene, obstacle); })
+          .and_then([&](const Scene& scene) { return plan_of(scene, limit); });
   if (!plan) return tl::unexpected(plan.error());
   const Scene& scene = plan->scene;
   Stopwatch stopwatch;

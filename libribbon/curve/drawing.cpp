@@ -101,14 +101,14 @@ std::string list_ids(const std::vector<pugi::xml_node>& paths) {
 }
 
 // How to say in the scene which of several paths is meant.
-std::string choice_among(const std::vector<pugi::xml_node>& paths) {
+std::string choice_among(const std::vector<pugi::xml_node>& paths, const PathKey& key) {
   const auto named = std::find_if(paths.begin(), paths.end(),
                                   [](const pugi::xml_node& path) { return !id_of(path).empty(); });
   if (named == paths.end())
-    return "give one an id, for example \"band\", and write 'path = \"band\"' in the scene's "
-           "[curve], or delete the others";
-  return "write for example 'path = \"" + id_of(*named) +
-         "\"' in the scene's [curve], or delete the others";
+    return "give one an id, for example \"band\", and write '" + key.key +
+           " = \"band\"' in the scene's " + key.table + ", or delete the others";
+  return "write for example '" + key.key + " = \"" + id_of(*named) + "\"' in the scene's " +
+         key.table + ", or delete the others";
 }
 
 Result<SvgFile> load(const std::filesystem::path& path) {
@@ -128,15 +128,16 @@ Result<SvgFile> load(const std::filesystem::path& path) {
 }
 
 Result<std::vector<pugi::xml_node>> only_path(const SvgFile& file,
-                                              const std::vector<pugi::xml_node>& paths) {
+                                              const std::vector<pugi::xml_node>& paths,
+                                              const PathKey& key) {
   if (paths.empty())
     return failure(file.name, "has no path that can be seen",
-                   "draw one open path; what is hidden, in <defs> or in a symbol does not count, "
+                   "draw one; what is hidden, in <defs> or in a symbol does not count, "
                    "and shapes become paths by Path > Object to Path in Inkscape");
   if (paths.size() > 1)
     return failure(file.place(paths[1]),
                    "has " + std::to_string(paths.size()) + " paths: " + list_ids(paths),
-                   choice_among(paths));
+                   choice_among(paths, key));
   return paths;
 }
 
@@ -148,7 +149,7 @@ bool is_in_group(pugi::xml_node node, const std::string& id) {
 // The path of that id, or those of the group of that id.
 Result<std::vector<pugi::xml_node>> paths_by_id(const SvgFile& file,
                                                 const std::vector<pugi::xml_node>& paths,
-                                                const std::string& id) {
+                                                const std::string& id, const PathKey& key) {
   std::vector<pugi::xml_node> chosen;
   std::copy_if(paths.begin(), paths.end(), std::back_inserter(chosen),
                [&](const pugi::xml_node& path) { return is_in_group(path, id); });
@@ -159,9 +160,10 @@ Result<std::vector<pugi::xml_node>> paths_by_id(const SvgFile& file,
     return failure(file.place(other),
                    "'" + id + "' is a <" + other.name() + "> that is hidden or not a path",
                    "show it, or convert it by Path > Object to Path in Inkscape");
-  return failure(
-      file.name, "has no path with the id '" + id + "'",
-      paths.empty() ? "draw one" : "write another one in the scene: there are " + list_ids(paths));
+  return failure(file.name, "has no path with the id '" + id + "'",
+                 paths.empty() ? "draw one"
+                               : "correct '" + key.key + "' in the scene's " + key.table +
+                                     ": there are " + list_ids(paths));
 }
 
 // One of the words between blanks.
@@ -243,30 +245,51 @@ bool is_in_range(const Eigen::Vector2d& point) {
   return point.allFinite() && point.cwiseAbs().maxCoeff() <= largest_coordinate;
 }
 
-Result<std::vector<Drawing>> checked(const std::string& place, const std::string& name,
-                                     FlatPath path) {
-  if (path.closed)
-    return failure(place, name + " is closed",
-                   "open it: in Inkscape, select two neighbouring nodes with the node tool and "
-                   "delete the segment between them");
-  for (const Drawing& piece : path.pieces)
+Result<FlatPath> flat(const SvgPath& path, double tolerance) {
+  auto flat = flatten_path_data(path.data, path.root_from_path, tolerance);
+  if (!flat)
+    return failure(path.place, path.name + " has data that cannot be read",
+                   "correct its numbers and commands, or draw it again");
+  for (const Drawing& piece : flat->pieces)
     if (!std::all_of(piece.begin(), piece.end(), is_in_range))
-      return failure(place, name + " has coordinates beyond 1e9 drawing units",
+      return failure(path.place, path.name + " has coordinates beyond 1e9 drawing units",
                      "draw it smaller or correct its transforms");
-  std::erase_if(path.pieces, [](const Drawing& piece) { return piece.size() < 2; });
-  if (path.pieces.empty())
-    return failure(place, name + " has no length", "draw a curve with at least two points");
-  return std::move(path.pieces);
+  std::erase_if(flat->pieces, [](const Drawing& piece) { return piece.size() < 2; });
+  if (flat->pieces.empty())
+    return failure(path.place, path.name + " has no length",
+                   "draw a curve with at least two points");
+  return *std::move(flat);
+}
+
+Result<std::vector<Drawing>> open_pieces(const SvgPath& path, FlatPath flat) {
+  if (!flat.closed) return std::move(flat.pieces);
+  return failure(path.place, path.name + " is closed",
+                 "open it: in Inkscape, select two neighbouring nodes with the node tool and "
+                 "delete the segment between them");
+}
+
+Result<Drawing> closed_line(const SvgPath& path, FlatPath flat) {
+  if (flat.pieces.size() > 1)
+    return failure(path.place, path.name + " has " + std::to_string(flat.pieces.size()) + " pieces",
+                   "draw the outline as one closed line");
+  Drawing outline = std::move(flat.pieces.front());
+  const bool meets = outline.front() == outline.back();
+  if (!meets && !flat.closed)
+    return failure(path.place, path.name + " is open",
+                   "close it: in Inkscape, select its two ends with the node tool and press "
+                   "Shift+J");
+  if (meets) outline.pop_back();
+  return outline;
 }
 
 }  // namespace
 
 Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
-                                            const std::string& id) {
+                                            const std::string& id, const PathKey& key) {
   const auto svg = load(file);
   if (!svg) return tl::unexpected(svg.error());
   const auto shown = visible(is_path, svg->document.document_element());
-  const auto nodes = id.empty() ? only_path(*svg, shown) : paths_by_id(*svg, shown, id);
+  const auto nodes = id.empty() ? only_path(*svg, shown, key) : paths_by_id(*svg, shown, id, key);
   if (!nodes) return tl::unexpected(nodes.error());
   const std::vector<Depth> depths = depths_of(*nodes);
   std::vector<SvgPath> paths;
@@ -281,11 +304,15 @@ Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
 }
 
 Result<std::vector<Drawing>> flattened(const SvgPath& path, double tolerance) {
-  auto flat = flatten_path_data(path.data, path.root_from_path, tolerance);
-  if (!flat)
-    return failure(path.place, path.name + " has data that cannot be read",
-                   "correct its numbers and commands, or draw it again");
-  return checked(path.place, path.name, *std::move(flat));
+  return flat(path, tolerance).and_then([&](FlatPath drawn) {
+    return open_pieces(path, std::move(drawn));
+  });
+}
+
+Result<Drawing> flattened_outline(const SvgPath& path, double tolerance) {
+  return flat(path, tolerance).and_then([&](FlatPath drawn) {
+    return closed_line(path, std::move(drawn));
+  });
 }
 
 Result<std::vector<DrawnMark>> find_svg_marks(const std::filesystem::path& file) {

@@ -27,17 +27,27 @@ struct SvgPath {
   Depth depth = Depth::untold;
 };
 
+// The key of a scene that chooses a path, for remedies.
+struct PathKey {
+  std::string table = "[curve]";
+  std::string key = "path";
+};
+
 // Finds a path (or polyline or line) in an SVG file as drawing programs write it, or all of a
 // group. `id` chooses among several; empty: exactly one must be visible; hidden ones, <defs>,
 // symbols, markers and nested <svg> do not count. Fails with file and line when there is no such
 // path.
 Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
-                                            const std::string& id);
+                                            const std::string& id, const PathKey& key = {});
 
 // Its pieces, all transforms applied, curves flattened to within `tolerance` (> 0) drawing units.
 // Those are the user units of the root element: its viewBox, width and height are not applied.
 // Fails with the path's place when it is malformed, closed or empty, or lies beyond 1e9 units.
 Result<std::vector<Drawing>> flattened(const SvgPath& path, double tolerance);
+
+// Likewise, of a path that is one closed line: its corners, from the last of which it leads back to
+// the first. Fails, with the path's place, where it is open or has several pieces.
+Result<Drawing> flattened_outline(const SvgPath& path, double tolerance);
 
 // A circle that is not hidden and has an id: a place in the drawing that a scene can name.
 struct DrawnMark {

@@ -160,9 +160,9 @@ Result<std::vector<DrawnPiece>> flattened(const std::vector<SvgPath>& paths, dou
 }
 
 // Flattened twice: how fine depends on how large the drawing is.
-Result<JoinedDrawing> read(const DrawnSvg& drawn, double flatness) {
+Result<JoinedDrawing> read(const DrawnSvg& drawn, const PathKey& key, double flatness) {
   if (auto there = check_readable(drawn.file); !there) return tl::unexpected(there.error());
-  const auto paths = find_svg_paths(drawn.file.path, drawn.path_id);
+  const auto paths = find_svg_paths(drawn.file.path, drawn.path_id, key);
   if (!paths) return tl::unexpected(paths.error());
   const auto coarse = flattened(*paths, std::numeric_limits<double>::max());
   if (!coarse) return tl::unexpected(coarse.error());
@@ -170,7 +170,7 @@ Result<JoinedDrawing> read(const DrawnSvg& drawn, double flatness) {
 }
 
 Result<JoinedDrawing> read(const DrawnSvg& drawn) {
-  return read(drawn, flatness_per_extent);
+  return read(drawn, {}, flatness_per_extent);
 }
 
 }  // namespace
@@ -193,8 +193,8 @@ Result<JoinedDrawing> read_drawing(const CurveScene& scene) {
   return std::visit([](const auto& drawn) { return read(drawn); }, scene.drawing);
 }
 
-Result<Drawing> read_path(const DrawnSvg& drawn) {
-  return read(drawn, path_flatness_per_extent).map([](JoinedDrawing&& path) {
+Result<Drawing> read_path(const DrawnSvg& drawn, const PathKey& key) {
+  return read(drawn, key, path_flatness_per_extent).map([](JoinedDrawing&& path) {
     return std::move(path.points);
   });
 }

@@ -38,8 +38,8 @@ Result<JoinedDrawing> joined(const std::vector<DrawnPiece>& pieces);
 // What the scene's curve draws. Fails, with the place, where it is not one line.
 Result<JoinedDrawing> read_drawing(const CurveScene& scene);
 
-// A path that is not to become a ribbon, flattened to within a thousandth of its extent. Fails as
-// above.
-Result<Drawing> read_path(const DrawnSvg& drawn);
+// A path that is not to become a ribbon, which another key of the scene names, flattened to within
+// a thousandth of its extent. Fails as above.
+Result<Drawing> read_path(const DrawnSvg& drawn, const PathKey& key);
 
 }  // namespace ribbon

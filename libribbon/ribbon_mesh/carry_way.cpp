@@ -44,7 +44,7 @@ Result<std::vector<Vector2d>> drawn_path(const CurveScene& curve, const PathId& 
   if (svg == nullptr)
     return failure("", "paths are those of an SVG file, but the drawing is a list of points",
                    "write the points of the path, for example [[0, 0], [100, 50]]");
-  auto points = read_path({svg->file, path.id});
+  auto points = read_path({svg->file, path.id}, {.table = "[[stage.hand]]", .key = "carry"});
   // What is not there has no place in the drawing.
   if (!points && points.error().place == svg->file.path.string())
     return failure("", "the drawing " + points.error().problem, points.error().remedy);

@@ -50,6 +50,14 @@ auto in_drawn_svg(Member DrawnSvg::*member) {
   return [=](Scene& scene) -> Member& { return std::get<DrawnSvg>(scene.curve.drawing).*member; };
 }
 
+template <class Member>
+auto in_outline(Member OutlineScene::*member) {
+  return [=](Scene& scene) -> Member& {
+    std::optional<OutlineScene>& outline = scene.ribbon.outline;
+    return (outline ? *outline : outline.emplace()).*member;
+  };
+}
+
 std::vector<Eigen::Vector2d>& drawn_points(Scene& scene) {
   return scene.curve.drawing.emplace<DrawnPoints>().points;
 }
@@ -199,7 +207,9 @@ std::vector<Key> knot_keys() {
 
 std::vector<Key> ribbon_keys() {
   return {
-      {"width", required, "0.05", read_width},
+      {"width", optional, "0.05", read_width},
+      {"outline", optional, "\"tie.svg\"", set(in_outline(&OutlineScene::file), file_name)},
+      {"outline_path", optional, "\"tie\"", set(in_outline(&OutlineScene::path_id), text)},
       {"along", required, "400", set(in(&Scene::ribbon, &RibbonScene::along), particle_count)},
       {"across", required, "8", set(in(&Scene::ribbon, &RibbonScene::across), particle_count)},
       {"mass", optional, "1", set(in(&Scene::ribbon, &RibbonScene::mass_kg), number(positive))},

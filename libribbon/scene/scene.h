@@ -71,9 +71,19 @@ struct KnotScene {
   bool operator==(const KnotScene&) const = default;
 };
 
+// A closed path whose long axis is the ribbon.
+struct OutlineScene {
+  NamedFile file;
+  std::string path_id;  // id of the path to use; empty: the only one
+
+  bool operator==(const OutlineScene&) const = default;
+};
+
 struct RibbonScene {
   double width_m = 0;                                  // mean of all rows
   std::optional<WidthProfile> profile = std::nullopt;  // none: all rows are as wide
+  // Instead of a width, which is 0 until with_outline_read() has read it off.
+  std::optional<OutlineScene> outline = std::nullopt;
   int along = 0;
   int across = 0;
   double mass_kg = 1;

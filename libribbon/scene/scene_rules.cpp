@@ -34,6 +34,21 @@ Result<void> one_drawing(const Document& document, const Scene&) {
   return {};
 }
 
+Result<void> one_width(const Document& document, const Scene&) {
+  const bool width = document.find("ribbon", "width") != nullptr;
+  const bool outline = document.find("ribbon", "outline") != nullptr;
+  if (width && outline)
+    return failure(document.place("ribbon", "outline"), "[ribbon] has both 'width' and 'outline'",
+                   "remove one of them");
+  if (!outline && document.find("ribbon", "outline_path") != nullptr)
+    return failure(document.place("ribbon", "outline_path"),
+                   "'outline_path' names a path of an SVG file, but there is no 'outline'",
+                   "add for example 'outline = \"tie.svg\"', or remove 'outline_path'");
+  if (width || outline) return {};
+  return failure(document.place("ribbon", ""), "'width' is missing in [ribbon]",
+                 "add for example 'width = 0.05'");
+}
+
 Result<void> one_way_to_pass_over(const Document& document, const Scene& scene) {
   if (!scene.curve.crossings || document.find("curve", "first") == nullptr) return {};
   return failure(document.place("curve", "first"),
@@ -62,7 +77,7 @@ Result<void> countable_particles(const Document& document, const Scene& scene) {
 
 // Thicker, each layer would meet all others, and lists of what touches would fill the memory.
 Result<void> cloth_is_flat(const Document& document, const Scene& scene) {
-  if (scene.ribbon.thickness_m <= scene.ribbon.width_m) return {};
+  if (scene.ribbon.outline || scene.ribbon.thickness_m <= scene.ribbon.width_m) return {};
   return failure(document.place("ribbon", "thickness"),
                  "'thickness' is " + shortest(scene.ribbon.thickness_m) +
                      " m, more than the 'width' of the ribbon",
@@ -146,7 +161,7 @@ void set_defaults(const Document& document, Scene& scene) {
 
 Result<void> check_rules(const Document& document, const Scene& scene) {
   for (const auto& rule :
-       {one_drawing, one_way_to_pass_over, expected_between_places, countable_particles,
+       {one_drawing, one_width, one_way_to_pass_over, expected_between_places, countable_particles,
         cloth_is_flat, countable_steps, at_most_a_frame_a_step, fastening_against_air,
         tight_by_fastening, check_stages})
     if (auto kept = rule(document, scene); !kept) return kept;

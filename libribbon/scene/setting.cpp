@@ -102,6 +102,11 @@ std::string changed_text(const Document& document, std::string text, const Setti
   return text.insert(end + 1, line + "\n");
 }
 
+tl::unexpected<Error> no_place_for(const std::string& what, const std::filesystem::path& file) {
+  return failure(file.string(), "there is no place for " + what + " in the scene",
+                 "write the tables of the scene as '[table]' lines");
+}
+
 }  // namespace
 
 std::string setting_of(const std::string& key, double value) {
@@ -119,8 +124,24 @@ Result<std::string> with_setting(const std::filesystem::path& file, const std::s
   std::string changed = changed_text(*before, text, *wanted);
   const auto after = parse_document(file, changed);
   if (!after || after->find(wanted->table, wanted->key) == nullptr)
-    return failure(file.string(), "there is no place for " + in_quotes(setting) + " in the scene",
-                   "write the tables of the scene as '[table]' lines");
+    return no_place_for(in_quotes(setting), file);
+  return changed;
+}
+
+Result<std::string> with_entry_replaced(const std::filesystem::path& file, const std::string& text,
+                                        std::string_view table, std::string_view key,
+                                        const std::string& words) {
+  const auto before = parse_document(file, text);
+  if (!before) return tl::unexpected(before.error());
+  const TomlValue* found = before->find(table);
+  if (found == nullptr || found->as<TomlTable>() == nullptr) return text;
+  const auto& entries = found->as<TomlTable>()->entries;
+  const auto entry = std::ranges::find(entries, key, &TomlEntry::key);
+  if (entry == entries.end()) return text;
+  const std::size_t begin = offset_of(text, entry->key_begin);
+  std::string changed = text;
+  changed.replace(begin, offset_of(text, entry->value.end) - begin, words);
+  if (!parse_document(file, changed)) return no_place_for(in_quotes(key), file);
   return changed;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "result/result.h"
 
@@ -18,5 +19,11 @@ std::string setting_of(const std::string& key, double value);
 // scene knows such a key, and such a value, is for read_scene() to say.
 Result<std::string> with_setting(const std::filesystem::path& file, const std::string& text,
                                  const std::string& setting);
+
+// The text of a scene in which other words stand in place of a key of a table and its value; all
+// else keeps its line. As it is where the table has no such key. Fails where that leaves no TOML.
+Result<std::string> with_entry_replaced(const std::filesystem::path& file, const std::string& text,
+                                        std::string_view table, std::string_view key,
+                                        const std::string& words);
 
 }  // namespace ribbon

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "curve/outline.h"
 #include "obstacle/obstacle.h"
 #include "recorder/run/drawn_knot.h"
 #include "recorder/run/start.h"
@@ -42,7 +43,7 @@ class Gallery : public testing::TestWithParam<Knots::value_type> {
   static Scene scene() {
     const auto file =
         std::filesystem::path(RIBBON_SAMPLES) / "gallery" / (GetParam().first + ".toml");
-    return with_marks_found(read_scene(file).value()).value();
+    return with_marks_found(read_scene(file).and_then(with_outline_read).value()).value();
   }
 };
 

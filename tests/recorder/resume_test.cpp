@@ -152,6 +152,27 @@ TEST_F(ResumeRun, a_drawing_that_is_gone_is_missed_only_without_a_checkpoint) {
   EXPECT_EQ(refusal(), "");
 }
 
+TEST_F(ResumeRun, a_width_read_off_an_outline_needs_the_drawing_no_more) {
+  const fs::path outline = folder_ / "wedge.svg";
+  ASSERT_TRUE(write_file(outline,
+                         "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 -15 L900 -10 V10 "
+                         "L0 15 Z'/></svg>"));
+  std::string text = scene_.text;
+  text.replace(text.find("width = 0.03"), 12, "outline = 'other.svg'");
+  const std::vector<std::string> settings = {"ribbon.outline=wedge.svg"};
+  const Scene scene = read_scene(folder_ / "knot.toml", text, settings).value();
+  NewRecording recording = replacing(file_);
+  recording.settings = settings;
+  (void)record(scene, recording, stops_at(5)).value();
+  fs::remove(outline);
+  EXPECT_EQ(refusal(), "");
+  const auto reader = RecordingReader::open(file_).value();
+  EXPECT_TRUE(reader.finished());
+  EXPECT_THAT(reader.header().scene_text, HasSubstr("width = [[0, 0.03"));
+  EXPECT_NEAR(reader.header().row_widths_m.back(), 0.02, 1e-5);
+  EXPECT_EQ(refusal_of(branch(file_, 3, replacing(folder_ / "take.rbn"), goes_on)), "");
+}
+
 TEST_F(ResumeRun, a_finished_run_is_left_alone_unless_it_is_extended) {
   fs::copy_file(folder_ / "whole.rbn", file_);
   const std::string before = read_file(file_).value();

@@ -201,9 +201,10 @@ TEST(ReadScene, a_key_of_another_table_is_sent_there) {
 }
 
 TEST(ReadScene, an_unheard_of_key_is_answered_with_the_known_ones) {
-  EXPECT_EQ(complaint(with_in("[ribbon]", "colour = 'red'")),
-            "knot.toml:4:1: unknown key 'colour' in [ribbon]; "
-            "it may hold 'width', 'along', 'across', 'mass', 'thickness'");
+  EXPECT_EQ(
+      complaint(with_in("[ribbon]", "colour = 'red'")),
+      "knot.toml:4:1: unknown key 'colour' in [ribbon]; "
+      "it may hold 'width', 'outline', 'outline_path', 'along', 'across', 'mass', 'thickness'");
 }
 
 TEST(ReadScene, a_key_with_control_characters_stays_on_one_line) {
@@ -387,6 +388,11 @@ INSTANTIATE_TEST_SUITE_P(
                    "or 'points = [[0, 0], [100, 50]]'"},
         Impossible{"two_drawings", with_in("[curve]", "svg = 'a.svg'"),
                    "3:10: [curve] has both 'svg' and 'points'; remove one of them"},
+        Impossible{"width_and_outline", ribbon_line("0.05", "0.05\noutline = 'tie.svg'"),
+                   "5:11: [ribbon] has both 'width' and 'outline'; remove one of them"},
+        Impossible{"outline_path_alone", ribbon_line("0.05", "0.05\noutline_path = 'tie'"),
+                   "5:16: 'outline_path' names a path of an SVG file, but there is no 'outline'; "
+                   "add for example 'outline = \"tie.svg\"', or remove 'outline_path'"},
         Impossible{"path_of_points", with_in("[curve]", "path = 'a'"),
                    "2:8: 'path' names a path of an SVG file, but the drawing is a list of "
                    "'points'; remove 'path', or replace 'points' by 'svg'"},

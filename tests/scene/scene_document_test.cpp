@@ -100,6 +100,7 @@ TEST(SceneDocument, its_example_has_every_key_but_the_other_ways_to_draw_and_to_
       keys[table].insert(line.substr(0, line.find(' ')));
   }
   keys["curve"].insert({"points", "crossings"});
+  keys["ribbon"].insert({"outline", "outline_path"});
   keys["fastening"].insert("pull");  // not with stages
   EXPECT_EQ(keys, documented_keys());
 }

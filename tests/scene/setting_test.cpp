@@ -91,4 +91,21 @@ TEST(ReadScene, checkpoints_are_as_rare_as_10000_frames_unless_the_scene_says) {
   EXPECT_EQ(every_s("recording.checkpoint_every=2.5"), 2.5);
 }
 
+std::string with_words(const std::string& text, const std::string& key, const std::string& words) {
+  return with_entry_replaced("knot.toml", text, "ribbon", key, words).value();
+}
+
+TEST(WithEntryReplaced, leaves_all_else_on_its_line) {
+  EXPECT_EQ(with_words(commented, "width", "mass = 3"),
+            replaced(commented, "width = 0.05", "mass = 3"));
+  EXPECT_EQ(with_words(commented, "width", ""), replaced(commented, "width = 0.05", ""));
+  EXPECT_EQ(with_words(commented, "mass", "width = 3"), commented) << "there is no mass";
+}
+
+TEST(WithEntryReplaced, fails_where_no_toml_is_left) {
+  EXPECT_THAT(refusal_of(with_entry_replaced("knot.toml", "ribbon = { width = 1, along = 4 }\n",
+                                             "ribbon", "width", "")),
+              HasSubstr("there is no place for 'width'"));
+}
+
 }  // namespace ribbon::with_setting_test

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "curve/joined_drawing.h"
+#include "curve/outline.h"
 #include "ribbon_mesh/marks.h"
 #include "scene/scene.h"
 
@@ -57,8 +58,9 @@ std::string points_text(const Drawing& points) {
 
 Result<std::string> jittered_scene(const std::filesystem::path& file, std::uint64_t seed,
                                    double size_m) {
-  const auto scene =
-      read_scene(file).and_then([](const Scene& drawn) { return with_marks_found(drawn); });
+  const auto scene = read_scene(file).and_then(with_outline_read).and_then([](const Scene& drawn) {
+    return with_marks_found(drawn);
+  });
   if (!scene) return tl::unexpected(scene.error());
   const auto* svg = std::get_if<DrawnSvg>(&scene->curve.drawing);
   if (svg == nullptr)
