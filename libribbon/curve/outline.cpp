@@ -105,7 +105,8 @@ SeenOutline seen_along_its_axis(const Drawing& outline) {
   SeenOutline seen{long_axis(outline)};
   for (const Vector2d& corner : outline) seen.corners.push_back(seen.axis.seen(corner));
   const auto [first, last] =
-      std::ranges::minmax_element(seen.corners, {}, [](const Vector2d& p) { return p.x(); });
+      std::minmax_element(seen.corners.begin(), seen.corners.end(),
+                          [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
   seen.begin = static_cast<std::size_t>(first - seen.corners.begin());
   seen.end = static_cast<std::size_t>(last - seen.corners.begin());
   return seen;
@@ -132,7 +133,8 @@ Result<Side> side_of(const SeenOutline& outline, std::size_t step) {
 
 double across_at(const Side& side, double along) {
   const auto next =
-      std::ranges::upper_bound(side, along, {}, [](const Vector2d& p) { return p.x(); });
+      std::upper_bound(side.begin(), side.end(), along,
+                       [](double wanted, const Vector2d& p) { return wanted < p.x(); });
   if (next == side.begin()) return side.front().y();
   if (next == side.end()) return side.back().y();
   const Vector2d& before = *std::prev(next);
@@ -162,7 +164,7 @@ Widths between(const Side& first, const Side& second, const SeenOutline& outline
 }
 
 Result<void> is_slim(const SeenOutline& outline, const Widths& all) {
-  const double widest = std::ranges::max(all.widths);
+  const double widest = *std::max_element(all.widths.begin(), all.widths.end());
   if (outline.length() >= least_slimness * widest) return {};
   return failure(outline.place({0, 0}),
                  filled_in("the outline has no long axis: along it it measures {}, across {}",
@@ -171,7 +173,8 @@ Result<void> is_slim(const SeenOutline& outline, const Widths& all) {
 }
 
 Result<void> has_width_everywhere(const SeenOutline& outline, const Widths& all) {
-  const auto none = std::ranges::find_if(all.widths, [](double width) { return !(width > 0); });
+  const auto none =
+      std::find_if(all.widths.begin(), all.widths.end(), [](double width) { return !(width > 0); });
   if (none == all.widths.end()) return {};
   const auto share = static_cast<std::size_t>(none - all.widths.begin());
   return failure(outline.place({outline.along_at(share), all.middles[share]}),
@@ -193,7 +196,7 @@ Result<void> is_symmetric(const SeenOutline& outline, const Widths& all) {
   for (const std::size_t margin : {share_count / 100, std::size_t{0}}) {
     const std::size_t share = worst_asymmetry(all.middles, margin);
     const double off = std::abs(all.middles[share]);
-    if (off <= most_asymmetry * std::ranges::max(all.widths)) continue;
+    if (off <= most_asymmetry * *std::max_element(all.widths.begin(), all.widths.end())) continue;
     const double half = all.widths[share] / 2;
     return failure(
         outline.place({outline.along_at(share), all.middles[share]}),
@@ -220,14 +223,16 @@ std::pair<double, std::size_t> worst_told(const WidthProfile& profile,
 
 // Begins with both ends; what is told worst is added until all is told well.
 WidthProfile few_points(const std::vector<double>& widths) {
-  const double tolerance = width_accuracy * std::ranges::max(widths);
+  const double tolerance = width_accuracy * *std::max_element(widths.begin(), widths.end());
   WidthProfile profile{{{0, widths.front()}, {1, widths.back()}}};
   for (;;) {
     const auto [error, index] = worst_told(profile, widths);
     if (error <= tolerance) return profile;
     const WidthAt added{share_of_index(index), widths[index]};
     profile.points.insert(
-        std::ranges::upper_bound(profile.points, added.share, {}, &WidthAt::share), added);
+        std::upper_bound(profile.points.begin(), profile.points.end(), added.share,
+                         [](double share, const WidthAt& point) { return share < point.share; }),
+        added);
   }
 }
 

@@ -120,6 +120,12 @@ Result<void> read_until(const Value& value, Scene& scene) {
   });
 }
 
+Result<void> read_gravity_of_stage(const Value& value, Scene& scene) {
+  return gravity(value).map([&](const std::optional<Eigen::Vector3d>& acceleration) {
+    scene.stages.back().gravity_m_s2 = acceleration.value_or(Eigen::Vector3d::Zero());
+  });
+}
+
 // One number, or a profile; one that is as wide everywhere is one number.
 Result<void> read_width(const Value& value, Scene& scene) {
   RibbonScene& ribbon = scene.ribbon;
@@ -311,6 +317,7 @@ std::vector<Key> stage_keys() {
       {"until", optional, "\"tight\"", read_until},
       {"at_most", optional, "12", set(in_stage(&StageScene::at_most_s), number(positive))},
       {"friction", optional, "0.3", set(in_stage(&StageScene::friction), number(not_negative))},
+      {"gravity", optional, "[0, -9.81, 0]", read_gravity_of_stage},
       {"hand", optional, "",
        each_of(hand_table(), [](Scene& scene) { scene.stages.back().hands.emplace_back(); })},
   };

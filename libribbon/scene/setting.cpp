@@ -136,7 +136,8 @@ Result<std::string> with_entry_replaced(const std::filesystem::path& file, const
   const TomlValue* found = before->find(table);
   if (found == nullptr || found->as<TomlTable>() == nullptr) return text;
   const auto& entries = found->as<TomlTable>()->entries;
-  const auto entry = std::ranges::find(entries, key, &TomlEntry::key);
+  const auto entry = std::find_if(entries.begin(), entries.end(),
+                                  [&](const TomlEntry& candidate) { return candidate.key == key; });
   if (entry == entries.end()) return text;
   const std::size_t begin = offset_of(text, entry->key_begin);
   std::string changed = text;

@@ -200,6 +200,7 @@ StepReport FasteningProcessor::step() {
   if (parts_->staged != nullptr) {
     parts_->staged->begin_step(parts_->cloth);
     parts_->time_step.set_friction(parts_->staged->friction());
+    parts_->time_step.set_gravity(parts_->staged->gravity_m_s2());
   }
   const StepReport report =
       parts_->time_step.take(parts_->hands.get(), parts_->bodies, parts_->cloth);

@@ -24,7 +24,7 @@ const std::string pulling_hand = "at = [0, 0.25]\npull = [0, 3, 4]\n";
 TEST(Stages, every_key_reaches_its_place) {
   const Scene scene = read_text(fastened("[[stage]]\n"
                                          "name = 'half knot'\nuntil = 'tight'\nat_most = 3\n"
-                                         "friction = 0.25\n"
+                                         "friction = 0.25\ngravity = 3\n"
                                          "[[stage.hand]]\nat = [0.25, 0.5]\npull = [0, 3, 4]\n"
                                          "speed = 0.25\nyield = 0.125\n"
                                          "[[stage.hand]]\nat = 'tip'\nhold = true\n"
@@ -38,11 +38,13 @@ TEST(Stages, every_key_reaches_its_place) {
                         std::nullopt,
                         3,
                         0.25,
+                        Eigen::Vector3d(0, -3, 0),
                         {{Span{0.25, 0.5}, HandTask::pull, {0, 0.6, 0.8}, 0.25, 0.125},
                          {Mark{"tip"}, HandTask::hold, {0, 0, 0}, 0.5, std::nullopt}}}));
   EXPECT_EQ(scene.stages[1],
             (StageScene{"stage 2",
                         2,
+                        std::nullopt,
                         std::nullopt,
                         std::nullopt,
                         {{Span{0, 0.5}, HandTask::pull_along, {0, 0, 0}, 0.5, 0.04},
@@ -71,6 +73,16 @@ TEST(Stages, a_hand_carries_along_a_path_at_heights) {
   EXPECT_EQ(stage.goal, StageGoal::carried);
   EXPECT_EQ(stage.until_s, std::nullopt);
   EXPECT_EQ(stage.at_most_s, 3);
+}
+
+TEST(Stages, one_without_gravity_is_not_one_that_says_nothing_of_it) {
+  const auto gravity_of = [](const std::string& stage) {
+    const std::string text = one_stage(stage, pulling_hand) + "[gravity]\nacceleration = 9\n";
+    return read_text(text)->stages.front().gravity_m_s2;
+  };
+  EXPECT_EQ(gravity_of(""), std::nullopt);
+  EXPECT_EQ(gravity_of("gravity = 0\n"), Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(gravity_of("gravity = [0, 0, 2]\n"), Eigen::Vector3d(0, 0, 2));
 }
 
 TEST(Stages, a_scene_without_them_has_none) {

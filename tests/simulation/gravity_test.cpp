@@ -88,6 +88,30 @@ TEST(Gravity, what_nothing_holds_falls_as_fast_as_air_lets_it) {
   EXPECT_LT((fallen.colwise() - Vector3d(0, 0, -0.01 * earths / 8)).cwiseAbs().maxCoeff(), 1e-6);
 }
 
+TEST(Gravity, begins_and_ends_with_the_stages_that_have_it) {
+  Scene scene = scene_of_drape();
+  scene.fastening = FasteningScene{.speed_m_s = 0.1};
+  const HandScene hand{
+      .at = Span{0.5, 0.5}, .task = HandTask::pull, .direction = {0, 1, 0}, .speed_m_s = 1e-6};
+  scene.stages = {
+      {.until_s = 0.5, .gravity_m_s2 = Vector3d(0, 0, 0), .hands = {hand}},
+      {.until_s = 2, .gravity_m_s2 = Vector3d(2 * earths, 0, 0), .hands = {hand}},
+      {.until_s = 2, .hands = {hand}},
+  };
+  auto processor = FasteningProcessor::create(scene, level_ribbon(scene), std::nullopt).value();
+  const auto gone_after = [&](int steps) -> Vector3d {
+    const Matrix3Xd before = processor.positions();
+    for (int step = 0; step < steps; ++step) processor.step();
+    return (processor.positions() - before).rowwise().mean();
+  };
+  EXPECT_LT(gone_after(50).norm(), 1e-6);
+  (void)gone_after(199);
+  const double fast_m = 0.01 * 2 * earths / 8;
+  EXPECT_TRUE(gone_after(1).isApprox(Vector3d(fast_m, 0, 0), 1e-3)) << "as fast as air lets it";
+  (void)gone_after(249);
+  EXPECT_TRUE(gone_after(1).isApprox(Vector3d(0, 0, -fast_m / 2), 1e-3)) << "also when all is over";
+}
+
 // Cloth a hundred times too heavy: its strain stays within the limit, and it sinks all the same.
 TEST(Gravity, cloth_that_cannot_bear_its_weight_does_not_stay_in_the_air) {
   Scene scene = scene_of_drape();

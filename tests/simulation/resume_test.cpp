@@ -48,6 +48,7 @@ std::vector<StageScene> stages() {
            .hands = {hand(0, 0.4, HandTask::pull_along), hand(0.48, 0.52, HandTask::hold),
                      hand(0.6, 1, HandTask::pull_along)}},
           {.at_most_s = 9,
+           .gravity_m_s2 = Eigen::Vector3d(0, 1, -3),
            .hands = {hand(0, 0.05, HandTask::pull), hand(0.5, 0.6, HandTask::pull_outwards),
                      carries, hand(0.95, 1, HandTask::hold)}}};
 }

@@ -55,8 +55,10 @@ StagedHands::StagedHands(const Scene& scene, const RestSize& size, const Cloth& 
 // The hands of the present stage.
 void StagedHands::take_places() {
   hands_.clear();
+  Scene of_stage = scene_;
+  of_stage.gravity_m_s2 = gravity_m_s2();
   for (const HandScene& hand : present().hands)
-    hands_.emplace_back(hand, scene_, size_, particle_mass_kg_, begun_);
+    hands_.emplace_back(hand, of_stage, size_, particle_mass_kg_, begun_);
   progress_ = FasteningProgress(size_.grid, groups_of(hands_, size_.grid), scene_.time.step_s,
                                 scene_.air_resistance_per_s);
 }
@@ -124,6 +126,12 @@ bool StagedHands::are_done() const {
 
 double StagedHands::friction() const {
   return present().friction.value_or(scene_.friction);
+}
+
+std::optional<Eigen::Vector3d> StagedHands::gravity_m_s2() const {
+  const auto& own = present().gravity_m_s2;
+  if (!own) return scene_.gravity_m_s2;
+  return own->isZero(0) ? std::nullopt : own;
 }
 
 bool StagedHands::guard_is_due() const {

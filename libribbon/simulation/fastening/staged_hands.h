@@ -43,6 +43,7 @@ class StagedHands : public Hands {
   [[nodiscard]] int stage() const { return stage_; }
   // While the present stage lasts.
   [[nodiscard]] double friction() const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> gravity_m_s2() const;
   // Are all stages over?
   [[nodiscard]] bool are_over() const;
   [[nodiscard]] SlipGuard& guard() { return guard_; }

@@ -50,6 +50,10 @@ class Integrator {
   void hold_force(const Eigen::Matrix3Xd& fastening_force, const Cloth& cloth);
   void displace_in_substep(Cloth& cloth);
 
+  // From the next force on.
+  void set_gravity(const std::optional<Eigen::Vector3d>& acceleration_m_s2) {
+    properties_.gravity_m_s2 = acceleration_m_s2;
+  }
   // With the next force gravity counts with that fraction, 0 to 1.
   void ease_gravity(double fraction) { gravity_fraction_ = fraction; }
 

@@ -69,6 +69,10 @@ class TimeStep {
 
   // Coulomb's coefficient from the next step on; at first it is the scene's.
   void set_friction(double coefficient) { repulsion_.friction = coefficient; }
+  // Likewise; nothing where there is none.
+  void set_gravity(const std::optional<Eigen::Vector3d>& acceleration_m_s2) {
+    integrator_->set_gravity(acceleration_m_s2);
+  }
 
   // Into how many parts the springs divide a step.
   [[nodiscard]] int substeps() const { return integrator_->substeps(); }
