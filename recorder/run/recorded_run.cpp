@@ -104,6 +104,8 @@ Result<RecordedRun> RecordedRun::open(const fs::path& file, std::optional<int> b
   if (!reader) return tl::unexpected(reader.error());
   std::vector<std::string> settings;
   for (const Session& session : reader->sessions()) {
+    // The scene's text has them already, and what a drawing told in their place.
+    if (session.note.reason == SessionReason::begun) continue;
     const bool is_later = before_frame && static_cast<int>(session.first_frame) >= *before_frame;
     std::istringstream lines(session.note.changed_settings);
     for (std::string line; std::getline(lines, line);)
