@@ -13,6 +13,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
 scenes=$root/samples/gallery
 results=$root/out/gallery
 pictures=$root/docs/gallery
+finely=(--set recording.frames_per_second=50 --set recording.max_position_error=1e-6)
 hands=(drawn)
 tools=''
 only_page=''
@@ -70,17 +71,18 @@ mirrored() {
 }
 
 # tied NAME HAND   Records, verifies and times it; the exit code 1 of --verify is an answer, too. What has a
-# .verify is whole.
+# .verify is whole. Recorded finely enough to see how calmly the knot rests in its last two seconds.
 tied() {
   local run=$results/$1-$2 settings=() status=0
   [[ $2 == drawn ]] || mirrored "$scenes/$1.toml"
   echo "== Tying $1, $2"
   rm -f "$run.verify"
   TIMEFORMAT='{"wall_s": %R, "user_s": %U, "system_s": %S}'
-  { time "$tools/recorder/ribbon-record" "$scenes/$1.toml" "${settings[@]}" --force -o "$run.rbn" \
-    --quiet --stats "$run.stats" 2>&3; } 3>&2 2>"$run.time"
+  { time "$tools/recorder/ribbon-record" "$scenes/$1.toml" "${settings[@]}" "${finely[@]}" --force \
+    -o "$run.rbn" --quiet --stats "$run.stats" 2>&3; } 3>&2 2>"$run.time"
   "$tools/player/ribbon-play" "$run.rbn" --verify --json >"$run.verifying" || status=$?
   [[ $status -le 1 ]]
+  "$tools/converter/ribbon-convert" "$run.rbn" -o "$run.npy" --frames -101: --force --quiet
   mv "$run.verifying" "$run.verify"
 }
 
@@ -90,8 +92,8 @@ pictured() {
 }
 
 if [[ -z $tools ]]; then
-  install_missing "${build_packages[@]}"
-  build release -DRIBBON_BUILD_TESTS=OFF -- ribbon-record ribbon-play
+  install_missing "${build_packages[@]}" python3 python3-numpy
+  build release -DRIBBON_BUILD_TESTS=OFF -- ribbon-record ribbon-play ribbon-convert
   tools=$root/build/release
 fi
 mkdir -p "$results" "$pictures"
