@@ -168,7 +168,8 @@ TEST_F(ResumeRun, a_width_read_off_an_outline_needs_the_drawing_no_more) {
   EXPECT_EQ(refusal(), "");
   const auto reader = RecordingReader::open(file_).value();
   EXPECT_TRUE(reader.finished());
-  EXPECT_THAT(reader.header().scene_text, HasSubstr("width = [[0, 0.03"));
+  EXPECT_THAT(reader.header().scene_text, HasSubstr("\nwidth = [[0, "));
+  EXPECT_NEAR(reader.header().row_widths_m.front(), 0.03, 1e-5);
   EXPECT_NEAR(reader.header().row_widths_m.back(), 0.02, 1e-5);
   EXPECT_EQ(refusal_of(branch(file_, 3, replacing(folder_ / "take.rbn"), goes_on)), "");
 }
