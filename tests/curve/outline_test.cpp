@@ -55,9 +55,9 @@ TEST(Outline, may_lie_at_any_slant_and_begin_at_any_corner) {
   for (const double angle : {-0.7, -0.3, 0.78, 1.2, 2.3}) expect_tie(turned(tie(), angle));
   for (std::size_t corner = 1; corner < tie().size(); ++corner) {
     Drawing other = tie();
-    std::ranges::rotate(other, other.begin() + static_cast<std::ptrdiff_t>(corner));
+    std::rotate(other.begin(), other.begin() + static_cast<std::ptrdiff_t>(corner), other.end());
     expect_tie(other);
-    std::ranges::reverse(other);
+    std::reverse(other.begin(), other.end());
     expect_tie(other);
   }
 }
