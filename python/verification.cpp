@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/limited_edges.h"
 #include "inspection/verify_recording.h"
 #include "python/arrays.h"
 #include "python/errors.h"
 #include "python/recording.h"
-#include "python/strained_edges.h"
 #include "verification/frame_verifier.h"
 
 namespace py = pybind11;
@@ -39,8 +39,7 @@ class Verifier {
 
 Verifier verifier_of(const Recording& recording) {
   const RecordingHeader& header = recording.header();
-  return {rest_size(header), header.obstacle,
-          header.limited_edges.any() ? header.limited_edges : all_edges};
+  return {rest_size(header), header.obstacle, measured_edges(header.limited_edges)};
 }
 
 Verifier verifier_of_size(int along, int across, double length, double width,

@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "geometry/limited_edges.h"
 #include "python/arrays.h"
 #include "python/errors.h"
-#include "python/strained_edges.h"
 #include "recording/codec/entropy_tables.h"
 #include "recording/writer/recording_writer.h"
 #include "verification/largest_strain.h"

@@ -4,13 +4,13 @@
 #include <cassert>
 #include <limits>
 
+#include "geometry/limited_edges.h"
 #include "parallel/parallel.h"
 
 namespace ribbon {
 
 namespace {
 
-constexpr LimitedEdges all_edges{.along = true, .across = true, .diagonals = true};
 constexpr double nothing_m = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -38,8 +38,7 @@ std::vector<float> ParticleMeasure::values(int index, const Eigen::Matrix3Xf& po
 
 std::vector<float> ParticleMeasure::strains(const Eigen::Matrix3Xf& positions) const {
   const RecordingHeader& header = reader_.header();
-  const LimitedEdges& limited = header.limited_edges;
-  return particle_strains(rest_size(header), limited.any() ? limited : all_edges, positions);
+  return particle_strains(rest_size(header), measured_edges(header.limited_edges), positions);
 }
 
 std::optional<int> ParticleMeasure::load_frame_before(int index) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/limited_edges.h"
 #include "player/picture/color_map.h"
 #include "player/render/cloth_pattern.h"
 #include "player/render/lighting.h"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr float pattern_period = 0.5F;  // ribbon widths
-constexpr LimitedEdges all_edges{.along = true, .across = true, .diagonals = true};
 
 void append(std::vector<float>& floats, const Eigen::Vector3f& vector) {
   floats.insert(floats.end(), vector.begin(), vector.end());
@@ -151,9 +151,8 @@ Result<void> ShownRecording::show(int index) {
   if (auto read = reader_.read(index, positions_); !read) return read;
   const RecordingHeader& header = reader_.header();
   update_ribbon(header.grid, positions_, ribbon_);
-  const LimitedEdges& limited = header.limited_edges;
   const std::vector<float> strains =
-      particle_strains(rest_size(header), limited.any() ? limited : all_edges, positions_);
+      particle_strains(rest_size(header), measured_edges(header.limited_edges), positions_);
   particles_.clear();
   for (Eigen::Index p = 0; p < positions_.cols(); ++p) {
     append(particles_, positions_.col(p));
