@@ -13,7 +13,6 @@
 #include "geometry/limited_edges.h"
 #include "python/arrays.h"
 #include "python/errors.h"
-#include "recording/codec/entropy_tables.h"
 #include "recording/writer/recording_writer.h"
 #include "verification/largest_strain.h"
 
@@ -85,7 +84,6 @@ RecordingHeader header_of(const OwnRibbon& own) {
   header.max_position_error_m = own.max_error_m.value_or(usual_error * own.length_m);
   header.quantisation_step_m =
       quantisation_step_m(header.max_position_error_m, usual_reach * own.length_m);
-  header.entropy_tables = standard_entropy_tables();
   header.obstacle = own.obstacle;
   header.stated_gap_m = own.stated_gap_m;
   header.strain_limit = own.strain_limit;

@@ -12,7 +12,6 @@
 #include "parallel/parallel.h"
 #include "playback/recording_reader.h"
 #include "recorder/branch.h"
-#include "recorder/compact.h"
 #include "recorder/options.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
@@ -46,16 +45,6 @@ class Watch {
             },
             [this](const std::string& what) { line(1, "start").update(0, what); }};
   }
-  CompactionObserver compaction_observer() {
-    const auto drawn_as = [this](const char* unit) {
-      return [this, unit](int done, int total) {
-        line(total, unit).update(done);
-        return goes_on();
-      };
-    };
-    take_over_ctrl_c();  // from the beginning: a half-written file is to be removed
-    return {drawn_as("frame written"), drawn_as("frame compared")};
-  }
   void clear() {
     if (line_) line_->clear();
   }
@@ -71,12 +60,8 @@ class Watch {
     return *line_;
   }
 
-  void take_over_ctrl_c() {
-    if (!interrupt_) interrupt_.emplace();
-  }
-
   bool goes_on() {
-    take_over_ctrl_c();
+    if (!interrupt_) interrupt_.emplace();
     return !interrupt_->requested();
   }
 
@@ -120,25 +105,6 @@ const char* nothing_done(const RecorderOptions& options) {
              : "ended by the user before there was anything to record";
 }
 
-std::string summary_line(const Compaction& compaction) {
-  const double before_mb = static_cast<double>(compaction.bytes_before) / 1e6;
-  if (compaction.bytes_after == compaction.bytes_before)
-    return filled_in("it stays as it is, {:.1f} MB are as small as it gets", before_mb);
-  return filled_in("compacted, {} frames as they were; {:.1f} MB before, {:.1f} MB now",
-                   compaction.frames, before_mb, static_cast<double>(compaction.bytes_after) / 1e6);
-}
-
-// Nothing where the user ended it.
-Result<std::optional<Compaction>> do_compaction(const RecorderOptions& options, Watch& watch) {
-  auto compaction = compact(options.recording, watch.compaction_observer());
-  watch.clear();
-  if (compaction && !options.quiet)
-    std::printf("%s: %s\n", options.recording.c_str(),
-                *compaction ? summary_line(**compaction).c_str()
-                            : "not compacted, ended by the user; it is as it was");
-  return compaction;
-}
-
 // Not where a limit or the run itself ended it, nor where nothing was left to do.
 bool is_interrupted(const std::optional<RunStatistics>& run, const Watch& watch) {
   if (!run) return watch.is_interrupted();
@@ -158,28 +124,16 @@ Result<ExitCode> do_task(const RecorderOptions& options) {
   if (options.task == RecorderTask::crossings) return do_crossings(options);
   set_thread_limit(options.threads);
   Watch watch(options.progress);
-  if (options.task == RecorderTask::compact) {
-    const auto compaction = do_compaction(options, watch);
-    if (!compaction) return tl::unexpected(compaction.error());
-    return *compaction ? ExitCode::done : ExitCode::try_again;
-  }
   auto statistics = run_task(options, watch.observer());
   watch.clear();
   if (!statistics) return tl::unexpected(statistics.error());
   std::optional<RunStatistics>& run = *statistics;
-  bool interrupted = is_interrupted(run, watch);
+  const bool interrupted = is_interrupted(run, watch);
   if (run)
     if (auto reader = RecordingReader::open(options.recording)) run->outcome = outcome(*reader);
   if (!options.quiet)
     std::printf("%s: %s\n", options.recording.c_str(),
                 run ? summary_line(*run).c_str() : nothing_done(options));
-  // A branch that was given up has not even begun its recording.
-  if (options.compact && (run || options.task == RecorderTask::resume)) {
-    const auto compaction = do_compaction(options, watch);
-    if (!compaction) return tl::unexpected(compaction.error());
-    if (run && *compaction) run->bytes = (*compaction)->bytes_after;
-    interrupted = interrupted || !*compaction;
-  }
   if (run && options.profile) std::fputs(profile_text(*run).c_str(), stdout);
   if (run && !options.statistics.empty())
     if (auto written = write_file(options.statistics, statistics_json(*run)); !written)

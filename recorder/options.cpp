@@ -1,7 +1,5 @@
 #include "recorder/options.h"
 
-#include <utility>
-
 #include "commandline/arguments.h"
 
 namespace ribbon {
@@ -23,8 +21,6 @@ constexpr const char* examples = R"(Examples:
       takes frames 1 to 200 of knot.rbn over and goes on with another speed
   ribbon-record knot.toml --crossings knot.svg
       draws the knot with its passages numbered, prints their list and which knot it is
-  ribbon-record --compact knot.rbn
-      rewrites a recording to be smaller, every frame bit for bit as it was
 Ctrl-C ends the run early and leaves a valid recording of what was done; --resume goes on with it.
 
 Exit codes: 0 done, 2 could not, 3 ended early (by Ctrl-C, a signal, or because the disk was full):
@@ -32,10 +28,7 @@ Exit codes: 0 done, 2 could not, 3 ended early (by Ctrl-C, a signal, or because 
 
 // The words of the command line that were used.
 struct Given {
-  bool input, output, resume, from, set, force, compact, crossings, of_runs;
-
-  // Not at the end of a run.
-  [[nodiscard]] bool compact_alone() const { return compact && !resume && !from && !output; }
+  bool input, output, resume, from, set, force, crossings, of_runs;
 };
 
 Result<void> refuse(const std::string& problem, const std::string& remedy) {
@@ -43,7 +36,7 @@ Result<void> refuse(const std::string& problem, const std::string& remedy) {
 }
 
 Result<void> goes_together(const Given& given) {
-  if (given.crossings && (given.output || given.resume || given.from || given.compact))
+  if (given.crossings && (given.output || given.resume || given.from))
     return refuse("--crossings shows the drawing of a scene and records nothing",
                   "name the scene, and record it without --crossings");
   if (given.crossings && given.of_runs)
@@ -57,12 +50,6 @@ Result<void> goes_together(const Given& given) {
                   "leave --output out, or branch a new take off with --from");
   if (given.resume && given.input)
     return refuse("--resume takes the scene from the recording", "leave the scene out");
-  if (given.compact_alone() && !given.input)
-    return refuse("there is nothing to compact", "name a recording");
-  if (given.compact_alone() && (given.of_runs || given.set || given.force))
-    return refuse("--compact alone runs nothing that settings, a limit or figures could be of",
-                  "name the recording and nothing else, or add --resume before it");
-  if (given.compact_alone()) return {};
   if (given.resume && given.set)
     return refuse("--resume goes on with the settings that the run has",
                   "branch a new take off with --from");
@@ -84,7 +71,7 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
                       RIBBON_VERSION, examples);
   const auto input =
       arguments.add("SCENE", options.input, "FILE",
-                    "the scene (.toml); with --from and --compact, the recording (.rbn)");
+                    "the scene (.toml); with --from, the recording (.rbn)");
   const auto output =
       arguments.add("-o,--output", options.recording, "FILE", "the recording to write (.rbn)");
   std::filesystem::path resumed;
@@ -105,9 +92,6 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   const auto set = arguments.add("--set", options.settings, "KEY=VALUE",
                                  "change this setting of the scene; may be repeated");
   const auto force = arguments.flag("--force", options.force, "replace a recording of that name");
-  const auto compact = arguments.flag(
-      "--compact", options.compact,
-      "rewrite the recording to be smaller, without any loss; also at the end of a run");
   const auto crossings = arguments.add(
       "--crossings", options.diagram, "FILE",
       "write the scene's drawing with its passages numbered (.svg), and record nothing");
@@ -125,9 +109,8 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   if (!*read) return std::nullopt;
   const bool is_of_runs =
       until.is_given() || frames.is_given() || statistics.is_given() || profile.is_given();
-  const Given given{input.is_given(),   output.is_given(),    resume.is_given(),
-                    from.is_given(),    set.is_given(),       force.is_given(),
-                    compact.is_given(), crossings.is_given(), is_of_runs};
+  const Given given{input.is_given(), output.is_given(), resume.is_given(),    from.is_given(),
+                    set.is_given(),   force.is_given(),  crossings.is_given(), is_of_runs};
   options.progress = progress_style(progress, options.quiet);
   if (until.is_given()) options.limit.until_s = until_s;
   if (frames.is_given()) options.limit.frames = frame_count;
@@ -140,9 +123,6 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
     options.from_frame = from_frame - 1;
   } else if (given.crossings) {
     options.task = RecorderTask::crossings;
-  } else if (given.compact_alone()) {
-    options.task = RecorderTask::compact;
-    options.recording = std::exchange(options.input, {});
   }
   return options;
 }

@@ -16,7 +16,6 @@ enum class RecorderTask {
   record,    // a scene
   resume,    // a recording
   branch,    // a new take off a recording
-  compact,   // a recording, and nothing else
   crossings  // show those of a scene's drawing, and nothing else
 };
 
@@ -31,7 +30,6 @@ struct RecorderOptions {
   RunLimit limit;
   std::filesystem::path statistics;  // JSON file to write at the end; empty: none
   int threads = 0;                   // 0: all cores
-  bool compact = false;              // also at the end of a run
   bool profile = false;
   bool quiet = false;
   ProgressStyle progress = ProgressStyle::line;

@@ -8,7 +8,6 @@
 #include "recorder/run/drawn_knot.h"
 #include "recorder/run/start.h"
 #include "recorder/run/stopwatch.h"
-#include "recording/codec/entropy_tables.h"
 #include "ribbon_mesh/marks.h"
 #include "ribbon_mesh/springs.h"
 
@@ -44,7 +43,6 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
   header.row_widths_m = ribbon.row_widths_m;
   header.frames_per_second = scene.recording.frames_per_second;
   header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
-  header.entropy_tables = standard_entropy_tables();
   header.quantisation_step_m =
       quantisation_step_m(header.max_position_error_m,
                           start.fastening.positions().cwiseAbs().maxCoeff(), ribbon.length_m);

@@ -55,7 +55,7 @@ Result<RecordingWriter> resume_recording(const std::filesystem::path& path) {
                        .not_indexed = not_indexed(contents),
                        .recent = {}};
   FrameDecoder decoder(so_far.header);
-  for (const std::uint32_t reference : live_references(so_far.frames))
+  for (const std::uint32_t reference : references_of(so_far.frames))
     if (const QuantisedFrame* quantised = decoder.decode(contents, reference))
       so_far.recent.push_back({reference, *quantised});
   if (auto cut = target->cut(contents.end()); !cut) return tl::unexpected(std::move(cut.error()));

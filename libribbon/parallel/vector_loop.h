@@ -20,6 +20,11 @@ template <class Loops>
 [[gnu::target("avx2")]] void eight_lanes_at_a_time(const Loops& loops) {
   loops();
 }
+template <class Loops>
+[[gnu::target("avx512f,avx512vl,avx512bw,avx512dq,prefer-vector-width=512")]] void
+sixteen_lanes_at_a_time(const Loops& loops) {
+  loops();
+}
 #endif
 
 // Runs `loops`, a lambda that is always inlined, compiled for the registers of this processor: the
@@ -27,7 +32,8 @@ template <class Loops>
 template <class Loops>
 void vectorised(const Loops& loops) {
 #ifdef __x86_64__
-  if (instruction_set() != InstructionSet::baseline) return eight_lanes_at_a_time(loops);
+  if (instruction_set() == InstructionSet::avx512) return sixteen_lanes_at_a_time(loops);
+  if (instruction_set() == InstructionSet::avx2) return eight_lanes_at_a_time(loops);
 #endif
   loops();
 }

@@ -19,13 +19,14 @@
 #include "recording/records/header_record.h"
 #include "recording/records/record_head.h"
 #include "recording/sample_recording.h"
+#include "recording/writer/references.h"
 #include "recording/writer/recording_writer.h"
 #include "result/refusal.h"
 
 namespace ribbon::damaged_recording_test {
 
-constexpr int frames = 20;  // a group of 16 and the start of the next
-constexpr int second_group = 16;
+constexpr int second_group = group_frames;
+constexpr int frames = second_group + 4;
 
 // A recording as small as possible, and what its undamaged frames are.
 class DamagedRecording : public testing::Test {
@@ -368,8 +369,8 @@ TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {
   EXPECT_EQ(
       refusal_of(open(std::string(file_signature) + make_record(RecordType::header, payload))),
       path_.string() +
-          ": was written in format version 7, this program reads "
-          "version 2; use a newer program");
+          ": was written in format version 7.0 by tests 1.0, this program reads version 3; use a "
+          "newer program");
 }
 
 TEST_F(DamagedRecording, an_error_names_the_frame_as_users_count) {

@@ -14,7 +14,6 @@
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
-#include "recording/codec/entropy_tables.h"
 #include "recording/coding/bytes.h"
 #include "recording/writer/recording_writer.h"
 #include "result/demanded.h"
@@ -69,7 +68,6 @@ RecordingHeader header_of(const Kind& kind) {
   for (int row = 0; row < kind.grid.along && kind.tapered; ++row)
     header.row_widths_m.push_back(static_cast<float>(
         header.ribbon_width_m * (0.5 + static_cast<double>(row) / (kind.grid.along - 1))));
-  if (kind.rich) header.entropy_tables = standard_entropy_tables();
   if (!kind.rich) return header;
   header.obstacle =
       TriangleMesh{"stone", Eigen::Matrix3Xf::Identity(3, 3), Eigen::Matrix3Xi{{0}, {1}, {2}}};

@@ -1,21 +1,15 @@
 // What the encoder and the decoder of positions must agree upon; it stands in the header.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "geometry/ribbon_grid.h"
 
 namespace ribbon {
 
 struct CodecParameters {
   RibbonGrid grid;
-  double ribbon_length_m = 0;
-  double ribbon_width_m = 0;
   // The quantisation step: number n stands for the coordinate n * step_m in single precision. 0:
   // coordinates are kept exactly, in single precision.
   float step_m = 0;
-  std::vector<std::string> entropy_tables;  // see entropy_tables.h; without them files are larger
 
   bool operator==(const CodecParameters&) const = default;
 };

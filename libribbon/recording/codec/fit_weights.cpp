@@ -3,53 +3,57 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
-#include <numeric>
-#include <utility>
-#include <vector>
+
+#include "parallel/vector_loop.h"
 
 namespace ribbon {
 
 namespace {
 
-constexpr std::size_t quick_groups_per_stage = 40;
+// So many groups of rows are enough to fit thirteen weights.
+constexpr int most_groups = 400;
 
-// Sums of products of taps, and of taps with the wanted value, which comes last.
+constexpr std::size_t fields = most_taps + 1;
+
+// Sums of products of taps, and of taps with the motion that they should add up to, which comes
+// last: each with those that do not come before it.
 class NormalEquations {
  public:
-  using Row = std::array<double, most_taps + 1>;
-
+  // Of the first `taps` taps alone.
   explicit NormalEquations(std::size_t taps) : taps_(taps) {}
-  NormalEquations(std::size_t taps, const NormalSums& sums) : taps_(taps), weight_(sums.weight) {
-    for (std::size_t a = 0; a <= taps; ++a)
-      for (std::size_t b = a; b <= taps; ++b)
-        sums_[a][b] = std::accumulate(sums.products[a][b].begin(), sums.products[a][b].end(), 0.0);
-  }
 
-  // row: the taps, then the wanted value.
-  void add(const Row& row) {
-    for (std::size_t a = 0; a <= taps_; ++a)
-      for (std::size_t b = a; b <= taps_; ++b) sums_[a][b] += row[a] * row[b];
-    ++weight_;
+  // Restless rows count less: they are hard to predict whatever the weights are. unit: a change of
+  // motion from neighbour to neighbour that halves the weight's root.
+  void add(const Taps& taps, float unit) {
+    vectorised([&]() RIBBON_INLINED {
+      Lanes calm{};
+      for (int k = 0; k < tap_rows; ++k) calm[k] = calmness(taps, k, unit);
+      for (std::size_t a = 0; a < fields; ++a) {
+        Lanes weighed{};
+        for (int k = 0; k < tap_rows; ++k) weighed[k] = taps[a][k] * calm[k];
+        for (std::size_t b = a; b < fields; ++b)
+          for (int k = 0; k < tap_rows; ++k) lanes_[a][b][k] += weighed[k] * taps[b][k];
+      }
+    });
+    if (++groups_in_lanes_ == most_in_lanes) flush();
   }
 
   // The weights of the taps, by Cholesky's factorisation. Taps that are all zero, or copies of
   // others, must not divide by zero: as if each carried a little noise.
   std::array<double, most_taps> solution() {
+    flush();
+    wanted_ = sums_[most_taps][most_taps];
+    const double noise = 1e-9 * wanted_ + 1e-30;
     for (std::size_t a = 0; a < taps_; ++a) {
-      double diagonal = sums_[a][a] * (1 + 1e-7) + noise();
+      double diagonal = sums_[a][a] * (1 + 1e-7) + noise;
       for (std::size_t k = 0; k < a; ++k) diagonal -= sums_[k][a] * sums_[k][a];
-      const double root = std::sqrt(std::max(diagonal, 0.5 * noise()));
-      sums_[a][a] = root;
-      for (std::size_t b = a + 1; b <= taps_; ++b) {
-        double sum = sums_[a][b];
-        for (std::size_t k = 0; k < a; ++k) sum -= sums_[k][a] * sums_[k][b];
-        sums_[a][b] = sum / root;
-      }
+      sums_[a][a] = std::sqrt(std::max(diagonal, 0.5 * noise));
+      for (std::size_t b = a + 1; b < taps_; ++b) eliminate(a, b);
+      eliminate(a, most_taps);
     }
     std::array<double, most_taps> solved{};
     for (std::size_t a = taps_; a-- > 0;) {
-      double sum = sums_[a][taps_];
+      double sum = sums_[a][most_taps];
       for (std::size_t b = a + 1; b < taps_; ++b) sum -= sums_[a][b] * solved[b];
       solved[a] = sum / sums_[a][a];
     }
@@ -59,165 +63,135 @@ class NormalEquations {
     return solved;
   }
 
-  // What is left of the wanted values' squares, per weight; after solution().
-  [[nodiscard]] double mean_square_left() const {
-    double left = sums_[taps_][taps_];
-    for (std::size_t a = 0; a < taps_; ++a) left -= sums_[a][taps_] * sums_[a][taps_];
-    return std::max(left, 0.0) / std::max(weight_, 1e-300);
-  }
-  [[nodiscard]] double mean_square_wanted() const {
-    return sums_[taps_][taps_] / std::max(weight_, 1e-300);
+  // Fine enough that rounded weights add a tenth to what the prediction misses. After solution().
+  [[nodiscard]] int shift() const {
+    double left = wanted_;
+    for (std::size_t a = 0; a < taps_; ++a) left -= sums_[a][most_taps] * sums_[a][most_taps];
+    const double ratio = std::sqrt(wanted_ / std::max(left, 1e-18 * wanted_ + 1e-30));
+    return std::clamp(static_cast<int>(std::ilogb(ratio > 1 ? ratio : 1.0)) + 6, 6, 20);
   }
 
  private:
-  [[nodiscard]] double noise() const { return 1e-9 * sums_[taps_][taps_] + 1e-30; }
+  using Lanes = std::array<float, tap_rows>;
+
+  // More would be rounded too much in single precision.
+  static constexpr int most_in_lanes = 16;
+
+  [[gnu::always_inline]] static float calmness(const Taps& taps, int k, float unit) {
+    float change = 0;
+    for (std::size_t tap = 1; tap < 5; ++tap) change += std::abs(taps[tap][k] - taps[0][k]);
+    const float root = 1 / (1 + change / unit);
+    return root * root;
+  }
+
+  void flush() {
+    for (std::size_t a = 0; a < fields; ++a)
+      for (std::size_t b = a; b < fields; ++b)
+        for (float& lane : lanes_[a][b]) sums_[a][b] += static_cast<double>(lane);
+    lanes_ = {};
+    groups_in_lanes_ = 0;
+  }
+
+  void eliminate(std::size_t a, std::size_t b) {
+    double sum = sums_[a][b];
+    for (std::size_t k = 0; k < a; ++k) sum -= sums_[k][a] * sums_[k][b];
+    sums_[a][b] = sum / sums_[a][a];
+  }
 
   std::size_t taps_;
-  double weight_ = 0;
-  std::array<Row, most_taps + 1> sums_{};
+  int groups_in_lanes_ = 0;
+  std::array<std::array<Lanes, fields>, fields> lanes_{};
+  std::array<std::array<double, fields>, fields> sums_{};
+  double wanted_ = 0;
 };
-
-// Fine enough that rounded weights add a tenth to what the prediction misses.
-int shift_for(const NormalEquations& solved) {
-  const double ratio =
-      std::sqrt(solved.mean_square_wanted() / std::max(solved.mean_square_left(), 1e-30));
-  return std::clamp(static_cast<int>(std::ilogb(ratio > 1 ? std::min(ratio, 1e9) : 1.0)) + 6, 6,
-                    20);
-}
-
-std::vector<CellGroup> groups_of(const PolyphasePlanes& planes, int plane, int begin, int end) {
-  std::vector<CellGroup> groups;
-  for (int b = begin; b < end; ++b)
-    for (int a = 0; a < planes.rows(plane); a += PolyphasePlanes::lane_quantum)
-      groups.push_back({plane, planes.cell(plane, a, b),
-                        std::min(PolyphasePlanes::lane_quantum, planes.rows(plane) - a)});
-  return groups;
-}
-
-std::vector<CellGroup> groups_of(const PolyphasePlanes& planes, std::size_t stage) {
-  if (stage == first_column) return groups_of(planes, 0, 0, 1);
-  if (stage == coarse) return groups_of(planes, 0, 1, planes.columns(0));
-  if (stage == diagonal) return groups_of(planes, 3, 0, planes.columns(3));
-  auto groups = groups_of(planes, 1, 0, planes.columns(1));
-  const auto others = groups_of(planes, 2, 0, planes.columns(2));
-  groups.insert(groups.end(), others.begin(), others.end());
-  return groups;
-}
-
-// Evenly spread.
-void thin_out(std::vector<CellGroup>& groups, std::size_t wanted) {
-  if (groups.size() <= wanted) return;
-  for (std::size_t k = 0; k < wanted; ++k) groups[k] = groups[k * groups.size() / wanted];
-  groups.resize(wanted);
-}
 
 class WeightFit {
  public:
-  WeightFit(const PredictedFrame& frame, Fit fit) : frame_(frame), fit_(fit) {
-    if (!frame.uniform) unit_ = mean_change();
+  WeightFit(const FramePrediction& prediction, Residuals& residuals)
+      : prediction_(prediction), residuals_(residuals) {
+    if (!prediction.is_uniform()) unit_ = mean_change();
   }
 
   [[nodiscard]] RecordedWeights run() const {
-    std::array<std::array<double, most_taps>, prediction_stage_count> solved{};
+    NormalEquations of_first(past_taps);
+    NormalEquations of_others(most_taps);
+    add_columns(0, 1, of_first);
+    add_columns(1, grid().across, of_others);
+    const auto first = of_first.solution();
+    const auto others = of_others.solution();
     RecordedWeights fitted;
-    for (std::size_t stage = 0; stage < prediction_stage_count; ++stage) {
-      NormalEquations equations = equations_of(stage);
-      solved[stage] = equations.solution();
-      if (stage == cross) fitted.shift = shift_for(equations);
-    }
-    for (std::size_t stage = 0; stage < prediction_stage_count; ++stage)
-      round(stage, solved[stage], fitted);
+    fitted.shift = of_others.shift();
+    for (std::size_t tap = 0; tap < past_taps; ++tap)
+      fitted.first[tap] = rounded(first[tap], fitted.shift);
+    for (std::size_t tap = 0; tap < most_taps; ++tap)
+      fitted.others[tap] = rounded(others[tap], fitted.shift);
     return fitted;
   }
 
  private:
-  [[nodiscard]] NormalEquations equations_of(std::size_t stage) const {
-    auto groups = groups_of(*frame_.planes, stage);
-    if (fit_ == Fit::quick) thin_out(groups, quick_groups_per_stage);
-    NormalSums sums;
-    loops().fit(frame_, stage, groups, unit_, sums);
-    return {near_taps_of(stage) + past_taps_of(frame_.prediction), sums};
+  [[nodiscard]] const RibbonGrid& grid() const { return prediction_.layout().grid(); }
+
+  // Some groups of rows of these columns, evenly spread.
+  void add_columns(int begin, int end, NormalEquations& equations) const {
+    const int in_column = (grid().along + tap_rows - 1) / tap_rows;
+    const int groups = 3 * (end - begin) * in_column;
+    const int wanted = std::min(groups, most_groups);
+    Taps taps;
+    for (int k = 0; k < wanted; ++k) {
+      const auto group = static_cast<int>(std::int64_t{k} * groups / wanted);
+      const int column = group / in_column;
+      const auto columns = prediction_.columns(begin + column / 3, residuals_);
+      set_taps(columns[static_cast<std::size_t>(column % 3)], tap_rows * (group % in_column), taps);
+      equations.add(taps, unit_);
+    }
   }
 
-  void round(std::size_t stage, const std::array<double, most_taps>& solved,
-             RecordedWeights& fitted) const {
-    const auto rounded = [&](double weight) {
-      constexpr double limit = 1 << 24;
-      return static_cast<std::int32_t>(
-          std::clamp(std::floor(std::ldexp(weight, fitted.shift) + 0.5), -limit, limit));
-    };
-    const auto* past = solved.begin() + near_taps_of(stage);
-    std::transform(solved.begin(), past, fitted.stages[stage].near.begin(), rounded);
-    std::transform(past, past + past_taps_of(frame_.prediction), fitted.stages[stage].past.begin(),
-                   rounded);
+  static std::int32_t rounded(double weight, int shift) {
+    constexpr double limit = 1 << 24;
+    return static_cast<std::int32_t>(
+        std::clamp(std::floor(std::ldexp(weight, shift) + 0.5), -limit, limit));
   }
 
   // Without a quantisation step nothing else tells what restless is.
   [[nodiscard]] float mean_change() const {
     double sum = 0;
-    double count = 0;
-    for (const CellGroup& group : groups_of(*frame_.planes, diagonal))
-      for (std::size_t cell = group.cell; cell < group.cell + group.count; ++cell, ++count)
-        sum += change_at(cell);
-    return static_cast<float>(sum / count + 1e-30);
+    for (const PredictedColumn& column : prediction_.columns(grid().across / 2, residuals_))
+      for (int row = 0; row < column.rows; ++row)
+        for (const int neighbour : {-1, 1})
+          sum += std::abs(static_cast<double>(column.past_motion[row + neighbour]) -
+                          static_cast<double>(column.past_motion[row]));
+    const double mean = sum / (3.0 * grid().along);
+    return static_cast<float>(std::clamp(2 * mean, 1e-30, 1e30));
   }
 
-  [[nodiscard]] double change_at(std::size_t cell) const {
-    double sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto value = [&](std::size_t k) {
-        return static_cast<double>(frame_.reference_values[k][c][cell]);
-      };
-      const bool is_b = frame_.prediction == Prediction::b;
-      sum += is_b ? std::abs((value(3) - value(1)) - (value(0) - value(2)))
-                  : std::abs((value(0) - value(1)) - (value(1) - value(2)));
-    }
-    return sum / 3;
-  }
-
-  const PredictedFrame& frame_;
-  Fit fit_;
-  float unit_ = 1;
+  const FramePrediction& prediction_;
+  Residuals& residuals_;
+  float unit_ = 1;  // of steps
 };
-
-float rounded_middle_weight(double weight) {
-  return static_cast<float>(std::clamp(std::floor(64 * weight + 0.5), -127.0, 127.0) / 64);
-}
 
 }  // namespace
 
-RecordedWeights fit_weights(const PredictedFrame& frame, Fit fit) {
-  return WeightFit(frame, fit).run();
+RecordedWeights fit_weights(const FramePrediction& prediction, Residuals& residuals) {
+  return WeightFit(prediction, residuals).run();
 }
 
-IntraWeights fit_intra_weights(const PolyphasePlanes& planes, const PlaneFields<float>& values) {
-  IntraWeights weights;
-  for (const std::size_t stage : {std::size_t{0}, std::size_t{1}}) {
-    NormalEquations equations(2);
-    const int plane = stage == 0 ? 3 : 1;
-    const int reach = stage == 0 ? 3 : 2;
-    for (int a = 0; a < planes.rows(plane); a += 2)
-      for (int b = 0; b < planes.columns(plane); ++b)
-        for (std::size_t c = 0; c < 3; ++c) {
-          const float* x = values[c].data() + planes.cell(plane, a, b);
-          const auto mean_of = [&](std::initializer_list<std::pair<int, int>> steps) {
-            double sum = 0;
-            for (const auto& [di, dj] : steps)
-              sum += static_cast<double>(x[planes.step(plane, di, dj)]);
-            return sum / static_cast<double>(steps.size());
-          };
-          const double along = stage == 0 ? 0 : mean_of({{-1, 0}, {1, 0}});
-          const double across = stage == 0 ? 0 : mean_of({{0, -1}, {0, 1}});
-          const double middle =
-              stage == 0 ? mean_of({{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}) : (along + across) / 2;
-          const double outer = mean_of({{-reach, -1}, {-reach, 1}, {reach, -1}, {reach, 1}});
-          equations.add({along - across, outer - middle, static_cast<double>(*x) - middle});
-        }
-    const auto solved = equations.solution();
-    weights[stage] = {stage == 0 ? 0.0F : rounded_middle_weight(solved[0]),
-                      rounded_middle_weight(solved[1])};
-  }
-  return weights;
+std::int8_t fit_curvature(const FramePrediction& prediction, Residuals& residuals) {
+  double products = 0;
+  double squares = 1e-30;
+  const RibbonGrid& grid = prediction.layout().grid();
+  for (int j = 1; j < grid.across; ++j)
+    for (const PredictedColumn& column : prediction.columns(j, residuals)) {
+      const auto step = [&](int row) {
+        return static_cast<double>(column.values[row] - column.values[row - column.stride]);
+      };
+      for (int row = 2; row < grid.along; ++row) {
+        const double before = step(row - 1) - step(row - 2);
+        products += (step(row) - step(row - 1)) * before;
+        squares += before * before;
+      }
+    }
+  const double curvature = std::isfinite(products / squares) ? products / squares : 0;
+  return static_cast<std::int8_t>(std::clamp(std::floor(64 * curvature + 0.5), -127.0, 127.0));
 }
 
 }  // namespace ribbon

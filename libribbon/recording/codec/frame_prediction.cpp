@@ -1,75 +1,111 @@
 #include "recording/codec/frame_prediction.h"
 
-#include <cassert>
+#include <algorithm>
+#include <functional>
 
 namespace ribbon {
 
 namespace {
 
-float over_squared(double length) {
-  return 1.0F / static_cast<float>(length * length);
-}
-
-template <class Number>
-Triple<Number*> pointers(PlaneFields<Number>& fields) {
-  return {fields[0].data(), fields[1].data(), fields[2].data()};
-}
-template <class Number>
-Triple<const Number*> pointers(const PlaneFields<Number>& fields) {
-  return {fields[0].data(), fields[1].data(), fields[2].data()};
+float line(float near, float far) {
+  return (near + near) - far;
 }
 
 }  // namespace
 
-FramePrediction::FramePrediction(const CodecParameters& parameters) : planes_(parameters.grid) {
-  for (auto& component : motion_) component.assign(planes_.cells(), 0);
-  const bool uniform = parameters.step_m > 0;
-  const double unit_m = uniform ? static_cast<double>(parameters.step_m) : 1;
-  frame_.uniform = uniform;
-  frame_.over_along_rest_squared =
-      over_squared(parameters.ribbon_length_m / (parameters.grid.along - 1) / unit_m);
-  frame_.over_across_rest_squared =
-      over_squared(parameters.ribbon_width_m / (parameters.grid.across - 1) / unit_m);
+void continue_over_ends(const ParticleColumns& columns, int j, CellValues& values) {
+  const int rows = columns.grid().along;
+  for (auto& component : values) {
+    float* column = &component[columns.cell(0, j)];
+    column[-1] = line(column[0], column[1]);
+    column[rows] = line(column[rows - 1], column[rows - 2]);
+  }
 }
 
-void FramePrediction::begin(Prediction prediction,
-                            std::span<const QuantisedFrame* const> references) {
-  assert(references.empty() || prediction != Prediction::intra);
-  frame_.planes = &planes_;  // anew: the whole may have moved since
-  frame_.prediction = references.empty() ? Prediction::intra : prediction;
-  if (references.empty()) return;
-  // For want of a second frame the first, of a third the second (P) or the first (B), of a fourth
-  // the second.
-  const std::array<std::size_t, 4> instead = {0, 0, prediction == Prediction::p ? 1U : 0U, 1};
-  for (std::size_t k = 0; k < frame_.reference_values.size(); ++k)
-    frame_.reference_values[k] = k < references.size() ? pointers(references[k]->values)
-                                                       : frame_.reference_values[instead[k]];
+void continue_over_sides(const ParticleColumns& columns, CellValues& values) {
+  const int last = columns.grid().across - 1;
+  for (auto& component : values) {
+    const auto at = [&](int j) { return &component[columns.cell(0, j)]; };
+    for (int i = 0; i < columns.grid().along; ++i) {
+      at(-1)[i] = line(at(0)[i], at(1)[i]);
+      at(last + 1)[i] = line(at(last)[i], at(last - 1)[i]);
+    }
+  }
 }
 
-void FramePrediction::set_fields(QuantisedFrame& frame) {
-  frame_.weights = &weights;
-  frame_.intra_weights = &intra_weights;
-  frame_.values = pointers(frame.values);
-  frame_.motion = pointers(motion_);
+void FramePrediction::begin(std::span<const QuantisedFrame* const> references,
+                            QuantisedFrame& frame) {
+  references_ = {};
+  std::copy_n(references.begin(), std::min(references.size(), references_.size()),
+              references_.begin());
+  frame_ = &frame;
+  for (std::size_t c = 0; c < 3; ++c) {
+    frame.values[c].resize(layout_.cells());
+    frame.motion[c].resize(layout_.cells());
+  }
 }
 
-void FramePrediction::decode(Residuals& residuals, QuantisedFrame& frame) {
-  for (auto& component : frame.values) component.resize(planes_.cells());
-  set_fields(frame);
-  frame_.residuals = pointers(residuals);
-  loops().decode(frame_);
-  frame.continue_values();
+void FramePrediction::set_motion() {
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<float>& motion = frame_->motion[c];
+    if (is_intra())
+      std::fill(motion.begin(), motion.end(), 0.0F);
+    else
+      std::transform(frame_->values[c].begin(), frame_->values[c].end(),
+                     references_[0]->values[c].begin(), motion.begin(), std::minus<>());
+  }
+  // As a decoder does it: the difference of continued values may be rounded otherwise.
+  for (int j = 0; j < layout_.grid().across; ++j) continue_over_ends(layout_, j, frame_->motion);
+  continue_over_sides(layout_, frame_->motion);
 }
 
-void FramePrediction::set(QuantisedFrame& frame) {
-  set_fields(frame);
-  loops().set_motion(frame_);
+Triple<PredictedColumn> FramePrediction::columns(int j, Residuals& residuals) const {
+  const std::size_t cell = layout_.cell(0, j);
+  Triple<PredictedColumn> columns;
+  for (std::size_t c = 0; c < 3; ++c) {
+    columns[c] = {.rows = layout_.grid().along,
+                  .stride = static_cast<std::ptrdiff_t>(layout_.stride()),
+                  .is_first = j == 0,
+                  .uniform = uniform_,
+                  .values = &frame_->values[c][cell],
+                  .motion = &frame_->motion[c][cell],
+                  .residuals = residuals.column(c, j)};
+    if (is_intra()) continue;
+    columns[c].past_values = &references_[0]->values[c][cell];
+    columns[c].past_motion = &references_[0]->motion[c][cell];
+    columns[c].older_motion =
+        references_[1] != nullptr ? &references_[1]->motion[c][cell] : &no_motion_[cell];
+  }
+  return columns;
 }
 
-void FramePrediction::encode(Residuals& residuals) {
-  for (auto& component : residuals) component.resize(planes_.cells());
-  frame_.residuals = pointers(residuals);
-  loops().encode(frame_);
+void FramePrediction::decode(Residuals& residuals) {
+  const Weights first = weights.of_first_column();
+  const Weights others = weights.of_others();
+  for (int j = 0; j < layout_.grid().across; ++j) {
+    const auto at = columns(j, residuals);
+    if (is_intra())
+      decode_intra(at, static_cast<float>(curvature) / 64);
+    else
+      for (const PredictedColumn& column : at) ribbon::decode(column, j == 0 ? first : others);
+    continue_over_ends(layout_, j, frame_->values);
+    continue_over_ends(layout_, j, frame_->motion);
+  }
+  continue_over_sides(layout_, frame_->values);
+  if (is_intra()) return set_motion();
+  continue_over_sides(layout_, frame_->motion);
+}
+
+void FramePrediction::encode(Residuals& residuals) const {
+  const Weights first = weights.of_first_column();
+  const Weights others = weights.of_others();
+  for (int j = 0; j < layout_.grid().across; ++j) {
+    const auto at = columns(j, residuals);
+    if (is_intra())
+      encode_intra(at, static_cast<float>(curvature) / 64);
+    else
+      for (const PredictedColumn& column : at) ribbon::encode(column, j == 0 ? first : others);
+  }
 }
 
 }  // namespace ribbon

@@ -1,47 +1,58 @@
 // Values of a frame to residuals and back: what the encoder and the decoder have in common.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "recording/codec/codec_parameters.h"
-#include "recording/codec/frame_loops.h"
+#include "recording/codec/column_loops.h"
+#include "recording/codec/prediction_weights.h"
 #include "recording/codec/quantised_frame.h"
-#include "recording/codec/residual_blocks.h"
+#include "recording/codec/residual_runs.h"
 
 namespace ribbon {
 
-// Keeps its memory between frames.
 class FramePrediction {
  public:
-  explicit FramePrediction(const CodecParameters& parameters);
+  explicit FramePrediction(const CodecParameters& parameters)
+      : layout_(parameters.grid),
+        uniform_(parameters.step_m > 0),
+        no_motion_(layout_.cells()) {}
 
-  // Begins a frame. references: none of them plain, and they must live until it ends; none at all:
-  // it is an intra frame.
-  void begin(Prediction prediction, std::span<const QuantisedFrame* const> references);
+  // Begins a frame. references: the nearest first, of which two count, none of them plain, and all
+  // live until the frame ends; none at all: it is an intra frame. The frame's values and motion get
+  // their cells.
+  void begin(std::span<const QuantisedFrame* const> references, QuantisedFrame& frame);
+  // Makes the motion of a frame whose values are known.
+  void set_motion();
 
-  [[nodiscard]] Prediction prediction() const { return frame_.prediction; }
-  [[nodiscard]] const PolyphasePlanes& planes() const { return planes_; }
+  [[nodiscard]] bool is_intra() const { return references_[0] == nullptr; }
+  [[nodiscard]] bool is_uniform() const { return uniform_; }
+  [[nodiscard]] const ParticleColumns& layout() const { return layout_; }
 
-  Weights weights{};             // of P and B frames
-  IntraWeights intra_weights{};  // of intra frames
+  // Column j of x, y and z.
+  [[nodiscard]] Triple<PredictedColumn> columns(int j, Residuals& residuals) const;
 
-  // Makes the values of `frame` from residuals.
-  void decode(Residuals& residuals, QuantisedFrame& frame);
+  RecordedWeights weights;      // unless it is an intra frame
+  std::int8_t curvature = 0;    // of an intra frame, in 64ths
 
-  // Takes the frame that is to be fitted and encoded.
-  void set(QuantisedFrame& frame);
-  // What it is fitted to, its motion included, borders closed.
-  [[nodiscard]] const PredictedFrame& predicted() const { return frame_; }
-  [[nodiscard]] const PlaneFields<float>& motion() const { return motion_; }
+  // Makes the values of the frame from residuals, borders included.
+  void decode(Residuals& residuals);
   // Makes the residuals of the frame.
-  void encode(Residuals& residuals);
+  void encode(Residuals& residuals) const;
 
  private:
-  void set_fields(QuantisedFrame& frame);
-
-  PolyphasePlanes planes_;
-  PlaneFields<float> motion_;
-  PredictedFrame frame_;
+  ParticleColumns layout_;
+  bool uniform_;
+  std::array<const QuantisedFrame*, 2> references_{};
+  QuantisedFrame* frame_ = nullptr;
+  std::vector<float> no_motion_;  // of frames that there are not
 };
+
+// Continues values in straight lines over the border of a column, and over that of all columns.
+void continue_over_ends(const ParticleColumns& columns, int j, CellValues& values);
+void continue_over_sides(const ParticleColumns& columns, CellValues& values);
 
 }  // namespace ribbon

@@ -9,27 +9,23 @@ namespace {
 
 constexpr int largest_shift = 30;
 
-bool take_weights(std::string_view& bytes, Prediction prediction, Weights& weights) {
+bool take_weights(std::string_view& bytes, RecordedWeights& weights) {
   ByteTaker taker(bytes);
-  RecordedWeights recorded{taker.take<std::uint8_t>(), {}};
+  weights.shift = taker.take<std::uint8_t>();
   bytes = taker.rest();
-  if (!taker.complete() || recorded.shift > largest_shift) return false;
+  if (!taker.complete() || weights.shift > largest_shift) return false;
   bool taken = true;
-  recorded.for_each(prediction, [&](std::int32_t& number) {
+  weights.for_each([&](std::int32_t& number) {
     const auto next = take_varint(bytes);
     taken = taken && next;
     number = unzigzag(next.value_or(0));
   });
-  weights = recorded.weights();
   return taken;
 }
 
-bool take_intra_weights(std::string_view& bytes, IntraWeights& weights) {
+bool take_curvature(std::string_view& bytes, std::int8_t& curvature) {
   ByteTaker taker(bytes);
-  for (MiddleWeights& stage : weights) {
-    stage.pairs = static_cast<float>(taker.take<std::int8_t>()) / 64;
-    stage.outer = static_cast<float>(taker.take<std::int8_t>()) / 64;
-  }
+  curvature = taker.take<std::int8_t>();
   bytes = taker.rest();
   return taker.complete();
 }
@@ -50,18 +46,12 @@ bool PositionDecoder::decode_plain(std::string_view geometry, QuantisedFrame& fr
 bool PositionDecoder::decode_quantised(std::string_view geometry,
                                        std::span<const QuantisedFrame* const> references,
                                        QuantisedFrame& frame) {
-  ByteTaker taker(geometry);
-  const auto prediction = taker.take<std::uint8_t>();
-  geometry = taker.rest();
-  if (!taker.complete() || prediction > static_cast<std::uint8_t>(Prediction::b) ||
-      (prediction == 0) != references.empty())
-    return false;
-  frame_prediction_.begin(static_cast<Prediction>(prediction), references);
-  const bool taken = prediction == 0 ? take_intra_weights(geometry, frame_prediction_.intra_weights)
-                                     : take_weights(geometry, frame_prediction_.prediction(),
-                                                    frame_prediction_.weights);
+  frame_prediction_.begin(references, frame);
+  const bool taken = frame_prediction_.is_intra()
+                         ? take_curvature(geometry, frame_prediction_.curvature)
+                         : take_weights(geometry, frame_prediction_.weights);
   if (!taken || !unpacker_.unpack(geometry, residuals_)) return false;
-  frame_prediction_.decode(residuals_, frame);
+  frame_prediction_.decode(residuals_);
   return frame.is_finite();
 }
 

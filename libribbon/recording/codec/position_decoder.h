@@ -7,7 +7,7 @@
 #include "recording/codec/codec_parameters.h"
 #include "recording/codec/frame_prediction.h"
 #include "recording/codec/quantised_frame.h"
-#include "recording/codec/residual_blocks.h"
+#include "recording/codec/residual_runs.h"
 #include "recording/coding/compression.h"
 
 namespace ribbon {
@@ -18,7 +18,7 @@ class PositionDecoder {
   explicit PositionDecoder(const CodecParameters& parameters)
       : parameters_(parameters),
         frame_prediction_(parameters),
-        unpacker_(frame_prediction_.planes(), parameters.entropy_tables) {}
+        residuals_(parameters.grid) {}
 
   // references: the frames that the encoder had, in its order. False, with `frame` undefined, when
   // the geometry is not valid. `frame` may have been used before: its memory is used again.

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "recording/codec/fit_weights.h"
 #include "recording/coding/bytes.h"
 #include "recording/coding/varint.h"
 
@@ -9,16 +10,9 @@ namespace ribbon {
 
 namespace {
 
-void put_weights(RecordedWeights weights, Prediction prediction, std::string& bytes) {
+void put_weights(RecordedWeights weights, std::string& bytes) {
   put<std::uint8_t>(bytes, static_cast<std::uint8_t>(weights.shift));
-  weights.for_each(prediction, [&](std::int32_t number) { put_varint(bytes, zigzag(number)); });
-}
-
-void put_intra_weights(const IntraWeights& weights, std::string& bytes) {
-  for (const MiddleWeights& stage : weights) {
-    put<std::int8_t>(bytes, static_cast<std::int8_t>(64 * stage.pairs));
-    put<std::int8_t>(bytes, static_cast<std::int8_t>(64 * stage.outer));
-  }
+  weights.for_each([&](std::int32_t number) { put_varint(bytes, zigzag(number)); });
 }
 
 // Of fewer than 2^51 steps; without a call where the processor has no instruction for it.
@@ -29,24 +23,20 @@ double nearest(double steps) {
 
 }  // namespace
 
-void PositionEncoder::set_column(const Eigen::Matrix3Xd& positions, int plane, int b,
+void PositionEncoder::set_column(const Eigen::Matrix3Xd& positions, int j,
                                  QuantisedFrame& frame) const {
-  const PolyphasePlanes& planes = frame_prediction_.planes();
+  const ParticleColumns& columns = frame_prediction_.layout();
   const double over_step = 1 / static_cast<double>(parameters_.step_m);
-  const std::size_t cell = planes.cell(plane, 0, b);
-  const Triple<float*> values = {&frame.values[0][cell], &frame.values[1][cell],
-                                 &frame.values[2][cell]};
-  const int first = parameters_.grid.particle(plane / 2, 2 * b + plane % 2);
-  const double* position = positions.data() + std::ptrdiff_t{3} * first;
-  for (int a = 0; a < planes.rows(plane);
-       ++a, position += std::ptrdiff_t{6} * parameters_.grid.across)
+  const double* position = positions.col(parameters_.grid.particle(0, j)).data();
+  for (int i = 0; i < parameters_.grid.along;
+       ++i, position += std::ptrdiff_t{3} * parameters_.grid.across)
     for (std::size_t c = 0; c < 3; ++c)
-      values[c][a] = static_cast<float>(parameters_.step_m > 0 ? nearest(position[c] * over_step)
-                                                               : position[c]);
+      frame.values[c][columns.cell(i, j)] = static_cast<float>(
+          parameters_.step_m > 0 ? nearest(position[c] * over_step) : position[c]);
+  continue_over_ends(columns, j, frame.values);
 }
 
 std::optional<QuantisedFrame> PositionEncoder::quantised(const Eigen::Matrix3Xd& positions) const {
-  const PolyphasePlanes& planes = frame_prediction_.planes();
   QuantisedFrame frame;
   frame.grid = parameters_.grid;
   frame.step_m = parameters_.step_m;
@@ -54,10 +44,10 @@ std::optional<QuantisedFrame> PositionEncoder::quantised(const Eigen::Matrix3Xd&
       !(positions.cwiseAbs().maxCoeff() <
         (largest_quantised - 1) * static_cast<double>(parameters_.step_m)))
     return std::nullopt;
-  for (auto& component : frame.values) component.resize(planes.cells());
-  for (int plane = 0; plane < PolyphasePlanes::count; ++plane)
-    for (int b = 0; b < planes.columns(plane); ++b) set_column(positions, plane, b, frame);
-  frame.continue_values();
+  const ParticleColumns& columns = frame_prediction_.layout();
+  for (auto& component : frame.values) component.resize(columns.cells());
+  for (int j = 0; j < columns.grid().across; ++j) set_column(positions, j, frame);
+  continue_over_sides(columns, frame.values);
   return frame;
 }
 
@@ -70,21 +60,17 @@ bool PositionEncoder::within_bound(const QuantisedFrame& frame,
   return (decoded.cast<double>() - positions).cwiseAbs().maxCoeff() <= max_error_m_;
 }
 
-std::string PositionEncoder::quantised_geometry(QuantisedFrame& frame, Prediction prediction,
-                                                std::span<const QuantisedFrame* const> references,
-                                                Fit fit) {
-  frame_prediction_.begin(prediction, references);
-  frame_prediction_.set(frame);
+std::string PositionEncoder::quantised_geometry(QuantisedFrame& frame,
+                                                std::span<const QuantisedFrame* const> references) {
+  frame_prediction_.begin(references, frame);
+  frame_prediction_.set_motion();
   std::string bytes;
-  put<std::uint8_t>(bytes, static_cast<std::uint8_t>(frame_prediction_.prediction()));
-  if (frame_prediction_.prediction() == Prediction::intra) {
-    frame_prediction_.intra_weights =
-        fit_intra_weights(frame_prediction_.planes(), frame_prediction_.motion());
-    put_intra_weights(frame_prediction_.intra_weights, bytes);
+  if (frame_prediction_.is_intra()) {
+    frame_prediction_.curvature = fit_curvature(frame_prediction_, residuals_);
+    put<std::int8_t>(bytes, frame_prediction_.curvature);
   } else {
-    const RecordedWeights recorded = fit_weights(frame_prediction_.predicted(), fit);
-    frame_prediction_.weights = recorded.weights();
-    put_weights(recorded, frame_prediction_.prediction(), bytes);
+    frame_prediction_.weights = fit_weights(frame_prediction_, residuals_);
+    put_weights(frame_prediction_.weights, bytes);
   }
   frame_prediction_.encode(residuals_);
   packer_.append(residuals_, bytes);
@@ -122,21 +108,18 @@ Result<QuantisedFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& position
 }
 
 EncodedFrame PositionEncoder::encode_rounded(QuantisedFrame frame,
-                                             std::span<const QuantisedFrame* const> references,
-                                             Prediction prediction, Fit fit) {
+                                             std::span<const QuantisedFrame* const> references) {
   const FrameEncoding encoding = frame.plain ? FrameEncoding::plain : FrameEncoding::quantised;
-  std::string geometry = frame.plain
-                             ? plain_geometry(frame)
-                             : quantised_geometry(frame, prediction, usable(references), fit);
+  std::string geometry =
+      frame.plain ? plain_geometry(frame) : quantised_geometry(frame, usable(references));
   return {encoding, std::move(geometry), std::move(frame)};
 }
 
 Result<EncodedFrame> PositionEncoder::encode(const Eigen::Matrix3Xd& positions,
-                                             std::span<const QuantisedFrame* const> references,
-                                             Prediction prediction) {
+                                             std::span<const QuantisedFrame* const> references) {
   auto frame = rounded(positions);
   if (!frame) return tl::unexpected(std::move(frame.error()));
-  return encode_rounded(*std::move(frame), references, prediction, Fit::quick);
+  return encode_rounded(*std::move(frame), references);
 }
 
 }  // namespace ribbon

@@ -7,11 +7,9 @@
 #include <string>
 
 #include "recording/codec/codec_parameters.h"
-#include "recording/codec/fit_weights.h"
 #include "recording/codec/frame_prediction.h"
-#include "recording/codec/prediction_weights.h"
 #include "recording/codec/quantised_frame.h"
-#include "recording/codec/residual_blocks.h"
+#include "recording/codec/residual_runs.h"
 #include "recording/coding/compression.h"
 #include "result/result.h"
 
@@ -32,7 +30,7 @@ class PositionEncoder {
       : parameters_(parameters),
         max_error_m_(max_error_m),
         frame_prediction_(parameters),
-        packer_(frame_prediction_.planes(), parameters.entropy_tables) {}
+        residuals_(parameters.grid) {}
 
   // What a decoder will make of positions (3 x particles in metres), however they are encoded.
   // Compares it with them, so the bound does not rest on an argument. Fails, with the
@@ -40,28 +38,23 @@ class PositionEncoder {
   // coarse for the bound.
   [[nodiscard]] Result<QuantisedFrame> rounded(const Eigen::Matrix3Xd& positions) const;
 
-  // Positions, rounded and encoded. references: at most most_references decoded frames, in the
-  // order in which the decoder will get them; plain ones, and those after one, are no help.
-  // prediction: how they lie around the frame. Fails where rounded() does.
+  // Positions, rounded and encoded. references: decoded frames, in the order in which the decoder
+  // will get them, the nearest first; plain ones, those after one, and any after the second are no
+  // help. Fails where rounded() does.
   Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions,
-                              std::span<const QuantisedFrame* const> references,
-                              Prediction prediction = Prediction::p);
+                              std::span<const QuantisedFrame* const> references);
 
   // A rounded or a decoded frame: it decodes to the same bits. Plain ones stay plain.
   EncodedFrame encode_rounded(QuantisedFrame frame,
-                              std::span<const QuantisedFrame* const> references,
-                              Prediction prediction, Fit fit);
-
-  // What entropy coding was given for the last frame, of which entropy tables can be made.
-  [[nodiscard]] const SymbolRuns& symbol_runs() const { return packer_.runs(); }
+                              std::span<const QuantisedFrame* const> references);
 
  private:
-  void set_column(const Eigen::Matrix3Xd& positions, int plane, int b, QuantisedFrame& frame) const;
+  void set_column(const Eigen::Matrix3Xd& positions, int j, QuantisedFrame& frame) const;
   [[nodiscard]] std::optional<QuantisedFrame> quantised(const Eigen::Matrix3Xd& positions) const;
   [[nodiscard]] bool within_bound(const QuantisedFrame& frame,
                                   const Eigen::Matrix3Xd& positions) const;
-  std::string quantised_geometry(QuantisedFrame& frame, Prediction prediction,
-                                 std::span<const QuantisedFrame* const> references, Fit fit);
+  std::string quantised_geometry(QuantisedFrame& frame,
+                                 std::span<const QuantisedFrame* const> references);
   std::string plain_geometry(const QuantisedFrame& frame);
 
   CodecParameters parameters_;

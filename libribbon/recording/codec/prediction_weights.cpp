@@ -1,22 +1,30 @@
 #include "recording/codec/prediction_weights.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ribbon {
 
-Weights RecordedWeights::weights() const {
-  const auto scale = [this](const auto& numbers, auto& floats) {
-    std::transform(numbers.begin(), numbers.end(), floats.begin(), [this](std::int32_t number) {
-      return std::ldexp(static_cast<float>(number), -shift);
-    });
-  };
-  Weights result;
-  for (std::size_t stage = 0; stage < prediction_stage_count; ++stage) {
-    scale(stages[stage].near, result[stage].near);
-    scale(stages[stage].past, result[stage].past);
-  }
-  return result;
+namespace {
+
+template <std::size_t count>
+void scale(const std::int32_t* numbers, int shift, std::array<float, count>& weights) {
+  for (std::size_t tap = 0; tap < count; ++tap)
+    weights[tap] = std::ldexp(static_cast<float>(numbers[tap]), -shift);
+}
+
+}  // namespace
+
+Weights RecordedWeights::of_first_column() const {
+  Weights weights;
+  scale(first.data(), shift, weights.past);
+  return weights;
+}
+
+Weights RecordedWeights::of_others() const {
+  Weights weights;
+  scale(others.data(), shift, weights.past);
+  scale(others.data() + past_taps, shift, weights.near);
+  return weights;
 }
 
 }  // namespace ribbon

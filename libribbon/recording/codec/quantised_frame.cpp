@@ -1,33 +1,27 @@
 #include "recording/codec/quantised_frame.h"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
-
-#include "recording/codec/frame_loops.h"
 
 namespace ribbon {
 
 namespace {
 
-// What lies one beyond the end of a straight line through the last two.
-void continue_over_border(const PolyphasePlanes& planes, std::vector<float>& values) {
-  const int along = planes.grid().along;
-  const int across = planes.grid().across;
-  const auto continued = [&](int i, int j, int di, int dj) {
-    values[planes.cell_of(i, j)] =
-        2 * values[planes.cell_of(i + di, j + dj)] - values[planes.cell_of(i + 2 * di, j + 2 * dj)];
-  };
-  for (int j = 0; j < across; ++j) {
-    continued(-1, j, 1, 0);
-    continued(along, j, -1, 0);
+// A few rows after the other, so that they stay at hand until they are complete.
+constexpr int rows_at_a_time = 16;
+
+void put_rows(const QuantisedFrame& frame, int begin, int end, Eigen::Matrix3Xf& positions) {
+  const ParticleColumns columns(frame.grid);
+  const float scale = frame.step_m > 0 ? frame.step_m : 1;
+  for (int j = 0; j < frame.grid.across; ++j) {
+    const std::size_t cell = columns.cell(begin, j);
+    const Triple<const float*> values{&frame.values[0][cell], &frame.values[1][cell],
+                                      &frame.values[2][cell]};
+    float* position = positions.col(frame.grid.particle(begin, j)).data();
+    const std::ptrdiff_t row_length = std::ptrdiff_t{3} * frame.grid.across;
+    for (int k = 0; k < end - begin; ++k, position += row_length)
+      for (std::size_t c = 0; c < 3; ++c) position[c] = values[c][k] * scale;
   }
-  for (const int first : {0, 1})
-    for (const auto& [j, dj] : {std::pair{-1, 1}, {across, -1}}) {
-      float* to = &values[planes.cell_of(first, j)];
-      const float* near = &values[planes.cell_of(first, j + dj)];
-      const float* far = &values[planes.cell_of(first, j + 2 * dj)];
-      for (int a = 0; a < planes.rows(2 * first); ++a) to[a] = 2 * near[a] - far[a];
-    }
 }
 
 }  // namespace
@@ -38,23 +32,18 @@ void QuantisedFrame::positions(Eigen::Matrix3Xf& positions) const {
     return;
   }
   positions.resize(3, grid.particle_count());
-  loops().positions(PolyphasePlanes(grid), {values[0].data(), values[1].data(), values[2].data()},
-                    step_m > 0 ? step_m : 1, positions.data());
-}
-
-void QuantisedFrame::continue_values() {
-  const PolyphasePlanes planes(grid);
-  for (auto& component : values) continue_over_border(planes, component);
+  for (int row = 0; row < grid.along; row += rows_at_a_time)
+    put_rows(*this, row, std::min(row + rows_at_a_time, grid.along), positions);
 }
 
 bool QuantisedFrame::is_finite() const {
   if (step_m > 0) return true;
-  const PolyphasePlanes planes(grid);
+  const ParticleColumns columns(grid);
   bool finite = true;
   for (const auto& component : values)
-    for (int i = 0; i < grid.along; ++i)
-      for (int j = 0; j < grid.across; ++j)
-        finite = finite && std::isfinite(component[planes.cell_of(i, j)]);
+    for (int j = 0; j < grid.across; ++j)
+      for (int i = 0; i < grid.along; ++i)
+        finite = finite && std::isfinite(component[columns.cell(i, j)]);
   return finite;
 }
 

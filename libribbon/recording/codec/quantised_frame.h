@@ -7,7 +7,7 @@
 #include <span>
 
 #include "geometry/ribbon_grid.h"
-#include "recording/codec/polyphase_planes.h"
+#include "recording/codec/particle_columns.h"
 
 namespace ribbon {
 
@@ -19,16 +19,16 @@ struct QuantisedFrame {
   RibbonGrid grid;
   float step_m = 0;  // 0: exact single precision
   // Steps, whole numbers up to largest_quantised in magnitude; metres where the step is 0. By cell
-  // of PolyphasePlanes(grid), continued over the ribbon's border in straight lines.
-  PlaneFields<float> values;
+  // of ParticleColumns(grid), continued over the ribbon's border in straight lines.
+  CellValues values;
+  CellValues motion;  // likewise: values less those of the frame that it was predicted from; 0 for an
+                      // intra frame
   bool plain = false;
   Eigen::Matrix3Xf plain_positions;  // of a plain frame, which has no values
 
   // Resized to 3 x particles, metres.
   void positions(Eigen::Matrix3Xf& positions) const;
 
-  // Continues the values over the border.
-  void continue_values();
   [[nodiscard]] bool is_finite() const;
 };
 

@@ -13,7 +13,9 @@ namespace ribbon {
 // Appends `content`, compressed.
 void put_block(std::string& bytes, std::string_view content);
 
-// The content of the next block; nothing where it does not hold exactly `size` bytes.
-std::optional<std::string> take_block(ByteTaker& taker, std::size_t size);
+// The next block, a table column by column: of so many rows those columns that take row_bytes.
+// Columns that a later version has put behind them are left out. Nothing where there is less, or
+// part of a column.
+std::optional<std::string> take_table(ByteTaker& taker, std::size_t rows, std::size_t row_bytes);
 
 }  // namespace ribbon

@@ -102,87 +102,67 @@ constexpr int window_log = 17;
 }  // namespace
 
 struct SymbolCompressor::State {
-  std::vector<std::unique_ptr<ZSTD_CCtx, FreeContext>>
-      contexts;  // by kind, the last without a table
+  std::unique_ptr<ZSTD_CCtx, FreeContext> context{ZSTD_createCCtx()};
   std::string packed;
 };
 
-SymbolCompressor::SymbolCompressor(std::span<const std::string> tables)
-    : state_(std::make_unique<State>()) {
-  for (std::size_t kind = 0; kind <= tables.size(); ++kind) {
-    state_->contexts.emplace_back(ZSTD_createCCtx());
-    ZSTD_CCtx* context = state_->contexts.back().get();
-    // Entropy coding alone: this level looks for no repetitions, which it takes for a reason not to
-    // code literals either, unless told.
-    ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, ZSTD_minCLevel());
-    ZSTD_CCtx_setParameter(context, ZSTD_c_literalCompressionMode, ZSTD_ps_enable);
-    ZSTD_CCtx_setParameter(context, ZSTD_c_windowLog, window_log);
-    ZSTD_CCtx_setParameter(context, ZSTD_c_contentSizeFlag, 0);
-    ZSTD_CCtx_setParameter(context, ZSTD_c_dictIDFlag, 0);
-    if (kind < tables.size())
-      ZSTD_CCtx_loadDictionary(context, tables[kind].data(), tables[kind].size());
-  }
+SymbolCompressor::SymbolCompressor() : state_(std::make_unique<State>()) {
+  ZSTD_CCtx* context = state_->context.get();
+  // Entropy coding alone: this level looks for no repetitions, which it takes for a reason not to
+  // code literals either, unless told.
+  ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, ZSTD_minCLevel());
+  ZSTD_CCtx_setParameter(context, ZSTD_c_literalCompressionMode, ZSTD_ps_enable);
+  ZSTD_CCtx_setParameter(context, ZSTD_c_windowLog, window_log);
+  ZSTD_CCtx_setParameter(context, ZSTD_c_contentSizeFlag, 0);
 }
 SymbolCompressor::SymbolCompressor(SymbolCompressor&&) noexcept = default;
 SymbolCompressor& SymbolCompressor::operator=(SymbolCompressor&&) noexcept = default;
 SymbolCompressor::~SymbolCompressor() = default;
 
-void SymbolCompressor::append(std::size_t kind, std::string_view symbols, std::string& bytes) {
+void SymbolCompressor::append(std::span<const unsigned char> symbols, std::string& to) {
   if (symbols.empty()) return;
   std::string& packed = state_->packed;
   packed.resize(ZSTD_compressBound(symbols.size()));
-  ZSTD_CCtx* context = state_->contexts[std::min(kind, state_->contexts.size() - 1)].get();
-  const std::size_t size =
-      ZSTD_compress2(context, packed.data(), packed.size(), symbols.data(), symbols.size());
-  assert(ZSTD_isError(size) != 0 || packed.starts_with(frame_start));
+  const std::size_t size = ZSTD_compress2(state_->context.get(), packed.data(), packed.size(),
+                                          symbols.data(), symbols.size());
+  assert(ZSTD_isError(size) == 0 && packed.starts_with(frame_start));
   const std::size_t kept = size - frame_start.size();
-  // No table that is no dictionary makes zstd work.
-  if (ZSTD_isError(size) == 0 && kept < symbols.size()) {
-    put_varint(bytes, static_cast<std::uint32_t>(kept));
-    bytes.append(packed, frame_start.size(), kept);
-  } else {
-    put_varint(bytes, 0);
-    bytes += symbols;
-  }
+  const bool is_shorter = kept < symbols.size();
+  put_varint(to, is_shorter ? static_cast<std::uint32_t>(kept) : 0);
+  if (is_shorter)
+    to.append(packed, frame_start.size(), kept);
+  else
+    to.append(symbols.begin(), symbols.end());
 }
 
 struct SymbolDecompressor::State {
   std::unique_ptr<ZSTD_DCtx, FreeContext> context{ZSTD_createDCtx()};
-  std::vector<std::unique_ptr<ZSTD_DDict, FreeContext>> tables;
   std::string packed{frame_start};
 };
 
-SymbolDecompressor::SymbolDecompressor(std::span<const std::string> tables)
-    : state_(std::make_unique<State>()) {
-  for (const std::string& table : tables)
-    state_->tables.emplace_back(ZSTD_createDDict(table.data(), table.size()));
-}
+SymbolDecompressor::SymbolDecompressor() : state_(std::make_unique<State>()) {}
 SymbolDecompressor::SymbolDecompressor(SymbolDecompressor&&) noexcept = default;
 SymbolDecompressor& SymbolDecompressor::operator=(SymbolDecompressor&&) noexcept = default;
 SymbolDecompressor::~SymbolDecompressor() = default;
 
-bool SymbolDecompressor::take(std::size_t kind, std::string_view& bytes, std::size_t count,
-                              unsigned char* symbols) {
-  if (count == 0) return true;
-  const auto size = take_varint(bytes);
+bool SymbolDecompressor::take(std::string_view& from, std::span<unsigned char> symbols) {
+  if (symbols.empty()) return true;
+  const auto size = take_varint(from);
   if (!size) return false;
-  const std::size_t taken = *size == 0 ? count : *size;
-  if (taken > bytes.size()) return false;
-  const std::string_view run = bytes.substr(0, taken);
-  bytes.remove_prefix(taken);
+  const std::size_t taken = *size == 0 ? symbols.size() : *size;
+  if (taken > from.size()) return false;
+  const std::string_view run = from.substr(0, taken);
+  from.remove_prefix(taken);
   if (*size == 0) {
-    std::memcpy(symbols, run.data(), count);
+    std::memcpy(symbols.data(), run.data(), run.size());
     return true;
   }
   std::string& packed = state_->packed;
   packed.resize(frame_start.size());
   packed += run;
-  const bool has_table = kind < state_->tables.size();
-  const ZSTD_DDict* table = has_table ? state_->tables[kind].get() : nullptr;
-  if (has_table && table == nullptr) return false;
   if (ZSTD_findFrameCompressedSize(packed.data(), packed.size()) != packed.size()) return false;
-  return ZSTD_decompress_usingDDict(state_->context.get(), symbols, count, packed.data(),
-                                    packed.size(), table) == count;
+  return ZSTD_decompressDCtx(state_->context.get(), symbols.data(), symbols.size(), packed.data(),
+                             packed.size()) == symbols.size();
 }
 
 }  // namespace ribbon

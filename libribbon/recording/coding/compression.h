@@ -45,18 +45,16 @@ class Decompressor {
   std::unique_ptr<State> state_;
 };
 
-// Entropy coding of short runs of byte symbols, each kind of run with a table of its own.
-// Keeps its working memory between calls and nothing else.
+// Entropy coding of runs of byte symbols. Keeps its working memory between calls and nothing else.
 class SymbolCompressor {
  public:
-  // tables: a zstd dictionary for each kind of run; kinds beyond have none.
-  explicit SymbolCompressor(std::span<const std::string> tables);
+  SymbolCompressor();
   SymbolCompressor(SymbolCompressor&&) noexcept;
   SymbolCompressor& operator=(SymbolCompressor&&) noexcept;
   ~SymbolCompressor();
 
-  // Appends symbols of a kind to `bytes`: never more than they are themselves.
-  void append(std::size_t kind, std::string_view symbols, std::string& bytes);
+  // Appends a run to `to`: of one symbol or more never more than they are themselves, and a number.
+  void append(std::span<const unsigned char> symbols, std::string& to);
 
  private:
   struct State;
@@ -65,15 +63,14 @@ class SymbolCompressor {
 
 class SymbolDecompressor {
  public:
-  // The tables of the compressor. Those that are no zstd dictionaries make runs unreadable.
-  explicit SymbolDecompressor(std::span<const std::string> tables);
+  SymbolDecompressor();
   SymbolDecompressor(SymbolDecompressor&&) noexcept;
   SymbolDecompressor& operator=(SymbolDecompressor&&) noexcept;
   ~SymbolDecompressor();
 
-  // Takes exactly `count` symbols of a kind off the front of `bytes`; false where they do not begin
+  // Takes a run of exactly as many symbols off the front of `from`; false where it does not begin
   // with such a run.
-  bool take(std::size_t kind, std::string_view& bytes, std::size_t count, unsigned char* symbols);
+  bool take(std::string_view& from, std::span<unsigned char> symbols);
 
  private:
   struct State;

@@ -84,7 +84,7 @@ std::optional<Directory> parse_directory_payload(std::string_view payload,
   if (!taker.complete() || id != recording_id || directory.frames > most_frames(offset) ||
       count > offset / record_head_bytes)
     return std::nullopt;
-  const auto content = take_block(taker, count * row_bytes);
+  const auto content = take_table(taker, count, row_bytes);
   if (!content) return std::nullopt;
   directory.indices.resize(count);
   parse_table(*content, directory.indices);

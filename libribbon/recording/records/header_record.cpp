@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "recording/codec/frame_loops.h"
+#include "recording/codec/column_loops.h"
 #include "recording/coding/bytes.h"
 #include "recording/coding/compression.h"
 
@@ -16,15 +16,9 @@ namespace ribbon {
 
 namespace {
 
-constexpr std::uint16_t major_version = 2;
-constexpr std::uint16_t minor_version = 4;
-constexpr std::uint16_t first_minor_with_limits = 1;
-constexpr std::uint16_t first_minor_with_curve = 2;
-constexpr std::uint16_t first_minor_with_stages = 3;
-// And with the part to certify and the widths of rows.
-constexpr std::uint16_t first_minor_with_marks = 4;
-constexpr std::uint32_t position_codec = 2;
-constexpr std::uint32_t most_entropy_tables = 64;
+constexpr std::uint16_t major_version = 3;
+constexpr std::uint16_t minor_version = 0;
+constexpr std::uint32_t position_codec = 3;
 constexpr std::int64_t most_particles = std::int64_t{1} << 24;
 // Columns have a border, so that many short ones take more memory than their particles.
 constexpr int most_columns = 1 << 20;
@@ -211,6 +205,21 @@ tl::unexpected<Error> damaged() {
   return failure("", "the header is not valid", "use a copy of the recording that is not damaged");
 }
 
+// All versions from 2 on begin alike, as far as the program that wrote them.
+tl::unexpected<Error> other_version(int major, int minor, ByteTaker taker) {
+  taker.take_bytes(3 * sizeof(std::uint32_t) + 5 * sizeof(double));
+  take_string(taker);
+  const std::string writer = take_string(taker);
+  const bool is_told = major > 1 && taker.complete() && !writer.empty();
+  return failure("",
+                 "was written in format version " + std::to_string(major) + "." +
+                     std::to_string(minor) + (is_told ? " by " + writer : "") +
+                     ", this program reads version " + std::to_string(major_version),
+                 major > major_version ? "use a newer program"
+                 : is_told             ? "use that program, or record it again"
+                                       : "record it again");
+}
+
 bool is_positive(double number) {
   return std::isfinite(number) && number > 0;
 }
@@ -281,8 +290,6 @@ std::string header_payload(const RecordingHeader& header) {
   if (header.obstacle) put_obstacle(bytes, *header.obstacle);
   put<double>(bytes, header.stated_gap_m);
   put_axis(bytes, header.centre_axis);
-  assert(header.entropy_tables.size() <= most_entropy_tables);
-  put_strings(bytes, header.entropy_tables);
   put_origin(bytes, header.origin);
   put_limited_edges(bytes, header.limited_edges);
   put<double>(bytes, header.strain_limit);
@@ -300,11 +307,7 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   ByteTaker taker(payload);
   const auto major = taker.take<std::uint16_t>();
   const auto minor = taker.take<std::uint16_t>();  // a newer one only appends
-  if (taker.complete() && major != major_version)
-    return failure("",
-                   "was written in format version " + std::to_string(major) +
-                       ", this program reads version " + std::to_string(major_version),
-                   major > major_version ? "use a newer program" : "record it again");
+  if (taker.complete() && major != major_version) return other_version(major, minor, taker);
   const auto codec = taker.take<std::uint32_t>();
   RecordingHeader header;
   if (codec != position_codec || !take_grid(taker, header.grid)) return damaged();
@@ -321,20 +324,12 @@ Result<RecordingHeader> parse_header_payload(std::string_view payload) {
   if (taker.take<std::uint8_t>() != 0 && !take_obstacle(taker, header.obstacle.emplace()))
     return damaged();
   header.stated_gap_m = taker.take<double>();
-  if (!take_axis(taker, header.centre_axis) ||
-      !take_strings(taker, most_entropy_tables, header.entropy_tables) ||
-      !take_origin(taker, header.origin))
-    return damaged();
-  if (minor >= first_minor_with_limits) {
-    header.limited_edges = take_limited_edges(taker);
-    header.strain_limit = taker.take<double>();
-  }
-  if (minor >= first_minor_with_curve && !take_curve(taker, header.input_curve)) return damaged();
-  if (minor >= first_minor_with_stages && !take_strings(taker, most_stages, header.stages))
-    return damaged();
-  if (minor >= first_minor_with_marks &&
-      (!take_marks(taker, header.marks) || !take_knot_between(taker, header.knot_between) ||
-       !take_row_widths(taker, header.grid, header.ribbon_width_m, header.row_widths_m)))
+  if (!take_axis(taker, header.centre_axis) || !take_origin(taker, header.origin)) return damaged();
+  header.limited_edges = take_limited_edges(taker);
+  header.strain_limit = taker.take<double>();
+  if (!take_curve(taker, header.input_curve) || !take_strings(taker, most_stages, header.stages) ||
+      !take_marks(taker, header.marks) || !take_knot_between(taker, header.knot_between) ||
+      !take_row_widths(taker, header.grid, header.ribbon_width_m, header.row_widths_m))
     return damaged();
   const bool valid = taker.complete() && !header.scene_name.empty() &&
                      is_positive(header.ribbon_length_m) && is_positive(header.ribbon_width_m) &&

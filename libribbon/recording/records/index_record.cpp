@@ -7,7 +7,7 @@ namespace ribbon {
 
 namespace {
 
-constexpr std::size_t frame_row_bytes = 58 + sizeof(float) * tightness_columns.size();
+constexpr std::size_t frame_row_bytes = 51 + sizeof(float) * tightness_columns.size();
 constexpr std::size_t other_row_bytes = 24;
 
 void put_references(std::string& bytes, const std::vector<IndexedFrame>& frames) {
@@ -73,27 +73,8 @@ std::string frame_table(const std::vector<IndexedFrame>& frames) {
   for (const IndexedFrame& frame : frames) put<std::uint32_t>(bytes, frame.record_bytes);
   put_references(bytes, frames);
   put_tightness(bytes, frames);
+  for (const IndexedFrame& frame : frames) put<std::uint8_t>(bytes, frame.numbers.stage);
   return bytes;
-}
-
-// Behind all else, and only where some frame has one.
-void put_stages(std::string& bytes, const std::vector<IndexedFrame>& frames) {
-  std::string stages;
-  bool any = false;
-  for (const IndexedFrame& frame : frames) {
-    put<std::uint8_t>(stages, frame.numbers.stage);
-    any = any || frame.numbers.stage != 0;
-  }
-  if (any) put_block(bytes, stages);
-}
-
-bool take_stages(ByteTaker& taker, std::vector<IndexedFrame>& frames) {
-  if (taker.rest().empty()) return true;
-  const auto content = take_block(taker, frames.size());
-  if (!content || content->size() != frames.size()) return false;
-  ByteTaker stages(*content);
-  for (IndexedFrame& frame : frames) frame.numbers.stage = stages.take<std::uint8_t>();
-  return true;
 }
 
 // From gaps to offsets; false where a frame does not lie before `limit`.
@@ -128,6 +109,7 @@ bool parse_frame_table(std::string_view bytes, std::uint64_t limit,
   for (IndexedFrame& frame : frames) frame.record_bytes = taker.take<std::uint32_t>();
   if (!set_offsets(frames, limit) || !take_references(taker, frames)) return false;
   take_tightness(taker, frames);
+  for (IndexedFrame& frame : frames) frame.numbers.stage = taker.take<std::uint8_t>();
   return taker.complete();
 }
 
@@ -168,7 +150,6 @@ std::string index_payload(std::uint32_t recording_id, const Index& index) {
   put_block(bytes, frame_table(index.frames));
   put<std::uint32_t>(bytes, static_cast<std::uint32_t>(index.others.size()));
   put_block(bytes, table_of_others(index.others));
-  put_stages(bytes, index.frames);
   return bytes;
 }
 
@@ -181,16 +162,15 @@ std::optional<Index> parse_index_payload(std::string_view payload, std::uint32_t
   const auto frames = taker.take<std::uint32_t>();
   if (!taker.complete() || id != recording_id || frames > offset / smallest_frame_record)
     return std::nullopt;
-  const auto frame_content = take_block(taker, frames * frame_row_bytes);
+  const auto frame_content = take_table(taker, frames, frame_row_bytes);
   const auto others = taker.take<std::uint32_t>();
   if (!frame_content || others > offset / record_head_bytes) return std::nullopt;
-  const auto other_content = take_block(taker, others * other_row_bytes);
+  const auto other_content = take_table(taker, others, other_row_bytes);
   if (!other_content) return std::nullopt;
   index.frames.resize(frames);
   index.others.resize(others);
   if (!parse_frame_table(*frame_content, offset, index.frames) ||
-      !parse_table_of_others(*other_content, offset, index.others) ||
-      !take_stages(taker, index.frames))
+      !parse_table_of_others(*other_content, offset, index.others))
     return std::nullopt;
   return index;
 }

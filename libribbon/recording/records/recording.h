@@ -61,8 +61,7 @@ struct RecordingHeader {
   double frames_per_second = 0;
   // Bound on every recorded coordinate; 0: each is the truth rounded to single precision.
   double max_position_error_m = 0;
-  double quantisation_step_m = 0;           // see CodecParameters, and quantisation_step_m()
-  std::vector<std::string> entropy_tables;  // see CodecParameters; at most 64
+  double quantisation_step_m = 0;  // see CodecParameters, and quantisation_step_m()
   std::optional<TriangleMesh> obstacle;
   // The writer guarantees that features that share no vertex (ribbon and ribbon, ribbon and
   // obstacle) are nowhere nearer to each other, in frames as they are decoded. 0: nothing is
@@ -87,8 +86,7 @@ inline RestSize rest_size(const RecordingHeader& header) {
 }
 
 inline CodecParameters codec_parameters(const RecordingHeader& header) {
-  return {header.grid, header.ribbon_length_m, header.ribbon_width_m,
-          static_cast<float>(header.quantisation_step_m), header.entropy_tables};
+  return {header.grid, static_cast<float>(header.quantisation_step_m)};
 }
 
 // How tight a ribbon is that is being fastened.

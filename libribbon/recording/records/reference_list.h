@@ -11,9 +11,9 @@
 
 namespace ribbon {
 
-inline constexpr std::size_t most_references = 4;
+inline constexpr std::size_t most_references = 2;
 
-// Frame numbers, from 0, in the order in which the codec gets them. Holds at most four, in itself:
+// Frame numbers, from 0, in the order in which the codec gets them. Holds at most two, in itself:
 // a long recording has one for each frame.
 class ReferenceList {
  public:

@@ -95,10 +95,10 @@ const QuantisedFrame* RecordingWriter::recent(std::uint32_t frame) const {
 // damage these may be fewer.
 EncodedFrame RecordingWriter::encode(QuantisedFrame quantised, ReferenceList& references) {
   const Timing timing(figures_.encoding_s);
-  for (const std::uint32_t wanted : live_references(frames_))
+  for (const std::uint32_t wanted : references_of(frames_))
     if (recent(wanted) != nullptr) references.push_back(wanted);
   const auto frames = frames_of(references, [this](std::uint32_t frame) { return recent(frame); });
-  return encoder_.encode_rounded(std::move(quantised), frames, Prediction::p, Fit::quick);
+  return encoder_.encode_rounded(std::move(quantised), frames);
 }
 
 void RecordingWriter::remember(QuantisedFrame quantised) {
@@ -182,12 +182,8 @@ Result<void> RecordingWriter::append_checkpoint(std::uint64_t steps, std::string
 }
 
 Result<void> RecordingWriter::append_session(const SessionNote& note) {
-  return append_session(Session{frames_, note});
-}
-
-Result<void> RecordingWriter::append_session(const Session& session) {
-  return write_other(RecordType::session, session.first_frame,
-                     session_payload(recording_id_, session));
+  return write_other(RecordType::session, frames_,
+                     session_payload(recording_id_, Session{frames_, note}));
 }
 
 Result<void> RecordingWriter::sync() {

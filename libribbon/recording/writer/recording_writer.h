@@ -72,8 +72,6 @@ class RecordingWriter {
 
   // The run is taken up again with the next frame.
   Result<void> append_session(const SessionNote& note);
-  // One that lies in the past, of a recording that is copied.
-  Result<void> append_session(const Session& session);
 
   // Waits until all that was appended is on the disk.
   Result<void> sync();

@@ -47,7 +47,7 @@ struct CodecTask {
 };
 
 // Frames are measured in blocks of so many, which codecs cut into groups.
-constexpr int block_frames = 4 * static_cast<int>(live_group_frames);
+constexpr int block_frames = 4 * static_cast<int>(ribbon::group_frames);
 
 // One row of the table. Nothing is made where a codec cannot do the task at all.
 struct CodecRow {
@@ -56,7 +56,7 @@ struct CodecRow {
   std::string name;
   // Settings that are tried: the one that needs fewest bytes and keeps the bound is measured.
   std::vector<Make> settings = {};
-  int group_frames = live_group_frames;  // at most block_frames
+  int group_frames = ribbon::group_frames;  // at most block_frames
 };
 
 }  // namespace ribbon

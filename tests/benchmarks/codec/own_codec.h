@@ -1,13 +1,10 @@
-// The codec of recordings, as rows among others.
+// The codec of recordings, as a row among others.
 #pragma once
-
-#include <vector>
 
 #include "benchmarks/codec/frame_codec.h"
 
 namespace ribbon {
 
-// One row for each way in which recordings choose the references of their frames.
-std::vector<CodecRow> own_rows();
+CodecRow own_row();
 
 }  // namespace ribbon

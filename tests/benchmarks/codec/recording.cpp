@@ -109,8 +109,7 @@ bool compare_codecs(const RecordedMotion& motion, const Options& options, Json& 
   for (const double bound : options.bounds) {
     const CodecTask task{motion.header.grid, motion.header, bound * motion.header.ribbon_length_m,
                          motion.largest_m(), motion.start_m()};
-    for (const CodecRow& row : own_rows())
-      keeps_bounds = measure_row(row, task, bound, blocks, report) && keeps_bounds;
+    keeps_bounds = measure_row(own_row(), task, bound, blocks, report) && keeps_bounds;
     for (const CodecRow& row : peers) measure_row(row, task, bound, blocks, report);
   }
   return keeps_bounds;

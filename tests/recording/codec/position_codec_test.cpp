@@ -21,7 +21,7 @@ namespace ribbon::position_codec_test {
 constexpr double bound_m = 1e-5;
 
 CodecParameters parameters(const RibbonGrid& grid, double max_error_m, double reach_m) {
-  return {grid, 1, 0.1, quantisation_step_m(max_error_m, reach_m), {}};
+  return {grid, quantisation_step_m(max_error_m, reach_m)};
 }
 
 // Encodes and decodes frames as the live profile does.
@@ -32,7 +32,7 @@ class RoundTrip {
 
   // Every coordinate must keep the bound. Returns the geometry.
   EncodedFrame take(const Eigen::Matrix3Xd& truth) {
-    const auto references = frames_of(live_references(static_cast<std::uint32_t>(decoded_.size())),
+    const auto references = frames_of(references_of(static_cast<std::uint32_t>(decoded_.size())),
                                       [this](std::uint32_t k) { return &decoded_[k]; });
     auto encoded = encoder_.encode(truth, references);
     if (!encoded) {

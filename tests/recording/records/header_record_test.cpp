@@ -82,22 +82,16 @@ RecordingHeader without_curve() {
   return header;
 }
 
-// Without a curve the counts of its points and of the stages stand behind the limit of strain, a
-// byte and a number in double precision; then the count of the marks and a
-// byte each for the part and the widths of rows.
+// What stands last in the header of a sample: the count of the marks, then a byte each for the part
+// and the widths of rows. Before it the count of the stages, before that the curve, which is a
+// count where there is none, and before that the limit of strain: a byte and a number.
 constexpr std::size_t count_bytes = 4;
 constexpr std::size_t limit_bytes = 9;
-constexpr std::size_t bytes_of_2_4 = count_bytes + 2;
-
-// As versions before 2.4 wrote it, all but its number.
-std::string payload_of_2_3(const RecordingHeader& header) {
-  const std::string payload = header_payload(header);
-  return payload.substr(0, payload.size() - bytes_of_2_4);
-}
+constexpr std::size_t marks_bytes = count_bytes + 2;
 
 TEST(HeaderRecord, bits_of_edges_that_later_versions_limit_are_ignored) {
   std::string payload = header_payload(without_curve());
-  payload[payload.size() - bytes_of_2_4 - 2 * count_bytes - limit_bytes] = '\xFB';
+  payload[payload.size() - marks_bytes - 2 * count_bytes - limit_bytes] = '\xFB';
   EXPECT_EQ(parse_header_payload(payload)->limited_edges, sample_header().limited_edges);
 }
 
@@ -107,21 +101,11 @@ TEST(HeaderRecord, a_recording_need_not_tell_its_curve) {
   EXPECT_EQ(read->input_curve.cols(), 0);
 }
 
-TEST(HeaderRecord, minor_version_1_tells_no_curve) {
-  std::string payload = payload_of_2_3(without_curve());
-  payload.resize(payload.size() - 2 * count_bytes);
-  EXPECT_FALSE(parse_header_payload(payload).has_value());
-  payload[2] = 1;
-  const auto read = parse_header_payload(payload);
-  ASSERT_TRUE(read.has_value()) << read.error().sentence();
-  EXPECT_EQ(read->limited_edges, sample_header().limited_edges);
-  EXPECT_EQ(read->input_curve.cols(), 0);
-}
-
 // In the place of the count of no points, and what is behind it the last curve that was written.
 bool is_taken_with_curve_points(std::uint32_t count) {
   const std::string with_curve = header_payload(sample_header());
-  const std::size_t count_at = payload_of_2_3(without_curve()).size() - 2 * count_bytes;
+  const std::size_t count_at =
+      header_payload(without_curve()).size() - marks_bytes - 2 * count_bytes;
   std::string bytes;
   put<std::uint32_t>(bytes, count);
   return parse_header_payload(std::string(with_curve).replace(count_at, count_bytes, bytes))
@@ -135,22 +119,12 @@ TEST(HeaderRecord, curve_points_that_are_not_there_are_refused) {
 }
 
 TEST(HeaderRecord, a_curve_of_a_single_point_is_none) {
-  std::string payload = payload_of_2_3(without_curve());
-  payload.resize(payload.size() - 2 * count_bytes);
+  std::string payload = header_payload(without_curve());
+  payload.resize(payload.size() - marks_bytes - 2 * count_bytes);
   put<std::uint32_t>(payload, 1);
   put_block(payload, std::string(3 * sizeof(float), '\0'));
-  payload += std::string(count_bytes + bytes_of_2_4, '\0');
+  payload += std::string(count_bytes + marks_bytes, '\0');
   EXPECT_FALSE(parse_header_payload(payload).has_value());
-}
-
-TEST(HeaderRecord, minor_version_2_has_no_stages) {
-  std::string payload = payload_of_2_3(sample_header());
-  payload.resize(payload.size() - count_bytes);
-  EXPECT_FALSE(parse_header_payload(payload).has_value());
-  payload[2] = 2;
-  const auto read = parse_header_payload(payload);
-  ASSERT_TRUE(read.has_value()) << read.error().sentence();
-  EXPECT_TRUE(read->stages.empty());
 }
 
 TEST(HeaderRecord, stages_come_back_but_not_more_than_a_byte_counts) {
@@ -160,7 +134,7 @@ TEST(HeaderRecord, stages_come_back_but_not_more_than_a_byte_counts) {
   header.stages.assign(255, "x");
   std::string payload = header_payload(header);
   EXPECT_EQ(parse_header_payload(payload)->stages.size(), 255U);
-  const std::size_t count_at = payload.size() - bytes_of_2_4 - std::size_t{255} * 5 - count_bytes;
+  const std::size_t count_at = payload.size() - marks_bytes - std::size_t{255} * 5 - count_bytes;
   payload[count_at + 1] = 1;
   payload[count_at] = 0;
   EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
@@ -192,18 +166,8 @@ TEST(HeaderRecord, places_beyond_the_ribbon_and_more_marks_than_can_be_are_refus
   EXPECT_FALSE(is_taken({}, KnotBetween{{std::numeric_limits<double>::quiet_NaN(), 1}, ""}));
   EXPECT_TRUE(is_taken(std::vector<RecordedMark>(255, {"x", 0.5}), {}));
   std::string payload = header_payload(sample_header());
-  payload[payload.size() - bytes_of_2_4 + 1] = 1;
+  payload[payload.size() - marks_bytes + 1] = 1;
   EXPECT_FALSE(parse_header_payload(payload + std::string(5000, '\0')).has_value());
-}
-
-TEST(HeaderRecord, minor_version_3_has_neither_marks_nor_part) {
-  std::string payload = payload_of_2_3(sample_header());
-  EXPECT_FALSE(parse_header_payload(payload).has_value());
-  payload[2] = 3;
-  const auto read = parse_header_payload(payload);
-  ASSERT_TRUE(read.has_value()) << read.error().sentence();
-  EXPECT_TRUE(read->marks.empty());
-  EXPECT_FALSE(read->knot_between.has_value());
 }
 
 TEST(HeaderRecord, row_widths_come_back_or_are_none) {
@@ -248,46 +212,21 @@ TEST(HeaderRecord, more_or_fewer_row_widths_than_rows_are_refused) {
   }
 }
 
-TEST(HeaderRecord, minor_version_0_names_no_limited_edges) {
-  std::string payload = payload_of_2_3(without_curve());
-  payload.resize(payload.size() - 2 * count_bytes);
-  payload.resize(payload.size() - limit_bytes);
-  EXPECT_FALSE(parse_header_payload(payload).has_value());
-  payload[2] = 0;
-  const auto read = parse_header_payload(payload);
-  ASSERT_TRUE(read.has_value()) << read.error().sentence();
-  EXPECT_EQ(read->limited_edges, LimitedEdges{});
-  EXPECT_EQ(read->strain_limit, 0);
-}
-
 TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
   std::string payload = header_payload(sample_header());
-  payload[0] = 1;
+  payload[0] = 2;
+  payload[2] = 4;
   EXPECT_EQ(refusal_of(parse_header_payload(payload)),
-            "was written in format version 1, this program reads version 2; record it again");
+            "was written in format version 2.4 by tests 1.0, this program reads version 3; use that "
+            "program, or record it again");
+  EXPECT_EQ(refusal_of(parse_header_payload(payload.substr(0, 20))),
+            "was written in format version 2.4, this program reads version 3; record it again");
 }
 
-TEST(HeaderRecord, entropy_tables_and_origin_come_back) {
+TEST(HeaderRecord, the_origin_comes_back) {
   RecordingHeader header = sample_header();
-  header.entropy_tables = {std::string("a\0b", 3), "", std::string(3000, 'x')};
   header.origin = Origin{0xCAFE, "mother", 77, "time.step = 0.01\n"};
-  const auto read = parse_header_payload(header_payload(header)).value();
-  EXPECT_EQ(read.entropy_tables, header.entropy_tables);
-  EXPECT_EQ(read.origin, header.origin);
-}
-
-TEST(HeaderRecord, too_many_entropy_tables_are_refused) {
-  RecordingHeader header = without_curve();
-  header.entropy_tables.resize(64);
-  std::string payload = header_payload(header);
-  EXPECT_TRUE(parse_header_payload(payload).has_value());
-  // 64 empty tables, no origin, the limit of strain, no curve, no stages, no marks and no part
-  // stand behind the count.
-  const std::size_t count_at =
-      payload.size() - bytes_of_2_4 - 2 * count_bytes - limit_bytes - 1 - std::size_t{64} * 4 - 4;
-  ASSERT_EQ(payload[count_at], 64);
-  payload[count_at] = 65;
-  EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
+  EXPECT_EQ(parse_header_payload(header_payload(header))->origin, header.origin);
 }
 
 // Bytes 8 to 15 are the grid's counts.

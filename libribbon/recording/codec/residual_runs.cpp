@@ -1,0 +1,172 @@
+#include "recording/codec/residual_runs.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "parallel/vector_loop.h"
+
+namespace ribbon {
+
+namespace {
+
+constexpr std::array<std::size_t, 4> packed_bytes = {0, block_rows / 4, block_rows / 2, block_rows};
+
+// Low bits are read and written in words that reach beyond them.
+constexpr std::size_t word_bytes = sizeof(std::uint32_t);
+
+[[gnu::always_inline]] inline unsigned char mode_of(const std::uint32_t* block) {
+  std::uint32_t any = 0;
+  for (std::size_t k = 0; k < block_rows; ++k) any |= block[k];
+  const int width = std::bit_width(any);
+  if (width <= 4) return width == 0 ? zeros : width <= 2 ? quads : pairs;
+  return static_cast<unsigned char>(bytes + std::max(width - 8, 0));
+}
+
+// Symbols of so many bits, the first in the lowest bits of a byte.
+template <unsigned bits>
+[[gnu::always_inline]] inline void pack_block(const std::uint32_t* from, unsigned low,
+                                              unsigned char* to) {
+  constexpr unsigned in_a_byte = 8 / bits;
+  for (unsigned byte = 0; byte < block_rows / in_a_byte; ++byte) {
+    std::uint32_t symbols = 0;
+    for (unsigned k = 0; k < in_a_byte; ++k)
+      symbols |= from[byte * in_a_byte + k] >> low << bits * k;
+    to[byte] = static_cast<unsigned char>(symbols);
+  }
+}
+
+template <unsigned bits>
+[[gnu::always_inline]] inline void unpack_block(const unsigned char* from, std::uint32_t* to) {
+  constexpr unsigned in_a_byte = 8 / bits;
+  for (unsigned k = 0; k < block_rows; ++k)
+    to[k] = static_cast<unsigned>(from[k / in_a_byte]) >> bits * (k % in_a_byte) &
+            ((1U << bits) - 1);
+}
+
+// `count` bits each, one directly beside the other, from the lowest bit of each byte on.
+[[gnu::always_inline]] inline void put_low_bits(const std::uint32_t* block, unsigned count,
+                                                unsigned char* to) {
+  const std::uint32_t mask = (std::uint32_t{1} << count) - 1;
+  std::memset(to, 0, block_rows * count / 8);
+  for (std::size_t k = 0; k < block_rows; ++k) {
+    std::uint32_t word = 0;
+    unsigned char* at = to + k * count / 8;
+    std::memcpy(&word, at, word_bytes);
+    word |= (block[k] & mask) << k * count % 8;
+    std::memcpy(at, &word, word_bytes);
+  }
+}
+
+[[gnu::always_inline]] inline void add_low_bits(const unsigned char* from, unsigned count,
+                                                std::uint32_t* to) {
+  const std::uint32_t mask = (std::uint32_t{1} << count) - 1;
+  for (std::size_t k = 0; k < block_rows; ++k) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, from + k * count / 8, word_bytes);
+    to[k] = to[k] << count | (word >> k * count % 8 & mask);
+  }
+}
+
+// Where the next block's bytes are, in each run.
+struct Places {
+  unsigned char* quad;
+  unsigned char* pair;
+  unsigned char* byte;
+  unsigned char* low;
+
+  explicit Places(ResidualRuns& runs)
+      : quad(runs.packed[quads].data()),
+        pair(runs.packed[pairs].data()),
+        byte(runs.packed[bytes].data()),
+        low(runs.low_bits.data()) {}
+};
+
+// Visits all blocks with their place in each run: visit(mode, number of the block, places); what a
+// block takes is then behind them.
+template <class Visit>
+[[gnu::always_inline]] inline void for_each_block(ResidualRuns& runs, const Visit& visit) {
+  Places at(runs);
+  for (std::size_t block = 0; block < runs.modes.size(); ++block) {
+    const unsigned mode = runs.modes[block];
+    visit(mode, block * block_rows, at);
+    if (mode == quads) at.quad += packed_bytes[quads];
+    if (mode == pairs) at.pair += packed_bytes[pairs];
+    if (mode < bytes) continue;
+    at.byte += packed_bytes[bytes];
+    at.low += (mode - bytes) * block_rows / 8;
+  }
+}
+
+}  // namespace
+
+Residuals::Residuals(const RibbonGrid& grid)
+    : column_length_((static_cast<std::size_t>(grid.along) + block_rows - 1) / block_rows *
+                     block_rows),
+      columns_(static_cast<std::size_t>(grid.across)),
+      numbers_(3 * columns_ * column_length_) {}
+
+void ResidualRuns::resize() {
+  std::array<std::size_t, 4> sizes{};
+  low_bytes = 0;
+  for (const unsigned char mode : modes) {
+    const auto run = std::min<unsigned char>(mode, bytes);
+    sizes[run] += packed_bytes[run];
+    low_bytes += mode > bytes ? (mode - std::size_t{bytes}) * block_rows / 8 : 0;
+  }
+  for (const PackingMode run : {quads, pairs, bytes}) packed[run].resize(sizes[run]);
+  low_bits.resize(low_bytes + word_bytes);
+}
+
+void ResidualPacker::append(const Residuals& residuals, std::string& to) {
+  const std::uint32_t* numbers = residuals.numbers().data();
+  runs_.modes.resize(residuals.block_count());
+  vectorised([&]() RIBBON_INLINED {
+    for (std::size_t block = 0; block < runs_.modes.size(); ++block)
+      runs_.modes[block] = mode_of(numbers + block * block_rows);
+  });
+  runs_.resize();
+  vectorised([&]() RIBBON_INLINED {
+    for_each_block(runs_, [&](unsigned mode, std::size_t first, const Places& at) RIBBON_INLINED {
+      const std::uint32_t* block = numbers + first;
+      if (mode == quads) pack_block<2>(block, 0, at.quad);
+      if (mode == pairs) pack_block<4>(block, 0, at.pair);
+      if (mode >= bytes) pack_block<8>(block, mode - bytes, at.byte);
+      if (mode > bytes) put_low_bits(block, mode - bytes, at.low);
+    });
+  });
+  compressor_.append(runs_.modes, to);
+  for (const auto& run : runs_.packed) compressor_.append(run, to);
+  to.append(runs_.low_bits.begin(),
+            runs_.low_bits.begin() + static_cast<std::ptrdiff_t>(runs_.low_bytes));
+}
+
+bool ResidualUnpacker::take_modes(std::string_view& from, std::size_t blocks) {
+  runs_.modes.resize(blocks);
+  return decompressor_.take(from, runs_.modes) &&
+         std::all_of(runs_.modes.begin(), runs_.modes.end(),
+                     [](unsigned char mode) { return mode <= bytes + most_low_bits; });
+}
+
+bool ResidualUnpacker::unpack(std::string_view from, Residuals& residuals) {
+  if (!take_modes(from, residuals.block_count())) return false;
+  runs_.resize();
+  for (auto& run : runs_.packed)
+    if (!decompressor_.take(from, run)) return false;
+  if (from.size() != runs_.low_bytes) return false;
+  std::copy(from.begin(), from.end(), runs_.low_bits.begin());
+  std::uint32_t* numbers = residuals.numbers().data();
+  vectorised([&]() RIBBON_INLINED {
+    for_each_block(runs_, [&](unsigned mode, std::size_t first, const Places& at) RIBBON_INLINED {
+      std::uint32_t* block = numbers + first;
+      if (mode == zeros) std::fill_n(block, block_rows, 0U);
+      if (mode == quads) unpack_block<2>(at.quad, block);
+      if (mode == pairs) unpack_block<4>(at.pair, block);
+      if (mode >= bytes) unpack_block<8>(at.byte, block);
+      if (mode > bytes) add_low_bits(at.low, mode - bytes, block);
+    });
+  });
+  return true;
+}
+
+}  // namespace ribbon
