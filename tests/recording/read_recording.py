@@ -77,7 +77,7 @@ class Header:
         fields = Fields(payload)
         self.recording_id = zlib.crc32(payload)
         self.major, self.minor, self.codec = fields.take("HHI")
-        if self.major != 2:
+        if self.major != 3:
             raise Damaged(f"this is version {self.major} of the format")
         self.along, self.across = fields.take("II")
         self.length_m, self.width_m, self.frames_per_second = fields.take("ddd")
@@ -87,19 +87,16 @@ class Header:
         self.obstacle = self.take_obstacle(fields) if fields.take("B") == 1 else None
         self.stated_gap_m = fields.take("d")
         self.centre_axis = fields.take("6d") if fields.take("B") == 1 else None
-        self.entropy_tables = [fields.string() for _ in range(fields.take("I"))]
         self.origin = self.take_origin(fields) if fields.take("B") == 1 else None
-        edges, self.strain_limit = fields.take("Bd") if self.minor >= 1 else (0, 0.0)
+        edges, self.strain_limit = fields.take("Bd")
         self.limited_edges = {name for bit, name in enumerate(EDGES) if edges >> bit & 1}
-        points = fields.take("I") if self.minor >= 2 else 0
+        points = fields.take("I")
         self.input_curve = self.take_points(fields, points) if points else np.zeros((0, 3), "<f4")
-        stages = fields.take("I") if self.minor >= 3 else 0
-        self.stages = [fields.text() for _ in range(stages)]
-        marks = fields.take("I") if self.minor >= 4 else 0
-        self.marks = [(fields.text(), fields.take("d")) for _ in range(marks)]
-        has_part = self.minor >= 4 and fields.take("B") == 1
+        self.stages = [fields.text() for _ in range(fields.take("I"))]
+        self.marks = [(fields.text(), fields.take("d")) for _ in range(fields.take("I"))]
+        has_part = fields.take("B") == 1
         self.knot_between = (*fields.take("dd"), fields.text()) if has_part else None
-        has_rows = self.minor >= 4 and fields.take("B") == 1
+        has_rows = fields.take("B") == 1
         self.row_widths_m = (
             np.frombuffer(fields.block(), "<f4").astype(float)
             if has_rows
@@ -173,7 +170,7 @@ class Frame:
         self.references = [fields.take("I") for _ in range(references)]
         self.tightness = fields.take("5f") if flags & 1 else None
         self.stage = fields.take("B") if flags & 2 else 0
-        if references > 4 or not fields.at <= geometry_at <= len(payload):
+        if references > 2 or not fields.at <= geometry_at <= len(payload):
             raise Damaged(f"frame {self.frame} contradicts itself")
         self.geometry = payload[geometry_at:]
 
@@ -207,24 +204,23 @@ class Index:
         fields = Fields(payload)
         self.recording_id, self.previous = fields.take("IQ")
         frames = fields.take("I")
-        forms = ["f8", "f8", "u4", "u4", "u4", "u8", "u4", "u1", *["u4"] * 4, "u1", *["f4"] * 5]
+        forms = ["f8", "f8", "u4", "u4", "u4", "u8", "u4", "u1", *["u4"] * 2, "u1", *["f4"] * 5, "u1"]
         rows = list(zip(*columns(fields.block(), frames, forms)))
         others = fields.take("I")
         self.others = list(zip(*columns(fields.block(), others, ["u4", "u4", "u8", "u8"])))
-        stages = fields.block() if fields.at < len(payload) else bytes(frames)
-        self.frames = list(self.placed(rows, stages))
+        self.frames = list(self.placed(rows))
 
     @staticmethod
-    def placed(rows, stages):
+    def placed(rows):
         """(offset, record bytes, numbers as Frame.numbers()) of each frame."""
         frame, end = -1, 0
-        for row, stage in zip(rows, stages, strict=True):
+        for row in rows:
             frame = (frame + row[4] + 1) % 2**32
             begin = end + row[5]
             end = begin + row[6]
             references = [(frame - distance) % 2**32 for distance in row[8 : 8 + row[7]]]
-            tightness = row[13:18] if row[12] else None
-            yield begin, row[6], (*row[:4], frame, references, tightness, stage)
+            tightness = row[11:16] if row[10] else None
+            yield begin, row[6], (*row[:4], frame, references, tightness, row[16])
 
 
 class Recording:
