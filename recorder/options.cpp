@@ -69,9 +69,8 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   RecorderOptions options;
   Arguments arguments("ribbon-record", "Fastens the ribbon of a scene and records every frame.",
                       RIBBON_VERSION, examples);
-  const auto input =
-      arguments.add("SCENE", options.input, "FILE",
-                    "the scene (.toml); with --from, the recording (.rbn)");
+  const auto input = arguments.add("SCENE", options.input, "FILE",
+                                   "the scene (.toml); with --from, the recording (.rbn)");
   const auto output =
       arguments.add("-o,--output", options.recording, "FILE", "the recording to write (.rbn)");
   std::filesystem::path resumed;

@@ -3,11 +3,14 @@
 
 #include "parallel/instruction_set.h"
 
-// Stands before a loop over lanes whose rounds do not depend on each other. Clang finds out itself.
+// Stands before a loop over lanes whose rounds do not depend on each other. Clang finds out itself,
+// and chooses the width of registers itself.
 #ifdef __clang__
 #define RIBBON_EACH_LANE
+#define RIBBON_WIDE
 #else
 #define RIBBON_EACH_LANE _Pragma("GCC ivdep")
+#define RIBBON_WIDE ",prefer-vector-width=512"
 #endif
 
 // Stands behind the parameters of a lambda that vectorised() runs.
@@ -21,8 +24,8 @@ template <class Loops>
   loops();
 }
 template <class Loops>
-[[gnu::target("avx512f,avx512vl,avx512bw,avx512dq,prefer-vector-width=512")]] void
-sixteen_lanes_at_a_time(const Loops& loops) {
+[[gnu::target("avx512f,avx512vl,avx512bw,avx512dq" RIBBON_WIDE)]] void sixteen_lanes_at_a_time(
+    const Loops& loops) {
   loops();
 }
 #endif

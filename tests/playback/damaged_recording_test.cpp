@@ -19,8 +19,8 @@
 #include "recording/records/header_record.h"
 #include "recording/records/record_head.h"
 #include "recording/sample_recording.h"
-#include "recording/writer/references.h"
 #include "recording/writer/recording_writer.h"
+#include "recording/writer/references.h"
 #include "result/refusal.h"
 
 namespace ribbon::damaged_recording_test {

@@ -108,8 +108,7 @@ void write_golden(const std::filesystem::path& path) {
     if (frame == 30) {
       ASSERT_TRUE(writer->append_session(golden_session.note).has_value());
     }
-    ASSERT_TRUE(
-        writer->append(golden_numbers(frame), golden_positions(frame)).has_value());
+    ASSERT_TRUE(writer->append(golden_numbers(frame), golden_positions(frame)).has_value());
     if (frame == 25) {
       ASSERT_TRUE(writer->append_checkpoint(golden_checkpoint.steps, golden_checkpoint.state));
     }
@@ -182,10 +181,8 @@ TEST_P(GoldenVersions, every_bit_of_its_positions_is_known) {
   EXPECT_EQ(checksum(bytes), 0xEEB48FBBU);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions,
-                         testing::Values("3.0"),
-                         [](const auto& version) {
-                           return "v" + version.param.substr(0, 1) + "_" + version.param.substr(2);
-                         });
+INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("3.0"), [](const auto& version) {
+  return "v" + version.param.substr(0, 1) + "_" + version.param.substr(2);
+});
 
 }  // namespace ribbon::golden_test

@@ -20,8 +20,8 @@ using Floats = const float*;
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
-// Residuals 1, 3, 5, ... are 1, 2, 3, ... away on the nearer side, 2, 4, ... on the other. below: -1
-// where the nearer side is below, else 0.
+// Residuals 1, 3, 5, ... are 1, 2, 3, ... away on the nearer side, 2, 4, ... on the other. below:
+// -1 where the nearer side is below, else 0.
 [[gnu::always_inline]] inline std::int32_t offset_of(std::uint32_t residual, std::int32_t below) {
   const auto half = static_cast<std::int32_t>((residual >> 1U) + (residual & 1U));
   const std::int32_t flip = (static_cast<std::int32_t>(residual & 1U) - 1) ^ below;
@@ -84,7 +84,8 @@ struct Decoding {
       value = in_exact_range(sum_of(sum_of(static_cast<std::int32_t>(reference), near.number),
                                     offset_of(residual, near.below)));
     } else {
-      value = value_at(sum_of(ordinal_of_prediction(reference + predicted), offset_of(residual, 0)));
+      value =
+          value_at(sum_of(ordinal_of_prediction(reference + predicted), offset_of(residual, 0)));
     }
     column.values[row] = value;
     column.motion[row] = value - reference;

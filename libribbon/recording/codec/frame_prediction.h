@@ -17,9 +17,7 @@ namespace ribbon {
 class FramePrediction {
  public:
   explicit FramePrediction(const CodecParameters& parameters)
-      : layout_(parameters.grid),
-        uniform_(parameters.step_m > 0),
-        no_motion_(layout_.cells()) {}
+      : layout_(parameters.grid), uniform_(parameters.step_m > 0), no_motion_(layout_.cells()) {}
 
   // Begins a frame. references: the nearest first, of which two count, none of them plain, and all
   // live until the frame ends; none at all: it is an intra frame. The frame's values and motion get
@@ -35,8 +33,8 @@ class FramePrediction {
   // Column j of x, y and z.
   [[nodiscard]] Triple<PredictedColumn> columns(int j, Residuals& residuals) const;
 
-  RecordedWeights weights;      // unless it is an intra frame
-  std::int8_t curvature = 0;    // of an intra frame, in 64ths
+  RecordedWeights weights;    // unless it is an intra frame
+  std::int8_t curvature = 0;  // of an intra frame, in 64ths
 
   // Makes the values of the frame from residuals, borders included.
   void decode(Residuals& residuals);

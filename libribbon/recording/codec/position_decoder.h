@@ -16,9 +16,7 @@ namespace ribbon {
 class PositionDecoder {
  public:
   explicit PositionDecoder(const CodecParameters& parameters)
-      : parameters_(parameters),
-        frame_prediction_(parameters),
-        residuals_(parameters.grid) {}
+      : parameters_(parameters), frame_prediction_(parameters), residuals_(parameters.grid) {}
 
   // references: the frames that the encoder had, in its order. False, with `frame` undefined, when
   // the geometry is not valid. `frame` may have been used before: its memory is used again.

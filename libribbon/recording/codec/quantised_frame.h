@@ -21,8 +21,8 @@ struct QuantisedFrame {
   // Steps, whole numbers up to largest_quantised in magnitude; metres where the step is 0. By cell
   // of ParticleColumns(grid), continued over the ribbon's border in straight lines.
   CellValues values;
-  CellValues motion;  // likewise: values less those of the frame that it was predicted from; 0 for an
-                      // intra frame
+  CellValues motion;  // likewise: values less those of the frame that it was predicted from; 0 for
+                      // an intra frame
   bool plain = false;
   Eigen::Matrix3Xf plain_positions;  // of a plain frame, which has no values
 

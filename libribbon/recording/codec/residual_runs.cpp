@@ -40,8 +40,8 @@ template <unsigned bits>
 [[gnu::always_inline]] inline void unpack_block(const unsigned char* from, std::uint32_t* to) {
   constexpr unsigned in_a_byte = 8 / bits;
   for (unsigned k = 0; k < block_rows; ++k)
-    to[k] = static_cast<unsigned>(from[k / in_a_byte]) >> bits * (k % in_a_byte) &
-            ((1U << bits) - 1);
+    to[k] =
+        static_cast<unsigned>(from[k / in_a_byte]) >> bits * (k % in_a_byte) & ((1U << bits) - 1);
 }
 
 // `count` bits each, one directly beside the other, from the lowest bit of each byte on.

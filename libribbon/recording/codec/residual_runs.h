@@ -35,8 +35,8 @@ class Residuals {
   std::vector<std::uint32_t> numbers_;
 };
 
-// How a block is packed: not at all, because all are 0; four or two in a byte; one in a byte without
-// its n lowest bits, which follow elsewhere: bytes + n.
+// How a block is packed: not at all, because all are 0; four or two in a byte; one in a byte
+// without its n lowest bits, which follow elsewhere: bytes + n.
 enum PackingMode : std::uint8_t { zeros = 0, quads = 1, pairs = 2, bytes = 3 };
 inline constexpr std::size_t most_low_bits = 24;
 

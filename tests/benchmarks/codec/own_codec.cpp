@@ -71,10 +71,9 @@ class OwnCodec : public FrameCodec {
 }  // namespace
 
 CodecRow own_row() {
-  return {.name = "ribbon",
-          .settings = {[](const CodecTask& task) -> std::unique_ptr<FrameCodec> {
-            return std::make_unique<OwnCodec>(task);
-          }}};
+  return {.name = "ribbon", .settings = {[](const CodecTask& task) -> std::unique_ptr<FrameCodec> {
+                              return std::make_unique<OwnCodec>(task);
+                            }}};
 }
 
 }  // namespace ribbon

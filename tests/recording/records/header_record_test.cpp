@@ -216,9 +216,10 @@ TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
   std::string payload = header_payload(sample_header());
   payload[0] = 2;
   payload[2] = 4;
-  EXPECT_EQ(refusal_of(parse_header_payload(payload)),
-            "was written in format version 2.4 by tests 1.0, this program reads version 3; use that "
-            "program, or record it again");
+  EXPECT_EQ(
+      refusal_of(parse_header_payload(payload)),
+      "was written in format version 2.4 by tests 1.0, this program reads version 3; use that "
+      "program, or record it again");
   EXPECT_EQ(refusal_of(parse_header_payload(payload.substr(0, 20))),
             "was written in format version 2.4, this program reads version 3; record it again");
 }
