@@ -1,13 +1,11 @@
 // Whatever the bytes of a file, the reader tells what is there and never falls over it.
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <Eigen/Core>
 #include <map>
 #include <span>
 #include <string>
 
 #include "continuation/resume_recording.h"
+#include "fuzz/memory_file.h"
 #include "fuzz/must.h"
 #include "fuzz/repaired_checksums.h"
 #include "playback/recording_reader.h"
@@ -17,25 +15,6 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace ribbon {
 namespace {
-
-// A file without a name.
-class MemoryFile {
- public:
-  MemoryFile() : descriptor_(memfd_create("recording", 0)) {
-    must(descriptor_ >= 0, "there are files in memory");
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { close(descriptor_); }
-
-  void append(const std::uint8_t* data, std::size_t size) const {
-    must(write(descriptor_, data, size) == static_cast<ssize_t>(size), "memory files take bytes");
-  }
-  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-
- private:
-  int descriptor_;
-};
 
 using Frames = std::map<int, Eigen::Matrix3Xf>;
 
@@ -79,7 +58,7 @@ Frames frames_of_checked(const std::string& path) {
 // it is whole.
 Frames frames_while_growing(std::span<const std::uint8_t> data) {
   const std::size_t first = data.size() * data.back() / 256;
-  const MemoryFile file;
+  const MemoryFile file("recording");
   file.append(data.data(), first);
   auto reader = RecordingReader::open(file.path());
   if (!reader) return {};
@@ -96,7 +75,7 @@ void check_resuming(std::span<const std::uint8_t> data, const RibbonGrid& grid,
                     const Frames& before) {
   constexpr int most_particles = 1000;
   if (grid.particle_count() > most_particles) return;
-  const MemoryFile file;
+  const MemoryFile file("recording");
   file.append(data.data(), data.size());
   auto writer = resume_recording(file.path());
   if (!writer) return;
@@ -128,7 +107,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 // libFuzzer gives the name. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ribbon;
-  const MemoryFile file;
+  const MemoryFile file("recording");
   file.append(data, size);
   auto reader = RecordingReader::open(file.path());
   if (!reader) return 0;
