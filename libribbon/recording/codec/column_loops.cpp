@@ -1,7 +1,7 @@
 #include "recording/codec/column_loops.h"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 #include "parallel/vector_loop.h"
@@ -47,17 +47,18 @@ struct Nearest {
   steps = steps > -largest ? steps : -largest;  // what is no number, too
   steps = steps < largest ? steps : largest;
   const float shifted = steps + whole_from;
-  return {std::bit_cast<std::int32_t>(shifted) - std::bit_cast<std::int32_t>(whole_from),
+  return {Eigen::numext::bit_cast<std::int32_t>(shifted) -
+              Eigen::numext::bit_cast<std::int32_t>(whole_from),
           steps < shifted - whole_from ? -1 : 0};
 }
 
 // The ordinal of a value among all of single precision, and back.
 [[gnu::always_inline]] inline std::int32_t ordinal_of(float value) {
-  const auto bits = std::bit_cast<std::int32_t>(value);
+  const auto bits = Eigen::numext::bit_cast<std::int32_t>(value);
   return bits ^ ((bits >> 31) & 0x7FFFFFFF);
 }
 [[gnu::always_inline]] inline float value_at(std::int32_t ordinal) {
-  return std::bit_cast<float>(ordinal ^ ((ordinal >> 31) & 0x7FFFFFFF));
+  return Eigen::numext::bit_cast<float>(ordinal ^ ((ordinal >> 31) & 0x7FFFFFFF));
 }
 [[gnu::always_inline]] inline std::int32_t ordinal_of_prediction(float value) {
   constexpr float largest = std::numeric_limits<float>::max();

@@ -18,7 +18,7 @@ constexpr std::size_t word_bytes = sizeof(std::uint32_t);
 [[gnu::always_inline]] inline unsigned char mode_of(const std::uint32_t* block) {
   std::uint32_t any = 0;
   for (std::size_t k = 0; k < block_rows; ++k) any |= block[k];
-  const int width = std::bit_width(any);
+  const auto width = static_cast<int>(std::bit_width(any));
   if (width <= 4) return width == 0 ? zeros : width <= 2 ? quads : pairs;
   return static_cast<unsigned char>(bytes + std::max(width - 8, 0));
 }

@@ -27,7 +27,6 @@ constexpr int largest_window_log = 23;
 struct FreeContext {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
   void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
-  void operator()(ZSTD_DDict* table) const { ZSTD_freeDDict(table); }
 };
 
 }  // namespace
