@@ -76,10 +76,10 @@ def table(head, rows):
 
 
 def own_tables(figures):
-    """Every profile of our own at every bound."""
+    """Our own codec at every bound."""
     samples = [recording["name"] for recording in figures.recordings]
     names = [name.removeprefix("overhand-").removesuffix("-16x400") for name in samples]
-    head = ["profile", "bound", *names, "mean", "encode, GB/s", "decode, GB/s", "worst error / bound"]
+    head = ["codec", "bound", *names, "mean", "encode, GB/s", "decode, GB/s", "worst error / bound"]
     rows = []
     for codec in (c for c in figures.codecs if c.startswith("ribbon")):
         for bound in figures.bounds:
