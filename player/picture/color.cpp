@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace ribbon {
@@ -53,14 +54,17 @@ std::uint8_t srgb_byte(float linear) {
 
 void srgb_bytes(const Color* colors, std::size_t count, std::uint8_t* rgb) {
   const ByteTable& table = byte_table();
-  for (std::size_t i = 0; i < count; ++i, rgb += 3) {
+  const Color* const end = colors + count;
+  while (colors != end) {
     // Most pixels show the backdrop, which is the same along a row.
-    if (i > 0 && (colors[i] == colors[i - 1]).all())
-      std::copy_n(rgb - 3, 3, rgb);
-    else
-      for (std::size_t channel = 0; channel < 3; ++channel)
-        rgb[channel] =
-            static_cast<std::uint8_t>(table.byte(colors[i][static_cast<Eigen::Index>(channel)]));
+    const Color& color = *colors;
+    const Color* const other = std::find_if(colors + 1, end, [&](const Color& next) {
+      return std::memcmp(next.data(), color.data(), 3 * sizeof(float)) != 0;
+    });
+    const std::array bytes{static_cast<std::uint8_t>(table.byte(color[0])),
+                           static_cast<std::uint8_t>(table.byte(color[1])),
+                           static_cast<std::uint8_t>(table.byte(color[2]))};
+    for (; colors != other; ++colors, rgb += 3) std::copy(bytes.begin(), bytes.end(), rgb);
   }
 }
 

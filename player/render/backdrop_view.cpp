@@ -5,8 +5,11 @@
 namespace ribbon {
 
 BackdropView::BackdropView(const Backdrop& backdrop, const Camera& camera, PictureSize size)
-    : backdrop_(backdrop), size_(size) {
-  if (!backdrop.environment) return;
+    : width_(static_cast<std::size_t>(size.width)) {
+  if (!backdrop.environment) {
+    for (int y = 0; y < size.height; ++y) rows_.push_back(backdrop.at(y, size.height));
+    return;
+  }
   pixels_.resize(size.pixel_count());
   const auto width = static_cast<float>(size.width);
   const auto height = static_cast<float>(size.height);

@@ -13,18 +13,17 @@ namespace ribbon {
 // the others show the same.
 class BackdropView {
  public:
-  // Keeps a reference to `backdrop`.
   BackdropView(const Backdrop& backdrop, const Camera& camera, PictureSize size);
 
   [[nodiscard]] Color at(int x, int y) const {
-    if (pixels_.empty()) return backdrop_.at(y, size_.height);
-    return pixels_[static_cast<std::size_t>(y) * size_.width + x];
+    if (pixels_.empty()) return rows_[static_cast<std::size_t>(y)];
+    return pixels_[static_cast<std::size_t>(y) * width_ + x];
   }
 
  private:
-  const Backdrop& backdrop_;
-  PictureSize size_;
-  std::vector<Color> pixels_;  // of an environment; empty: it is the same along a row
+  std::size_t width_;
+  std::vector<Color> rows_;    // where it is the same along a row
+  std::vector<Color> pixels_;  // of an environment
 };
 
 }  // namespace ribbon
