@@ -29,7 +29,7 @@ RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages, Ribb
   const auto length = static_cast<float>(header.ribbon_length_m / header.ribbon_width_m);
   for (int vertex = 0; vertex < ribbon_.vertices.cols(); ++vertex) {
     const Eigen::Vector2f uv = header.uv.col(particle_of(grid_, vertex));
-    hit_ribbon_.corners()[static_cast<std::size_t>(vertex)].texture = {uv.x() * length, uv.y()};
+    hit_ribbon_.corners()[static_cast<std::size_t>(vertex)].set_texture(uv.x() * length, uv.y());
   }
   if (!header.obstacle || header.obstacle->triangles.cols() == 0) return;
   obstacle_ = creased_surface(*header.obstacle);
@@ -54,8 +54,8 @@ void RenderScene::color_ribbon(const std::vector<float>& places, const ColorMap&
   assert(static_cast<int>(places.size()) == grid_.particle_count());
   auto& corners = hit_ribbon_.corners();
   for (std::size_t vertex = 0; vertex < corners.size(); ++vertex)
-    corners[vertex].texture = {
-        places[static_cast<std::size_t>(particle_of(grid_, static_cast<int>(vertex)))], 0};
+    corners[vertex].set_texture(
+        places[static_cast<std::size_t>(particle_of(grid_, static_cast<int>(vertex)))], 0);
   map_ = map;
 }
 

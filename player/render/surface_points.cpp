@@ -1,5 +1,7 @@
 #include "player/render/surface_points.h"
 
+#include <xmmintrin.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -20,44 +22,73 @@ struct Vectors {
   Row x, y, z;
 };
 
-LaneVector vector_of(const std::array<float, 3>& numbers) {
-  return {numbers[0], numbers[1], numbers[2]};
-}
+// Numbers are copied four at a time, of four lanes at a time.
+constexpr std::size_t four = 4;
+static_assert(group_size % four == 0);
 
 // What rays met, not yet interpolated.
 struct alignas(64) Group {
-  struct Corners {
-    Vectors position;
-    Vectors normal;
-    Row texture_x, texture_y;
-    Row weight;
-  };
-  std::array<Corners, 3> corners;
-  Vectors facet;
+  // As they lie in a corner: its position, its normal, its place in the texture.
+  using Corner = std::array<Row, 2 * four>;
+  std::array<Corner, 3> corners;
+  std::array<Row, four> facet;  // the fourth is nothing
+  Row weight_b;                 // of the second corner
+  Row weight_c;                 // and of the third
   Vectors origin;
   Vectors direction;
   float spread = 0;  // of the rays, in units of the texture
   std::size_t count = 0;
 };
 
+[[gnu::always_inline]] inline LaneVector vector_of(const Row* rows, std::size_t lane) {
+  return {rows[0][lane], rows[1][lane], rows[2][lane]};
+}
+
+// Number n of from[l] goes to lane first + l of rows[n].
+void lay_side_by_side(const std::array<const float*, four>& from, Row* rows, std::size_t first) {
+  __m128 a = _mm_loadu_ps(from[0]);
+  __m128 b = _mm_loadu_ps(from[1]);
+  __m128 c = _mm_loadu_ps(from[2]);
+  __m128 d = _mm_loadu_ps(from[3]);
+  _MM_TRANSPOSE4_PS(a, b, c, d);
+  _mm_store_ps(rows[0].data() + first, a);
+  _mm_store_ps(rows[1].data() + first, b);
+  _mm_store_ps(rows[2].data() + first, c);
+  _mm_store_ps(rows[3].data() + first, d);
+}
+
+void gather_four(const std::vector<HitSurface::Corner>& corners,
+                 const std::array<const HitSurface::Triangle*, four>& met, std::size_t first,
+                 Group& group) {
+  std::array<const float*, four> from{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t l = 0; l < four; ++l)
+      from[l] = corners[static_cast<std::size_t>(met[l]->corners[c])].numbers.data();
+    Row* const rows = group.corners[c].data();
+    lay_side_by_side(from, rows, first);
+    for (const float*& numbers : from) numbers += four;
+    lay_side_by_side(from, rows + four, first);
+  }
+  for (std::size_t l = 0; l < four; ++l) from[l] = met[l]->facet.data();
+  lay_side_by_side(from, group.facet.data(), first);
+}
+
+// Lanes beyond the last repeat it.
 void gather(const std::vector<HitSurface::Corner>& corners,
             const std::vector<HitSurface::Triangle>& triangles, const RayBatch& rays,
             const HitBatch& hits, const std::uint16_t* lanes, Group& group) {
-  for (std::size_t i = 0; i < group.count; ++i) {
-    const std::size_t lane = lanes[i];
-    const HitSurface::Triangle& triangle = triangles[hits.triangle[lane]];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const HitSurface::Corner& corner = corners[static_cast<std::size_t>(triangle.corners[c])];
-      set_lane(group.corners[c].position, i, vector_of(corner.position));
-      set_lane(group.corners[c].normal, i, vector_of(corner.normal));
-      group.corners[c].texture_x[i] = corner.texture[0];
-      group.corners[c].texture_y[i] = corner.texture[1];
+  for (std::size_t first = 0; first < group.count; first += four) {
+    std::array<const HitSurface::Triangle*, four> met{};
+    for (std::size_t l = 0; l < four; ++l) {
+      const std::size_t i = first + l;
+      const std::size_t lane = lanes[std::min(i, group.count - 1)];
+      met[l] = &triangles[hits.triangle[lane]];
+      group.weight_b[i] = hits.u[lane];
+      group.weight_c[i] = hits.v[lane];
+      set_lane(group.origin, i, lane_of(rays.origin, lane));
+      set_lane(group.direction, i, lane_of(rays.direction, lane));
     }
-    group.corners[1].weight[i] = hits.u[lane];
-    group.corners[2].weight[i] = hits.v[lane];
-    set_lane(group.facet, i, vector_of(triangle.facet));
-    set_lane(group.origin, i, lane_of(rays.origin, lane));
-    set_lane(group.direction, i, lane_of(rays.direction, lane));
+    gather_four(corners, met, first, group);
   }
 }
 
@@ -83,27 +114,27 @@ void gather(const std::vector<HitSurface::Corner>& corners,
 
 void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceBatch& batch,
                  std::size_t look, LookBatch& looks) {
-  const Group::Corners& a = group.corners[0];
-  const Group::Corners& b = group.corners[1];
-  const Group::Corners& c = group.corners[2];
+  const Group::Corner& a = group.corners[0];
+  const Group::Corner& b = group.corners[1];
+  const Group::Corner& c = group.corners[2];
   vectorised([&]() RIBBON_INLINED {
     RIBBON_EACH_LANE
     for (std::size_t i = 0; i < group.count; ++i) {
-      const float wb = b.weight[i];
-      const float wc = c.weight[i];
+      const float wb = group.weight_b[i];
+      const float wc = group.weight_c[i];
       const float wa = 1 - wb - wc;
       const auto mean = [&](LaneVector at_a, LaneVector at_b, LaneVector at_c)
                             RIBBON_INLINED { return wa * at_a + wb * at_b + wc * at_c; };
       const LaneVector towards = lane_of(group.direction, i);
-      const LaneVector outer = lane_of(group.facet, i);
+      const LaneVector outer = vector_of(group.facet.data(), i);
       const float side = dot(outer, towards) < 0 ? 1.0F : -1.0F;
       const LaneVector facet = side * outer;
-      const LaneVector normal_a = side * lane_of(a.normal, i);
-      const LaneVector normal_b = side * lane_of(b.normal, i);
-      const LaneVector normal_c = side * lane_of(c.normal, i);
-      const LaneVector corner_a = lane_of(a.position, i);
-      const LaneVector corner_b = lane_of(b.position, i);
-      const LaneVector corner_c = lane_of(c.position, i);
+      const LaneVector normal_a = side * vector_of(&a[3], i);
+      const LaneVector normal_b = side * vector_of(&b[3], i);
+      const LaneVector normal_c = side * vector_of(&c[3], i);
+      const LaneVector corner_a = vector_of(a.data(), i);
+      const LaneVector corner_b = vector_of(b.data(), i);
+      const LaneVector corner_c = vector_of(c.data(), i);
       const LaneVector position = mean(corner_a, corner_b, corner_c);
       const LaneVector lifted = position + lift(position, corner_a, normal_a, wa) +
                                 lift(position, corner_b, normal_b, wb) +
@@ -112,8 +143,8 @@ void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceB
       set_lane(batch.position, to + i, position);
       set_lane(batch.start, to + i, lifted);
       set_lane(batch.normal, to + i, unit_normal(mean(normal_a, normal_b, normal_c), facet));
-      looks.x[look + i] = wa * a.texture_x[i] + wb * b.texture_x[i] + wc * c.texture_x[i];
-      looks.y[look + i] = wa * a.texture_y[i] + wb * b.texture_y[i] + wc * c.texture_y[i];
+      looks.x[look + i] = wa * a[6][i] + wb * b[6][i] + wc * c[6][i];
+      looks.y[look + i] = wa * a[7][i] + wb * b[7][i] + wc * c[7][i];
       looks.front[look + i] = side < 0 ? 0.0F : 1.0F;
       looks.reach[look + i] = group.spread * std::sqrt(dot(way, way) / dot(towards, towards));
     }
@@ -136,8 +167,8 @@ void HitSurface::move_to(const Surface& surface) {
   assert(corners_.size() == static_cast<std::size_t>(surface.vertices.cols()));
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     const auto column = static_cast<Eigen::Index>(c);
-    Eigen::Map<Eigen::Vector3f>(corners_[c].position.data()) = surface.vertices.col(column);
-    Eigen::Map<Eigen::Vector3f>(corners_[c].normal.data()) = surface.normals.col(column);
+    Eigen::Map<Eigen::Vector3f>(corners_[c].position()) = surface.vertices.col(column);
+    Eigen::Map<Eigen::Vector3f>(corners_[c].normal()) = surface.normals.col(column);
   }
   for (std::size_t t = 0; t < triangles_.size(); ++t)
     Eigen::Map<Eigen::Vector3f>(triangles_[t].facet.data()) =

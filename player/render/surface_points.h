@@ -33,14 +33,19 @@ struct LookBatch {
 class HitSurface {
  public:
   struct Corner {
-    std::array<float, 3> position;
-    std::array<float, 3> normal;
-    std::array<float, 2> texture;
+    // Three of its position, three of its normal, two of its place in the texture.
+    std::array<float, 8> numbers;
+
+    [[nodiscard]] float* position() { return numbers.data(); }
+    [[nodiscard]] float* normal() { return numbers.data() + 3; }
+    void set_texture(float x, float y) {
+      numbers[6] = x;
+      numbers[7] = y;
+    }
   };
   struct Triangle {
     std::array<int, 3> corners;
-    std::array<float, 3> facet;
-    std::array<float, 2> unused;  // so that none lies in two lines of the cache
+    std::array<float, 5> facet;  // its first three; so none lies in two lines of the cache
   };
 
   HitSurface() = default;

@@ -43,7 +43,7 @@ struct Scene {
   HitSurface hit_surface;
 };
 
-// Every second ray has met one of the triangles.
+// Every third ray has met one of the triangles: no multiple of four.
 std::unique_ptr<Scene> random_scene() {
   std::mt19937 random(7);
   auto scene = std::make_unique<Scene>();
@@ -51,15 +51,17 @@ std::unique_ptr<Scene> random_scene() {
   scene->hit_surface = HitSurface(scene->surface, 0.5F);
   std::uniform_real_distribution<float> number(-1, 1);
   std::uniform_real_distribution<float> weight(0, 0.5F);
-  for (auto& corner : scene->hit_surface.corners())
-    corner.texture = {number(random), number(random)};
+  for (auto& corner : scene->hit_surface.corners()) {
+    const float x = number(random);
+    corner.set_texture(x, number(random));
+  }
   scene->rays.spread = 0.01F;
   for (std::size_t lane = 0; lane < batch_size; ++lane) {
     scene->rays.add({{number(random), number(random), 5}, {number(random), number(random), -1}});
     scene->hits.triangle[lane] = static_cast<std::uint32_t>(random() % triangle_count);
     scene->hits.u[lane] = weight(random);
     scene->hits.v[lane] = weight(random);
-    scene->list.add_if(lane, lane % 2 == 1);
+    scene->list.add_if(lane, lane % 3 == 1);
   }
   return scene;
 }
