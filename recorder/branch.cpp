@@ -6,6 +6,7 @@
 #include "recorder/copied_frames.h"
 #include "recorder/run/recorded_run.h"
 #include "recorder/run/start.h"
+#include "ribbon_mesh/fabric_springs.h"
 #include "ribbon_mesh/marks.h"
 #include "ribbon_mesh/springs.h"
 #include "text/number_text.h"
@@ -104,10 +105,11 @@ Result<void> check_place(const fs::path& source, const NewRecording& take) {
 RecordingHeader header_of_take(const RecordingReader& source, int frame, const NewRecording& take,
                                const Scene& scene) {
   RecordingHeader header = source.header();
-  header.origin = Origin{.recording_id = source.recording_id(),
-                         .scene_name = header.scene_name,
-                         .frame = static_cast<std::uint32_t>(frame),
-                         .changed_settings = take.settings_text()};
+  header.origin =
+      Origin{.recording_id = source.recording_id(),
+             .scene_name = header.scene_name,
+             .frame = static_cast<std::uint32_t>(frame),
+             .changed_settings = take.settings_text() + fabric_settings(scene, rest_size(header))};
   header.scene_name = scene.name;
   header.scene_text = scene.text;
   for (std::size_t i = 0; i < header.stages.size(); ++i) header.stages[i] = scene.stages[i].name;

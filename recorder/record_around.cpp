@@ -8,6 +8,7 @@
 #include "recorder/run/drawn_knot.h"
 #include "recorder/run/start.h"
 #include "recorder/run/stopwatch.h"
+#include "ribbon_mesh/fabric_springs.h"
 #include "ribbon_mesh/marks.h"
 #include "ribbon_mesh/springs.h"
 
@@ -80,10 +81,12 @@ Result<RunStatistics> record_around(const std::optional<TriangleMesh>& obstacle,
                                         recording.overwrite);
   if (!target) return tl::unexpected(target.error());
   BackgroundWriter file(*std::move(target));
-  if (!recording.settings.empty())
+  const std::string settings =
+      recording.settings_text() + fabric_settings(scene, start->ribbon.size());
+  if (!settings.empty())
     file.append_session({.reason = SessionReason::begun,
                          .program = recording.program,
-                         .changed_settings = recording.settings_text()});
+                         .changed_settings = settings});
   const RunStatistics statistics{.scene_name = scene.name,
                                  .along = start->ribbon.grid.along,
                                  .across = start->ribbon.grid.across,

@@ -45,7 +45,8 @@ SpringNetwork spring_network(const RestSize& size, const SpringScene& stiffness)
 }
 
 LimitedEdges limited_edges(const Scene& scene) {
-  const bool has_shear_springs = scene.springs.shear > 0;
+  const bool has_shear_springs =
+      scene.springs.shear > 0 || (scene.cloth && scene.cloth->tells_shear);
   return {.along = true,
           .across = true,
           .diagonals = scene.contact == ContactMethod::gate && has_shear_springs};

@@ -7,6 +7,7 @@
 #include "files/files.h"
 #include "scene/accuracy.h"
 #include "scene/document.h"
+#include "scene/fabric.h"
 #include "scene/nearest_word.h"
 #include "scene/scene.h"
 #include "scene/scene_rules.h"
@@ -123,6 +124,16 @@ Result<void> read_until(const Value& value, Scene& scene) {
 Result<void> read_gravity_of_stage(const Value& value, Scene& scene) {
   return gravity(value).map([&](const std::optional<Eigen::Vector3d>& acceleration) {
     scene.stages.back().gravity_m_s2 = acceleration.value_or(Eigen::Vector3d::Zero());
+  });
+}
+
+// What the fabric tells is set when the scene's own keys are known (set_defaults()).
+Result<void> read_fabric(const Value& value, Scene& scene) {
+  std::vector<std::pair<std::string_view, Fabric>> words;
+  words.reserve(fabrics.size());
+  for (const Fabric& fabric : fabrics) words.emplace_back(fabric.name, fabric);
+  return one_of(std::move(words))(value).map([&](const Fabric& fabric) {
+    scene.cloth = {.fabric = fabric, .place = value.document.place(value.toml.begin)};
   });
 }
 
@@ -342,6 +353,7 @@ const std::vector<Table>& tables() {
       {"curve", required, curve_keys()},
       {"knot", optional, knot_keys()},
       {"ribbon", required, ribbon_keys()},
+      {"cloth", optional, {{"fabric", required, "\"silk\"", read_fabric}}},
       {"springs", optional, spring_keys()},
       {"air",
        optional,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "result/result.h"
+#include "scene/fabric.h"
 #include "scene/named_file.h"
 #include "scene/stage_scene.h"
 #include "scene/width_profile.h"
@@ -104,6 +105,25 @@ struct SpringScene {
   bool operator==(const SpringScene&) const = default;
 };
 
+// Cloth by name: what the fabric tells instead of the scene, which is why the scene's own members
+// do not count. They are known when the size of the mesh is (with_fabric()).
+struct ClothScene {
+  Fabric fabric;
+  std::string place = {};  // where the scene says it; empty: nowhere
+  bool tells_thickness = false;
+  bool tells_mass = false;
+  bool tells_stretch = false;
+  bool tells_shear = false;
+  bool tells_bend = false;
+
+  // Wherever it stands.
+  bool operator==(const ClothScene& other) const {
+    return fabric == other.fabric && tells_thickness == other.tells_thickness &&
+           tells_mass == other.tells_mass && tells_stretch == other.tells_stretch &&
+           tells_shear == other.tells_shear && tells_bend == other.tells_bend;
+  }
+};
+
 struct ObstacleScene {
   NamedFile file;
   double scale = 1;  // metres per unit of the mesh file
@@ -181,6 +201,7 @@ struct Scene {
   CurveScene curve;
   std::optional<KnotScene> knot;
   RibbonScene ribbon;
+  std::optional<ClothScene> cloth;
   SpringScene springs;
   double air_resistance_per_s = 0;  // deceleration per speed
   // Not zero: a scene without gravity has none.

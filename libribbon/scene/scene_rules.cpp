@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <string_view>
 
 #include "scene/scene_values.h"
 #include "scene/stage_rules.h"
@@ -124,6 +125,38 @@ Result<void> tight_by_fastening(const Document& document, const Scene& scene) {
                  "add '[fastening]' with for example 'speed = 0.5' below it, or remove 'until'");
 }
 
+// A fabric that has nothing to tell was named in vain.
+Result<void> fabric_tells_something(const Document& document, const Scene& scene) {
+  if (!scene.cloth) return {};
+  const ClothScene& cloth = *scene.cloth;
+  if (cloth.tells_thickness || cloth.tells_mass || cloth.tells_stretch || cloth.tells_shear ||
+      cloth.tells_bend || document.find("springs", "damping") == nullptr ||
+      document.find("friction", "coefficient") == nullptr)
+    return {};
+  return failure(cloth.place,
+                 "the scene says all that " + in_quotes(cloth.fabric.name) + " would tell itself",
+                 "remove 'fabric', or what it shall tell: 'mass' and 'thickness' in [ribbon], "
+                 "[springs], [friction]");
+}
+
+// What the scene says itself counts. Cloth is so stiff that only one integrator takes it.
+void set_cloth(const Document& document, Scene& scene) {
+  if (!scene.cloth) return;
+  ClothScene& cloth = *scene.cloth;
+  const auto tells = [&](std::string_view table, std::string_view key) {
+    return document.find(table, key) == nullptr;
+  };
+  cloth.tells_thickness = tells("ribbon", "thickness");
+  cloth.tells_mass = tells("ribbon", "mass");
+  cloth.tells_stretch = tells("springs", "stretch");
+  cloth.tells_shear = tells("springs", "shear");
+  cloth.tells_bend = tells("springs", "bend");
+  if (cloth.tells_thickness) scene.ribbon.thickness_m = cloth.fabric.thickness_m;
+  if (tells("springs", "damping")) scene.springs.damping = cloth.fabric.damping;
+  if (tells("friction", "coefficient")) scene.friction = cloth.fabric.friction;
+  if (tells("time", "integrator")) scene.time.integrator = IntegrationMethod::implicit;
+}
+
 void set_mean_width(RibbonScene& ribbon) {
   if (!ribbon.profile) return;
   const std::vector<double> rows_m = row_widths_m(ribbon);
@@ -149,6 +182,7 @@ void set_defaults_of_stages(Scene& scene) {
 void set_defaults(const Document& document, Scene& scene) {
   if (scene.name.empty()) scene.name = document.file.stem().string();
   set_mean_width(scene.ribbon);
+  set_cloth(document, scene);
   if (scene.curve.clearance_m == 0)
     scene.curve.clearance_m = default_clearance_of_width * scene.ribbon.width_m;
   if (document.find("recording", "frames_per_second") == nullptr)
@@ -162,8 +196,8 @@ void set_defaults(const Document& document, Scene& scene) {
 Result<void> check_rules(const Document& document, const Scene& scene) {
   for (const auto& rule :
        {one_drawing, one_width, one_way_to_pass_over, expected_between_places, countable_particles,
-        cloth_is_flat, countable_steps, at_most_a_frame_a_step, fastening_against_air,
-        tight_by_fastening, check_stages})
+        fabric_tells_something, cloth_is_flat, countable_steps, at_most_a_frame_a_step,
+        fastening_against_air, tight_by_fastening, check_stages})
     if (auto kept = rule(document, scene); !kept) return kept;
   return {};
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "ribbon_mesh/fabric_springs.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/scene.h"
 #include "simulation/contact/contact_extent.h"
@@ -138,10 +139,11 @@ Result<FasteningProcessor> FasteningProcessor::create(const Scene& as_read,
                                                       const StartObserver& observer) {
   const RestSize size = rest_size(ribbon, 1);
   const double reach_m = recorded_reach_m(as_read, size, ribbon.positions);
-  const Scene scene = with_single_rounding(as_read, size, reach_m);
+  const Scene scene = with_fabric(with_single_rounding(as_read, size, reach_m), size);
   const ContactLengths lengths = contact_lengths(scene, size);
   auto possible = check_precision(as_read, size, lengths, ribbon.positions, obstacle);
   if (possible) possible = check_width(as_read, ribbon.grid);
+  if (possible) possible = check_fabric(as_read, size);
   if (possible && obstacle) possible = check_outside(as_read, ribbon, *obstacle);
   if (!possible) return tl::unexpected(possible.error());
   auto parts = std::make_unique<Parts>(scene, size, lengths, obstacle, ribbon.positions);
@@ -301,7 +303,7 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
   visit_head(beginning, head);
   beginning.ignore_rest();
   if (auto read = beginning.finish(); !read) return refused(read.error());
-  const Scene scene = with_single_rounding(as_read, size, head.reach_m);
+  const Scene scene = with_fabric(with_single_rounding(as_read, size, head.reach_m), size);
   auto parts = std::make_unique<Parts>(scene, size, contact_lengths(scene, size), obstacle,
                                        Matrix3Xd::Zero(3, size.grid.particle_count()));
   if (auto few = check_substeps(scene, parts->time_step.substeps()); !few)

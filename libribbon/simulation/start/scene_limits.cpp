@@ -110,6 +110,19 @@ Result<void> check_precision(const Scene& as_read, const RestSize& size,
   return kept;
 }
 
+Result<void> check_fabric(const Scene& scene, const RestSize& size) {
+  constexpr double most_edges = 3;
+  const double edge_m = size.shortest_edge_m();
+  const double thickness_m = scene.ribbon.thickness_m;
+  if (!scene.cloth || !scene.cloth->tells_thickness || thickness_m <= most_edges * edge_m)
+    return {};
+  return failure(scene.cloth->place,
+                 "'" + std::string(scene.cloth->fabric.name) + "' is " + metres(thickness_m) +
+                     " thick, more than three times the " + metres(edge_m) +
+                     " between its particles",
+                 "set fewer particles, or a smaller thickness of your own in [ribbon]");
+}
+
 Result<void> check_width(const Scene& scene, const RibbonGrid& grid) {
   constexpr int most_across = 500;
   if (scene.time.integrator != IntegrationMethod::implicit || grid.across <= most_across) return {};

@@ -34,6 +34,10 @@ Result<void> check_precision(const Scene& as_read, const RestSize& size,
                              const ContactLengths& lengths, const Eigen::Matrix3Xd& positions,
                              const std::optional<TriangleMesh>& obstacle);
 
+// Fails, with the scene's place of it, where the fabric is too thick for the particles: layers
+// would rest on far more of each other than they touch.
+Result<void> check_fabric(const Scene& scene, const RestSize& size);
+
 // Fails where the ribbon is too wide, in particles, for its integrator: `implicit` solves in as
 // many modes across the ribbon, each over all of its width. Within the limit no cache size of a
 // machine changes the order of its sums.
