@@ -10,6 +10,10 @@ namespace {
 
 constexpr double most_bend_of_stretch = 1.0 / 14;
 
+double stretch_n_m(const Fabric& fabric) {
+  return std::min(fabric.stretch_n_m, most_stretch_of_mass_m2_s2 * fabric.mass_kg_m2);
+}
+
 double shear_stiffness(const Fabric& fabric, const RestSize& size) {
   const double a = size.along_m();
   const double b = size.across_m();
@@ -26,7 +30,7 @@ double bend_stiffness(const Fabric& fabric, double line_m, double a) {
 SpringScene springs_of(const Fabric& fabric, const RestSize& size) {
   const double a = size.along_m();
   const double line_m = size.width_m / size.grid.across;
-  const double together = fabric.stretch_n_m * line_m / a;
+  const double together = stretch_n_m(fabric) * line_m / a;
   const double bend = std::min(bend_stiffness(fabric, line_m, a), most_bend_of_stretch * together);
   return {.stretch = together - 4 * bend,
           .shear = shear_stiffness(fabric, size),

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "ribbon_mesh/springs.h"
 
@@ -12,9 +14,13 @@ namespace ribbon::fabric_springs_test {
 using Eigen::Vector3d;
 using Shape = std::function<Vector3d(const Eigen::Vector2d& flat)>;
 
-// A metre of 5 cm, of squares of 1 cm, and twice and four times as fine.
+// A metre of 5 cm, of squares of 12.5 and 10 mm, and twice as fine.
 std::vector<RestSize> sizes() {
-  return {{{101, 6}, 1, 0.05}, {{201, 11}, 1, 0.05}, {{401, 21}, 1, 0.05}};
+  return {{{81, 5}, 1, 0.05}, {{101, 6}, 1, 0.05}, {{201, 11}, 1, 0.05}};
+}
+
+double stretch_n_m(const Fabric& fabric) {
+  return std::min(fabric.stretch_n_m, most_stretch_of_mass_m2_s2 * fabric.mass_kg_m2);
 }
 
 // What the springs of the fabric hold in a band of that shape.
@@ -31,14 +37,15 @@ double energy_j(const Fabric& fabric, const RestSize& size, const Shape& shape) 
   return sum_j;
 }
 
-TEST(FabricSprings, bear_what_the_fabric_bears_along_the_band) {
+// What diagonals bear is theirs: it is that of shear.
+TEST(FabricSprings, bear_the_same_along_the_band_however_many_particles_there_are) {
   constexpr double strain = 0.01;
   const Shape stretched = [](const auto& at) { return Vector3d((1 + strain) * at.x(), at.y(), 0); };
   for (const Fabric& fabric : fabrics)
     for (const RestSize& size : sizes()) {
-      const double expected_j =
-          0.5 * fabric.stretch_n_m * strain * strain * size.length_m * size.width_m;
-      EXPECT_NEAR(energy_j(fabric, size, stretched) / expected_j, 1, 0.05)
+      const double expected_j = 0.5 * (stretch_n_m(fabric) + fabric.shear_n_m) * strain * strain *
+                                size.length_m * size.width_m;
+      EXPECT_NEAR(energy_j(fabric, size, stretched) / expected_j, 1, 0.02)
           << fabric.name << ", " << size.grid.across;
     }
 }
@@ -71,7 +78,7 @@ TEST(FabricSprings, bend_as_the_fabric_does_at_the_curvature_where_it_is_measure
     for (const RestSize& size : {sizes()[0], sizes()[1]}) {
       const double expected_j = 0.5 * fabric.bending_nm * bending_matched_per_m *
                                 bending_matched_per_m * size.length_m * size.width_m;
-      EXPECT_NEAR(energy_j(fabric, size, rolled(size)) / expected_j, 1, 0.06)
+      EXPECT_NEAR(energy_j(fabric, size, rolled(size)) / expected_j, 1, 0.08)
           << fabric.name << ", " << size.grid.across;
     }
 }
@@ -80,7 +87,7 @@ TEST(FabricSprings, give_way_in_folds_before_they_give_way_in_edges) {
   const RestSize fine{{1601, 81}, 1, 0.05};
   for (const Fabric& fabric : fabrics) {
     const SpringScene springs = springs_of(fabric, fine);
-    EXPECT_GE(springs.stretch, 0.999 * 10 * springs.bend) << fabric.name;
+    EXPECT_GE(springs.stretch, 9.99 * springs.bend) << fabric.name;
     EXPECT_GT(springs.bend, 0) << fabric.name;
   }
 }

@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <string>
 
+#include "files/files.h"
 #include "scene/scene.h"
 #include "scene/scene_files.h"
+#include "text/number_text.h"
 
 namespace ribbon::fabric_test {
 
@@ -65,6 +68,27 @@ TEST(Fabric, is_set_like_any_other_setting) {
                 .value()
                 .cloth->fabric.name,
             "obi brocade");
+}
+
+// Of a row of the document: "| `silk` | 0.0607 [1] | ...", without the marks of sources.
+std::string documented(const std::string& name) {
+  const std::string document = read_file(RIBBON_FABRICS_DOCUMENT).value();
+  const std::string first = "| `" + name + "`";
+  const std::size_t begin = document.find(first);
+  EXPECT_NE(begin, std::string::npos) << name;
+  const std::string row = document.substr(begin, document.find('\n', begin) - begin);
+  return std::regex_replace(row, std::regex(R"( \[[e0-9]\])"), "");
+}
+
+TEST(Fabric, has_the_numbers_of_the_document) {
+  for (const Fabric& fabric : fabrics) {
+    std::string row = "| `" + std::string(fabric.name) + "`";
+    for (const double number :
+         {fabric.mass_kg_m2, 1e3 * fabric.thickness_m, fabric.stretch_n_m, fabric.shear_n_m,
+          1e6 * fabric.bending_nm, fabric.damping, fabric.friction})
+      row += " | " + short_number(number);
+    EXPECT_EQ(documented(std::string(fabric.name)), row + " |");
+  }
 }
 
 }  // namespace ribbon::fabric_test
