@@ -1,0 +1,163 @@
+"""Installs both add-ons in Blender as a user does, draws a knot round a post, and has it tied.
+
+usage: tie_drawn_knot.py PACKAGE IMPORT_ADD_ON ADD_ON RECORDER FOLDER    PACKAGE: folder in which the package ribbon lies
+"""
+
+import math
+import sys
+from pathlib import Path
+
+import bpy
+from mathutils import Vector
+
+package, import_add_on, add_on, recorder, folder = sys.argv[sys.argv.index("--") + 1:]
+sys.path.insert(0, package)
+folder = Path(folder)
+
+import ribbon  # noqa: E402, found only now
+
+
+def check(claim, text):
+    if not claim:
+        sys.exit(f"FAILED: {text}")
+
+
+# Seen from above, round the origin: a left-handed trefoil (its three crossings are negative), cut open.
+TREFOIL = [(math.sin(t) + 2 * math.sin(2 * t), math.cos(t) - 2 * math.cos(2 * t), -math.sin(3 * t))
+           for t in (math.radians(d) for d in range(35, 386, 3))]
+
+
+def drawn_points(height):
+    """Metres: the trefoil, as high and as deep, its ends drawn on outwards."""
+    points = [(0.04 * x, 0.04 * y, height * z) for x, y, z in TREFOIL]
+    ends = []
+    for end, next_to_it in ((points[0], points[1]), (points[-1], points[-2])):
+        way = [a - b for a, b in zip(end, next_to_it)]
+        size = math.hypot(*way[:2])
+        ends.append([tuple(a + k * 0.02 * w / size for a, w in zip(end, way[:2])) + (end[2],) for k in range(1, 11)])
+    return ends[0][::-1] + points + ends[1]
+
+
+def draw_curve(points, name):
+    curve = bpy.data.curves.new(name, "CURVE")
+    curve.dimensions = "3D"
+    spline = curve.splines.new("POLY")
+    spline.points.add(len(points) - 1)
+    for place, point in zip(spline.points, points):
+        place.co = (*point, 1)
+    return linked(bpy.data.objects.new(name, curve))
+
+
+def draw_stroke(points, name):
+    data = bpy.data.grease_pencils.new(name)
+    layer = data.layers.new("ink")
+    stroke = layer.frames.new(1).strokes.new()
+    stroke.points.add(len(points))
+    for place, point in zip(stroke.points, points):
+        place.co = point
+    data.layers.active = layer
+    return linked(bpy.data.objects.new(name, data))
+
+
+def linked(thing):
+    bpy.context.collection.objects.link(thing)
+    return thing
+
+
+def choose(drawing, *others):
+    bpy.ops.object.select_all(action="DESELECT")
+    for thing in (drawing, *others):
+        thing.select_set(True)
+    bpy.context.view_layer.objects.active = drawing
+
+
+def tie(**settings):
+    return bpy.ops.object.tie_ribbon(folder=str(folder), **settings)
+
+
+def check_refused(word, **settings):
+    try:
+        tie(**settings)
+    except RuntimeError as error:
+        check(word in str(error), f"the refusal says {error}, not {word}")
+    else:
+        sys.exit(f"FAILED: nothing said {word}")
+
+
+for module in (import_add_on, add_on):
+    bpy.ops.preferences.addon_install(filepath=module)
+
+bpy.ops.preferences.addon_enable(module="ribbon_knot")
+preferences = bpy.context.preferences.addons["ribbon_knot"].preferences
+drawing = draw_curve(drawn_points(0.02), "my knot")
+choose(drawing)
+preferences.recorder = str(folder / "nowhere")
+check_refused("there is no such program")
+preferences.recorder = recorder
+check_refused("tick it, too")
+bpy.ops.preferences.addon_enable(module="ribbon_recording")
+
+choose(draw_curve([(0, 0, 0), (0.1, 0, 0)], "short"))
+check_refused("no line to follow")
+closed = draw_curve(drawn_points(0.02), "closed")
+closed.data.splines[0].use_cyclic_u = True
+choose(closed)
+check_refused("it is closed")
+choose(drawing)
+check_refused("'width' of the ribbon", width=0.0002, fabric="wool")
+
+# A post through the middle, as Blender's user adds one.
+bpy.ops.mesh.primitive_cylinder_add(radius=0.015, depth=0.3, vertices=24, location=(0, 0, 0))
+post = bpy.context.active_object
+choose(drawing, post)
+check(tie(width=0.01, duration=1.0) == {"FINISHED"}, "the curve was not tied")
+recording = ribbon.open(folder / "my-knot.rbn")
+verification = ribbon.verify(recording)
+check(not verification.complaints, verification.complaints)
+check("trefoil, left-handed" in str(verification.knot), f"the knot is {verification.knot}")
+check(recording.obstacle is not None and len(recording.obstacle.vertices) == 48, "the post is another")
+thing = bpy.context.active_object
+check(thing["ribbon_recording"] == str(folder / "my-knot.rbn"), "what came back is no recording")
+
+# It lies on the drawing: the middle line of the first frame, in Blender's world.
+for place in recording[0].mean(axis=1)[::10]:
+    x, y, _ = thing.matrix_world @ Vector(map(float, place))
+    off = min(math.hypot(x - point[0], y - point[1]) for point in drawn_points(0.02))
+    check(off < 0.01, f"the ribbon begins {off} m off the drawing")
+
+# The same drawing on other walls, and its mirror image: where it lies and what passes over is seen.
+for name, turn, height, expected in (("front", (math.pi / 2, 0, 0), 0.02, ('axis = "z"', "left-handed")),
+                                     ("side", (0, math.pi / 2, 0), 0.02, ('axis = "x"', "left-handed")),
+                                     ("mirrored", (0, 0, 0), -0.02, ('axis = "y"', "right-handed"))):
+    drawing = draw_curve(drawn_points(height), name)
+    drawing.rotation_euler = turn
+    bpy.context.view_layer.update()
+    choose(drawing)
+    check(tie(width=0.01, duration=0.02) == {"FINISHED"}, f"{name}: it was not tied")
+    knot = str(ribbon.verify(ribbon.open(folder / f"{name}.rbn")).knot)
+    text = (folder / f"{name}.toml").read_text()
+    check(expected[0] in text and expected[1] in knot, f"{name}: {knot}, {text}")
+    check("crossings" in text and "[obstacle]" not in text, f"{name}: {text}")
+
+# Without heights over and under alternate; with some it cannot be told.
+choose(draw_stroke([(x, y, 0) for x, y, _ in drawn_points(0)], "flat ink"))
+check(tie(width=0.01, duration=0.02, fabric="silk") == {"FINISHED"}, "the stroke was not tied")
+text = (folder / "flat-ink.toml").read_text()
+check("crossings" not in text and 'fabric = "silk"' in text, text)
+choose(draw_stroke([(x, y, max(0, z) * (y > 0.03)) for x, y, z in drawn_points(0.02)], "half flat"))
+check_refused("at one height")
+
+second = post.copy()
+linked(second)
+choose(drawing, post, second)
+check_refused("several meshes")
+choose(drawing)
+try:
+    bpy.ops.object.tie_ribbon()
+except RuntimeError as error:
+    check("save it first" in str(error), f"the refusal says {error}")
+else:
+    sys.exit("FAILED: a knot without a folder was tied")
+
+bpy.ops.preferences.addon_disable(module="ribbon_knot")
+print("Blender ties what is drawn.")
