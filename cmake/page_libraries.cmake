@@ -24,6 +24,10 @@ function(headers target)
 endfunction()
 
 headers(Eigen3::Eigen eigen3/Eigen)
+# The preset's -msse2 has Eigen use its SSE packets, of which Emscripten makes instructions of WebAssembly.
+# For those of MMX, which nobody uses, it has no header; and it is to pass for a GCC for which Eigen has no
+# assembler of x86.
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/headers/mmintrin.h CONTENT "")
 headers(Boost::headers boost svgpp exboost)
 headers(CLI11::CLI11 CLI)
 headers(nlohmann_json::nlohmann_json nlohmann)
