@@ -1,113 +1,14 @@
-// The page: a recording comes from itself or is dropped on it, a worker decodes it, view and timeline
-// show it.
+// The page that plays: a recording comes from the page itself or is dropped on it.
 'use strict';
 
-const element = id => document.getElementById(id);
-const prefers_calm = matchMedia('(prefers-reduced-motion: reduce)');
-
-// ---- What was packed into the page
-
-function unpacked_base64(id) {
-  const packed = atob(element(id).textContent.trim());
-  const bytes = new Uint8Array(packed.length);
-  for (let i = 0; i < packed.length; ++i) bytes[i] = packed.charCodeAt(i);
-  return bytes;
-}
-
-async function unpacked_gzip(id) {
-  const stream = new Blob([unpacked_base64(id)]).stream();
-  return new Response(stream.pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
-}
-
-// ---- What is told
-
-const status_line = element('status');
-
-function tell(sentence) {
-  status_line.textContent = sentence;
-  status_line.className = '';
-}
-
-function tell_problem(sentence) {
-  status_line.textContent = sentence;
-  status_line.className = 'problem';
-}
-
-const percent = value => (100 * value).toFixed(1) + ' %';
-const known = (value, written) => (Number.isNaN(value) ? '–' : written(value));
-
-// What stands beside the picture, by the id of its place.
-function numbers_told(index) {
-  const n = column => timeline.number(column, index);
-  const stage_name = recording.stages[n('stage') - 1];
-  return {
-    frame: `${index + 1} of ${recording.frames}`,
-    time: timeline.time_s(index).toFixed(2) + ' s',
-    strain: known(n('strain'), percent),
-    penetrations: known(n('penetrations'), String),
-    progress: known(n('progress'), percent),
-    pull: known(n('pull'), percent),
-    contact: known(n('contact'), percent),
-    stage_name: stage_name ?? '–',
-  };
-}
-
-function tell_numbers(index) {
-  for (const [id, value] of Object.entries(numbers_told(index))) element(id).textContent = value;
-  stage.setAttribute('aria-label', `${recording.name}, frame ${index + 1}. ` + stage_help);
-}
-
-// ---- The worker
-
-let recording = null;  // the one that is shown
-let source = null;     // its file, for a worker that has to begin anew
-let worker = null;
-let view = null;
-
-// What the worker is asked for: one frame at a time, the last one wanted. Until it has opened a
-// recording it is not asked.
-const wanted = {frame: null, is_asked: true, buffer: null};
-
-function want(index) {
-  wanted.frame = index;
-  ask();
-}
-
-function ask() {
-  if (wanted.is_asked || wanted.frame === null) return;
-  wanted.is_asked = true;
-  const buffer = wanted.buffer;
-  worker.postMessage({show: wanted.frame, buffer}, buffer ? [buffer] : []);
-  wanted.buffer = null;
-  wanted.frame = null;
-}
-
-async function start_worker() {
-  const script = [await unpacked_gzip('glue'), element('worker').textContent];
-  const address = URL.createObjectURL(new Blob(script, {type: 'text/javascript'}));
-  worker = new Worker(address);
-  worker.onmessage = ({data}) => take(data);
-  worker.onerror = event => take({broken: event.message});
-  const wasm = await unpacked_gzip('wasm');
-  worker.postMessage({wasm}, [wasm]);
-}
+let source = null;   // the file that is shown, for a worker that has to begin anew
+let opening = null;  // the file that the worker reads, and whether it is the one that is shown
 
 function take(answer) {
   if (answer.opened) take_recording(answer.opened);
   else if (answer.refused) tell_problem(answer.refused);
   else if (answer.broken) take_over(answer.broken);
   else take_frame(answer);
-}
-
-function take_frame({shown, lost, particles, sentence}) {
-  wanted.is_asked = false;
-  if (lost !== undefined) tell_problem(sentence);
-  else {
-    document.body.dataset.ready = '';
-    wanted.buffer = (view ? view.show(particles) : particles)?.buffer ?? null;
-    tell_numbers(shown);
-  }
-  ask();
 }
 
 // Out of memory, most likely. What was shown is opened again; what could not be opened is not.
@@ -125,10 +26,6 @@ async function take_over(reason) {
   if (source) open_file(source, true);
 }
 
-// ---- Recordings
-
-let opening = null;  // the file that the worker reads, and whether it is the one that is shown
-
 async function open_file(file, is_shown = false) {
   try {
     const bytes = await file.arrayBuffer();
@@ -143,18 +40,13 @@ async function open_file(file, is_shown = false) {
 function take_recording(opened) {
   wanted.is_asked = false;
   if (opening.is_shown) return want(timeline.index);
-  recording = opened;
+  show_recording(opened);
   source = opening.file;
   document.title = `${recording.name} – ribbon`;
   element('name').textContent = recording.name;
   element('facts').textContent =
       `${recording.across} × ${recording.along} particles, ${recording.frames} frames, ` +
       `${(recording.length_m * 100).toFixed(0)} × ${(recording.width_m * 100).toFixed(1)} cm`;
-  if (view) view.open(recording);
-  paint_legend(recording);
-  show_strain();
-  wanted.frame = null;
-  timeline.open(recording);
   if (!prefers_calm.matches) timeline.start();
   tell_opened();
 }
@@ -165,125 +57,6 @@ function tell_opened() {
     tell_problem(`${source.name} is damaged; what can be read is shown. ${damage[0]}`);
   else if (view) tell('');
 }
-
-// ---- The picture
-
-const stage = element('stage');
-const stage_help = 'Drag to turn, wheel or two fingers to zoom, right button to move; arrow keys turn, ' +
-    'with Shift they move, plus and minus zoom, 0 goes back.';
-
-function most_strain() {
-  const worst = recording.numbers.reduce(
-      (most, value, i) => (i % columns.length === 1 && value > most ? value : most), 0);
-  return Math.max(1e-6, recording.strain_limit || worst);
-}
-
-function show_strain() {
-  const is_shown = element('by_strain').checked;
-  element('legend').hidden = !is_shown;
-  if (!recording) return;
-  element('legend_most').textContent = percent(most_strain());
-  if (!view) return;
-  view.most_strain = is_shown ? most_strain() : 0;
-  view.draw_soon();
-}
-
-function paint_legend({strain_colors}) {
-  const stops = [0, 64, 128, 192, 255].map(i => `rgb(${strain_colors.slice(4 * i, 4 * i + 3).join()})`);
-  element('legend_colors').style.background = `linear-gradient(to right, ${stops.join()})`;
-}
-
-function turn(right, up) {
-  view.camera.orbit(right, up);
-  view.draw_soon();
-}
-
-function move(right, up) {
-  view.camera.pan(right, up);
-  view.draw_soon();
-}
-
-function zoom(factor) {
-  view.camera.zoom(factor);
-  view.draw_soon();
-}
-
-// Fingers and buttons that are down, by their ids.
-const pointers = new Map();
-
-function spread(points) {
-  return Math.max(1, Math.hypot(points[0].x - points[1].x, points[0].y - points[1].y));
-}
-
-function drag(event) {
-  const pointer = pointers.get(event.pointerId);
-  if (!pointer || !view) return;
-  const before = [...pointers.values()].map(({x, y}) => ({x, y}));
-  const height = stage.clientHeight;
-  const [right, down] = [event.clientX - pointer.x, event.clientY - pointer.y];
-  Object.assign(pointer, {x: event.clientX, y: event.clientY});
-  if (pointers.size > 1) {
-    zoom(spread([...pointers.values()]) / spread(before));
-    move(right / height / pointers.size, -down / height / pointers.size);
-  } else if (pointer.moves) {
-    move(right / height, -down / height);
-  } else {
-    turn(4 * right / height, 4 * down / height);
-  }
-}
-
-stage.addEventListener('pointerdown', event => {
-  stage.setPointerCapture(event.pointerId);
-  pointers.set(event.pointerId,
-               {x: event.clientX, y: event.clientY, moves: event.button !== 0 || event.shiftKey});
-});
-stage.addEventListener('pointermove', drag);
-for (const end of ['pointerup', 'pointercancel'])
-  stage.addEventListener(end, event => pointers.delete(event.pointerId));
-stage.addEventListener('contextmenu', event => event.preventDefault());
-stage.addEventListener('wheel', event => {
-  event.preventDefault();
-  const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
-  if (view) zoom(Math.exp(-0.0015 * lines * event.deltaY));
-}, {passive: false});
-stage.addEventListener('dblclick', () => view && view.show_all());
-
-// ---- Keys
-
-const stage_keys = {
-  ArrowLeft: shift => (shift ? move(-0.05, 0) : turn(-0.1, 0)),
-  ArrowRight: shift => (shift ? move(0.05, 0) : turn(0.1, 0)),
-  ArrowUp: shift => (shift ? move(0, 0.05) : turn(0, 0.1)),
-  ArrowDown: shift => (shift ? move(0, -0.05) : turn(0, -0.1)),
-  '+': () => zoom(1.2),
-  '=': () => zoom(1.2),
-  '-': () => zoom(1 / 1.2),
-  '0': () => view.show_all(),
-};
-
-const page_keys = {
-  ' ': () => timeline.toggle(),
-  ArrowLeft: () => timeline.go_to(timeline.index - 1),
-  ArrowRight: () => timeline.go_to(timeline.index + 1),
-  Home: () => timeline.go_to(0),
-  End: () => timeline.go_to(timeline.frames - 1),
-};
-
-// Controls keep the keys that they know themselves.
-function is_used_by(control, key) {
-  if (control.matches('select, input[type=range]')) return key !== ' ';
-  return control.matches('button, input, a') && key === ' ';
-}
-
-addEventListener('keydown', event => {
-  if (event.ctrlKey || event.altKey || event.metaKey || !recording) return;
-  const at_stage = document.activeElement === stage && view && stage_keys[event.key];
-  if (!at_stage && is_used_by(document.activeElement, event.key)) return;
-  const deed = at_stage || page_keys[event.key];
-  if (!deed) return;
-  event.preventDefault();
-  deed(event.shiftKey);
-});
 
 // ---- Files
 
@@ -299,32 +72,6 @@ element('file').addEventListener('change', event => {
   if (file) open_file(file);
   event.target.value = '';
 });
-element('by_strain').addEventListener('change', show_strain);
-element('again').addEventListener('click', () => view && view.show_all());
-
-// ---- The beginning
-
-const timeline = new Timeline(
-    {
-      slider: element('slider'),
-      strip: element('strip'),
-      first: element('first'),
-      back: element('back'),
-      play: element('play'),
-      forward: element('forward'),
-      last: element('last'),
-      speed: element('speed'),
-    },
-    want);
-
-function start_view() {
-  try {
-    view = new View(stage);
-    stage.setAttribute('tabindex', '0');
-  } catch (error) {
-    element('no_picture').hidden = false;
-  }
-}
 
 async function begin() {
   start_view();

@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "files/pending_file.h"
+#include "page/base64.h"
+#include "page/page_parts.h"
 #include "playback/random_access_file.h"
-#include "player/page/base64.h"
-#include "player/page/page_parts.h"
 #include "player/page/viewer_page.h"
 #include "text/number_text.h"
 

@@ -4,7 +4,6 @@ in_browser.py PAGE RECORDING OTHER FOLDER   (OTHER is a second recording; pictur
 Every check is a method of Page; one that fails ends with what was seen.
 """
 
-import base64
 import pathlib
 import sys
 import time
@@ -12,53 +11,18 @@ import unittest
 
 from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
-from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
+
+from browser_page import OpenedPage
 
 PAGE, RECORDING, OTHER, PICTURES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:5])
-LONGEST_S = 60
 
 
-def browser(*options, calm=True):
-    settings = webdriver.ChromeOptions()
-    settings.binary_location = "/usr/bin/chromium"
-    for option in ("--headless=new", "--no-sandbox", "--window-size=1200,900",
-                   "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                   *(["--force-prefers-reduced-motion"] if calm else []), *options):
-        settings.add_argument(option)
-    settings.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    service = webdriver.chrome.service.Service("/usr/bin/chromedriver")
-    return webdriver.Chrome(service=service, options=settings)
+class Opened(OpenedPage):
+    """A page that plays, and has shown its first frame."""
 
-
-class Opened(unittest.TestCase):
-    """A page that has been opened and has shown its first frame."""
-
-    options = ()
-    calm = True
-
-    def setUp(self):
-        self.browser = browser(*self.options, calm=self.calm)
-        self.addCleanup(self.browser.quit)
-        self.browser.get(PAGE.as_uri())
-        self.wait_for(lambda: self.body_is_ready(), "no frame was shown")
-
-    def body_is_ready(self):
-        return self.script("return document.body.dataset.ready !== undefined")
-
-    def script(self, text, *arguments):
-        return self.browser.execute_script(text, *arguments)
-
-    def wait_for(self, condition, complaint):
-        WebDriverWait(self.browser, LONGEST_S, poll_frequency=0.05).until(
-            lambda _: condition(), f"{complaint}; status: {self.status()}")
-
-    def find(self, name):
-        return self.browser.find_element(By.ID, name)
-
-    def status(self):
-        return self.find("status").text
+    page = PAGE
+    pictures = PICTURES
 
     def frame(self):
         return int(self.find("frame").text.split()[0])
@@ -68,9 +32,6 @@ class Opened(unittest.TestCase):
 
     def wait_for_frame(self, number):
         self.wait_for(lambda: self.frame() == number, f"frame {number} did not come")
-
-    def press(self, *keys):
-        ActionChains(self.browser).send_keys(*keys).perform()
 
     def camera(self):
         return self.script("const c = view.camera; return [c.azimuth, c.elevation, c.distance, ...c.middle]")
@@ -93,20 +54,6 @@ class Opened(unittest.TestCase):
             }
             return {share: drawn / (width * height), count: colours.size, blue, red}""")
 
-    def drop(self, name, content):
-        """A file of this name and content, dropped on the page."""
-        self.script("""
-            const bytes = Uint8Array.from(atob(arguments[1]), letter => letter.charCodeAt(0));
-            const data = new DataTransfer();
-            data.items.add(new File([bytes], arguments[0]));
-            document.body.dispatchEvent(
-                new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}));""",
-                    name, base64.b64encode(content).decode())
-
-    def picture(self, name):
-        PICTURES.mkdir(parents=True, exist_ok=True)
-        self.browser.save_screenshot(str(PICTURES / f"{name}.png"))
-
 
 class Page(Opened):
     def test_shows_the_ribbon_with_both_sides_and_nothing_goes_wrong(self):
@@ -123,15 +70,8 @@ class Page(Opened):
         self.assertEqual(errors, [])
 
     def test_loads_nothing_from_anywhere(self):
-        asked = [entry["message"] for entry in self.browser.get_log("performance")
-                 if "Network.requestWillBeSent" in entry["message"]]
-        others = [message for message in asked if '"url":"http' in message]
-        self.assertEqual(others, [])
-        blocked = self.browser.execute_async_script("""
-            const done = arguments[0];
-            addEventListener('securitypolicyviolation', event => done(event.effectiveDirective));
-            fetch('https://example.org/').finally(() => setTimeout(() => done('allowed'), 500));""")
-        self.assertEqual(blocked, "connect-src")
+        self.assertEqual(self.asked_of_others(), [])
+        self.assertEqual(self.blocked_by_policy(), "connect-src")
 
     def test_keys_go_to_frames(self):
         last = self.frames()
@@ -210,11 +150,7 @@ class Page(Opened):
 
     def test_two_fingers_zoom(self):
         before = self.camera()
-
-        def touch(kind, *points):
-            self.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {
-                "type": kind, "touchPoints": [{"x": x, "y": y, "id": i}
-                                              for i, (x, y) in enumerate(points)]})
+        touch = self.touch
         touch("touchStart", (500, 300), (700, 300))
         for step in range(1, 6):
             touch("touchMove", (500 - 20 * step, 300), (700 + 20 * step, 300))
@@ -282,14 +218,10 @@ class Page(Opened):
         self.wait_for_frame(self.frames())
 
     def test_every_control_has_a_name_and_room_for_a_finger(self):
-        for control in self.browser.find_elements(By.CSS_SELECTOR, "button, select, label, input[type=range]"):
-            name = control.get_attribute("aria-label") or control.text
-            self.assertTrue(name, control.get_attribute("id"))
-            self.assertGreaterEqual(round(control.rect["height"]), 44, name)
+        self.check_controls()
 
     def test_fits_a_phone(self):
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": True})
+        self.set_screen(390, 844)
         self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
         self.picture("phone")
         self.assertGreater(self.script("return document.getElementById('stage').clientHeight"), 250)

@@ -1,8 +1,8 @@
 // A recording as a page: one file that holds all of it and loads nothing.
 #include <gtest/gtest.h>
 
-#include "player/page/base64.h"
-#include "player/page/page_parts.h"
+#include "page/base64.h"
+#include "page/page_parts.h"
 #include "player/page/viewer_page.h"
 #include "player/ribbon_play.h"
 

@@ -1,4 +1,4 @@
-#include "player/page/base64.h"
+#include "page/base64.h"
 
 #include <cstdint>
 

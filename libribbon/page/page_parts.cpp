@@ -1,4 +1,4 @@
-#include "player/page/page_parts.h"
+#include "page/page_parts.h"
 
 namespace ribbon {
 

@@ -1,23 +1,27 @@
-// bundle_page PAGE DECODER NEW: puts everything that a page loads into it, so that it loads
+// bundle_page PAGE NEW FOLDER...: puts everything that a page loads into it, so that it loads
 // nothing.
-// {{text NAME}} is a file beside PAGE, as it is; {{packed NAME}} one of the folder DECODER,
-// compressed by gzip, as base64. Other places stay for ribbon-play.
+// {{text NAME}} is a file of the first of the folders that has it, as it is; {{packed NAME}}
+// likewise, compressed by gzip, as base64. Other places stay for the tool that writes the page.
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commandline/tool.h"
 #include "files/files.h"
-#include "player/page/base64.h"
-#include "player/page/page_parts.h"
+#include "page/base64.h"
+#include "page/page_parts.h"
 
 namespace ribbon {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+using Folders = std::vector<fs::path>;
 
 std::string gzip(const std::string& bytes) {
   constexpr int smallest = 12;
@@ -29,18 +33,22 @@ std::string gzip(const std::string& bytes) {
   return packed;
 }
 
-Result<std::string> content(std::string_view place, const fs::path& texts,
-                            const fs::path& decoder) {
-  const std::size_t space = place.find(' ');
-  if (space == std::string_view::npos) return "{{" + std::string(place) + "}}";
-  const std::string_view name = place.substr(space + 1);
-  if (place.substr(0, space) == "text") return read_file(texts / name);
-  return read_file(decoder / name).map([](const std::string& bytes) {
-    return base64(gzip(bytes));
-  });
+Result<std::string> file_of(const Folders& folders, std::string_view name) {
+  const auto folder = std::find_if(folders.begin(), folders.end(),
+                                   [&](const fs::path& one) { return fs::exists(one / name); });
+  if (folder != folders.end()) return read_file(*folder / name);
+  return failure(std::string(name), "lies in none of the folders", "name its folder, too");
 }
 
-Result<ExitCode> bundle(const fs::path& page, const fs::path& decoder, const fs::path& target) {
+Result<std::string> content(std::string_view place, const Folders& folders) {
+  const std::size_t space = place.find(' ');
+  if (space == std::string_view::npos) return "{{" + std::string(place) + "}}";
+  const auto file = file_of(folders, place.substr(space + 1));
+  if (place.substr(0, space) == "text") return file;
+  return file.map([](const std::string& bytes) { return base64(gzip(bytes)); });
+}
+
+Result<ExitCode> bundle(const fs::path& page, const fs::path& target, const Folders& folders) {
   const auto outline = read_file(page);
   if (!outline) return tl::unexpected(outline.error());
   std::string whole;
@@ -49,7 +57,7 @@ Result<ExitCode> bundle(const fs::path& page, const fs::path& decoder, const fs:
       whole += part.text;
       continue;
     }
-    const auto filled = content(part.text, page.parent_path(), decoder);
+    const auto filled = content(part.text, folders);
     if (!filled) return tl::unexpected(filled.error());
     whole += *filled;
   }
@@ -62,7 +70,8 @@ Result<ExitCode> bundle(const fs::path& page, const fs::path& decoder, const fs:
 
 int main(int argc, char** argv) {
   return ribbon::run_tool("bundle_page", [&]() -> ribbon::Result<ribbon::ExitCode> {
-    if (argc != 4) return ribbon::failure("", "needs three names", "bundle_page PAGE DECODER NEW");
-    return ribbon::bundle(argv[1], argv[2], argv[3]);
+    if (argc < 4)
+      return ribbon::failure("", "needs at least three names", "bundle_page PAGE NEW FOLDER...");
+    return ribbon::bundle(argv[1], argv[2], {argv + 3, argv + argc});
   });
 }
