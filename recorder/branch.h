@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "recorder/new_recording.h"
+#include "recorder/run/new_recording.h"
 #include "recorder/run/run.h"
 #include "recorder/run/run_statistics.h"
 #include "result/result.h"

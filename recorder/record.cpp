@@ -1,7 +1,7 @@
 #include "recorder/record.h"
 
 #include "obstacle/obstacle.h"
-#include "recorder/record_around.h"
+#include "recorder/run/record_around.h"
 
 namespace ribbon {
 

@@ -1,7 +1,7 @@
 // From a scene to a recording: the stations in order.
 #pragma once
 
-#include "recorder/new_recording.h"
+#include "recorder/run/new_recording.h"
 #include "recorder/run/run.h"
 #include "recorder/run/run_statistics.h"
 #include "result/result.h"

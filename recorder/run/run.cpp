@@ -45,47 +45,68 @@ RunEnding ending_at(SimulatedFrames& frames, const RunPlan& plan) {
   return plan.is_cut_short ? RunEnding::stopped : RunEnding::duration;
 }
 
+Run::Run(SimulatedFrames& frames, const RunPlan& plan, bool has_checkpoint, BackgroundWriter& file,
+         RunStatistics statistics)
+    : frames_(frames),
+      plan_(plan),
+      has_checkpoint_(has_checkpoint),
+      file_(file),
+      statistics_(std::move(statistics)) {}
+
+void Run::checkpoint() {
+  FasteningProcessor& fastening = frames_.fastening();
+  file_.append_checkpoint(static_cast<std::uint64_t>(fastening.steps()), fastening.state());
+  has_checkpoint_ = true;
+}
+
+Result<FrameNumbers> Run::next() {
+  const SimulatedFrame frame = frames_.next();
+  if (auto near = check_reach(frame, frames_.fastening()); !near)
+    return tl::unexpected(near.error());
+  Stopwatch stopwatch;
+  file_.append(frame.numbers, frame.positions);
+  has_checkpoint_ = false;
+  if (is_due(frame.index, frames_.frames_per_second(), plan_.scene.recording.checkpoint_every_s))
+    checkpoint();
+  if (auto written = file_.problem(); !written) return tl::unexpected(written.error());
+  statistics_.recording_s += stopwatch.lap();
+  statistics_.add(frame.numbers);
+  return frame.numbers;
+}
+
+Result<RunStatistics> Run::finish(RunEnding ending) {
+  Stopwatch stopwatch;
+  if (!has_checkpoint_) checkpoint();
+  if (auto finished = file_.finish(ending); !finished) return tl::unexpected(finished.error());
+  statistics_.recording_s += stopwatch.lap();
+  const FasteningProcessor& fastening = frames_.fastening();
+  statistics_.start = std::string(word_for(fastening.start().kind));
+  statistics_.ending = ending;
+  statistics_.limit_reached = plan_.is_cut_short && ending_at(frames_, plan_) == RunEnding::stopped;
+  statistics_.until_tight = plan_.until_tight();
+  statistics_.steps = fastening.steps();
+  statistics_.stages = fastening.stage_sums();
+  statistics_.bytes = file_.bytes_written();
+  statistics_.beside_it = file_.figures();
+  statistics_.computed_steps = frames_.effort().steps;
+  statistics_.simulation_s = frames_.effort().simulation_s;
+  statistics_.measuring_s = frames_.effort().measuring_s;
+  return statistics_;
+}
+
 Result<RunStatistics> run(SimulatedFrames& frames, const RunPlan& plan, bool has_checkpoint,
                           BackgroundWriter& file, const RunObserver& observer,
                           RunStatistics statistics) {
-  Stopwatch stopwatch;
-  FasteningProcessor& fastening = frames.fastening();
-  const auto checkpoint = [&] {
-    file.append_checkpoint(static_cast<std::uint64_t>(fastening.steps()), fastening.state());
-    has_checkpoint = true;
-  };
-  RunEnding ending = ending_at(frames, plan);
+  Run run(frames, plan, has_checkpoint, file, std::move(statistics));
+  RunEnding ending = run.ending();
   while (ending == RunEnding::unknown) {
-    const SimulatedFrame frame = frames.next();
-    if (auto near = check_reach(frame, fastening); !near) return tl::unexpected(near.error());
-    stopwatch.lap();
-    file.append(frame.numbers, frame.positions);
-    has_checkpoint = false;
-    if (is_due(frame.index, frames.frames_per_second(), plan.scene.recording.checkpoint_every_s))
-      checkpoint();
-    if (auto written = file.problem(); !written) return tl::unexpected(written.error());
-    statistics.recording_s += stopwatch.lap();
-    statistics.add(frame.numbers);
-    ending = observer.frame_recorded(frame.index + 1, plan.frames, frame.numbers)
-                 ? ending_at(frames, plan)
+    const auto numbers = run.next();
+    if (!numbers) return tl::unexpected(numbers.error());
+    ending = observer.frame_recorded(frames.index() + 1, plan.frames, *numbers)
+                 ? run.ending()
                  : RunEnding::stopped;
   }
-  stopwatch.lap();
-  if (!has_checkpoint) checkpoint();
-  if (auto finished = file.finish(ending); !finished) return tl::unexpected(finished.error());
-  statistics.recording_s += stopwatch.lap();
-  statistics.start = std::string(word_for(fastening.start().kind));
-  statistics.ending = ending;
-  statistics.limit_reached = plan.is_cut_short && ending_at(frames, plan) == RunEnding::stopped;
-  statistics.until_tight = plan.until_tight();
-  statistics.steps = fastening.steps();
-  statistics.stages = fastening.stage_sums();
-  statistics.bytes = file.bytes_written();
-  statistics.beside_it = file.figures();
-  statistics.computed_steps = frames.effort().steps;
-  statistics.simulation_s = frames.effort().simulation_s;
-  statistics.measuring_s = frames.effort().measuring_s;
-  return statistics;
+  return run.finish(ending);
 }
 
 }  // namespace ribbon

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "commandline/tool.h"
-#include "recorder/record_around.h"
+#include "recorder/run/record_around.h"
 #include "recorder/run/recorded_run.h"
 
 namespace ribbon {

@@ -1,4 +1,4 @@
-#include "recorder/new_recording.h"
+#include "recorder/run/new_recording.h"
 
 #include <system_error>
 

@@ -1,6 +1,8 @@
-#include "recorder/record_around.h"
+#include "recorder/run/record_around.h"
 
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -61,18 +63,19 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
 
 }  // namespace
 
-Result<RunStatistics> record_around(const std::optional<TriangleMesh>& obstacle,
-                                    const Scene& wanted, const NewRecording& recording,
-                                    const RunObserver& observer, const RunLimit& limit) {
+Result<std::unique_ptr<BegunRun>> begin_recording(const std::optional<TriangleMesh>& obstacle,
+                                                  const Scene& wanted,
+                                                  const NewRecording& recording,
+                                                  const StartObserver& observer,
+                                                  const RunLimit& limit) {
   if (auto place = recording.check_place(); !place) return tl::unexpected(place.error());
-  const auto plan =
-      with_outline_read(wanted)
-          .and_then([&](const Scene& scene) { return with_marks_found(scene, obstacle); })
-          .and_then([&](const Scene& scene) { return plan_of(scene, limit); });
+  auto plan = with_outline_read(wanted)
+                  .and_then([&](const Scene& scene) { return with_marks_found(scene, obstacle); })
+                  .and_then([&](const Scene& scene) { return plan_of(scene, limit); });
   if (!plan) return tl::unexpected(plan.error());
   const Scene& scene = plan->scene;
   Stopwatch stopwatch;
-  auto start = find_start(scene, obstacle, observer.start_sought);
+  auto start = find_start(scene, obstacle, observer);
   if (!start) return tl::unexpected(start.error());
   const double start_s = stopwatch.lap();
   // Not before the start has been found: a scene without one leaves an older recording alone.
@@ -80,19 +83,29 @@ Result<RunStatistics> record_around(const std::optional<TriangleMesh>& obstacle,
                                         header_of_run(scene, recording.program, *start, obstacle),
                                         recording.overwrite);
   if (!target) return tl::unexpected(target.error());
-  BackgroundWriter file(*std::move(target));
   const std::string settings =
       recording.settings_text() + fabric_settings(scene, start->ribbon.size());
-  if (!settings.empty())
-    file.append_session({.reason = SessionReason::begun,
-                         .program = recording.program,
-                         .changed_settings = settings});
   const RunStatistics statistics{.scene_name = scene.name,
                                  .along = start->ribbon.grid.along,
                                  .across = start->ribbon.grid.across,
                                  .start_s = start_s};
   SimulatedFrames frames(scene, std::move(start->fastening), -1);
-  return run(frames, *plan, false, file, observer, statistics);
+  std::unique_ptr<BegunRun> begun(new BegunRun{
+      *std::move(plan), BackgroundWriter(*std::move(target)), std::move(frames), statistics});
+  if (!settings.empty())
+    begun->file.append_session({.reason = SessionReason::begun,
+                                .program = recording.program,
+                                .changed_settings = settings});
+  return begun;
+}
+
+Result<RunStatistics> record_around(const std::optional<TriangleMesh>& obstacle, const Scene& scene,
+                                    const NewRecording& recording, const RunObserver& observer,
+                                    const RunLimit& limit) {
+  auto begun = begin_recording(obstacle, scene, recording, observer.start_sought, limit);
+  if (!begun) return tl::unexpected(begun.error());
+  BegunRun& one = **begun;
+  return run(one.frames, one.plan, false, one.file, observer, one.statistics);
 }
 
 }  // namespace ribbon
