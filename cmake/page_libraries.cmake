@@ -40,11 +40,13 @@ file(GLOB zstd_sources ${RIBBON_PAGE_SOURCES}/libzstd/lib/common/*.c
      ${RIBBON_PAGE_SOURCES}/libzstd/lib/compress/*.c ${RIBBON_PAGE_SOURCES}/libzstd/lib/decompress/*.c)
 add_library(zstd EXCLUDE_FROM_ALL STATIC ${zstd_sources})
 target_compile_definitions(zstd PRIVATE ZSTD_DISABLE_ASM)
+target_compile_options(zstd PRIVATE -Os)
 target_include_directories(zstd SYSTEM INTERFACE ${RIBBON_PAGE_SOURCES}/libzstd/lib)
 add_library(zstd::libzstd_static ALIAS zstd)
 
 add_library(pugixml EXCLUDE_FROM_ALL STATIC ${RIBBON_PAGE_SOURCES}/pugixml/src/pugixml.cpp)
 target_include_directories(pugixml SYSTEM INTERFACE ${RIBBON_PAGE_SOURCES}/pugixml/src)
+target_compile_options(pugixml PRIVATE -Oz)
 add_library(pugixml::pugixml ALIAS pugixml)
 
 # Of libdeflate recordings need the checksum alone.

@@ -13,7 +13,7 @@ if(RIBBON_BUILD_PAGE)
   set(RIBBON_PAGE_MODULES ${PROJECT_SOURCE_DIR}/build/page)
   set(in_source_folder ${CMAKE_COMMAND} -E chdir ${PROJECT_SOURCE_DIR} ${CMAKE_COMMAND})
   set(built)
-  foreach(module player/page/playback)
+  foreach(module player/page/playback recorder/page/sketch)
     list(APPEND built ${RIBBON_PAGE_MODULES}/${module}.js ${RIBBON_PAGE_MODULES}/${module}.wasm)
   endforeach()
   include(ExternalProject)
@@ -21,10 +21,16 @@ if(RIBBON_BUILD_PAGE)
     SOURCE_DIR ${PROJECT_SOURCE_DIR}
     BINARY_DIR ${RIBBON_PAGE_MODULES}
     CONFIGURE_COMMAND ${in_source_folder} --preset page
-    BUILD_COMMAND ${in_source_folder} --build --preset page --parallel 2 --target playback
+    BUILD_COMMAND ${in_source_folder} --build --preset page --parallel 2 --target playback --target sketch
     BUILD_ALWAYS ON
     BUILD_BYPRODUCTS ${built}
     INSTALL_COMMAND "")
+
+  find_library(RIBBON_LIBDEFLATE deflate REQUIRED)
+  add_executable(bundle_page cmake/bundle_page.cpp)
+  target_link_libraries(bundle_page
+    PRIVATE ribbon_page ribbon_files ribbon_commandline ${RIBBON_LIBDEFLATE})
+  ribbon_precompiled(bundle_page)
 endif()
 
 # ribbon_embedded_page(SOURCE FOLDER MODULE): page.html of FOLDER, bundled with what it names there, in

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "commandline/interrupt.h"
 #include "commandline/progress.h"
@@ -13,6 +14,7 @@
 #include "playback/recording_reader.h"
 #include "recorder/branch.h"
 #include "recorder/options.h"
+#include "recorder/page/write_sketch_page.h"
 #include "recorder/record.h"
 #include "recorder/resume.h"
 #include "recorder/show_crossings.h"
@@ -120,7 +122,23 @@ Result<ExitCode> do_crossings(const RecorderOptions& options) {
   return ExitCode::done;
 }
 
+Result<ExitCode> do_draw(const RecorderOptions& options) {
+  const auto scene = options.input.empty()
+                         ? Result<std::optional<Scene>>()
+                         : read_scene(options.input, options.settings).map([](Scene read) {
+                             return std::optional(std::move(read));
+                           });
+  const auto text = scene.and_then([&](const std::optional<Scene>& begun) {
+    return write_sketch_page(begun, options.recording,
+                             options.force ? Overwrite::yes : Overwrite::no);
+  });
+  if (!text) return tl::unexpected(text.error());
+  if (!options.quiet) std::fputs(text->c_str(), stdout);
+  return ExitCode::done;
+}
+
 Result<ExitCode> do_task(const RecorderOptions& options) {
+  if (options.task == RecorderTask::draw) return do_draw(options);
   if (options.task == RecorderTask::crossings) return do_crossings(options);
   set_thread_limit(options.threads);
   Watch watch(options.progress);

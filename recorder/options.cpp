@@ -21,6 +21,8 @@ constexpr const char* examples = R"(Examples:
       takes frames 1 to 200 of knot.rbn over and goes on with another speed
   ribbon-record knot.toml --crossings knot.svg
       draws the knot with its passages numbered, prints their list and which knot it is
+  ribbon-record --draw -o sketch.html
+      writes a page in which knots are drawn and tied in any browser
 Ctrl-C ends the run early and leaves a valid recording of what was done; --resume goes on with it.
 
 Exit codes: 0 done, 2 could not, 3 ended early (by Ctrl-C, a signal, or because the disk was full):
@@ -28,14 +30,26 @@ Exit codes: 0 done, 2 could not, 3 ended early (by Ctrl-C, a signal, or because 
 
 // The words of the command line that were used.
 struct Given {
-  bool input, output, resume, from, set, force, crossings, of_runs;
+  bool input, output, resume, from, set, force, crossings, draw, of_runs;
 };
 
 Result<void> refuse(const std::string& problem, const std::string& remedy) {
   return failure("", problem, remedy);
 }
 
+Result<void> goes_with_draw(const Given& given) {
+  if (given.resume || given.from || given.crossings || given.of_runs)
+    return refuse("--draw writes a page and records nothing",
+                  "name a scene or none, and a page after -o");
+  if (given.set && !given.input)
+    return refuse("--set changes a scene, and there is none", "name one before --draw");
+  if (!given.output)
+    return refuse("--draw needs a page to write", "write for example '-o sketch.html'");
+  return {};
+}
+
 Result<void> goes_together(const Given& given) {
+  if (given.draw) return goes_with_draw(given);
   if (given.crossings && (given.output || given.resume || given.from))
     return refuse("--crossings shows the drawing of a scene and records nothing",
                   "name the scene, and record it without --crossings");
@@ -71,8 +85,8 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
                       RIBBON_VERSION, examples);
   const auto input = arguments.add("SCENE", options.input, "FILE",
                                    "the scene (.toml); with --from, the recording (.rbn)");
-  const auto output =
-      arguments.add("-o,--output", options.recording, "FILE", "the recording to write (.rbn)");
+  const auto output = arguments.add("-o,--output", options.recording, "FILE",
+                                    "the recording to write (.rbn), with --draw the page (.html)");
   std::filesystem::path resumed;
   const auto resume = arguments.add("--resume", resumed, "FILE",
                                     "go on with the run of this recording, in the same file");
@@ -94,6 +108,11 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   const auto crossings = arguments.add(
       "--crossings", options.diagram, "FILE",
       "write the scene's drawing with its passages numbered (.svg), and record nothing");
+  bool draws = false;
+  const auto draw = arguments.flag(
+      "--draw", draws,
+      "write a page in which one draws a knot, round the scene's object if one is named, and ties "
+      "it");
   const auto statistics =
       arguments.add("--stats", options.statistics, "FILE", "JSON file for the figures of the run");
   arguments.add("--threads", options.threads, {1, 1024}, "N",
@@ -108,13 +127,16 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   if (!*read) return std::nullopt;
   const bool is_of_runs =
       until.is_given() || frames.is_given() || statistics.is_given() || profile.is_given();
-  const Given given{input.is_given(), output.is_given(), resume.is_given(),    from.is_given(),
-                    set.is_given(),   force.is_given(),  crossings.is_given(), is_of_runs};
+  const Given given{input.is_given(),     output.is_given(), resume.is_given(),
+                    from.is_given(),      set.is_given(),    force.is_given(),
+                    crossings.is_given(), draw.is_given(),   is_of_runs};
   options.progress = progress_style(progress, options.quiet);
   if (until.is_given()) options.limit.until_s = until_s;
   if (frames.is_given()) options.limit.frames = frame_count;
   if (auto together = goes_together(given); !together) return tl::unexpected(together.error());
-  if (given.resume) {
+  if (given.draw) {
+    options.task = RecorderTask::draw;
+  } else if (given.resume) {
     options.task = RecorderTask::resume;
     options.recording = resumed;
   } else if (given.from) {

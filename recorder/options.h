@@ -13,16 +13,17 @@
 namespace ribbon {
 
 enum class RecorderTask {
-  record,    // a scene
-  resume,    // a recording
-  branch,    // a new take off a recording
-  crossings  // show those of a scene's drawing, and nothing else
+  record,     // a scene
+  resume,     // a recording
+  branch,     // a new take off a recording
+  crossings,  // show those of a scene's drawing, and nothing else
+  draw        // a page in which a drawing is made
 };
 
 struct RecorderOptions {
   RecorderTask task = RecorderTask::record;
   std::filesystem::path input;        // the scene or the recording to branch off; else empty
-  std::filesystem::path recording;    // to write
+  std::filesystem::path recording;    // to write; or the page
   std::filesystem::path diagram;      // of the crossings, to write
   int from_frame = 0;                 // to branch off at, from 0
   std::vector<std::string> settings;  // to change in the scene, or there: "key=value"

@@ -96,6 +96,7 @@ if [[ ${1-} == --all ]]; then
   install_missing "${farm_packages[@]}" "${package_packages[@]}" || true # without them those tests say so
   check "the same bits in WebAssembly" "$root/tests/page/same_bits.sh" "$root/build/release"
   check "pages in a browser" "$root/tests/page/in_browser.sh" "$root/build/release"
+  check "drawing in a browser" "$root/tests/page/draw_in_browser.sh" "$root/build/release"
   check "farm" "$root/tests/farm/slurm.sh" "$root/build/release" "$root/build/farm"
   check "packages" "$root/tests/package.sh" "$root/build/packaged"
 fi

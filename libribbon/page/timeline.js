@@ -34,6 +34,14 @@ class Timeline {
     this.draw_strip();
   }
 
+  // The same recording has become longer.
+  grow({numbers, frames}) {
+    this.numbers = numbers;
+    this.frames = frames;
+    this.slider.max = frames;
+    this.draw_strip();
+  }
+
   number(column, index = this.index) {
     return this.numbers[columns.length * index + columns.indexOf(column)];
   }

@@ -14,8 +14,23 @@ function unpacked_base64(id) {
   return bytes;
 }
 
+// As seven_bits.h has it.
+function unpacked_seven_bits(id) {
+  const text = element(id).textContent;
+  const bytes = new Uint8Array(Math.floor(text.length * 7 / 8));
+  let [waiting, count, done] = [0, 0, 0];
+  for (let i = 0; i < text.length; ++i) {
+    waiting = (waiting << 7 | text.charCodeAt(i) & 127) & 0xffff;
+    count += 7;
+    if (count < 8) continue;
+    count -= 8;
+    bytes[done++] = waiting >> count;
+  }
+  return bytes;
+}
+
 async function unpacked_gzip(id) {
-  const stream = new Blob([unpacked_base64(id)]).stream();
+  const stream = new Blob([unpacked_seven_bits(id)]).stream();
   return new Response(stream.pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }
 

@@ -36,6 +36,15 @@ int playback_open(const char* file) {
   return length_of(shown->numbers()) / ribbon::ShownRecording::numbers_per_frame;
 }
 
+// What a recording that is being written has gained: how many frames it has now.
+int playback_refresh() {
+  if (auto done = shown->refresh(); !done) {
+    text = done.error().sentence();
+    return -1;
+  }
+  return length_of(shown->numbers()) / ribbon::ShownRecording::numbers_per_frame;
+}
+
 // From 0. How many floats its particles have.
 int playback_show(int frame) {
   if (auto done = shown->show(frame); !done) {

@@ -24,9 +24,10 @@ void append(std::vector<float>& floats, const Eigen::Vector3f& vector) {
   floats.insert(floats.end(), vector.begin(), vector.end());
 }
 
-std::vector<double> numbers_of(const RecordingReader& reader) {
-  std::vector<double> all;
-  for (int index = 0; index < reader.frame_count(); ++index) {
+// Those of the frames that are not among them yet.
+void append_numbers(const RecordingReader& reader, std::vector<double>& all) {
+  const auto known = all.size() / ShownRecording::numbers_per_frame;
+  for (int index = static_cast<int>(known); index < reader.frame_count(); ++index) {
     std::vector<double> row(ShownRecording::numbers_per_frame, unknown);
     row[ShownRecording::readable] = reader.readable(index) ? 1 : 0;
     if (const auto frame = reader.numbers(index)) {
@@ -42,7 +43,6 @@ std::vector<double> numbers_of(const RecordingReader& reader) {
     }
     all.insert(all.end(), row.begin(), row.end());
   }
-  return all;
 }
 
 std::vector<float> threads_of(const RecordingHeader& header) {
@@ -111,9 +111,10 @@ Result<ShownRecording> ShownRecording::open(const std::filesystem::path& file) {
 ShownRecording::ShownRecording(RecordingReader reader)
     : reader_(std::move(reader)),
       ribbon_(ribbon_surface(reader_.header().grid)),
-      numbers_(numbers_of(reader_)),
       threads_(threads_of(reader_.header())),
-      obstacle_(corners_of(reader_.header().obstacle)) {}
+      obstacle_(corners_of(reader_.header().obstacle)) {
+  append_numbers(reader_, numbers_);
+}
 
 // Around the frame that is shown and some that follow it.
 void ShownRecording::take_box() {
@@ -145,6 +146,12 @@ std::string ShownRecording::description() const {
               {"box_min", as_list(box_min_)},
               {"box_max", as_list(box_max_)}}
       .line();
+}
+
+Result<void> ShownRecording::refresh() {
+  if (auto grown = reader_.refresh(); !grown) return grown;
+  append_numbers(reader_, numbers_);
+  return {};
 }
 
 Result<void> ShownRecording::show(int index) {

@@ -36,6 +36,9 @@ class ShownRecording {
   // Three corners a triangle; smooth but where it has an edge.
   [[nodiscard]] const std::vector<float>& obstacle() const { return obstacle_; }
 
+  // Finds out what a file that is being written has gained: numbers of more frames. Fails where it
+  // has become shorter.
+  Result<void> refresh();
   // Decodes frame `index` (from 0). Where it fails, what was shown before stays.
   Result<void> show(int index);
   // Of the frame that was shown last.

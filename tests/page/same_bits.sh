@@ -17,7 +17,7 @@ if ! command -v emcc >/dev/null || ! command -v node >/dev/null; then
     "has seen whether pages come to the same bits" >&2
   exit 77
 fi
-build page -- record_again decoded_frames >/dev/null
+build page -- record_again decoded_frames sketch >/dev/null
 
 rm -rf "$work"
 mkdir -p "$work"
@@ -49,4 +49,15 @@ same 60 overhand-hanging-8x400.toml "${coarse[@]}"
 same 40 overhand-cylinder-8x400.toml
 same 10 gallery/bow.toml
 same 40 gallery/tapered.toml
+
+# The page in which one draws, without a browser: what it would save is recorded once more.
+mkdir "$work/sketch"
+cp "$root/samples/cylinder.obj" "$work/sketch"
+"$1/recorder/pack_scenes" "$work/scenes.json" "$root/recorder/page/scenes/cylinder.toml"
+node "$root/tests/page/tie_in_node.js" "$work/scenes.json" "$work/sketch"
+"$record" --quiet "$work/sketch/sketch.toml" -o "$work/sketch/native.rbn"
+if ! cmp "$work/sketch/page.rbn" "$work/sketch/native.rbn"; then
+  echo "DIFFERENT: what the page ties"
+  different=1
+fi
 exit "$different"

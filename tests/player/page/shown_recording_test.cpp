@@ -42,6 +42,19 @@ TEST_F(ShownRecordingTest, numbers_are_those_of_the_frames) {
   EXPECT_TRUE(std::isnan(last[ShownRecording::progress])) << "the sample tells none";
 }
 
+TEST_F(ShownRecordingTest, grows_with_a_file_that_is_being_written) {
+  const std::string whole = read_file(file_).value();
+  const auto half = folder_.path() / "half.rbn";
+  ASSERT_TRUE(write_file(half, whole.substr(0, whole.size() / 2)));
+  auto shown = ShownRecording::open(half).value();
+  const std::size_t before = shown.numbers().size();
+  ASSERT_LT(before, 7U * ShownRecording::numbers_per_frame);
+  ASSERT_TRUE(write_file(half, whole));
+  ASSERT_TRUE(shown.refresh());
+  EXPECT_EQ(shown.numbers().size(), 7U * ShownRecording::numbers_per_frame);
+  EXPECT_TRUE(shown.show(6));
+}
+
 TEST_F(ShownRecordingTest, particles_are_where_they_were_recorded) {
   auto shown = ShownRecording::open(file_).value();
   ASSERT_TRUE(shown.show(4));

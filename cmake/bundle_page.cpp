@@ -1,7 +1,8 @@
 // bundle_page PAGE NEW FOLDER...: puts everything that a page loads into it, so that it loads
 // nothing.
 // {{text NAME}} is a file of the first of the folders that has it, as it is; {{packed NAME}}
-// likewise, compressed by gzip, as base64. Other places stay for the tool that writes the page.
+// likewise, compressed by gzip, as seven_bits(). Other places stay for the tool that writes the
+// page.
 #include <libdeflate.h>
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 
 #include "commandline/tool.h"
 #include "files/files.h"
-#include "page/base64.h"
 #include "page/page_parts.h"
+#include "page/seven_bits.h"
 
 namespace ribbon {
 
@@ -45,7 +46,7 @@ Result<std::string> content(std::string_view place, const Folders& folders) {
   if (space == std::string_view::npos) return "{{" + std::string(place) + "}}";
   const auto file = file_of(folders, place.substr(space + 1));
   if (place.substr(0, space) == "text") return file;
-  return file.map([](const std::string& bytes) { return base64(gzip(bytes)); });
+  return file.map([](const std::string& bytes) { return seven_bits(gzip(bytes)); });
 }
 
 Result<ExitCode> bundle(const fs::path& page, const fs::path& target, const Folders& folders) {

@@ -1,0 +1,331 @@
+// The board on which one draws: pointer and keys become points; curve, gaps, crossings and mistakes are
+// shown. It changes nothing itself: deeds.points_changed(points), deeds.crossing_exchanged(index) and
+// deeds.said(sentence) are called.
+'use strict';
+
+const svg_name = 'http://www.w3.org/2000/svg';
+
+// Screen pixels.
+const reach = {mouse: 11, pen: 16, touch: 22};  // of a point that is to be dragged
+const shortest_stroke = 6;                      // a shorter one is a click
+const half_gap_px = 9;
+
+class Board {
+  // elements: board (has the focus), paper (svg), shape, band, dots, cursor, mistake, ends (in it),
+  // buttons (of the crossings).
+  constructor(elements, deeds) {
+    Object.assign(this, elements);
+    this.deeds = deeds;
+    this.points = [];
+    this.crossings = [];
+    this.middle = [0, 0];
+    this.scale = 0.3;       // screen pixels a drawing unit
+    this.tolerance = 3;     // of freehand strokes, drawing units
+    this.spot = [0, 0];     // the keyboard's cursor
+    this.selected = -1;     // the point that keys move
+    this.pointers = new Map();
+    this.stroke = null;     // points that are being drawn
+    this.dragged = -1;      // the point that is being dragged
+    this.listen();
+    new ResizeObserver(() => this.draw()).observe(this.board);
+  }
+
+  listen() {
+    const on = (name, deed, options) => this.paper.addEventListener(name, deed, options);
+    on('pointerdown', event => this.press(event));
+    on('pointermove', event => this.pull(event));
+    on('pointerup', event => this.lift(event));
+    on('pointercancel', event => this.give_up(event));
+    on('contextmenu', event => event.preventDefault());
+    on('wheel', event => {
+      event.preventDefault();
+      this.zoom(Math.exp(-0.0015 * event.deltaY), this.on_screen(event));
+    }, {passive: false});
+    this.board.addEventListener('keydown', event => this.key(event));
+    this.board.addEventListener('focus', () => this.draw());
+    this.board.addEventListener('blur', () => this.draw());
+  }
+
+  // ---- What is shown
+
+  show(points, crossings) {
+    this.points = points;
+    this.crossings = crossings;
+    if (this.selected >= points.length) this.selected = -1;
+    this.draw();
+  }
+
+  // corners: x and y of three corners of each triangle. All are turned the same way, so that where they
+  // lie over one another the object is filled.
+  show_object(corners) {
+    let path = '';
+    for (let i = 0; i < corners.length; i += 6) {
+      const [ax, ay, bx, by, cx, cy] = corners.subarray(i, i + 6);
+      const is_turned = (bx - ax) * (cy - ay) < (by - ay) * (cx - ax);
+      path += `M${ax} ${ay}L` + (is_turned ? `${cx} ${cy}L${bx} ${by}Z` : `${bx} ${by}L${cx} ${cy}Z`);
+    }
+    this.shape.setAttribute('d', path);
+  }
+
+  // Where a sentence says that something is wrong; null: nowhere.
+  show_mistake(place) {
+    this.mistake_at = place;
+    this.draw();
+  }
+
+  // All of a box, in drawing units.
+  fit([left, top, right, bottom]) {
+    const {width, height} = this.board.getBoundingClientRect();
+    this.box = [left, top, right, bottom];
+    if (width === 0) return;
+    this.middle = [(left + right) / 2, (top + bottom) / 2];
+    this.scale = Math.min((width - 40) / (right - left || 1), (height - 40) / (bottom - top || 1));
+    this.draw();
+  }
+
+  zoom(factor, [x, y]) {
+    const before = this.in_drawing([x, y]);
+    this.scale = Math.min(100, Math.max(1e-3, this.scale * factor));
+    const after = this.in_drawing([x, y]);
+    this.middle = this.middle.map((value, axis) => value + before[axis] - after[axis]);
+    this.draw();
+  }
+
+  on_screen(event) {
+    const {left, top} = this.board.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  }
+  in_drawing([x, y]) {
+    return [this.middle[0] + (x - this.board.clientWidth / 2) / this.scale,
+            this.middle[1] + (y - this.board.clientHeight / 2) / this.scale];
+  }
+  to_screen([x, y]) {
+    return [this.board.clientWidth / 2 + (x - this.middle[0]) * this.scale,
+            this.board.clientHeight / 2 + (y - this.middle[1]) * this.scale];
+  }
+
+  draw() {
+    const {clientWidth: width, clientHeight: height} = this.board;
+    if (width === 0) return;
+    if (!this.is_fitted && this.box) {
+      this.is_fitted = true;
+      return this.fit(this.box);
+    }
+    const [w, h] = [width / this.scale, height / this.scale];
+    this.paper.setAttribute(
+        'viewBox', `${this.middle[0] - w / 2} ${this.middle[1] - h / 2} ${w} ${h}`);
+    this.draw_band();
+    this.draw_dots();
+    this.draw_marks();
+    this.draw_buttons();
+  }
+
+  draw_band() {
+    const is_changing = this.stroke !== null || this.dragged >= 0;
+    const crossings = is_changing ? [] : this.crossings;
+    const curve = this.stroke ? [...this.points, ...this.stroke] : this.points;
+    const pieces = curve.length < 2 ? [] : pieces_with_gaps(curve, crossings, half_gap_px / this.scale);
+    const path = pieces.map(piece => 'M' + piece.map(point => point.join(' ')).join('L')).join('');
+    this.band.setAttribute('d', path);
+  }
+
+  draw_dots() {
+    const [ends, others] = ['', ''].map(() => document.createDocumentFragment());
+    this.points.forEach(([x, y], i) => {
+      const dot = document.createElementNS(svg_name, 'circle');
+      const is_end = i === 0 || i + 1 === this.points.length;
+      dot.setAttribute('cx', x);
+      dot.setAttribute('cy', y);
+      dot.setAttribute('r', (is_end ? 6 : 3.5) / this.scale);
+      dot.setAttribute('class', (i === 0 ? 'start' : is_end ? 'end' : '') +
+                                    (i === this.selected ? ' selected' : ''));
+      (is_end ? ends : others).append(dot);
+    });
+    this.dots.replaceChildren(others, ends);
+  }
+
+  draw_marks() {
+    const [x, y] = this.selected >= 0 ? this.points[this.selected] : this.spot;
+    const arm = 14 / this.scale;
+    this.cursor.toggleAttribute('hidden', document.activeElement !== this.board);
+    this.cursor.setAttribute('d', `M${x - arm} ${y}H${x + arm}M${x} ${y - arm}V${y + arm}`);
+    this.mistake.toggleAttribute('hidden', !this.mistake_at);
+    if (!this.mistake_at) return;
+    this.mistake.setAttribute('cx', this.mistake_at[0]);
+    this.mistake.setAttribute('cy', this.mistake_at[1]);
+    this.mistake.setAttribute('r', 18 / this.scale);
+  }
+
+  // As many as there are crossings; one that has the focus keeps it.
+  draw_buttons() {
+    while (this.buttons.children.length > this.crossings.length) this.buttons.lastChild.remove();
+    while (this.buttons.children.length < this.crossings.length) this.add_button();
+    this.crossings.forEach((crossing, i) => {
+      const button = this.buttons.children[i];
+      const [x, y] = this.to_screen(crossing.at);
+      button.style.left = `${x}px`;
+      button.style.top = `${y}px`;
+      button.setAttribute('aria-label', this.spoken(i));
+    });
+  }
+
+  add_button() {
+    const index = this.buttons.children.length;
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.textContent = index + 1;
+    button.addEventListener('click', () => this.deeds.crossing_exchanged(index));
+    this.buttons.append(button);
+  }
+
+  spoken(index) {
+    const over = this.crossings[index].first_over ? 'first over, then under' : 'first under, then over';
+    return `Crossing ${index + 1} of ${this.crossings.length}: the curve runs ${over}. Exchange`;
+  }
+
+  // ---- Pointers
+
+  nearest_point([x, y], within) {
+    let [nearest, least] = [-1, within];
+    this.points.forEach((point, i) => {
+      const way = distance(this.to_screen(point), [x, y]);
+      if (way < least) [nearest, least] = [i, way];
+    });
+    return nearest;
+  }
+
+  press(event) {
+    const at = this.on_screen(event);
+    this.board.focus({preventScroll: true});
+    this.paper.setPointerCapture(event.pointerId);
+    this.pointers.set(event.pointerId, at);
+    if (this.pointers.size > 1 || event.button !== 0) return this.stop_drawing();
+    this.dragged = this.nearest_point(at, reach[event.pointerType] ?? reach.mouse);
+    this.selected = this.dragged;
+    this.pressed_at = at;
+    this.way_px = 0;
+    this.before = this.points;
+    this.stroke = this.dragged < 0 ? [this.in_drawing(at)] : null;
+    this.draw();
+  }
+
+  pull(event) {
+    const before = this.pointers.get(event.pointerId);
+    if (!before) return;
+    const at = this.on_screen(event);
+    if (this.pointers.size > 1 || (!this.stroke && this.dragged < 0))
+      return this.pinch(event.pointerId, at);
+    this.pointers.set(event.pointerId, at);
+    this.way_px = Math.max(this.way_px, distance(at, this.pressed_at));
+    const place = this.in_drawing(at);
+    if (this.dragged >= 0) this.points = this.before.with(this.dragged, place);
+    else if (distance(before, at) > 0) this.stroke.push(place);
+    this.draw();
+  }
+
+  lift(event) {
+    this.pointers.delete(event.pointerId);
+    const [stroke, dragged] = [this.stroke, this.dragged];
+    const moved = this.points;
+    this.stop_drawing();
+    const is_click = this.way_px < shortest_stroke;
+    if (dragged >= 0 && !is_click) this.deeds.points_changed(rounded(moved));
+    else if (stroke) this.add(is_click ? stroke.slice(0, 1) : simplified(stroke, this.tolerance));
+  }
+
+  give_up(event) {
+    this.pointers.delete(event.pointerId);
+    this.stop_drawing();
+  }
+
+  // What was not finished is forgotten.
+  stop_drawing() {
+    if (this.dragged >= 0) this.points = this.before;
+    this.stroke = null;
+    this.dragged = -1;
+    this.draw();
+  }
+
+  // Two fingers, or another button than the first.
+  pinch(id, at) {
+    const all = [...this.pointers.values()];
+    const before = this.pointers.get(id);
+    this.pointers.set(id, at);
+    if (all.length > 1) {
+      const other = all.find(point => point !== before);
+      const middle = [0, 1].map(axis => (at[axis] + other[axis]) / 2);
+      this.zoom(distance(at, other) / Math.max(1, distance(before, other)), middle);
+    }
+    const share = this.scale * all.length;
+    this.middle = this.middle.map((value, axis) => value - (at[axis] - before[axis]) / share);
+    this.draw();
+  }
+
+  add(points) {
+    const added = rounded(points);
+    const last = this.points.at(-1);
+    this.deeds.points_changed(
+        [...this.points, ...(last && distance(last, added[0]) === 0 ? added.slice(1) : added)]);
+  }
+
+  // ---- Keys
+
+  key(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey || event.target !== this.board) return;
+    const step = (event.shiftKey ? 40 : 8) / this.scale;
+    const deeds = {
+      ArrowLeft: () => this.shift(-step, 0),
+      ArrowRight: () => this.shift(step, 0),
+      ArrowUp: () => this.shift(0, -step),
+      ArrowDown: () => this.shift(0, step),
+      Enter: () => this.put(),
+      ' ': () => this.put(),
+      Delete: () => this.remove(),
+      Backspace: () => this.remove(),
+      n: () => this.select(this.selected + 1),
+      p: () => this.select(this.selected < 0 ? this.points.length - 1 : this.selected - 1),
+      Escape: () => this.select(-1),
+      '+': () => this.zoom(1.2, this.to_screen(this.spot)),
+      '-': () => this.zoom(1 / 1.2, this.to_screen(this.spot)),
+      '0': () => this.fit(this.box),
+    };
+    const deed = deeds[event.key];
+    if (!deed) return;
+    event.preventDefault();
+    event.stopPropagation();
+    deed();
+  }
+
+  say_spot() {
+    const [x, y] = this.spot.map(value => Math.round(value));
+    this.deeds.said(this.selected < 0 ? `${x}, ${y}`
+                                      : `Point ${this.selected + 1} of ${this.points.length}: ${x}, ${y}`);
+  }
+
+  shift(right, down) {
+    this.spot = [this.spot[0] + right, this.spot[1] + down];
+    if (this.selected >= 0)
+      this.deeds.points_changed(rounded(this.points.with(this.selected, this.spot)));
+    this.draw();
+    this.say_spot();
+  }
+
+  put() {
+    this.select(-1);
+    this.add([this.spot]);
+    this.deeds.said(`Point ${this.points.length} put.`);
+  }
+
+  remove() {
+    if (this.points.length === 0) return;
+    const index = this.selected < 0 ? this.points.length - 1 : this.selected;
+    this.deeds.points_changed(this.points.filter((_, i) => i !== index));
+  }
+
+  select(index) {
+    this.selected = index < 0 || this.points.length === 0 ? -1 : index % this.points.length;
+    if (this.selected >= 0) this.spot = this.points[this.selected];
+    this.draw();
+    if (this.selected >= 0) this.say_spot();
+  }
+}

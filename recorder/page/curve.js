@@ -1,0 +1,184 @@
+// The drawn curve: its points, what was undone, and its crossings. Points are [x, y] in drawing units.
+'use strict';
+
+// ---- Points
+
+const distance = ([ax, ay], [bx, by]) => Math.hypot(bx - ax, by - ay);
+
+// From a point to the segment between two others.
+function distance_to_segment([x, y], [ax, ay], [bx, by]) {
+  const [dx, dy] = [bx - ax, by - ay];
+  const share = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1);
+  const t = Math.min(1, Math.max(0, share));
+  return Math.hypot(x - ax - t * dx, y - ay - t * dy);
+}
+
+// As few of the points as lie within `tolerance` of all (Douglas and Peucker 1973).
+function simplified(points, tolerance) {
+  if (points.length < 3) return points.slice();
+  const keep = new Uint8Array(points.length);
+  keep[0] = keep[points.length - 1] = 1;
+  const pending = [[0, points.length - 1]];
+  while (pending.length > 0) {
+    const [begin, end] = pending.pop();
+    let [worst, most] = [0, tolerance];
+    for (let i = begin + 1; i < end; ++i) {
+      const off = distance_to_segment(points[i], points[begin], points[end]);
+      if (off > most) [worst, most] = [i, off];
+    }
+    if (!worst) continue;
+    keep[worst] = 1;
+    pending.push([begin, worst], [worst, end]);
+  }
+  return points.filter((_, i) => keep[i]);
+}
+
+const rounded = points => points.map(point => point.map(value => Math.round(100 * value) / 100));
+
+// What can be undone: states that nobody changes.
+class History {
+  constructor(state) {
+    this.states = [state];
+    this.at = 0;
+  }
+  get state() {
+    return this.states[this.at];
+  }
+  get can_undo() {
+    return this.at > 0;
+  }
+  get can_redo() {
+    return this.at + 1 < this.states.length;
+  }
+  // What was undone before is forgotten.
+  add(state) {
+    this.states.length = ++this.at;
+    this.states.push(state);
+  }
+  undo() {
+    if (this.can_undo) --this.at;
+  }
+  redo() {
+    if (this.can_redo) ++this.at;
+  }
+}
+
+// ---- Crossings: {at, first, second, first_over}, in the order of their first passages
+
+// The two passages of each in the order of the walk.
+function passages(crossings) {
+  return crossings
+      .flatMap((crossing, index) => [{index, parameter: crossing.first, over: crossing.first_over},
+                                     {index, parameter: crossing.second, over: !crossing.first_over}])
+      .sort((a, b) => a.parameter - b.parameter);
+}
+
+// "OUOUOU", as a scene has it.
+const letters_of = crossings => passages(crossings).map(({over}) => (over ? 'O' : 'U')).join('');
+
+// How far a crossing may have moved and still be the same, in drawing units.
+const same_crossing = 60;
+
+// Over and under of crossings that were there before stay; what is new is as it was found.
+function with_choices_kept(found, before) {
+  const free = before.slice();
+  return found.map(crossing => {
+    let [nearest, least] = [-1, same_crossing];
+    free.forEach((old, i) => {
+      const way = old ? distance(old.at, crossing.at) : Infinity;
+      if (way < least) [nearest, least] = [i, way];
+    });
+    if (nearest < 0) return crossing;
+    const [old] = free.splice(nearest, 1, null);
+    return {...crossing, first_over: old.first_over};
+  });
+}
+
+const exchanged = (crossings, index) => crossings.map(
+    (crossing, i) => (i === index ? {...crossing, first_over: !crossing.first_over} : crossing));
+
+const mirrored = crossings =>
+    crossings.map(crossing => ({...crossing, first_over: !crossing.first_over}));
+
+// By turns, where each crossing has an odd and an even passage; null where one has not.
+function alternated(crossings) {
+  const odd = crossings.map(() => []);
+  passages(crossings).forEach(({index}, i) => odd[index].push(i % 2));
+  if (odd.some(([first, second]) => first === second)) return null;
+  return crossings.map((crossing, i) => ({...crossing, first_over: odd[i][0] === 0}));
+}
+
+// ---- Pieces between gaps
+
+// Lengths of the walk up to each point.
+function lengths_of(points) {
+  const lengths = [0];
+  for (let i = 1; i < points.length; ++i)
+    lengths.push(lengths[i - 1] + distance(points[i - 1], points[i]));
+  return lengths;
+}
+
+function length_at(lengths, parameter) {
+  const i = Math.min(Math.floor(parameter), lengths.length - 2);
+  return lengths[i] + (parameter - i) * (lengths[i + 1] - lengths[i]);
+}
+
+// The part of the walk from one length to another.
+function part_of(points, lengths, begin, end) {
+  const at = (i, length) => {
+    const share = (length - lengths[i]) / (lengths[i + 1] - lengths[i] || 1);
+    return [0, 1].map(axis => points[i][axis] + share * (points[i + 1][axis] - points[i][axis]));
+  };
+  const part = [];
+  for (let i = 0; i + 1 < points.length; ++i) {
+    if (lengths[i + 1] <= begin || lengths[i] >= end) continue;
+    if (part.length === 0) part.push(at(i, Math.max(begin, lengths[i])));
+    part.push(lengths[i + 1] > end ? at(i, end) : points[i + 1]);
+  }
+  return part;
+}
+
+// What of the curve is to be drawn, with a gap before and behind each passage under; where passages
+// are close, gaps are small.
+function pieces_with_gaps(points, crossings, widest_half_gap) {
+  const lengths = lengths_of(points);
+  const all = passages(crossings).map(
+      passage => ({...passage, length: length_at(lengths, passage.parameter)}));
+  const pieces = [];
+  let begin = 0;
+  all.forEach(({over, length}, i) => {
+    if (over) return;
+    const before = i > 0 ? length - all[i - 1].length : length;
+    const next = (i + 1 < all.length ? all[i + 1].length : lengths.at(-1)) - length;
+    const half = Math.min(widest_half_gap, before / 3, next / 3);
+    pieces.push(part_of(points, lengths, begin, length - half));
+    begin = length + half;
+  });
+  pieces.push(part_of(points, lengths, begin, lengths.at(-1)));
+  return pieces.filter(piece => piece.length > 1);
+}
+
+// ---- Files
+
+// The drawing as libribbon reads it.
+function drawing_svg(points) {
+  const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
+  const [left, top] = [Math.min(...xs), Math.min(...ys)];
+  const [width, height] = [Math.max(...xs) - left, Math.max(...ys) - top];
+  const margin = 0.05 * Math.max(width, height, 1);
+  const box = [left - margin, top - margin, width + 2 * margin, height + 2 * margin];
+  return '<svg xmlns="http://www.w3.org/2000/svg" viewBox="' +
+      box.map(value => +value.toFixed(2)).join(' ') + '">\n' +
+      `  <path id="band" fill="none" stroke="#8f1d3c" stroke-width="${+(margin / 10).toFixed(2)}" d="M` +
+      points.map(([x, y]) => ` ${x} ${y}`).join('') + '"/>\n</svg>\n';
+}
+
+// Where in the drawing a sentence of libribbon says that something is wrong; null where it does not.
+function place_in(sentence) {
+  const found = /\((-?[\d.]+(?:e[-+]?\d+)?), (-?[\d.]+(?:e[-+]?\d+)?)\)/.exec(sentence);
+  return found && [Number(found[1]), Number(found[2])];
+}
+
+if (typeof module !== 'undefined')
+  module.exports = {simplified, rounded, History, passages, letters_of, with_choices_kept, exchanged,
+                    mirrored, alternated, pieces_with_gaps, drawing_svg, place_in};

@@ -1,0 +1,368 @@
+// The page in which one draws: what is drawn goes to the worker, which answers with the knot diagram, and
+// ties it when asked to.
+'use strict';
+
+// ---- Scenes: objects to draw round, and drawings to begin with
+
+let scenes = [];       // as scene_json() has them; the first ones are offered as objects
+let scene = null;      // the one whose text is changed
+let given = null;      // the user's own, where the page was written for one
+const object_count = 3;
+const title_of = name => name.charAt(0).toUpperCase() + name.slice(1).replaceAll('-', ' ');
+
+const pairs = flat => Array.from({length: flat.length / 2}, (_, i) => flat.slice(2 * i, 2 * i + 2));
+
+function object_of({object}) {
+  return object && {name: object.name,
+                    vertices: new Float32Array(object.vertices),
+                    triangles: new Int32Array(object.triangles)};
+}
+
+// Of one scene's drawing, in the drawing units of another, as few points as tell it.
+function points_for(target, {points, unit_m, origin}) {
+  const scale = unit_m / target.unit_m;
+  const placed = pairs(points).map(
+      point => point.map((value, axis) => (value - origin[axis]) * scale + target.origin[axis]));
+  return rounded(simplified(placed, board.tolerance));
+}
+
+// ---- What is drawn
+
+// points, and crossings once the worker has found them (null before).
+let states = new History({points: [], crossings: []});
+let answer = null;   // the worker's last one of what is drawn now: its text, letters, knot, problem
+let looked = 0;      // the number of the last question
+const asked = new Map();
+
+const board = new Board(
+    {
+      board: element('board'),
+      paper: element('paper'),
+      shape: element('shape'),
+      band: element('band'),
+      dots: element('dots'),
+      cursor: element('cursor'),
+      mistake: element('mistake'),
+      buttons: element('crossings'),
+    },
+    {
+      points_changed: points => change(points, null),
+      crossing_exchanged: index => {
+        change(states.state.points, exchanged(states.state.crossings, index));
+        tell(board.spoken(index).replace(' Exchange', ''));
+      },
+      said: sentence => tell(sentence),
+    });
+
+// Crossings that are not known yet are those that were there, as far as they still are.
+function change(points, crossings) {
+  const before = states.state.crossings ?? board.crossings;
+  states.add({points, crossings, before});
+  show_drawing();
+}
+
+function settings() {
+  const lines = [`obstacle.mesh="${scene.object?.file ?? ''}"`, ...(scene === given ? [] : ['name="sketch"'])];
+  const is_as_given = scene === given && element('mesh').value === 'given';
+  const width_m = Number(element('width').value) / 100;
+  if (width_m > 0 && !element('width').disabled) lines.push(`ribbon.width=${width_m}`);
+  if (!is_as_given) lines.push(...mesh_settings(width_m));
+  return lines.filter(line => scene.object || !line.startsWith('obstacle')).join('\n');
+}
+
+// As fine along as across.
+function mesh_settings(width_m) {
+  const across = Number(element('mesh').value);
+  const length_m = (lengths_of(states.state.points).at(-1) ?? 0) * scene.unit_m;
+  const along = Math.round(length_m / (width_m || scene.width_m || 0.06) * (across - 1) / 10) * 10;
+  return [`ribbon.across=${across}`, `ribbon.along=${Math.min(1500, Math.max(40, along))}`];
+}
+
+function show_drawing() {
+  const {points, crossings} = states.state;
+  answer = null;
+  element('undo').disabled = !states.can_undo;
+  element('redo').disabled = !states.can_redo;
+  board.show(points, crossings ?? []);
+  board.show_mistake(null);
+  if (points.length > 1) return look(crossings ? letters_of(crossings) : '');
+  states.state.crossings = [];
+  element('knot').textContent = '';
+  tell('Draw a curve that begins and ends outside of the object, and leads round it.');
+}
+
+function look(letters) {
+  asked.clear();
+  asked.set(++looked, {state: states.state, letters});
+  const svg = drawing_svg(states.state.points);
+  worker.postMessage({diagram: {scene: scene.text, svg, letters, settings: settings(), number: looked}});
+}
+
+function take_diagram({drawn, number}) {
+  const question = asked.get(number);
+  if (!question) return;
+  asked.delete(number);
+  const {state} = question;
+  if (!state.crossings && drawn.crossings) {
+    state.crossings = with_choices_kept(drawn.crossings, state.before ?? []);
+    board.show(state.points, state.crossings);
+    const letters = letters_of(state.crossings);
+    if (letters !== '' && (letters !== drawn.letters || drawn.knot === '')) return look(letters);
+  }
+  answer = {...drawn, svg: drawing_svg(state.points)};
+  element('knot').textContent = drawn.knot ? `This ties: ${drawn.knot}` : '';
+  if (drawn.problem) tell_mistake(drawn.problem);
+  else if (status_line.className === 'problem' || status_line.textContent.startsWith('Draw a curve'))
+    tell('');
+}
+
+function tell_mistake(sentence) {
+  tell_problem(sentence.replaceAll('sketch.svg', 'drawing'));
+  board.show_mistake(place_in(sentence));
+}
+
+function take_outline({outlined, problem}) {
+  board.show_object(outlined);
+  if (problem) tell_problem(problem);
+  fit_board();
+}
+
+// The object and the drawing with room around them.
+function fit_board() {
+  const points = states.state.points.slice();
+  const path = element('shape').getAttribute('d') ?? '';
+  for (const [, x, y] of path.matchAll(/[ML](\S+?) ([^MLZ]+)/g)) points.push([Number(x), Number(y)]);
+  if (points.length === 0) points.push([-500, -500], [500, 500]);
+  const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
+  const box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+  const room = states.state.points.length > 0 ? 0.08 : 1.2;
+  const margin = room * Math.max(box[2] - box[0], box[3] - box[1]);
+  board.fit([box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin]);
+}
+
+// ---- Modes
+
+const is_watching = () => document.body.dataset.mode === 'watch';
+
+function set_mode(mode) {
+  document.body.dataset.mode = mode;
+  for (const name of ['draw', 'watch'])
+    element(name + '_mode').setAttribute('aria-pressed', String(name === mode));
+  timeline.pause();
+  if (mode === 'draw') board.draw();
+  else if (view && recording) view.draw_soon();
+}
+
+// ---- Tying
+
+let tied = null;          // what is being tied or was: its scene, drawing, name
+let is_tying = false;
+let begun_ms = 0;
+let most_frames = 0;
+
+function tie() {
+  if (states.state.points.length < 2) return tell_problem('there is no curve to tie; draw one');
+  if (!answer?.text) return answer ? tell_mistake(answer.problem) : undefined;
+  const name = given ? given.file.replace(/\.toml$/, '') : 'sketch';
+  tied = {scene: answer.text, svg: answer.svg, name, object: scene.object && object_of(scene)};
+  is_tying = true;
+  element('tie').disabled = true;
+  begun_ms = performance.now();
+  wanted.is_asked = true;
+  wanted.frame = null;
+  tell('Looking for a start…');
+  worker.postMessage({tie: {scene: tied.scene, svg: tied.svg, file: name + '.rbn'}});
+}
+
+function take_opened(opened, most) {
+  most_frames = most;
+  wanted.is_asked = false;
+  element('watch_mode').disabled = false;
+  set_mode('watch');
+  show_recording(opened);
+  show_ending();
+  tell('Tying…');
+}
+
+// Who watches the last frame goes on to watch the last one.
+function take_grown(frames, numbers) {
+  const follows = timeline.index === recording.frames - 1 && !timeline.is_playing;
+  recording.frames = frames;
+  recording.numbers = numbers;
+  timeline.grow(recording);
+  if (follows) timeline.move_to(frames - 1);
+  const took_s = (performance.now() - begun_ms) / 1000;
+  const left = known(timeline.number('progress', frames - 1), value => `, ${percent(value)} to go`);
+  element('tying').textContent =
+      `frame ${frames} of at most ${most_frames}${left}, ${(frames / took_s).toFixed(0)} frames/s`;
+}
+
+function take_tied({tied: summary, frames, numbers}) {
+  take_grown(frames, numbers);
+  is_tying = false;
+  show_ending();
+  element('tying').textContent = '';
+  tell(`Tied: ${summary}`);
+}
+
+function take_refusal(sentence) {
+  is_tying = false;
+  show_ending();
+  if (is_watching() && !recording) set_mode('draw');
+  tell_mistake(sentence);
+}
+
+function show_ending() {
+  element('tie').disabled = is_tying;
+  element('stop').hidden = !is_tying;
+  for (const kind of ['recording', 'scene', 'object']) element('save_' + kind).disabled = is_tying;
+  element('save_object').hidden = !tied?.object || given !== null;
+}
+
+// ---- Files to take away
+
+function save(name, content) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([content]));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+function save_scene() {
+  save(tied.name + '.toml', tied.scene);
+  save('sketch.svg', tied.svg);
+  if (given?.object) tell(`Put both beside ${given.object.file}.`);
+}
+
+// Numbers that read as the same again.
+function obj_text({name, vertices, triangles}) {
+  const rows = (letter, numbers, shown) => {
+    let text = '';
+    for (let i = 0; i < numbers.length; i += 3)
+      text += `${letter} ${shown(numbers[i])} ${shown(numbers[i + 1])} ${shown(numbers[i + 2])}\n`;
+    return text;
+  };
+  const shortest = value => {
+    for (let digits = 1; digits < 10; ++digits)
+      if (Math.fround(Number(value.toPrecision(digits))) === value) return Number(value.toPrecision(digits));
+    return value;
+  };
+  return `o ${name}\n` + rows('v', vertices, shortest) + rows('f', triangles, index => index + 1);
+}
+
+// ---- The worker
+
+function take(answered) {
+  if (answered.drawn) take_diagram(answered);
+  else if (answered.outlined) take_outline(answered);
+  else if (answered.opened) take_opened(answered.opened, answered.most_frames);
+  else if (answered.grown) take_grown(answered.grown, answered.numbers);
+  else if (answered.tied) take_tied(answered);
+  else if (answered.not_tied) take_refusal(answered.not_tied);
+  else if (answered.saved) save(tied.name + '.rbn', answered.saved);
+  else if (answered.broken) take_over(answered.broken);
+  else take_frame(answered);
+}
+
+// Out of memory, most likely: the drawing is still here, the recording is not.
+let last_fall_ms = -Infinity;
+async function take_over(reason) {
+  worker.terminate();
+  is_tying = false;
+  recording = null;
+  element('watch_mode').disabled = true;
+  set_mode('draw');
+  show_ending();
+  const falls_again = performance.now() - last_fall_ms < 5000;
+  last_fall_ms = performance.now();
+  tell_problem(`it could not be computed (${reason}); ` +
+               (falls_again ? 'reload the page' : 'choose a coarser mesh'));
+  if (falls_again) return;
+  await start_worker();
+  worker.postMessage({object: object_of(scene) ?? null});
+}
+
+// ---- Controls
+
+function choose_object(index) {
+  scene = given ?? scenes[index];
+  element('width').disabled = scene.width_m === 0;
+  element('width').value = scene.width_m > 0 ? +(100 * scene.width_m).toFixed(2) : '';
+  worker.postMessage({object: object_of(scene) ?? null});
+  worker.postMessage({outline: scene.text});
+}
+
+// Empty: as it is.
+function begin_with(index) {
+  if (index === '') return;
+  const begun = given ?? scenes[index];
+  change(points_for(scene, begun), null);
+  fit_board();
+}
+
+function offer(select, options) {
+  element(select).replaceChildren(...options.map(([value, text]) => new Option(text, value)));
+}
+
+function offer_scenes() {
+  element('object_label').hidden = given !== null;
+  if (given) {
+    offer('ready', [['', 'nothing'], ['0', 'the scene’s drawing']]);
+    element('mesh').prepend(new Option(`${given.across} × ${given.along}, as in the scene`, 'given'));
+    element('mesh').value = 'given';
+    return;
+  }
+  offer('object', scenes.slice(0, object_count).map((one, i) => [i, `${one.object.name}`]));
+  const drawings = scenes.slice(object_count);
+  offer('ready', [['', 'nothing'], ['0', 'overhand knot'],
+                  ...drawings.map((one, i) => [object_count + i, title_of(one.name).toLowerCase() + ' knot'])]);
+}
+
+element('undo').addEventListener('click', () => (states.undo(), show_drawing()));
+element('redo').addEventListener('click', () => (states.redo(), show_drawing()));
+element('clear').addEventListener('click', () => change([], []));
+element('mirror').addEventListener('click', () => {
+  if (states.state.crossings?.length) change(states.state.points, mirrored(states.state.crossings));
+});
+element('alternate').addEventListener('click', () => {
+  const crossings = alternated(states.state.crossings ?? []);
+  if (!crossings) return tell_problem('over and under cannot alternate: an end is shut in by a loop of the curve; lead it out, or exchange crossings one by one');
+  if (crossings.length) change(states.state.points, crossings);
+});
+element('object').addEventListener('change', event => {
+  choose_object(event.target.value);
+  show_drawing();
+});
+element('ready').addEventListener('change', event => begin_with(event.target.value));
+for (const id of ['width', 'mesh']) element(id).addEventListener('change', show_drawing);
+element('tie').addEventListener('click', tie);
+element('stop').addEventListener('click', () => worker.postMessage({stop: true}));
+element('save_recording').addEventListener('click', () => worker.postMessage({save: true}));
+element('save_scene').addEventListener('click', save_scene);
+element('save_object').addEventListener(
+    'click', () => save(scene.object.file, obj_text(tied.object)));
+for (const mode of ['draw', 'watch'])
+  element(mode + '_mode').addEventListener('click', () => set_mode(mode));
+addEventListener('keydown', event => {
+  if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z' || is_watching()) return;
+  event.preventDefault();
+  element(event.shiftKey ? 'redo' : 'undo').click();
+});
+
+// ---- The beginning
+
+async function begin() {
+  start_view();
+  show_ending();
+  scenes = JSON.parse(new TextDecoder().decode(await unpacked_gzip('scenes')));
+  const own = element('scene').textContent.trim();
+  given = own ? JSON.parse(own) : null;
+  await start_worker();
+  offer_scenes();
+  choose_object(0);
+  show_drawing();
+  document.body.dataset.ready = '';
+}
+
+begin().catch(error => tell_problem(`this browser cannot tie knots (${error.message})`));

@@ -1,0 +1,28 @@
+// What a drawing is, as a knot diagram: for who draws it and looks at it meanwhile.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/triangle_mesh.h"
+#include "result/result.h"
+#include "scene/scene.h"
+
+namespace ribbon {
+
+// JSON:
+//   crossings   in the order of their first passages: place `at` [x, y] in drawing units, `first`
+//   and
+//               `second`, where the walk meets it (polyline parameters), `first_over`
+//   letters     the list of crossings
+//   knot        its name; empty where over and under cannot be told
+//   problem     why they cannot, or what else is in the way of tying; empty where nothing is
+// Where over and under cannot be told, all first passages are over. Fails, with the place in the
+// drawing, where it is no diagram.
+Result<std::string> diagram_json(const Scene& scene, const std::optional<TriangleMesh>& obstacle);
+
+// The object's triangles as who draws sees them: x and y of three corners each, in drawing units.
+std::vector<float> silhouette(const TriangleMesh& obstacle, const CurveScene& curve);
+
+}  // namespace ribbon

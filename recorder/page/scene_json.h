@@ -1,0 +1,19 @@
+// A scene as a page takes it in.
+#pragma once
+
+#include <string>
+
+#include "result/result.h"
+#include "scene/scene.h"
+#include "text/json.h"
+
+namespace ribbon {
+
+// Its `file`, `text` and `name`, its drawing (`points`, x and y in turn, drawing units, and
+// `letters`, the list of crossings, empty where there is none), how that lies in the world
+// (`unit_m`, `origin`), the ribbon (`width_m`, 0 where its rows are not all as wide, `along`,
+// `across`) and, where there is one, the `object`: `file`, `name`, and of a TriangleMesh `vertices`
+// and `triangles`, three numbers each. Fails where drawing or object cannot be read.
+Result<Json> scene_json(const Scene& scene);
+
+}  // namespace ribbon

@@ -1,0 +1,125 @@
+// Reads drawings and ties knots, by libribbon's own code, in the worker that decodes frames. The page
+// sends beside what worker.js knows
+//   {object}      what to tie round, once for each: {name, vertices, triangles}, or null
+//   {diagram}     {scene, svg, letters, settings, number}; answered by {drawn}: of that number, the scene's
+//                 text with the diagram, or the sentence why there is none
+//   {outline}     a scene's text; answered by {outlined}
+//   {tie}         {scene, svg, file}; answered by {opened} with its first frame, by {grown} as frames
+//                 are added, at last by {tied}; or by {not_tied}
+//   {stop}        ends it; it is answered by {tied} as well
+//   {save}        answered by {saved}: the bytes of the recording
+'use strict';
+
+const folder = '/sketch';
+const scene_file = 'sketch.toml';
+let tied_file = '';    // of the recording
+let ties = false;
+const longest_turn_ms = 40;  // until messages are heard again
+
+const sketch_text = () => library.UTF8ToString(library._sketch_text());
+
+function enter_folder() {
+  if (!library.FS.analyzePath(folder).exists) library.FS.mkdir(folder);
+  library.FS.chdir(folder);
+}
+
+function write_scene(scene, svg) {
+  enter_folder();
+  library.FS.writeFile(scene_file, scene);
+  if (svg) library.FS.writeFile('sketch.svg', svg);
+}
+
+function with_array(array, heap, call) {
+  const address = library._malloc(array.byteLength);
+  library[heap].set(array, address / 4);
+  const answer = call(address);
+  library._free(address);
+  return answer;
+}
+
+answers.object = ({object}) => {
+  if (!object) return call_with_texts(name => library._sketch_object(name, 0, 0, 0, 0), '');
+  const {name, vertices, triangles} = object;
+  with_array(vertices, 'HEAPF32', v => with_array(triangles, 'HEAP32', t => call_with_texts(
+      text => library._sketch_object(text, v, vertices.length / 3, t, triangles.length / 3), name)));
+};
+
+// The text of the scene with this drawing, and its diagram.
+function drawn({scene, svg, letters, settings}) {
+  enter_folder();
+  const text = call_with_texts(library._sketch_scene, scene_file, scene, letters, settings) < 0
+      ? null : sketch_text();
+  if (text === null) return {problem: sketch_text()};
+  write_scene(text, svg);
+  const failed = call_with_texts(library._sketch_diagram, scene_file) < 0;
+  return failed ? {text, problem: sketch_text()} : {text, ...JSON.parse(sketch_text())};
+}
+
+answers.diagram = ({diagram}) =>
+    postMessage({drawn: drawn(diagram), number: diagram.number});
+
+answers.outline = ({outline}) => {
+  write_scene(outline, null);
+  const length = call_with_texts(library._sketch_outline_length, scene_file);
+  if (length < 0) return postMessage({outlined: new Float32Array(0), problem: sketch_text()});
+  postMessage({outlined: copied(Float32Array, library.HEAPF32, library._sketch_outline(), length)});
+};
+
+answers.tie = ({tie}) => {
+  ties = false;
+  write_scene(tie.scene, tie.svg);
+  const most_frames = call_with_texts(library._sketch_tie, scene_file, tie.file);
+  if (most_frames < 0) return postMessage({not_tied: sketch_text()});
+  tied_file = folder + '/' + tie.file;
+  const state = library._sketch_next();
+  if (state < 0) return postMessage({not_tied: sketch_text()});
+  const opened = description_of(tied_file, tie.file);
+  if (!opened) return postMessage({not_tied: playback_text()});
+  postMessage({opened, most_frames});
+  if (state === 0) return tell_tied();
+  ties = true;
+  go_on();
+};
+
+function tell_tied() {
+  ties = false;
+  const summary = sketch_text();
+  const frames = library._playback_refresh();
+  postMessage({tied: summary, frames, numbers: numbers_of(frames)});
+}
+
+// Some frames, and again after what has been asked meanwhile.
+function go_on() {
+  setTimeout(() => {
+    last = last.then(record_frames).catch(error => postMessage({broken: String(error)}));
+  });
+}
+
+function record_frames() {
+  if (!ties) return;
+  const begun = performance.now();
+  let state;
+  do state = library._sketch_next();
+  while (state === 1 && performance.now() - begun < longest_turn_ms);
+  if (state === 0) return tell_tied();
+  if (state < 0) {
+    ties = false;
+    return postMessage({not_tied: sketch_text()});
+  }
+  const frames = library._playback_refresh();
+  if (frames < 0) throw new Error(playback_text());
+  postMessage({grown: frames, numbers: numbers_of(frames)});
+  go_on();
+}
+
+answers.stop = () => {
+  if (!ties) return;
+  ties = false;
+  if (library._sketch_stop() < 0) return postMessage({not_tied: sketch_text()});
+  tell_tied();
+};
+
+answers.save = () => {
+  const saved = library.FS.readFile(tied_file);
+  postMessage({saved}, [saved.buffer]);
+};

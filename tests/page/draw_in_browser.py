@@ -1,0 +1,294 @@
+"""Draws and ties knots in a page as a person would, in headless Chromium: mouse, keys, touch.
+
+draw_in_browser.py PAGE OWN_SCENE_PAGE FOLDER   (pictures and what is saved go to FOLDER)
+"""
+
+import pathlib
+import sys
+import time
+import unittest
+
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select
+
+from browser_page import OpenedPage
+
+PAGE, OWN, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+
+# An overhand knot round what stands in the middle, in drawing units.
+OVERHAND = [(-640, 570), (-510, 545), (-285, 425), (-160, 395), (-70, 410), (75, 510), (150, 520), (250, 460),
+            (345, 350), (410, 225), (440, 105), (440, -15), (405, -140), (335, -250), (240, -340), (125, -400),
+            (5, -420), (-120, -400), (-240, -340), (-340, -245), (-405, -135), (-435, -10), (-430, 110),
+            (-395, 240), (-330, 370), (-240, 475), (-150, 520), (-70, 510), (85, 410), (160, 400), (280, 425),
+            (515, 535), (650, 560)]
+
+
+class Sketch(OpenedPage):
+    """A page in which nothing has been drawn yet."""
+
+    page = PAGE
+    pictures = FOLDER
+
+    def on_screen(self, place):
+        """Offsets from the board's middle, as the mouse takes them."""
+        x, y = self.script("return board.to_screen(arguments[0])", list(place))
+        board = self.find("board").size
+        return round(x - board["width"] / 2), round(y - board["height"] / 2)
+
+    def draw(self, places):
+        """With the mouse, in one stroke."""
+        paper = self.find("paper")
+        actions = ActionChains(self.browser, duration=5)
+        actions.move_to_element_with_offset(paper, *self.on_screen(places[0])).click_and_hold()
+        for a, b in zip(places, places[1:]):
+            for share in (0.5, 1):
+                place = [p + share * (q - p) for p, q in zip(a, b)]
+                actions.move_to_element_with_offset(paper, *self.on_screen(place))
+        actions.release().perform()
+        self.wait_for_answer()
+
+    def click(self, place):
+        ActionChains(self.browser).move_to_element_with_offset(
+            self.find("paper"), *self.on_screen(place)).click().perform()
+        self.wait_for_answer()
+
+    def wait_for_answer(self):
+        self.wait_for(lambda: self.script(
+            "return states.state.points.length < 2 || answer !== null"), "no answer to the drawing")
+
+    def points(self):
+        return self.script("return states.state.points")
+
+    def letters(self):
+        return self.script("return letters_of(states.state.crossings)")
+
+    def crossings(self):
+        return self.browser.find_elements(By.CSS_SELECTOR, "#crossings button")
+
+    def knot(self):
+        return self.find("knot").text
+
+    def begin_with(self, text):
+        Select(self.find("ready")).select_by_visible_text(text)
+        self.wait_for_answer()
+
+    def tie(self, frames=0):
+        """Until it has ended, or until there are so many frames."""
+        self.find("tie").click()
+        if frames:
+            self.wait_for(lambda: self.script("return recording?.frames ?? 0") >= frames, "it does not tie")
+        else:
+            self.wait_for(lambda: self.status().startswith("Tied: "), "it is not tied")
+
+    def save(self, button):
+        """What the page hands out, by name."""
+        self.script("""
+            window.saved = {};
+            window.save = async (name, content) => {
+              const bytes = new Uint8Array(await new Blob([content]).arrayBuffer());
+              window.saved[name] = Array.from(bytes);
+            };""")
+        self.find(button).click()
+        self.wait_for(lambda: self.script("return Object.keys(saved).length") > 0, "nothing was saved")
+        time.sleep(0.2)
+        for name, content in self.script("return saved").items():
+            (FOLDER / name).write_bytes(bytes(content))
+
+
+class Drawing(Sketch):
+    def test_an_overhand_knot_is_drawn_exchanged_tied_and_saved(self):
+        self.draw(OVERHAND)
+        self.assertEqual(self.status(), "")
+        self.assertEqual(len(self.crossings()), 3)
+        self.assertEqual(self.letters(), "OUOUOU")
+        self.assertIn("trefoil", self.knot())
+        self.picture("drawn")
+        self.crossings()[1].click()
+        self.wait_for_answer()
+        self.assertIn("unknot", self.knot())
+        self.assertEqual(self.letters(), "OOOUUU")
+        self.picture("exchanged")
+        self.crossings()[1].click()
+        self.wait_for_answer()
+        self.find("mirror").click()
+        self.wait_for_answer()
+        self.assertEqual(self.letters(), "UOUOUO")
+        self.assertIn("trefoil", self.knot())
+        self.tie()
+        self.assertIn("ended tight", self.status())
+        self.picture("tied")
+        for button in ("save_recording", "save_scene", "save_object"):
+            self.save(button)
+
+    def test_points_are_put_dragged_undone_and_redone(self):
+        for place in OVERHAND[:6]:
+            self.click(place)
+        self.assertEqual(len(self.points()), 6)
+        ActionChains(self.browser).move_to_element_with_offset(
+            self.find("paper"), *self.on_screen(self.points()[3])).click_and_hold().move_by_offset(
+                30, -20).release().perform()
+        self.wait_for_answer()
+        moved = self.points()
+        self.assertEqual(len(moved), 6)
+        self.assertGreater(moved[3][0], 310)
+        self.find("undo").click()
+        self.assertNotEqual(self.points(), moved)
+        self.find("redo").click()
+        self.assertEqual(self.points(), moved)
+        ActionChains(self.browser).key_down(Keys.CONTROL).send_keys("z").key_up(Keys.CONTROL).perform()
+        self.assertNotEqual(self.points(), moved)
+        self.find("clear").click()
+        self.assertEqual(self.points(), [])
+        self.find("undo").click()
+        self.assertEqual(len(self.points()), 6)
+
+    def test_a_choice_stays_when_a_point_is_dragged(self):
+        self.draw(OVERHAND)
+        self.crossings()[0].click()
+        self.wait_for_answer()
+        letters = self.letters()
+        ActionChains(self.browser).move_to_element_with_offset(
+            self.find("paper"), *self.on_screen(self.points()[0])).click_and_hold().move_by_offset(
+                -10, 15).release().perform()
+        self.wait_for_answer()
+        self.assertEqual(self.letters(), letters)
+
+    def test_keys_draw_exchange_and_tie(self):
+        self.script("document.getElementById('board').focus()")
+        self.press(Keys.ENTER, Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ENTER, Keys.ARROW_DOWN, Keys.ENTER)
+        self.assertEqual(len(self.points()), 3)
+        self.assertIn("Point 3", self.status())
+        self.press("p", Keys.ARROW_UP)
+        self.assertIn("Point 3 of 3", self.status())
+        self.press(Keys.DELETE)
+        self.assertEqual(len(self.points()), 2)
+        self.begin_with("overhand knot")
+        self.wait_for(lambda: len(self.crossings()) > 0, "no crossings")
+        self.crossings()[0].send_keys(Keys.ENTER)
+        self.wait_for_answer()
+        self.assertIn("Crossing 1 of ", self.status())
+        self.assertIn("first under", self.crossings()[0].get_attribute("aria-label"))
+
+    def test_mistakes_are_told_at_their_place(self):
+        self.draw([(-800, 0), (800, 0)])
+        self.assertIn("leads through the object", self.status())
+        self.assertTrue(self.find("mistake").is_displayed())
+        self.picture("mistake")
+        self.find("clear").click()
+        self.assertFalse(self.find("mistake").is_displayed())
+        for place in ((-500, 400), (500, 400), (500, 600), (0, 400), (-500, 600)):
+            self.click(place)
+        self.assertIn("(0, 400)", self.status())
+        self.find("tie").click()
+        self.assertIn("(0, 400)", self.status())
+        self.assertEqual(self.script("return document.body.dataset.mode"), "draw")
+
+    def test_ready_knots_go_round_every_object(self):
+        for item in ("cylinder", "hourglass", "box"):
+            Select(self.find("object")).select_by_visible_text(item)
+            for knot, name in (("overhand knot", "trefoil"), ("figure eight knot", "figure-eight"),
+                               ("cinquefoil knot", "cinquefoil")):
+                self.begin_with(knot)
+                self.assertIn(name, self.knot(), item)
+                self.assertEqual(self.status(), "", item)
+            self.picture(f"round-{item}")
+
+    def test_it_is_stopped_scrubbed_and_tied_anew(self):
+        self.begin_with("overhand knot")
+        self.tie(frames=30)
+        self.find("stop").click()
+        self.wait_for(lambda: "ended early" in self.status(), "it does not stop")
+        frames = self.script("return recording.frames")
+        self.press(Keys.HOME)
+        self.wait_for(lambda: self.find("frame").text.startswith("1 of"), "frame 1 did not come")
+        self.press(Keys.END)
+        self.wait_for(lambda: self.find("frame").text == f"{frames} of {frames}", "the end did not come")
+        self.find("draw_mode").click()
+        self.tie(frames=20)
+        self.find("draw_mode").click()
+        self.find("clear").click()
+        self.find("watch_mode").click()
+        self.wait_for(lambda: self.script("return recording.frames") >= 40, "it does not go on")
+
+    def test_loads_nothing_from_anywhere(self):
+        self.assertEqual(self.asked_of_others(), [])
+        self.assertEqual(self.blocked_by_policy(), "connect-src")
+
+    def test_worker_that_falls_is_replaced_and_the_drawing_stays(self):
+        self.begin_with("overhand knot")
+        points = self.points()
+        self.script("take({broken: 'out of memory'})")
+        self.assertIn("out of memory", self.status())
+        self.assertEqual(self.points(), points)
+        time.sleep(0.5)
+        self.tie(frames=5)
+
+    def test_every_control_has_a_name_and_room_for_a_finger(self):
+        self.begin_with("overhand knot")
+        self.check_controls()
+        self.tie(frames=5)
+        self.find("stop").click()
+        self.check_controls()
+
+    def test_one_finger_draws_two_zoom(self):
+        self.set_screen(390, 844)
+        self.script("fit_board()")
+        left, top, scale = self.script(
+            "const b = board.board.getBoundingClientRect(); return [b.left, b.top, board.scale]")
+
+        def at(place):
+            x, y = self.script("return board.to_screen(arguments[0])", list(place))
+            return left + x, top + y
+        self.touch("touchStart", at(OVERHAND[0]))
+        for place in OVERHAND[1:]:
+            self.touch("touchMove", at(place))
+        self.touch("touchEnd")
+        self.wait_for_answer()
+        self.assertGreater(len(self.points()), 10)
+        self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
+        self.assertGreater(self.script("return board.board.clientHeight"), 250)
+        self.picture("phone-sketch")
+        points = self.points()
+        self.touch("touchStart", (150, 300), (250, 300))
+        for step in range(1, 6):
+            self.touch("touchMove", (150 - 10 * step, 300), (250 + 10 * step, 300))
+        self.touch("touchEnd")
+        self.assertAlmostEqual(self.script("return board.scale") / scale, 2, delta=0.3)
+        self.assertEqual(self.points(), points)
+
+    def test_has_a_dark_face(self):
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": "prefers-color-scheme", "value": "dark"}]})
+        self.begin_with("figure eight knot")
+        self.picture("dark-sketch")
+        paper = self.script("return getComputedStyle(document.body).backgroundColor")
+        self.assertEqual(paper, "rgb(29, 31, 34)")
+
+
+class OwnScene(Sketch):
+    """A page that was written for a scene."""
+
+    page = OWN
+
+    def test_its_drawing_is_offered_and_tied_as_it_stands_there(self):
+        self.assertFalse(self.find("object").is_displayed())
+        self.begin_with("the scene’s drawing")
+        self.assertIn("trefoil", self.knot())
+        self.tie(frames=5)
+        self.assertEqual(self.script("return [recording.along, recording.across]"), [100, 4])
+        self.assertFalse(self.find("save_object").is_displayed())
+
+
+class WithoutPicture(Sketch):
+    options = ("--disable-gpu", "--disable-3d-apis")
+
+    def test_knots_are_tied_all_the_same(self):
+        self.begin_with("overhand knot")
+        self.tie(frames=5)
+        self.assertTrue(self.find("no_picture").is_displayed())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
