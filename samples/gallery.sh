@@ -103,4 +103,4 @@ for knot in "${knots[@]}"; do
   fi
   [[ ! -e $results/$knot-drawn.verify ]] || pictured "$knot"
 done
-python3 -B "$root/samples/gallery_page.py" "$scenes" "$results" "$root/docs/gallery.md"
+PYTHONPATH=$root/tests/benchmarks python3 -B "$root/samples/gallery_page.py" "$scenes" "$results" "$root/docs/gallery.md"

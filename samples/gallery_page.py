@@ -13,6 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
+from restlessness import restlessness_mm
+
 HEADINGS = ("knot", "particles", "stages", "frames", "wall, s", "processor, s", "intersecting pairs", "strain",
             "from the object, mm", "rest: 99 %, mm", "worst, mm", "verified")
 HANDS = {"drawn": "As drawn", "mirrored": "With the other hand: over and under exchanged, hands reflected"}
@@ -46,15 +48,6 @@ def description(scene):
             break
         lines.append(line.lstrip("# "))
     return " ".join(lines)
-
-
-def restlessness_mm(positions):
-    """Distances of particles from the quadratics through nine frames around each, by least squares."""
-    quadratic = np.array([-21, 14, 39, 54, 59, 54, 39, 14, -21]) / 231
-    steps = len(positions) - len(quadratic) + 1
-    smooth = sum(weight * positions[i:i + steps] for i, weight in enumerate(quadratic))
-    middle = len(quadratic) // 2
-    return 1000 * np.linalg.norm(positions[middle:middle + steps] - smooth, axis=-1)
 
 
 class Run:
