@@ -190,9 +190,11 @@ class PlainPackets {
 struct RayScene::State {
   explicit State(RibbonTree ribbon_tree) : tree(ribbon_tree) {
     if (!device) throw std::runtime_error("Embree cannot be started");
-    // Embree refits in dynamic scenes alone, whose trees take rays a little longer.
-    scene = new_scene(device.get(),
-                      tree == RibbonTree::refitted ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
+    // Embree refits in dynamic scenes alone. Compact leaves hold numbers of vertices instead of
+    // copies of them, which take longer to renew than to look up for so few rays.
+    scene = new_scene(device.get(), tree == RibbonTree::refitted
+                                        ? RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_COMPACT
+                                        : RTC_SCENE_FLAG_NONE);
     rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);  // that of joining them
     rtcCommitScene(scene.get());
   }
