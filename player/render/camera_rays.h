@@ -16,12 +16,9 @@ class CameraRays {
   // Samples look where the patterns say, the same in every pixel.
   CameraRays(const Camera& camera, PictureSize size, const SamplePatterns& patterns);
 
-  // Where a sample of a pixel looks, in pixels from the picture's top left corner.
-  [[nodiscard]] Eigen::Vector2f place(int x, int y, int sample) const {
-    return offsets_[static_cast<std::size_t>(sample)] +
-           Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y));
-  }
-  // The rays that look through those places.
+  // Where a sample of any pixel looks, in pixels from the pixel's top left corner.
+  [[nodiscard]] const Eigen::Vector2f& offset(std::size_t sample) const { return offsets_[sample]; }
+  // The rays that look through these places, in pixels from the picture's top left corner.
   void look(const Lanes<float>& x, const Lanes<float>& y, std::size_t count, RayBatch& rays) const;
 
   // Width of a pixel per length of its ray's direction.

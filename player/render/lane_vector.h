@@ -28,6 +28,11 @@ struct LaneVector {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+// Of a colour.
+[[gnu::always_inline]] inline float luminance(LaneVector light) {
+  return 0.2126F * light.x + 0.7152F * light.y + 0.0722F * light.z;
+}
+
 inline LaneVector lane_vector(const Color& color) {
   return {color[0], color[1], color[2]};
 }

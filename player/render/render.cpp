@@ -43,8 +43,8 @@ class PicturePainter {
     if (scene.has_ground()) tiles_.mark_all();
   }
 
-  // Calls take(x, y, sums) for every pixel of a covered tile and leave(x, y, backdrop) for the
-  // others.
+  // Calls take(x, y, shown, surface) with the sums of every pixel of a covered tile and
+  // leave(x, y, backdrop) for the others.
   template <class Take, class Leave>
   void paint(const Take& take, const Leave& leave) {
     parallel_ranges(counts_.size(), tiles_at_once, [&](std::size_t begin, std::size_t end) {
@@ -65,8 +65,9 @@ class PicturePainter {
         for_pixels(column * tile_side, row * tile_side, [&](int x, int y) {
           const int tile_x = x - column * tile_side;
           const int tile_y = y - row * tile_side;
-          take(x, y, painter.pixel(tile_x, tile_y));
-          counts_[tile].samples += painter.pixel(tile_x, tile_y).shown[3];
+          const Eigen::Array4f& shown = painter.shown(tile_x, tile_y);
+          take(x, y, shown, painter.surface(tile_x, tile_y));
+          counts_[tile].samples += shown[3];
           ++counts_[tile].pixels;
         });
       }
@@ -124,8 +125,7 @@ void set_planes(Planes& planes, std::size_t pixel, const Eigen::Array4f& value) 
   for (int channel = 0; channel < 3; ++channel) planes[channel][pixel] = value[channel];
 }
 
-void fill_pixel(const PixelSums& sums, std::size_t pixel, PixelPlanes& planes) {
-  const float samples = sums.shown[3];
+void fill_pixel(float samples, const SurfaceSums& sums, std::size_t pixel, PixelPlanes& planes) {
   set_planes(planes.direct, pixel, sums.direct / samples);
   set_planes(planes.albedo, pixel, sums.albedo / samples);
   // Samples that saw the backdrop know nothing of it.
@@ -133,7 +133,7 @@ void fill_pixel(const PixelSums& sums, std::size_t pixel, PixelPlanes& planes) {
   set_planes(planes.position, pixel, sums.position / samples);
   const float length = sums.normal.matrix().head<3>().norm();
   set_planes(planes.normal, pixel, sums.normal / std::max(length, 1e-20F));
-  planes.evenness[pixel] = sums.saw_one_surface() ? sums.normal[3] : 0;
+  planes.evenness[pixel] = sums.saw_one_surface(samples) ? sums.normal[3] : 0;
 }
 
 void leave_pixel(const Color& backdrop, std::size_t pixel, PixelPlanes& planes) {
@@ -170,8 +170,8 @@ Rendered Renderer::render(const RenderScene& scene, const Camera& camera, Pictur
   if (!settings_.quality.smooth_sky) {
     LightPicture light{size, std::vector<Color>(size.pixel_count())};
     painter.paint(
-        [&](int x, int y, const PixelSums& sums) {
-          light.pixels[index_of(x, y, size)] = sums.shown.head<3>() / sums.shown[3];
+        [&](int x, int y, const Eigen::Array4f& shown, const SurfaceSums&) {
+          light.pixels[index_of(x, y, size)] = shown.head<3>() / shown[3];
         },
         [&](int x, int y, const Color& backdrop) {
           light.pixels[index_of(x, y, size)] = backdrop;
@@ -181,7 +181,9 @@ Rendered Renderer::render(const RenderScene& scene, const Camera& camera, Pictur
   if (!planes_ || planes_->size != size) planes_.emplace(size);
   PixelPlanes& planes = *planes_;
   painter.paint(
-      [&](int x, int y, const PixelSums& sums) { fill_pixel(sums, index_of(x, y, size), planes); },
+      [&](int x, int y, const Eigen::Array4f& shown, const SurfaceSums& surface) {
+        fill_pixel(shown[3], surface, index_of(x, y, size), planes);
+      },
       [&](int x, int y, const Color& backdrop) {
         leave_pixel(backdrop, index_of(x, y, size), planes);
       });

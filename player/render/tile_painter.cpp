@@ -5,12 +5,24 @@
 #include "parallel/vector_loop.h"
 #include "player/render/lane_vector.h"
 #include "player/render/light_directions.h"
+#include "player/render/light_lanes.h"
 
 namespace ribbon {
 
 namespace {
 
-constexpr int block_side = 4;  // pixels whose rays travel together
+// The places of a tile in small blocks, whose rays travel together.
+constexpr std::array<std::uint16_t, tile_pixels> block_order = [] {
+  constexpr int block_side = 4;
+  std::array<std::uint16_t, tile_pixels> order{};
+  std::size_t count = 0;
+  for (int top = 0; top < tile_side; top += block_side)
+    for (int left = 0; left < tile_side; left += block_side)
+      for (int row = top; row < top + block_side; ++row)
+        for (int column = left; column < left + block_side; ++column)
+          order[count++] = static_cast<std::uint16_t>(place_in_tile(column, row));
+  return order;
+}();
 
 // Light from all sides mixes what it comes from: a pattern there would only be noise.
 constexpr float bounce_spread = 0.5F;
@@ -19,50 +31,9 @@ Eigen::Array4f four(const Color& color) {
   return {color[0], color[1], color[2], 0};
 }
 
-Eigen::Array4f sum_of(const VectorLanes& lanes, std::size_t begin, std::size_t end) {
-  LaneVector sum = lane_of(lanes, begin);
-  for (std::size_t i = begin + 1; i < end; ++i) sum = sum + lane_of(lanes, i);
-  return {sum.x, sum.y, sum.z, 0};
-}
-
-[[gnu::always_inline]] inline float luminance(LaneVector light) {
-  return 0.2126F * light.x + 0.7152F * light.y + 0.0722F * light.z;
-}
-
 Color full_light_on_ground(const Lighting& lighting) {
   return lighting.sun * std::max(0.0F, lighting.sun_direction.y()) +
          lighting.mean_sky(Eigen::Vector3f::UnitY());
-}
-
-void clear(VectorLanes& lanes, std::size_t count) {
-  for (Lanes<float>* lane : {&lanes.x, &lanes.y, &lanes.z}) std::fill_n(lane->begin(), count, 0.0F);
-}
-
-void add_to(VectorLanes& lanes, std::size_t lane, const Color& light) {
-  lanes.x[lane] += light[0];
-  lanes.y[lane] += light[1];
-  lanes.z[lane] += light[2];
-}
-
-// The light of white cloth under the open sky.
-void add_mean_sky(const Lighting& lighting, const SurfaceBatch& surface, VectorLanes& light) {
-  if (lighting.environment) {
-    for (std::size_t i = 0; i < surface.count; ++i)
-      add_to(light, i, lighting.mean_sky(surface.normal.at(i)));
-    return;
-  }
-  const LaneVector below = lane_vector(lighting.sky_below);
-  const LaneVector rise = lane_vector(lighting.sky_above - lighting.sky_below);
-  vectorised([&]() RIBBON_INLINED {
-    RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < surface.count; ++i)
-      set_lane(light, i, lane_of(light, i) + (below + (0.5F + surface.normal.y[i] / 3) * rise));
-  });
-}
-
-float& samples_of_body(Body body, PixelSums& sums) {
-  if (body == Body::ribbon) return sums.albedo[3];
-  return body == Body::obstacle ? sums.sky[3] : sums.direct[3];
 }
 
 }  // namespace
@@ -70,12 +41,11 @@ float& samples_of_body(Body body, PixelSums& sums) {
 void TilePainter::Samples::set(std::size_t first, const Samples& others, const LaneList& list) {
   for (std::size_t i = 0; i < list.count; ++i) {
     place[first + i] = others.place[list.lanes[i]];
-    pixel[first + i] = others.pixel[list.lanes[i]];
     number[first + i] = others.number[list.lanes[i]];
   }
 }
 
-TilePainter::TilePainter(const Setting& setting) : s_(setting) {
+TilePainter::TilePainter(const Setting& setting) : sums_(setting.quality), s_(setting) {
   rays_.spread = s_.rays.spread();
   light_rays_.spread = bounce_spread;
 }
@@ -85,11 +55,14 @@ void TilePainter::paint(int left, int top) {
   top_ = top;
   width_ = std::min(tile_side, s_.size.width - left);
   height_ = std::min(tile_side, s_.size.height - top);
-  for (PixelSums& sums : sums_) sums.clear();
+  sums_.clear();
+  wanting_.reset();
   for (int row = 0; row < height_; ++row)
-    for (int column = 0; column < width_; ++column)
-      backdrop_[place_in_tile(column, row)] = four(s_.backdrop.at(left_ + column, top_ + row));
-  wanting_.set();
+    for (int column = 0; column < width_; ++column) {
+      const std::size_t place = place_in_tile(column, row);
+      backdrop_[place] = four(s_.backdrop.at(left_ + column, top_ + row));
+      wanting_.set(place);
+    }
   if (!s_.quality.is_adaptive()) {
     sample_wanting(s_.quality.samples);
     return;
@@ -114,47 +87,41 @@ std::bitset<tile_pixels> TilePainter::worth_more() const {
   return noise_.most_worth_doubling(quality.most_samples);
 }
 
-// In small blocks, whose rays travel together.
 void TilePainter::sample_wanting(int first_samples) {
-  for (int top = 0; top < height_; top += block_side)
-    for (int left = 0; left < width_; left += block_side)
-      for (int row = top; row < std::min(top + block_side, height_); ++row)
-        for (int column = left; column < std::min(left + block_side, width_); ++column)
-          sample_again(row, column, first_samples);
+  for (const std::size_t place : block_order)
+    if (wanting_[place]) sample_again(place, first_samples);
   finish_batch();
 }
 
-// If it wants samples: its first ones, or as many again.
-void TilePainter::sample_again(int row, int column, int first_samples) {
-  if (!wanting_[place_in_tile(column, row)]) return;
-  const PixelSums& sums = pixel(column, row);
-  const int taken = static_cast<int>(sums.shown[3]);
-  const int end = taken == 0 ? first_samples : 2 * taken;
+// Its first samples, or as many again.
+void TilePainter::sample_again(std::size_t place, int first_samples) {
+  const float samples = sums_.shown(place)[3];
+  const auto taken = static_cast<std::uint32_t>(samples);
+  const std::uint32_t end = taken == 0 ? static_cast<std::uint32_t>(first_samples) : 2 * taken;
   // Smoothing does the rest where there is a surface to smooth.
-  asking_[place_in_tile(column, row)] =
-      !s_.quality.smooth_sky || taken < s_.quality.samples || !sums.saw_one_surface();
-  for (int number = taken; number < end; ++number) add(row, column, number);
+  asking_[place] = !s_.quality.smooth_sky || samples < static_cast<float>(s_.quality.samples) ||
+                   !sums_.surface(place).saw_one_surface(samples);
+  const auto x = static_cast<float>(left_ + static_cast<int>(place % tile_side));
+  const auto y = static_cast<float>(top_ + static_cast<int>(place / tile_side));
+  for (std::uint32_t number = taken; number < end; ++number) {
+    const Eigen::Vector2f& offset = s_.rays.offset(number);
+    place_x_[sample_count_] = offset.x() + x;
+    place_y_[sample_count_] = offset.y() + y;
+    samples_.place[sample_count_] = static_cast<std::uint32_t>(place);
+    samples_.number[sample_count_] = number;
+    if (++sample_count_ == batch_size) finish_batch();
+  }
 }
 
 void TilePainter::estimate_noise() {
   for (int row = 0; row < height_; ++row)
     for (int column = 0; column < width_; ++column) {
-      if (!wanting_[place_in_tile(column, row)]) continue;
-      const PixelSums& sums = pixel(column, row);
-      noise_.update(column, row, sums.shown[3],
-                    luminance({sums.shown[0], sums.shown[1], sums.shown[2]}), sums.position[3]);
+      const std::size_t place = place_in_tile(column, row);
+      if (!wanting_[place]) continue;
+      const Eigen::Array4f& light = sums_.shown(place);
+      noise_.update(column, row, light[3], luminance({light[0], light[1], light[2]}),
+                    sums_.squared_light(place));
     }
-}
-
-void TilePainter::add(int row, int column, int number) {
-  const Eigen::Vector2f place = s_.rays.place(left_ + column, top_ + row, number);
-  place_x_[sample_count_] = place.x();
-  place_y_[sample_count_] = place.y();
-  samples_.place[sample_count_] = static_cast<std::uint16_t>(place_in_tile(column, row));
-  samples_.pixel[sample_count_] =
-      static_cast<std::uint32_t>((top_ + row) * s_.size.width + left_ + column);
-  samples_.number[sample_count_] = static_cast<std::uint32_t>(number);
-  if (++sample_count_ == batch_size) finish_batch();
 }
 
 void TilePainter::finish_batch() {
@@ -169,7 +136,7 @@ void TilePainter::finish_batch() {
     add_bounced_skylight(skylight_);
   else
     add_skylight(Pattern::sky, seen_, seen_samples_, s_.lighting.bounce, skylight_);
-  add_up();
+  sums_.add({seen_, seen_samples_.place, sunlight_, skylight_, asking_});
 }
 
 // The samples that see the backdrop are done; the others' surfaces are laid side by side, body by
@@ -186,20 +153,12 @@ void TilePainter::sort_hits() {
   s_.scene.add_points(Body::ribbon, rays_, hits_, on_ribbon_, seen_);
   seen_samples_.set(seen_.count, samples_, on_obstacle_);
   s_.scene.add_points(Body::obstacle, rays_, hits_, on_obstacle_, seen_);
-  for (std::size_t i = 0; i < on_nothing_.count; ++i)
-    if (!s_.scene.has_ground() || !add_ground(on_nothing_.lanes[i]))
-      add_backdrop(on_nothing_.lanes[i]);
-}
-
-void TilePainter::add_backdrop(std::size_t lane) {
-  const std::size_t place = samples_.place[lane];
-  const Eigen::Array4f& backdrop = backdrop_[place];
-  const float light = luminance({backdrop[0], backdrop[1], backdrop[2]});
-  PixelSums& sums = sums_[place];
-  sums.shown += backdrop;
-  sums.shown[3] += 1;
-  sums.direct += backdrop;
-  sums.position[3] += light * light;
+  for (std::size_t i = 0; i < on_nothing_.count; ++i) {
+    const std::size_t lane = on_nothing_.lanes[i];
+    if (s_.scene.has_ground() && add_ground(lane)) continue;
+    const std::size_t place = samples_.place[lane];
+    sums_.add_backdrop(place, backdrop_[place]);
+  }
 }
 
 bool TilePainter::add_ground(std::size_t lane) {
@@ -215,9 +174,17 @@ bool TilePainter::add_ground(std::size_t lane) {
 // Where the samples of a pattern look, as points of the unit disc. Each pixel has patterns of its
 // own.
 void TilePainter::look(Pattern pattern, const Samples& samples, std::size_t count) {
+  Lanes<std::uint32_t> pixels;
+  vectorised([&]() RIBBON_INLINED {
+    const auto first = static_cast<std::uint32_t>(top_ * s_.size.width + left_);
+    const auto width = static_cast<std::uint32_t>(s_.size.width);
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < count; ++i)
+      pixels[i] = first + samples.place[i] / tile_side * width + samples.place[i] % tile_side;
+  });
   Lanes<float> u;
   Lanes<float> v;
-  s_.patterns.points(pattern, samples.pixel, samples.number, count, u, v);
+  s_.patterns.points(pattern, pixels, samples.number, count, u, v);
   to_disc(u, v, count, disc_x_, disc_y_);
 }
 
@@ -243,11 +210,13 @@ void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface, con
   products(surface.normal, towards_, surface.count, cosines);
   send(surface, [&](std::size_t lane) { return cosines[lane] > 0; });
   s_.scene.rays().unblocked(light_rays_, Coherence::similar, free_);
-  const LaneVector sun = lane_vector(s_.lighting.sun);
+  Lanes<float> shares;
+  std::fill_n(shares.begin(), surface.count, 0.0F);
   for (std::size_t r = 0; r < light_rays_.count; ++r) {
     const std::size_t i = asked_for_.lanes[r];
-    set_lane(light, i, lane_of(light, i) + (cosines[i] * free_[r]) * sun);
+    shares[i] = cosines[i] * free_[r];
   }
+  add_shares(shares, s_.lighting.sun, surface.count, light);
 }
 
 // Of each surface one direction of the sky, as likely as its light counts.
@@ -261,20 +230,21 @@ void TilePainter::look_at_sky(Pattern pattern, const SurfaceBatch& surface,
 // hides it sends back the part `returned`.
 void TilePainter::add_skylight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                                float returned, VectorLanes& light) {
-  add_mean_sky(s_.lighting, surface, light);
+  add_mean_sky(s_.lighting, surface.normal, surface.count, light);
   if (s_.quality.sky == SkyLight::open) return;
   look_at_sky(pattern, surface, samples);
   send(surface, [&](std::size_t lane) { return asking_[samples.place[lane]]; });
   s_.scene.rays().unblocked(light_rays_, Coherence::mixed, free_);
+  Lanes<float> shares;
+  std::fill_n(shares.begin(), surface.count, 0.0F);
   for (std::size_t r = 0; r < light_rays_.count; ++r)
-    if (free_[r] == 0)
-      add_to(light, asked_for_.lanes[r],
-             s_.lighting.sky(light_rays_.direction.at(r)) * (returned - 1));
+    shares[asked_for_.lanes[r]] = (1 - free_[r]) * (returned - 1);
+  add_sky_shares(s_.lighting, shares, towards_, surface.count, light);
 }
 
 // Instead of hidden sky, the light that the hiding surface itself receives and returns.
 void TilePainter::add_bounced_skylight(VectorLanes& light) {
-  add_mean_sky(s_.lighting, seen_, light);
+  add_mean_sky(s_.lighting, seen_.normal, seen_.count, light);
   look_at_sky(Pattern::sky, seen_, seen_samples_);
   send(seen_, [](std::size_t) { return true; });
   s_.scene.rays().first_hits(light_rays_, Coherence::mixed, hits_);
@@ -288,58 +258,16 @@ void TilePainter::add_bounced_skylight(VectorLanes& light) {
     s_.scene.add_points(body, light_rays_, hits_, hit, bounce_);
     for (std::size_t i = 0; i < hit.count; ++i) bounce_of_.add_if(hit.lanes[i], true);
   }
-  for (std::size_t i = 0; i < bounce_.count; ++i) {
-    const std::size_t to = bounce_of_.lanes[i];
-    add_to(light, to, -s_.lighting.sky(light_rays_.direction.at(to)));
-  }
+  Lanes<float> shares;
+  std::fill_n(shares.begin(), seen_.count, 0.0F);
+  for (std::size_t i = 0; i < bounce_.count; ++i) shares[bounce_of_.lanes[i]] = -1;
+  add_sky_shares(s_.lighting, shares, light_rays_.direction, seen_.count, light);
   VectorLanes received;
   clear(received, bounce_.count);
   add_sunlight(Pattern::sun_on_bounce, bounce_, bounce_samples_, received);
   add_skylight(Pattern::sky_on_bounce, bounce_, bounce_samples_, 0, received);
   for (std::size_t i = 0; i < bounce_.count; ++i)
     add_to(light, bounce_of_.lanes[i], received.at(i).array() * bounce_.albedo.at(i).array());
-}
-
-void TilePainter::add_up() {
-  VectorLanes direct;
-  VectorLanes shown;
-  Lanes<float> squared_light;
-  const bool smooth = s_.quality.smooth_sky;
-  const LaneVector even_sky = lane_vector(Color::Constant(0.5F));
-  vectorised([&]() RIBBON_INLINED {
-    RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < seen_.count; ++i) {
-      const LaneVector albedo = lane_of(seen_.albedo, i);
-      const LaneVector returned = albedo * lane_of(sunlight_, i);
-      // What smoothing takes away is no noise that takes samples.
-      const LaneVector sky = smooth ? even_sky : lane_of(skylight_, i);
-      const LaneVector all = returned + albedo * sky;
-      set_lane(direct, i, returned);
-      set_lane(shown, i, all);
-      squared_light[i] = luminance(all) * luminance(all);
-    }
-  });
-  // The samples of a pixel that saw the same body lie side by side.
-  for (std::size_t begin = 0, end = 0; begin < seen_.count; begin = end) {
-    const std::uint16_t place = seen_samples_.place[begin];
-    const Body body = seen_.body[begin];
-    while (end < seen_.count && seen_samples_.place[end] == place && seen_.body[end] == body) ++end;
-    PixelSums& sums = sums_[place];
-    const auto samples = static_cast<float>(end - begin);
-    sums.shown += sum_of(shown, begin, end);
-    sums.shown[3] += samples;
-    for (std::size_t i = begin; i < end; ++i) sums.position[3] += squared_light[i];
-    if (!s_.quality.smooth_sky) continue;
-    samples_of_body(body, sums) += samples;
-    if (asking_[place]) {
-      sums.sky += sum_of(skylight_, begin, end);
-      sums.normal[3] += samples;
-    }
-    sums.direct += sum_of(direct, begin, end);
-    sums.albedo += sum_of(seen_.albedo, begin, end);
-    sums.normal += sum_of(seen_.normal, begin, end);
-    sums.position += sum_of(seen_.position, begin, end);
-  }
 }
 
 }  // namespace ribbon

@@ -14,27 +14,9 @@
 #include "player/render/render_scene.h"
 #include "player/render/sampling.h"
 #include "player/render/tile_noise.h"
+#include "player/render/tile_sums.h"
 
 namespace ribbon {
-
-// Sums over the samples of a pixel, and what they are good for.
-struct PixelSums {
-  Eigen::Array4f shown;  // the fourth: all samples
-  // Only where the sky is to be smoothed, all but the squared luminance:
-  Eigen::Array4f direct;    // backdrop, and the sun's light returned; the fourth: samples that saw
-                            // the ground
-  Eigen::Array4f albedo;    // the fourth: samples that saw the ribbon
-  Eigen::Array4f sky;       // the fourth: samples that saw the obstacle
-  Eigen::Array4f normal;    // the fourth: samples behind `sky`
-  Eigen::Array4f position;  // the fourth: squared luminance
-
-  [[nodiscard]] bool saw_one_surface() const {
-    return direct[3] == shown[3] || albedo[3] == shown[3] || sky[3] == shown[3];
-  }
-  void clear() {
-    for (Eigen::Array4f* sum : {&shown, &direct, &albedo, &sky, &normal, &position}) sum->setZero();
-  }
-};
 
 // What all tiles of a picture share.
 struct Setting {
@@ -56,8 +38,12 @@ class TilePainter {
   // the picture get none.
   void paint(int left, int top);
 
-  [[nodiscard]] const PixelSums& pixel(int column, int row) const {
-    return sums_[place_in_tile(column, row)];
+  // Sums over the samples of a pixel: of its light; the fourth number counts them.
+  [[nodiscard]] const Eigen::Array4f& shown(int column, int row) const {
+    return sums_.shown(place_in_tile(column, row));
+  }
+  [[nodiscard]] const SurfaceSums& surface(int column, int row) const {
+    return sums_.surface(place_in_tile(column, row));
   }
   // Estimated error of the tile, in 8-bit levels; 0 where nobody asked, as all pixels get as many
   // samples.
@@ -66,21 +52,18 @@ class TilePainter {
  private:
   // Which samples the lanes are.
   struct Samples {
-    Lanes<std::uint16_t> place;   // of the pixel, in the tile
-    Lanes<std::uint32_t> pixel;   // in the picture
+    Lanes<std::uint32_t> place;   // of the pixel, in the tile
     Lanes<std::uint32_t> number;  // of the pixel's samples
 
     // Lanes from `first` on become those of `others` that are listed.
     void set(std::size_t first, const Samples& others, const LaneList& list);
   };
   void sample_wanting(int first_samples);
-  void sample_again(int row, int column, int first_samples);
+  void sample_again(std::size_t place, int first_samples);
   void estimate_noise();
   [[nodiscard]] std::bitset<tile_pixels> worth_more() const;
-  void add(int row, int column, int number);
   void finish_batch();
   void sort_hits();
-  void add_backdrop(std::size_t lane);
   bool add_ground(std::size_t lane);
   void add_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                     VectorLanes& light);
@@ -91,7 +74,6 @@ class TilePainter {
   void look_at_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples);
   template <class Wanted>
   void send(const SurfaceBatch& surface, const Wanted& wanted);
-  void add_up();
 
   // What is aligned for vectors comes first, so that little is left empty between.
   RayBatch rays_;
@@ -102,7 +84,7 @@ class TilePainter {
   VectorLanes towards_;
   RayBatch light_rays_;
   SurfaceBatch bounce_;
-  std::array<PixelSums, tile_pixels> sums_;
+  TileSums sums_;
   std::array<Eigen::Array4f, tile_pixels> backdrop_;  // of each pixel
 
   const Setting& s_;
@@ -112,7 +94,7 @@ class TilePainter {
   int height_ = 0;
   std::size_t sample_count_ = 0;
   std::bitset<tile_pixels> wanting_;
-  std::bitset<tile_pixels> asking_;  // whose samples ask what is hidden of the sky
+  std::array<bool, tile_pixels> asking_{};  // whose samples ask what is hidden of the sky
   TileNoise noise_;
 
   Samples samples_;

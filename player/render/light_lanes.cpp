@@ -1,0 +1,61 @@
+#include "player/render/light_lanes.h"
+
+#include <algorithm>
+
+#include "parallel/vector_loop.h"
+#include "player/render/lane_vector.h"
+
+namespace ribbon {
+
+void clear(VectorLanes& lanes, std::size_t count) {
+  for (Lanes<float>* lane : {&lanes.x, &lanes.y, &lanes.z}) std::fill_n(lane->begin(), count, 0.0F);
+}
+
+void add_to(VectorLanes& lanes, std::size_t lane, const Color& light) {
+  lanes.x[lane] += light[0];
+  lanes.y[lane] += light[1];
+  lanes.z[lane] += light[2];
+}
+
+void add_shares(const Lanes<float>& shares, const Color& light, std::size_t count,
+                VectorLanes& lanes) {
+  const LaneVector all = lane_vector(light);
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < count; ++i) set_lane(lanes, i, lane_of(lanes, i) + shares[i] * all);
+  });
+}
+
+void add_sky_shares(const Lighting& lighting, const Lanes<float>& shares,
+                    const VectorLanes& directions, std::size_t count, VectorLanes& lanes) {
+  if (lighting.environment) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (shares[i] != 0) add_to(lanes, i, lighting.sky(directions.at(i)) * shares[i]);
+    return;
+  }
+  const LaneVector below = lane_vector(lighting.sky_below);
+  const LaneVector rise = lane_vector(lighting.sky_above - lighting.sky_below);
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < count; ++i)
+      set_lane(lanes, i,
+               lane_of(lanes, i) + shares[i] * (below + (0.5F + directions.y[i] / 2) * rise));
+  });
+}
+
+void add_mean_sky(const Lighting& lighting, const VectorLanes& normals, std::size_t count,
+                  VectorLanes& lanes) {
+  if (lighting.environment) {
+    for (std::size_t i = 0; i < count; ++i) add_to(lanes, i, lighting.mean_sky(normals.at(i)));
+    return;
+  }
+  const LaneVector below = lane_vector(lighting.sky_below);
+  const LaneVector rise = lane_vector(lighting.sky_above - lighting.sky_below);
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < count; ++i)
+      set_lane(lanes, i, lane_of(lanes, i) + (below + (0.5F + normals.y[i] / 3) * rise));
+  });
+}
+
+}  // namespace ribbon
