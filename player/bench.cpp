@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 #include <vector>
 
 #include "player/picture/png_encoder.h"
@@ -77,7 +78,9 @@ PictureTimes measure_pictures(const Eigen::Matrix3Xf& positions, const Recording
                               const Camera& camera, const Options& options) {
   RenderScene scene(header, false, worthwhile_tree(options.render.quality));
   scene.set_cloth(options.render.cloth);
-  Renderer renderer(options.render);
+  RenderSettings settings = options.render;
+  settings.timed = true;
+  Renderer renderer(std::move(settings));
   PictureTimes times;
   Rendered rendered;
   Picture picture;

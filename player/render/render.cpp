@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,7 @@ class PicturePainter {
       : size_(size),
         rays_(camera, size, patterns),
         backdrop_(settings.backdrop, camera, size),
+        timed_(settings.timed),
         setting_{scene, rays_, patterns, settings.quality, settings.lighting, backdrop_, size},
         tiles_(camera, size, tile_side),
         counts_(static_cast<std::size_t>(tiles_.columns()) * tiles_.rows()) {
@@ -58,9 +60,7 @@ class PicturePainter {
           leave_tile(column * tile_side, row * tile_side, leave);
           continue;
         }
-        const ThreadTimer timer;
-        painter.paint(column * tile_side, row * tile_side);
-        counts_[tile].paint_s = timer.seconds();
+        counts_[tile].paint_s = paint_tile(painter, column * tile_side, row * tile_side);
         counts_[tile].error = painter.error();
         for_pixels(column * tile_side, row * tile_side, [&](int x, int y) {
           const int tile_x = x - column * tile_side;
@@ -92,6 +92,14 @@ class PicturePainter {
   }
 
  private:
+  // How long it took, if that is asked for.
+  [[nodiscard]] double paint_tile(TilePainter& painter, int left, int top) const {
+    std::optional<ThreadTimer> timer;
+    if (timed_) timer.emplace();
+    painter.paint(left, top);
+    return timer ? timer->seconds() : 0;
+  }
+
   [[nodiscard]] bool is_above_noise(double error) const {
     return setting_.quality.noise > 0 && error > setting_.quality.noise;
   }
@@ -112,6 +120,7 @@ class PicturePainter {
   PictureSize size_;
   CameraRays rays_;
   BackdropView backdrop_;
+  bool timed_;
   Setting setting_;
   TileCoverage tiles_;
   std::vector<TileCount> counts_;

@@ -23,6 +23,7 @@ struct RenderSettings {
   float thickness_m = 0;  // of the cloth, as it is seen at the selvages
   Tone tone = {};
   bool ground = false;  // a floor in the backdrop's colours that shows the shadows
+  bool timed = false;  // asks for RenderReport::paint_s, which takes two calls of the system a tile
 };
 
 // What it took, and what the estimate of noise reached. Pixels: those of the tiles that may show
@@ -31,7 +32,7 @@ struct RenderReport {
   double samples = 0;  // of a pixel, mean
   double error = 0;    // in 8-bit levels: root of the mean square over the pixels; 0 where all
                        // have as many samples
-  double paint_s = 0;  // tracing and shading, of all threads together
+  double paint_s = 0;  // tracing and shading, of all threads together; 0 unless asked for
   double wanting = 0;  // share of the pixels whose tile is still above Quality::noise, if that is
                        // asked for
 };
