@@ -22,7 +22,7 @@ figures=(
   '19-fine overhand-small-object-16x400'
   '17-fine overhand-hourglass-16x400 ribbon.width=0.045'
 )
-stiffness=(0 1e2 1e4 3.2e4 1e5 1e6) # over a particle's mass, 1/s^2; the figures have 3.2e4
+stiffness=(0 1e2 1e4 1e5 1e6) # over a particle's mass, 1/s^2; the figures have 3.2e4
 published=(contact=paper time.integrator=rk4 springs.damping=0)
 methods=(gate published)
 
@@ -96,21 +96,20 @@ counted() {
   [[ ! -e $results/box_tests.json ]] || return 0
   echo "== Counting box tests"
   "$tools/tests/benchmarks/benchmark_box_tests" --tight "$results/16-coarse-gate.rbn" \
-    --json "$results/box_tests.new" --most-particles "$([[ $quick ]] && echo 1200 || echo 25600)"
+    --json "$results/box_tests.new" --most-particles "$([[ $quick ]] && echo 1200 || echo 12800)"
   mv "$results/box_tests.new" "$results/box_tests.json"
 }
 
-# What takes the hourglass as a coarse ribbon.
-stiffened_and_counted() {
+# By hands that do not yield: the softest cloth is at its limit of strain long before its loop has closed.
+stiffened() {
   local ratio method newtons_per_metre
   for ratio in "${stiffness[@]}"; do
     newtons_per_metre=$(awk -v ratio="$ratio" 'BEGIN { print ratio / (4 * 200) }')
     for method in "${methods[@]}"; do
       tied "stiffness-$ratio" "$method" overhand-hourglass-8x400 ribbon.{across=4,along=200} \
-        springs.{stretch,shear,bend}="$newtons_per_metre" time.duration=10
+        springs.{stretch,shear,bend}="$newtons_per_metre" fastening.yield=1 time.duration=6
     done
   done
-  counted
 }
 
 if [[ -z $tools ]]; then
@@ -125,6 +124,6 @@ for figure in "${figures[@]}"; do
     tied "$name" "$method" "$sample" ${set:+"$set"}
     pictured "$name" "$method"
   done
-  [[ $name != 16-coarse ]] || stiffened_and_counted
+  [[ $name != 16-coarse ]] || { counted; stiffened; }
 done
 python3 -B "$root/tests/benchmarks/plot_paper.py" "$results" ${docs:+"$root/docs/paper.md"}

@@ -114,12 +114,12 @@ TABLES = {"figures": figure_table, "stiffness": stiffness_table, "box tests": bo
 
 def box_test_panel(left, state, ribbons):
     particles = [ribbon["across"] * ribbon["along"] for ribbon in ribbons]
-    x_ticks = [(1000 * 4**i, f"{4**i}000") for i in range(5)]
-    y_ticks = [(10**i, f"1e{i}") for i in range(11)]
+    x_ticks = [(count, f"{count}") for count in (1000, 2000, 4000, 8000, 16000)]
+    y_ticks = [(10**i, f"1e{i}") for i in range(2, 10)]
     panel = Panel(left, STATES[state], "particles", "box tests of one detection", x_ticks, y_ticks)
     yield from panel.grid()
     for key, name, colour in DETECTORS:
-        counts = [max(1, ribbon[key]["box_tests"]) for ribbon in ribbons]
+        counts = [max(y_ticks[0][0], ribbon[key]["box_tests"]) for ribbon in ribbons]
         points = [panel.at(*point) for point in zip(particles, counts)]
         yield polyline(points, colour)
         for point, count in zip(points, counts):
