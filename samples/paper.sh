@@ -56,11 +56,14 @@ mkdir -p "$results"
   exit 2
 }
 
-# settings_of METHOD SETTING...   Sets the array `settings` to the recorder's options.
+# settings_of METHOD SETTING...   Sets the array `settings` to the recorder's options. Of two settings of a key the later
+# holds.
 settings_of() {
-  local setting all=("${@:2}" recording.max_position_error=0)
+  local setting all=()
+  [[ -z $quick ]] || all+=(ribbon.along=100 ribbon.across=4)
+  all+=("${@:2}" recording.max_position_error=0)
   [[ $1 == gate ]] || all+=("${published[@]}")
-  [[ -z $quick ]] || all+=(ribbon.along=100 ribbon.across=4 time.duration=0.5)
+  [[ -z $quick ]] || all+=(time.duration=0.5)
   settings=()
   for setting in "${all[@]}"; do settings+=(--set "$setting"); done
 }

@@ -36,6 +36,9 @@ class Run:
         self.verify, self.stats, self.time = (
             json.loads(verified.with_suffix(suffix).read_text()) for suffix in (".verify", ".stats", ".time"))
 
+    def figure(self):
+        return f"{self.name.partition('-')[0]}: {self.stats['across']}x{self.stats['along']}"
+
     def cells(self):
         """What became of it, for a row of a table."""
         pairs = self.verify["intersections"]
@@ -77,9 +80,8 @@ def table(head, rows):
 def figure_table(results):
     rows = []
     for run in runs_in(results, "1"):
-        size = f"{run.stats['across']}x{run.stats['along']}"
-        rows.append([run.name.partition("-")[0], size, METHODS[run.method], *run.cells()])
-    return table(["Figure", "particles", "method", *HEADINGS], rows)
+        rows.append([run.figure(), METHODS[run.method], *run.cells()])
+    return table(["Figure", "method", *HEADINGS], rows)
 
 
 def stiffness_table(results):
@@ -109,7 +111,18 @@ def box_test_table(results):
     return table(["ribbon", "particles", *names, "close pairs that curvature misses"], rows)
 
 
-TABLES = {"figures": figure_table, "stiffness": stiffness_table, "box tests": box_test_table}
+def sheet_table(results):
+    """The contact sheets that are drawn, as a document shows them."""
+    rows = []
+    for run in runs_in(results, "1"):
+        if not (results / f"{run.name}-{run.method}.small.png").exists():
+            continue
+        title = f"Figure {run.figure()}, {METHODS[run.method]}"
+        rows.append([title, f"![{title}](paper/{run.name}-{run.method}.png)"])
+    return table(["", ""], rows)
+
+
+TABLES = {"sheets": sheet_table, "figures": figure_table, "stiffness": stiffness_table, "box tests": box_test_table}
 
 
 def box_test_panel(left, state, ribbons):

@@ -17,8 +17,9 @@ refused() {
 }
 
 rm -rf "$results"
-expect "ribbons tied and drawn, counts of box tests" "$(remade | wc -l)" 41
-expect "rows with the methods" "$(grep --count -e '| gate |' -e '| as published |' "$results/tables.md")" 26
+expect "ribbons tied and drawn, counts of box tests" "$(remade | wc -l)" 39
+expect "rows with the methods" "$(grep --count -e '| gate |' -e '| as published |' "$results/tables.md")" 24
+expect "contact sheets in the table" "$(grep --count '](paper/' "$results/tables.md")" 14
 expect "rows of box tests" "$(grep --count '| 4x300 |' "$results/tables.md")" 2
 expect "curves of box tests" "$(grep --count '<polyline' "$results/box-tests.svg")" 10
 expect "contact sheets for documents" "$(find "$results" -name '*.small.png' | wc -l)" 14
