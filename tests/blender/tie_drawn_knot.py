@@ -4,6 +4,8 @@ usage: tie_drawn_knot.py PACKAGE IMPORT_ADD_ON ADD_ON RECORDER FOLDER    PACKAGE
 """
 
 import math
+import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -146,6 +148,12 @@ text = (folder / "flat-ink.toml").read_text()
 check("crossings" not in text and 'fabric = "silk"' in text, text)
 choose(draw_stroke([(x, y, max(0, z) * (y > 0.03)) for x, y, z in drawn_points(0.02)], "half flat"))
 check_refused("at one height")
+
+# The fabrics that it offers are those that the recorder lists.
+refused = subprocess.run([recorder, folder / "flat-ink.toml", "--set", "cloth.fabric=none", "-o", folder / "none.rbn"],
+                         capture_output=True, text=True).stderr
+listed = re.findall('"([^"]+)"', refused.partition("one of")[2].partition(", not")[0])
+check(tuple(listed) == sys.modules["ribbon_knot"].FABRICS, f"other fabrics: {refused}")
 
 second = post.copy()
 linked(second)
