@@ -3,6 +3,8 @@
 #include <functional>
 #include <utility>
 
+#include "scene/fabric.h"
+
 namespace ribbon {
 
 namespace {
@@ -84,6 +86,14 @@ std::vector<FeatureScene> feature_scenes(const Scene& full) {
   });
   list.add_choice("sample, width profile", full, [](Scene& s) {
     s.ribbon.profile = WidthProfile{{{0, 0.5 * s.ribbon.width_m}, {1, 1.5 * s.ribbon.width_m}}};
+  });
+  list.add_choice("sample, in silk", full, [](Scene& s) {
+    s.cloth = {.fabric = fabrics.front(),
+               .tells_mass = true,
+               .tells_stretch = true,
+               .tells_shear = true,
+               .tells_bend = true};
+    s.time.integrator = IntegrationMethod::implicit;
   });
   list.add_choice("sample, `contact = \"paper\"`", full,
                   [](Scene& s) { s.contact = ContactMethod::paper; });
