@@ -61,13 +61,14 @@ function change(points, crossings) {
   show_drawing();
 }
 
+// What of the scene is changed besides its drawing.
 function settings() {
-  const lines = [`obstacle.mesh="${scene.object?.file ?? ''}"`, ...(scene === given ? [] : ['name="sketch"'])];
-  const is_as_given = scene === given && element('mesh').value === 'given';
-  const width_m = Number(element('width').value) / 100;
-  if (width_m > 0 && !element('width').disabled) lines.push(`ribbon.width=${width_m}`);
-  if (!is_as_given) lines.push(...mesh_settings(width_m));
-  return lines.filter(line => scene.object || !line.startsWith('obstacle')).join('\n');
+  const lines = [];
+  if (!given) lines.push('name="sketch"', `obstacle.mesh="${scene.object.file}"`);
+  const width_m = element('width').disabled ? 0 : Number(element('width').value) / 100;
+  if (width_m > 0 && width_m !== scene.width_m) lines.push(`ribbon.width=${width_m}`);
+  if (element('mesh').value !== 'given') lines.push(...mesh_settings(width_m));
+  return lines.join('\n');
 }
 
 // As fine along as across.
@@ -163,8 +164,8 @@ let most_frames = 0;
 function tie() {
   if (states.state.points.length < 2) return tell_problem('there is no curve to tie; draw one');
   if (!answer?.text) return answer ? tell_mistake(answer.problem) : undefined;
-  const name = given ? given.file.replace(/\.toml$/, '') : 'sketch';
-  tied = {scene: answer.text, svg: answer.svg, name, object: scene.object && object_of(scene)};
+  const name = given ? given.file.replace(/\.toml$/, '') + '-sketch' : 'sketch';
+  tied = {scene: answer.text, svg: answer.svg, name, object: scene.object};
   is_tying = true;
   element('tie').disabled = true;
   begun_ms = performance.now();
@@ -205,10 +206,11 @@ function take_tied({tied: summary, frames, numbers}) {
   tell(`Tied: ${summary}`);
 }
 
+// What was tied before can still be watched.
 function take_refusal(sentence) {
   is_tying = false;
+  wanted.is_asked = recording === null;
   show_ending();
-  if (is_watching() && !recording) set_mode('draw');
   tell_mistake(sentence);
 }
 
@@ -216,7 +218,7 @@ function show_ending() {
   element('tie').disabled = is_tying;
   element('stop').hidden = !is_tying;
   for (const kind of ['recording', 'scene', 'object']) element('save_' + kind).disabled = is_tying;
-  element('save_object').hidden = !tied?.object || given !== null;
+  element('save_object').hidden = given !== null;
 }
 
 // ---- Files to take away
@@ -232,10 +234,11 @@ function save(name, content) {
 function save_scene() {
   save(tied.name + '.toml', tied.scene);
   save('sketch.svg', tied.svg);
-  if (given?.object) tell(`Put both beside ${given.object.file}.`);
+  tell(given ? `Put both into the folder of ${given.file}, so that what it names is found.`
+             : `Put both into one folder, with ${scene.object.file}.`);
 }
 
-// Numbers that read as the same again.
+// With numbers in as few digits as the page has them, which read as the same again.
 function obj_text({name, vertices, triangles}) {
   const rows = (letter, numbers, shown) => {
     let text = '';
@@ -243,12 +246,8 @@ function obj_text({name, vertices, triangles}) {
       text += `${letter} ${shown(numbers[i])} ${shown(numbers[i + 1])} ${shown(numbers[i + 2])}\n`;
     return text;
   };
-  const shortest = value => {
-    for (let digits = 1; digits < 10; ++digits)
-      if (Math.fround(Number(value.toPrecision(digits))) === value) return Number(value.toPrecision(digits));
-    return value;
-  };
-  return `o ${name}\n` + rows('v', vertices, shortest) + rows('f', triangles, index => index + 1);
+  return `o ${name}\n` + rows('v', vertices, value => value) +
+      rows('f', triangles, index => index + 1);
 }
 
 // ---- The worker
@@ -308,7 +307,7 @@ function offer(select, options) {
 function offer_scenes() {
   element('object_label').hidden = given !== null;
   if (given) {
-    offer('ready', [['', 'nothing'], ['0', 'the scene’s drawing']]);
+    offer('ready', [['', 'nothing'], ['0', 'its own drawing']]);
     element('mesh').prepend(new Option(`${given.across} × ${given.along}, as in the scene`, 'given'));
     element('mesh').value = 'given';
     return;
@@ -341,7 +340,7 @@ element('stop').addEventListener('click', () => worker.postMessage({stop: true})
 element('save_recording').addEventListener('click', () => worker.postMessage({save: true}));
 element('save_scene').addEventListener('click', save_scene);
 element('save_object').addEventListener(
-    'click', () => save(scene.object.file, obj_text(tied.object)));
+    'click', () => save(tied.object.file, obj_text(tied.object)));
 for (const mode of ['draw', 'watch'])
   element(mode + '_mode').addEventListener('click', () => set_mode(mode));
 addEventListener('keydown', event => {

@@ -274,7 +274,7 @@ class OwnScene(Sketch):
 
     def test_its_drawing_is_offered_and_tied_as_it_stands_there(self):
         self.assertFalse(self.find("object").is_displayed())
-        self.begin_with("the scene’s drawing")
+        self.begin_with("its own drawing")
         self.assertIn("trefoil", self.knot())
         self.tie(frames=5)
         self.assertEqual(self.script("return [recording.along, recording.across]"), [100, 4])
