@@ -7,7 +7,10 @@ if(RIBBON_EMCC AND EXISTS ${PROJECT_SOURCE_DIR}/build/page-sources/complete)
 else()
   set(can_build_page OFF)
 endif()
-option(RIBBON_BUILD_PAGE "Build the pages that tools write, by Emscripten" ${can_build_page})
+# Not `option`: what could not be built once would stay unbuilt in that build folder.
+include(CMakeDependentOption)
+cmake_dependent_option(
+  RIBBON_BUILD_PAGE "Build the pages that tools write, by Emscripten" ON can_build_page OFF)
 
 if(RIBBON_BUILD_PAGE)
   set(RIBBON_PAGE_MODULES ${PROJECT_SOURCE_DIR}/build/page)
