@@ -44,7 +44,7 @@ Result<std::string> file_of(const Folders& folders, std::string_view name) {
 Result<std::string> content(std::string_view place, const Folders& folders) {
   const std::size_t space = place.find(' ');
   if (space == std::string_view::npos) return "{{" + std::string(place) + "}}";
-  const auto file = file_of(folders, place.substr(space + 1));
+  auto file = file_of(folders, place.substr(space + 1));
   if (place.substr(0, space) == "text") return file;
   return file.map([](const std::string& bytes) { return seven_bits(gzip(bytes)); });
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace ribbon {
@@ -58,9 +57,8 @@ void srgb_bytes(const Color* colors, std::size_t count, std::uint8_t* rgb) {
   while (colors != end) {
     // Most pixels show the backdrop, which is the same along a row.
     const Color& color = *colors;
-    const Color* const other = std::find_if(colors + 1, end, [&](const Color& next) {
-      return std::memcmp(next.data(), color.data(), 3 * sizeof(float)) != 0;
-    });
+    const Color* const other =
+        std::find_if(colors + 1, end, [&](const Color& next) { return !(next == color).all(); });
     const std::array bytes{static_cast<std::uint8_t>(table.byte(color[0])),
                            static_cast<std::uint8_t>(table.byte(color[1])),
                            static_cast<std::uint8_t>(table.byte(color[2]))};

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 namespace ribbon::carry_way_test {
 
 using Eigen::Matrix3Xd;
@@ -14,7 +17,8 @@ Matrix3Xd way_of(std::vector<HeightAt> heights, Axis axis = Axis::y) {
   curve.unit_m = 0.5;
   curve.origin = {10, 20};
   curve.axis = axis;
-  return carry_way(curve, {std::vector<Vector2d>{{10, 20}, {13, 20}, {13, 21}}, heights});
+  return carry_way(curve,
+                   {std::vector<Vector2d>{{10, 20}, {13, 20}, {13, 21}}, std::move(heights)});
 }
 
 Matrix3Xd columns(const std::vector<Vector3d>& points) {
