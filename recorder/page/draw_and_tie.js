@@ -185,8 +185,19 @@ function take_opened(opened, most) {
   tell('Tying…');
 }
 
-// Who watches the last frame goes on to watch the last one.
+// Frames may come faster than a page without a graphics card can show them: then only the newest is shown.
+let grown = null;
+
 function take_grown(frames, numbers) {
+  if (!grown) requestAnimationFrame(show_grown);
+  grown = {frames, numbers};
+}
+
+// Who watches the last frame goes on to watch the last one.
+function show_grown() {
+  if (!grown) return;
+  const {frames, numbers} = grown;
+  grown = null;
   const follows = timeline.index === recording.frames - 1 && !timeline.is_playing;
   recording.frames = frames;
   recording.numbers = numbers;
@@ -199,7 +210,8 @@ function take_grown(frames, numbers) {
 }
 
 function take_tied({tied: summary, frames, numbers}) {
-  take_grown(frames, numbers);
+  grown = {frames, numbers};
+  show_grown();
   is_tying = false;
   show_ending();
   element('tying').textContent = '';
