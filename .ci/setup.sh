@@ -32,6 +32,14 @@ is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
 }
 
+# Can tests drive a browser? Says what is missing where not.
+has_browser() {
+  command -v chromium >/dev/null && command -v chromedriver >/dev/null &&
+    /usr/bin/python3 -c 'import selenium' 2>/dev/null && return
+  echo "one of ${browser_packages[*]} is missing (the list browser_packages in .ci/setup.sh)" >&2
+  return 1
+}
+
 as_root() {
   if [[ $(id -u) -eq 0 ]]; then
     "$@"

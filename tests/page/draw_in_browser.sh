@@ -11,13 +11,7 @@ work=$root/build/sketches
 rm -rf "$work"
 mkdir -p "$work"
 
-for program in chromium chromedriver; do
-  if ! command -v $program >/dev/null || ! /usr/bin/python3 -c 'import selenium' 2>/dev/null; then
-    echo "SKIPPED: $program or python3-selenium is missing (the list browser_packages in .ci/setup.sh)," \
-      "so nobody has seen whether one can draw in pages" >&2
-    exit 77
-  fi
-done
+has_browser || { echo "SKIPPED: nobody has seen whether one can draw in pages" >&2; exit 77; }
 
 record=$1/recorder/ribbon-record
 if ! "$record" --draw -o "$work/sketch.html" 2>"$work/errors.txt"; then

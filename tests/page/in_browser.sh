@@ -9,13 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../../.ci/setup.sh"
 work=$root/build/page-pictures
 mkdir -p "$work"
 
-for program in chromium chromedriver; do
-  if ! command -v $program >/dev/null || ! /usr/bin/python3 -c 'import selenium' 2>/dev/null; then
-    echo "SKIPPED: $program or python3-selenium is missing (the list browser_packages in .ci/setup.sh)," \
-      "so nobody has seen whether pages play" >&2
-    exit 77
-  fi
-done
+has_browser || { echo "SKIPPED: nobody has seen whether pages play" >&2; exit 77; }
 
 # make NAME SCENE SETTING...
 make() {
