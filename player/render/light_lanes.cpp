@@ -7,6 +7,23 @@
 
 namespace ribbon {
 
+namespace {
+
+// light(i, below, rise): what lane i gets of a sky that changes evenly from `below` by `rise`.
+template <class Light>
+void add_gradient(const Lighting& lighting, std::size_t count, VectorLanes& lanes,
+                  const Light& light) {
+  const LaneVector below = lane_vector(lighting.sky_below);
+  const LaneVector rise = lane_vector(lighting.sky_above - lighting.sky_below);
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < count; ++i)
+      set_lane(lanes, i, lane_of(lanes, i) + light(i, below, rise));
+  });
+}
+
+}  // namespace
+
 void clear(VectorLanes& lanes, std::size_t count) {
   for (Lanes<float>* lane : {&lanes.x, &lanes.y, &lanes.z}) std::fill_n(lane->begin(), count, 0.0F);
 }
@@ -33,14 +50,10 @@ void add_sky_shares(const Lighting& lighting, const Lanes<float>& shares,
       if (shares[i] != 0) add_to(lanes, i, lighting.sky(directions.at(i)) * shares[i]);
     return;
   }
-  const LaneVector below = lane_vector(lighting.sky_below);
-  const LaneVector rise = lane_vector(lighting.sky_above - lighting.sky_below);
-  vectorised([&]() RIBBON_INLINED {
-    RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i)
-      set_lane(lanes, i,
-               lane_of(lanes, i) + shares[i] * (below + (0.5F + directions.y[i] / 2) * rise));
-  });
+  add_gradient(lighting, count, lanes,
+               [&](std::size_t i, const LaneVector& below, const LaneVector& rise) RIBBON_INLINED {
+                 return shares[i] * (below + (0.5F + directions.y[i] / 2) * rise);
+               });
 }
 
 void add_mean_sky(const Lighting& lighting, const VectorLanes& normals, std::size_t count,
@@ -49,13 +62,9 @@ void add_mean_sky(const Lighting& lighting, const VectorLanes& normals, std::siz
     for (std::size_t i = 0; i < count; ++i) add_to(lanes, i, lighting.mean_sky(normals.at(i)));
     return;
   }
-  const LaneVector below = lane_vector(lighting.sky_below);
-  const LaneVector rise = lane_vector(lighting.sky_above - lighting.sky_below);
-  vectorised([&]() RIBBON_INLINED {
-    RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i)
-      set_lane(lanes, i, lane_of(lanes, i) + (below + (0.5F + normals.y[i] / 3) * rise));
-  });
+  add_gradient(lighting, count, lanes,
+               [&](std::size_t i, const LaneVector& below, const LaneVector& rise)
+                   RIBBON_INLINED { return below + (0.5F + normals.y[i] / 3) * rise; });
 }
 
 }  // namespace ribbon
