@@ -5,6 +5,7 @@
 
 #include <cassert>
 #include <cerrno>
+#include <system_error>
 #include <utility>
 
 namespace ribbon {
@@ -16,6 +17,10 @@ constexpr std::size_t worth_a_write = 1 << 16;
 }  // namespace
 
 Result<PendingFile> PendingFile::create(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code))
+    return failure(path.string(), "is a folder, a device or a pipe, not a file",
+                   "choose another name");
   if (auto created = create_folder_of(path); !created) return tl::unexpected(created.error());
   std::filesystem::path temporary =
       path.string() + std::string(temporary_mark) + std::to_string(::getpid());

@@ -19,7 +19,8 @@ constexpr std::string_view temporary_mark = ".part";
 // as the user did.
 class PendingFile {
  public:
-  // Creates missing parent folders.
+  // Creates missing parent folders. Fails where a folder, a device or a pipe has that name: a file
+  // must not take its place.
   static Result<PendingFile> create(const std::filesystem::path& path);
 
   PendingFile(PendingFile&&) noexcept;

@@ -7,8 +7,7 @@
 
 namespace ribbon {
 
-// Fails where a file of this name is there and is not to be replaced. Devices and pipes may be
-// written to.
+// Fails where a file of this name is there and is not to be replaced.
 Result<void> check_place(const std::filesystem::path& file, bool replaces);
 
 }  // namespace ribbon

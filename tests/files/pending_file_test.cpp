@@ -1,6 +1,7 @@
 #include "files/pending_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -55,6 +56,17 @@ TEST(PendingFile, an_older_file_stays_until_the_new_one_is_complete) {
     ASSERT_TRUE(file.append("newer"));
   }
   EXPECT_EQ(read_file(path).value(), "older");
+}
+
+// A rename would put a file in their place, and nobody could write to them any more.
+TEST(PendingFile, what_is_no_file_is_not_replaced) {
+  const auto folder = temporary_file("not a file") / "folder";
+  std::filesystem::create_directories(folder);
+  EXPECT_THAT(refusal_of(PendingFile::create(folder)), HasSubstr("is a folder"));
+  const auto pipe = folder / "pipe.png";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(refusal_of(PendingFile::create(pipe)), HasSubstr("choose another name"));
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
 TEST(PendingFile, an_unwritable_place_is_named) {
