@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "text/number_text.h"
+
 namespace ribbon {
 
 bool Argument::is_given() const {
@@ -35,10 +37,18 @@ Argument Argument::one_of(const std::vector<std::string>& words) {
 
 namespace {
 
-// Without a description --help would tell the limits as part of the kind.
+// What is no number lies within no limits; CLI::Range lets it pass.
 template <class Number>
 CLI::Validator within(Limits<Number> limits) {
-  return CLI::Range(limits.least, limits.most).description("");
+  const auto problem = [limits](const std::string& text) -> std::string {
+    Number number{};
+    if (CLI::detail::lexical_cast(text, number) && limits.least <= number && number <= limits.most)
+      return "";
+    return filled_in("'{}' is not a number from {} to {}", text,
+                     short_number(static_cast<double>(limits.least), 10),
+                     short_number(static_cast<double>(limits.most), 10));
+  };
+  return {problem, ""};
 }
 
 }  // namespace

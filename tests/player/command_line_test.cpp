@@ -370,6 +370,7 @@ TEST_F(RibbonPlay, absurd_sizes_are_refused) {
 TEST_F(RibbonPlay, absurd_numbers_are_refused) {
   expect_refusal(run("knot.rbn -o '{frame}.png' --samples 0"), "--samples");
   expect_refusal(run("knot.rbn -o '{frame}.png' --threads -1"), "--threads");
+  expect_refusal(run("knot.rbn -o '{frame}.png' --turns nan"), "--turns");
   expect_refusal(run("knot.rbn -o '{frame}.png' --frames a:b"), "frames 'a:b'");
 }
 

@@ -1,0 +1,32 @@
+#include "commandline/arguments.h"
+
+#include <gtest/gtest.h>
+
+#include "result/refusal.h"
+
+namespace ribbon::arguments_test {
+
+// What a tool with a number from 0.01 to 100 says to it.
+Result<double> read_number(const char* text) {
+  double number = 0;
+  Arguments arguments("ribbon-test", "", "0", "");
+  arguments.add("--noise", number, {0.01, 100}, "X", "");
+  const char* words[] = {"ribbon-test", "--noise", text};
+  return arguments.parse(3, words).map([&](bool) { return number; });
+}
+
+TEST(Arguments, numbers_lie_within_their_limits_both_included) {
+  EXPECT_EQ(read_number("0.01").value(), 0.01);
+  EXPECT_EQ(read_number("1e2").value(), 100);
+  for (const char* text : {"0.009", "101", "-1", "inf", "two", "3x", ""})
+    EXPECT_THAT(refusal_of(read_number(text)), HasSubstr("--noise")) << text;
+}
+
+TEST(Arguments, what_is_no_number_lies_within_no_limits) {
+  for (const char* text : {"nan", "-nan", "NaN"})
+    EXPECT_EQ(refusal_of(read_number(text)), "--noise: '" + std::string(text) +
+                                                 "' is not a number from 0.01 to 100; see "
+                                                 "ribbon-test --help");
+}
+
+}  // namespace ribbon::arguments_test
