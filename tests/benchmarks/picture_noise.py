@@ -1,10 +1,11 @@
 """Measures on all samples whether --noise keeps its promise, and makes the table of it.
 
-  picture_noise.py RIBBON_PLAY DOCUMENT RECORDING...
+  picture_noise.py RIBBON_PLAY DOCUMENT KEPT RECORDING...
 
 Three frames of each recording, each in another view or with a ground, are compared with 1024 samples.
 What --noise bounds is the error of a region, a tile of 16x16 pixels that shows more than the backdrop:
-the root of the mean square over its pixels, in 8-bit levels.
+the root of the mean square over its pixels, in 8-bit levels. What is measured is added to the file
+KEPT picture by picture, so that a run that was stopped goes on with the same build.
 """
 
 import sys
@@ -12,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from kept_results import KeptResults, checksum
 from picture_quality import REFERENCE, render
 from plot import with_table
 
@@ -30,17 +32,28 @@ def shows_more_than_backdrop(tile):
     return np.ptp(tile, axis=1).any()
 
 
-def measure(play, recordings):
+def measure_picture(play, recording, frame, options):
+    """Of each noise: the mean square errors of the tiles of one picture."""
+    reference, _ = render(play, recording, frame, [*options, "--samples", str(REFERENCE)], SIZE)
+    shown = [shows_more_than_backdrop(tile) for tile in tiles(reference)]
+    errors = {}
+    for asked in ASKED:
+        pixels, _ = render(play, recording, frame, [*options, "--noise", str(asked)], SIZE)
+        squares = np.array([np.mean(tile) for tile in tiles((pixels - reference) ** 2)])
+        errors[str(asked)] = squares[shown].tolist()
+    return errors
+
+
+def measure(play, kept, recordings):
     """Of each noise: the mean square errors of the tiles of each picture."""
     results = {asked: [] for asked in ASKED}
     for recording in recordings:
+        made_of = checksum(play, recording)
         for frame, options in SCENES:
-            reference, _ = render(play, recording, frame, [*options, "--samples", str(REFERENCE)], SIZE)
-            shown = [shows_more_than_backdrop(tile) for tile in tiles(reference)]
+            errors = kept.of(f"noise {made_of} {frame} {' '.join(options)}",
+                             lambda: measure_picture(play, recording, frame, options))
             for asked in ASKED:
-                pixels, _ = render(play, recording, frame, [*options, "--noise", str(asked)], SIZE)
-                squares = [np.mean(tile) for tile in tiles((pixels - reference) ** 2)]
-                results[asked].append(np.array(squares)[shown])
+                results[asked].append(np.array(errors[str(asked)]))
     return results
 
 
@@ -56,10 +69,10 @@ def table(results):
 
 
 def main():
-    if len(sys.argv) < 4:
+    if len(sys.argv) < 5:
         sys.exit(__doc__)
-    play, document, recordings = sys.argv[1], Path(sys.argv[2]), sys.argv[3:]
-    results = measure(play, recordings)
+    play, document, kept, recordings = sys.argv[1], Path(sys.argv[2]), KeptResults(sys.argv[3]), sys.argv[4:]
+    results = measure(play, kept, recordings)
     document.write_text(with_table(document.read_text(), "<!-- table noise -->", table(results)))
 
 

@@ -1,10 +1,11 @@
 """Measures what a better picture costs, and makes the table and the plot of it.
 
-  picture_quality.py RIBBON_PLAY DOCUMENT PLOT RECORDING...
+  picture_quality.py RIBBON_PLAY DOCUMENT PLOT KEPT RECORDING...
 
 The first and the last frame of each recording are rendered from the three-quarter view and compared
 with 1024 samples of the same light. Errors are those of 8-bit levels; time is the processor time of a
-picture, without the start of the program.
+picture, without the start of the program. What is measured is added to the file KEPT picture by
+picture, so that a run that was stopped goes on with the same build.
 """
 
 import math
@@ -15,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from kept_results import KeptResults, checksum
 from plot import WIDTH, Panel, colour_of, dot, picture, polyline, text, with_table
 
 SIZE = (1280, 720)
@@ -48,22 +50,30 @@ def render(play, recording, frame, options, size=SIZE):
     return pixels, processor_seconds() - before
 
 
-def measure(play, recordings):
+def measure_picture(play, recording, frame):
+    """Of each setting: the mean square error of one picture, and its time."""
+    _, start_s = render(play, recording, frame, ["--quality", "draft"], (16, 16))
+    references = {
+        quality: render(play, recording, frame, ["--quality", quality, "--samples", str(REFERENCE)])[0]
+        for quality in ("draft", "standard", "final")
+    }
+    measured = {}
+    for name, options, quality in SETTINGS:
+        pixels, seconds = render(play, recording, frame, options)
+        measured[name] = (np.mean((pixels - references[quality]) ** 2), seconds - start_s)
+    return measured
+
+
+def measure(play, kept, recordings):
     """Of each setting: mean square errors of all pictures, and their times."""
     results = {name: ([], []) for name, _, _ in SETTINGS}
     for recording in recordings:
+        made_of = checksum(play, recording)
         for frame in FRAMES:
-            _, start_s = render(play, recording, frame, ["--quality", "draft"], (16, 16))
-            references = {
-                quality: render(play, recording, frame,
-                                ["--quality", quality, "--samples", str(REFERENCE)])[0]
-                for quality in ("draft", "standard", "final")
-            }
-            for name, options, quality in SETTINGS:
-                pixels, seconds = render(play, recording, frame, options)
-                squares, times = results[name]
-                squares.append(np.mean((pixels - references[quality]) ** 2))
-                times.append(seconds - start_s)
+            measured = kept.of(f"quality {made_of} {frame}", lambda: measure_picture(play, recording, frame))
+            for name, (square, seconds) in measured.items():
+                results[name][0].append(square)
+                results[name][1].append(seconds)
     return results
 
 
@@ -111,10 +121,10 @@ def cost_panel(results):
 
 
 def main():
-    if len(sys.argv) < 5:
+    if len(sys.argv) < 6:
         sys.exit(__doc__)
-    play, document, plot, recordings = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[4:]
-    results = measure(play, recordings)
+    play, document, plot, recordings = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[5:]
+    results = measure(play, KeptResults(sys.argv[4]), recordings)
     document.write_text(with_table(document.read_text(), "<!-- table quality -->", table(results)))
     plot.write_text(picture([*cost_panel(results), *promise_panel(results)], KEY))
 
