@@ -1,6 +1,7 @@
 #include "player/render/surface.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -8,13 +9,18 @@
 #include <numeric>
 #include <vector>
 
+#include "parallel/vector_loop.h"
+#include "player/render/lane_vector.h"
+
 namespace ribbon {
 
 namespace {
 
+constexpr float least_length = 1e-20F;  // of what still has a direction
+
 Eigen::Vector3f unit_or_zero(const Eigen::Vector3f& vector) {
   const float length = vector.norm();
-  return length > 1e-20F ? Eigen::Vector3f(vector / length) : Eigen::Vector3f::Zero();
+  return length > least_length ? Eigen::Vector3f(vector / length) : Eigen::Vector3f::Zero();
 }
 
 // Twice the area, along the normal.
@@ -39,6 +45,112 @@ std::vector<std::vector<int>> triangles_round_position(const TriangleMesh& mesh,
   return triangles;
 }
 
+// Column `number` of a matrix with three rows.
+[[gnu::always_inline]] inline LaneVector column(const float* columns, int number) {
+  return {columns[3 * number], columns[3 * number + 1], columns[3 * number + 2]};
+}
+[[gnu::always_inline]] inline void set_column(float* columns, int number, LaneVector to) {
+  columns[3 * number] = to.x;
+  columns[3 * number + 1] = to.y;
+  columns[3 * number + 2] = to.z;
+}
+
+[[gnu::always_inline]] inline LaneVector cross(LaneVector a, LaneVector b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// The same bits as with Eigen, which sums in this order.
+[[gnu::always_inline]] inline LaneVector unit_or_zero(LaneVector vector) {
+  const float length = std::sqrt(vector.x * vector.x + (vector.y * vector.y + vector.z * vector.z));
+  const bool usable = length > least_length;
+  const float divisor = usable ? length : 1.0F;
+  return {usable ? vector.x / divisor : 0.0F, usable ? vector.y / divisor : 0.0F,
+          usable ? vector.z / divisor : 0.0F};
+}
+
+// Of each particle's quads the sum. The cross product of a quad's diagonals does not know which way
+// the quad is split.
+void set_vertex_normals(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions,
+                        Eigen::Matrix3Xf& normals) {
+  const int across = grid.across;
+  const int count = grid.particle_count();
+  // Of the quad that begins at each particle; zero where none does, and for particles that would
+  // come before the first.
+  const int before = across + 1;
+  Eigen::Matrix3Xf of_quads(3, before + count);
+  const float* const position = positions.data();
+  float* const quad = of_quads.data() + 3 * before;
+  float* const normal = normals.data();
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (int c = 0; c < count - before; ++c)
+      set_column(quad, c,
+                 cross(column(position, c + across + 1) - column(position, c),
+                       column(position, c + 1) - column(position, c + across)));
+  });
+  of_quads.leftCols(before).setZero();
+  of_quads.rightCols(before).setZero();
+  for (int i = 1; i < grid.along; ++i) of_quads.col(i * across - 1 + before).setZero();
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (int c = 0; c < count; ++c)
+      set_column(normal, c,
+                 unit_or_zero(column(quad, c - across - 1) + column(quad, c - across) +
+                              column(quad, c - 1) + column(quad, c)));
+  });
+}
+
+// Neighbouring particles or quads of a row, as many as are worth vector instructions.
+struct RowVectors {
+  static constexpr int most = 64;
+  std::array<float, most> x, y, z;
+};
+
+void copy_columns(const float* columns, int first, int count, RowVectors& row) {
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (int j = 0; j < count; ++j) set_lane(row, j, column(columns, first + j));
+  });
+}
+
+// The unit normals of both triangles of each quad between two rows of particles. `number`: row and
+// column of the first quad together, which tell where it is split (RibbonGrid::halves()).
+void find_halves(const RowVectors& row, const RowVectors& next, int quads, int number,
+                 std::array<RowVectors, 2>& halves) {
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (int j = 0; j < quads; ++j) {
+      const LaneVector a = lane_of(row, j);
+      const LaneVector b = lane_of(next, j);
+      const LaneVector c = lane_of(next, j + 1);
+      const LaneVector d = lane_of(row, j + 1);
+      const bool by_ac = ((number + j) & 1) == 0;
+      const LaneVector third = {by_ac ? c.x : d.x, by_ac ? c.y : d.y, by_ac ? c.z : d.z};
+      const LaneVector first = {by_ac ? a.x : b.x, by_ac ? a.y : b.y, by_ac ? a.z : b.z};
+      set_lane(halves[0], j, unit_or_zero(cross(b - a, third - a)));
+      set_lane(halves[1], j, unit_or_zero(cross(c - first, d - first)));
+    }
+  });
+}
+
+void set_facets(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions,
+                Eigen::Matrix3Xf& facets) {
+  const int across = grid.across;
+  RowVectors row;
+  RowVectors next;
+  std::array<RowVectors, 2> halves;
+  for (int i = 0; i + 1 < grid.along; ++i)
+    for (int first = 0; first + 1 < across; first += RowVectors::most - 1) {
+      const int count = std::min(RowVectors::most, across - first);
+      copy_columns(positions.data(), grid.particle(i, first), count, row);
+      copy_columns(positions.data(), grid.particle(i + 1, first), count, next);
+      find_halves(row, next, count - 1, i + first, halves);
+      float* const to = facets.data() + 6 * (i * (across - 1) + first);
+      for (int j = 0; j + 1 < count; ++j)
+        for (int half = 0; half < 2; ++half) set_column(to, 2 * j + half, lane_of(halves[half], j));
+    }
+}
+
 }  // namespace
 
 Surface ribbon_surface(const RibbonGrid& grid) {
@@ -52,18 +164,8 @@ Surface ribbon_surface(const RibbonGrid& grid) {
 
 void update_ribbon(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, Surface& ribbon) {
   ribbon.vertices.leftCols(positions.cols()) = positions;
-  ribbon.normals.setZero();
-  // The cross product of a quad's diagonals does not know which way the quad is split.
-  for (int q = 0; q < grid.quad_count(); ++q) {
-    const auto c = grid.quad(q);
-    const Eigen::Vector3f first = positions.col(c[2]) - positions.col(c[0]);
-    const Eigen::Vector3f second = positions.col(c[3]) - positions.col(c[1]);
-    const Eigen::Vector3f normal = first.cross(second);
-    for (const int corner : c) ribbon.normals.col(corner) += normal;
-  }
-  for (auto normal : ribbon.normals.colwise()) normal = unit_or_zero(normal);
-  for (Eigen::Index t = 0; t < grid.triangle_count(); ++t)
-    ribbon.facets.col(t) = unit_or_zero(area_vector(positions, ribbon.triangles.col(t)));
+  set_vertex_normals(grid, positions, ribbon.normals);
+  set_facets(grid, positions, ribbon.facets);
 }
 
 void add_selvages(const RibbonGrid& grid, Surface& ribbon) {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
+#include "parallel/instruction_set.h"
 #include "player/quads.h"
 
 namespace ribbon::surface_test {
@@ -65,6 +67,56 @@ TEST(RibbonSurface, normals_point_to_the_front) {
 
 TEST(RibbonSurface, a_ribbon_crumpled_into_a_point_has_no_normals) {
   EXPECT_TRUE(test::quad_surface(Eigen::Matrix3Xf::Ones(3, 4)).normals.isZero());
+}
+
+// A grid as wide as asked for, crumpled at random.
+Eigen::Matrix3Xf crumpled(const RibbonGrid& grid) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> shift(-0.4F, 0.4F);
+  Eigen::Matrix3Xf positions(3, grid.particle_count());
+  for (int p = 0; p < grid.particle_count(); ++p)
+    positions.col(p) << static_cast<float>(grid.row(p)) + shift(random),
+        static_cast<float>(grid.column(p)) + shift(random), shift(random);
+  return positions;
+}
+
+TEST(RibbonSurface, facets_and_normals_are_those_of_triangles_and_quads_however_wide) {
+  for (const int across : {2, 3, 16, 64, 65, 130}) {
+    const RibbonGrid grid{5, across};
+    const Eigen::Matrix3Xf positions = crumpled(grid);
+    Surface ribbon = ribbon_surface(grid);
+    update_ribbon(grid, positions, ribbon);
+    const auto edge = [&](int from, int to) -> Eigen::Vector3f {
+      return positions.col(to) - positions.col(from);
+    };
+    for (int t = 0; t < grid.triangle_count(); ++t) {
+      const auto c = grid.triangle(t);
+      const Eigen::Vector3f facet = edge(c[0], c[1]).cross(edge(c[0], c[2])).normalized();
+      EXPECT_LT((ribbon.facets.col(t) - facet).norm(), 1e-5F) << across << ", triangle " << t;
+    }
+    Eigen::Matrix3Xf normals = Eigen::Matrix3Xf::Zero(3, grid.particle_count());
+    for (int q = 0; q < grid.quad_count(); ++q) {
+      const auto c = grid.quad(q);
+      for (const int corner : c) normals.col(corner) += edge(c[0], c[2]).cross(edge(c[1], c[3]));
+    }
+    EXPECT_LT((ribbon.normals - normals.colwise().normalized()).cwiseAbs().maxCoeff(), 1e-4F)
+        << across;
+  }
+}
+
+TEST(RibbonSurface, is_the_same_bits_with_all_instruction_sets) {
+  const RibbonGrid grid{9, 67};
+  const auto surface = [&](InstructionSet set) {
+    choose_instruction_set(set);
+    Surface ribbon = ribbon_surface(grid);
+    update_ribbon(grid, crumpled(grid), ribbon);
+    choose_instruction_set(best_instruction_set());
+    return ribbon;
+  };
+  const Surface plain = surface(InstructionSet::baseline);
+  const Surface widest = surface(best_instruction_set());
+  EXPECT_EQ(plain.normals, widest.normals);
+  EXPECT_EQ(plain.facets, widest.facets);
 }
 
 TEST(Selvages, stand_upright_along_the_sides_as_high_as_the_cloth_is_thick) {
