@@ -28,8 +28,9 @@ std::string last_error_text() {
 
 tl::unexpected<Error> cannot_be_written(const std::filesystem::path& path) {
   const bool no_room = errno == ENOSPC || errno == EDQUOT;
-  return tl::unexpected<Error>(Error{path.string(), "cannot be written (" + last_error_text() + ")",
-                                     "free some space or choose another place", no_room});
+  return tl::unexpected<Error>(
+      Error{path.string(), "cannot be written (" + last_error_text() + ")",
+            no_room ? "free some space or choose another place" : "choose another place", no_room});
 }
 
 Result<void> create_folder_of(const std::filesystem::path& path) {

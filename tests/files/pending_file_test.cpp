@@ -71,6 +71,8 @@ TEST(PendingFile, what_is_no_file_is_not_replaced) {
 
 TEST(PendingFile, an_unwritable_place_is_named) {
   EXPECT_THAT(refusal_of(PendingFile::create("/dev/null/a.bin")), HasSubstr("/dev/null"));
+  EXPECT_THAT(refusal_of(PendingFile::create("/proc/a.bin")), EndsWith("); choose another place"))
+      << "space is of no use there";
 }
 
 }  // namespace ribbon::pending_file_test
