@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -46,10 +47,11 @@ std::vector<std::vector<int>> triangles_round_position(const TriangleMesh& mesh,
 }
 
 // Column `number` of a matrix with three rows.
-[[gnu::always_inline]] inline LaneVector column(const float* columns, int number) {
+[[gnu::always_inline]] inline LaneVector column(const float* columns, std::ptrdiff_t number) {
   return {columns[3 * number], columns[3 * number + 1], columns[3 * number + 2]};
 }
-[[gnu::always_inline]] inline void set_column(float* columns, int number, LaneVector to) {
+[[gnu::always_inline]] inline void set_column(float* columns, std::ptrdiff_t number,
+                                              LaneVector to) {
   columns[3 * number] = to.x;
   columns[3 * number + 1] = to.y;
   columns[3 * number + 2] = to.z;
@@ -72,18 +74,18 @@ std::vector<std::vector<int>> triangles_round_position(const TriangleMesh& mesh,
 // the quad is split.
 void set_vertex_normals(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions,
                         Eigen::Matrix3Xf& normals) {
-  const int across = grid.across;
-  const int count = grid.particle_count();
+  const std::ptrdiff_t across = grid.across;
+  const std::ptrdiff_t count = grid.particle_count();
   // Of the quad that begins at each particle; zero where none does, and for particles that would
   // come before the first.
-  const int before = across + 1;
+  const std::ptrdiff_t before = across + 1;
   Eigen::Matrix3Xf of_quads(3, before + count);
   const float* const position = positions.data();
   float* const quad = of_quads.data() + 3 * before;
   float* const normal = normals.data();
   vectorised([&]() RIBBON_INLINED {
     RIBBON_EACH_LANE
-    for (int c = 0; c < count - before; ++c)
+    for (std::ptrdiff_t c = 0; c < count - before; ++c)
       set_column(quad, c,
                  cross(column(position, c + across + 1) - column(position, c),
                        column(position, c + 1) - column(position, c + across)));
@@ -93,7 +95,7 @@ void set_vertex_normals(const RibbonGrid& grid, const Eigen::Matrix3Xf& position
   for (int i = 1; i < grid.along; ++i) of_quads.col(i * across - 1 + before).setZero();
   vectorised([&]() RIBBON_INLINED {
     RIBBON_EACH_LANE
-    for (int c = 0; c < count; ++c)
+    for (std::ptrdiff_t c = 0; c < count; ++c)
       set_column(normal, c,
                  unit_or_zero(column(quad, c - across - 1) + column(quad, c - across) +
                               column(quad, c - 1) + column(quad, c)));
@@ -145,7 +147,7 @@ void set_facets(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions,
       copy_columns(positions.data(), grid.particle(i, first), count, row);
       copy_columns(positions.data(), grid.particle(i + 1, first), count, next);
       find_halves(row, next, count - 1, i + first, halves);
-      float* const to = facets.data() + 6 * (i * (across - 1) + first);
+      float* const to = facets.data() + std::ptrdiff_t{6} * (i * (across - 1) + first);
       for (int j = 0; j + 1 < count; ++j)
         for (int half = 0; half < 2; ++half) set_column(to, 2 * j + half, lane_of(halves[half], j));
     }
