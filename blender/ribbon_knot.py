@@ -3,6 +3,8 @@
 The drawing goes out as a scene of ribbon-record, and what that records comes back by the add-on Ribbon recording.
 """
 
+import json
+import os
 import re
 import shutil
 import subprocess
@@ -204,6 +206,64 @@ def write_scene(drawing, obstacle, settings, context):
     return scene
 
 
+class Recording:
+    """A scene that ribbon-record is at work on, which one can ask without waiting for it."""
+
+    PATIENCE_S = 5  # for the step that the recorder is in when it is stopped
+
+    def __init__(self, program, scene):
+        """Replaces what an earlier time has recorded."""
+        self.path = scene.with_suffix(".rbn")
+        try:
+            self.process = subprocess.Popen(
+                [program, str(scene), "-o", str(self.path), "--force", "--progress", "json"],
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        except OSError as error:
+            raise Trouble(f"{program}: {error.strerror}; name another in the preferences of this add-on") from error
+        self.program = program
+        self.said = b""
+
+    def is_at_work(self):
+        """Also takes in what the recorder has said since it was asked last."""
+        works = self.process.poll() is None
+        os.set_blocking(self.process.stderr.fileno(), False)
+        self.said += self.process.stderr.read() or b""
+        return works
+
+    def lines(self):
+        return self.said.decode(errors="replace").splitlines(keepends=True)
+
+    def progress(self):
+        """How far it is, for people."""
+        told = [line for line in self.lines() if line.startswith("{") and line.endswith("\n")]
+        if not told:
+            return "begins"
+        last = json.loads(told[-1])
+        counted = f"{last['unit']} {last['done']} of at most {last['total']}" if last["done"] else last["unit"]
+        return ", ".join(filter(None, [counted, last.get("remark")]))
+
+    def wait(self):
+        self.said += self.process.communicate()[1]
+
+    def check(self):
+        """Once it has ended: raises what it says where it could not."""
+        if self.process.returncode != 0:
+            raise Trouble(self.sentence() or f"{self.program} ended with {self.process.returncode}, without a word")
+
+    def sentence(self):
+        return "".join(line for line in self.lines() if not line.startswith("{")).strip()
+
+    def stop(self):
+        """What is recorded so far stays, and ribbon-record --resume goes on with it."""
+        self.process.terminate()
+        try:
+            self.process.wait(self.PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+        self.is_at_work()
+
+
 class KnotPreferences(bpy.types.AddonPreferences):
     bl_idname = __name__
     recorder: StringProperty(name="ribbon-record", subtype="FILE_PATH", description="Empty: the one on the PATH")
@@ -217,6 +277,7 @@ class TieRibbon(bpy.types.Operator):
 
     bl_idname = "object.tie_ribbon"
     bl_label = "Tie a ribbon along this drawing"
+    bl_options = {"UNDO"}
     width: FloatProperty(name="Width", default=0.02, min=1e-4, unit="LENGTH", description="Of the ribbon, in metres")
     across: IntProperty(name="Particles across", default=4, min=2, max=64, description="Along as far apart as across")
     fabric: EnumProperty(name="Fabric", items=[("NONE", "none", "Springs of the samples")] +
@@ -225,39 +286,99 @@ class TieRibbon(bpy.types.Operator):
     duration: FloatProperty(name="Seconds", default=20, min=0.1, description="Simulated, unless it is tight before")
     folder: StringProperty(name="Folder", default="//", subtype="DIR_PATH", description="For scene and recording")
 
+    # While the recorder is at work, these are for the view alone: nobody changes the scene then.
+    NAVIGATION = {"MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "TRACKPADPAN", "TRACKPADZOOM", "MOUSEROTATE",
+                  "NDOF_MOTION"}
+    ASKED_EVERY_S = 0.2
+
+    is_in_window = False
+    timer = None
+
     @classmethod
     def poll(cls, context):
-        return context.active_object is not None and context.active_object.type in {"CURVE", "GPENCIL"}
+        return (context.mode == "OBJECT" and context.active_object is not None and
+                context.active_object.type in {"CURVE", "GPENCIL"})
 
     def invoke(self, context, _):
+        self.is_in_window = True
         return context.window_manager.invoke_props_dialog(self)
 
     def execute(self, context):
+        """Waits for the recorder where a script asks; in the window, shows how far it is, and Esc stops it."""
+        try:
+            self.recording = self.begin(context)
+            if self.is_in_window:
+                return self.watch(context)
+            self.recording.wait()
+            return self.bring_back(context)
+        except Trouble as trouble:
+            return self.refuse(trouble)
+
+    def begin(self, context):
         drawing = context.active_object
         meshes = [thing for thing in context.selected_objects if thing.type == "MESH"]
-        try:
-            if len(meshes) > 1:
-                raise Trouble("several meshes are selected; select the one that the ribbon is fastened round, or none")
-            program = recorder()
-            scene = write_scene(drawing, meshes[0] if meshes else None, self, context)
-            self.record(program, scene)
-        except Trouble as trouble:
-            self.report({"ERROR"}, str(trouble))
-            return {"CANCELLED"}
-        return bpy.ops.import_scene.ribbon_recording(filepath=str(scene.with_suffix(".rbn")), with_obstacle=False,
-                                                     first_frame=context.scene.frame_start)
-
-    def record(self, program, scene):
-        """Takes as long as the recorder does, and replaces what an earlier time has recorded."""
+        if len(meshes) > 1:
+            raise Trouble("several meshes are selected; select the one that the ribbon is fastened round, or none")
+        program = recorder()
         if not hasattr(bpy.types, "IMPORT_SCENE_OT_ribbon_recording"):
             raise Trouble("the add-on Ribbon recording is not enabled; tick it, too")
+        return Recording(program, write_scene(drawing, meshes[0] if meshes else None, self, context))
+
+    def watch(self, context):
+        manager = context.window_manager
+        self.timer = manager.event_timer_add(self.ASKED_EVERY_S, window=context.window)
+        manager.modal_handler_add(self)
+        self.show_progress(context)
+        return {"RUNNING_MODAL"}
+
+    def show_progress(self, context):
+        context.workspace.status_text_set(
+            f"{self.recording.path.stem} is being tied: {self.recording.progress()}.    Esc: stop")
+
+    def modal(self, context, event):
+        if event.type == "ESC" and event.value == "PRESS":
+            self.cancel(context)
+            self.report({"WARNING"}, self.recording.sentence() or f"{self.recording.path}: stopped")
+            return {"CANCELLED"}
+        if event.type in self.NAVIGATION or event.type.startswith("NUMPAD"):
+            return {"PASS_THROUGH"}
+        if event.type != "TIMER":
+            return {"RUNNING_MODAL"}
+        if self.recording.is_at_work():
+            self.show_progress(context)
+            return {"RUNNING_MODAL"}
+        self.unwatch(context)
         try:
-            run = subprocess.run([program, str(scene), "-o", str(scene.with_suffix(".rbn")), "--force", "--quiet"],
-                                 capture_output=True, text=True)
-        except OSError as error:
-            raise Trouble(f"{program}: {error.strerror}; name another in the preferences of this add-on") from error
-        if run.returncode != 0:
-            raise Trouble(run.stderr.strip() or f"{program} ended with {run.returncode}, without a word")
+            return self.bring_back(context)
+        except Trouble as trouble:
+            return self.refuse(trouble)
+
+    def cancel(self, context):
+        """By Esc, and by Blender when it ends or opens another file."""
+        if self.timer:
+            self.unwatch(context)
+            self.recording.stop()
+
+    def unwatch(self, context):
+        context.window_manager.event_timer_remove(self.timer)
+        context.workspace.status_text_set(None)
+        self.timer = None
+
+    def bring_back(self, context):
+        """The ribbon as recorded, in the place of what an earlier time has brought."""
+        self.recording.check()
+        path = str(self.recording.path)
+        for thing in [thing for thing in context.scene.objects if thing.get("ribbon_recording") == path]:
+            bpy.data.objects.remove(thing)
+        try:
+            return bpy.ops.import_scene.ribbon_recording(filepath=path, with_obstacle=False,
+                                                         first_frame=context.scene.frame_start)
+        except RuntimeError as error:
+            raise Trouble(str(error).removeprefix("Error: ").strip()) from error
+
+    def refuse(self, trouble):
+        self.report({"ERROR"}, str(trouble))
+        return {"CANCELLED"}
 
 
 def menu_entry(menu, _):

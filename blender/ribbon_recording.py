@@ -51,23 +51,32 @@ def add_uv(mesh, uv):
     mesh.uv_layers.new(name="uv").data.foreach_set("uv", uv.reshape(-1, 2)[corners].ravel())
 
 
-def cloth(texture, repeats):
-    """A material of cloth; `texture` is a picture as high as the ribbon is wide, repeated along it."""
+def loaded(texture):
+    """The picture of that path."""
+    picture = bpy.data.images.load(texture, check_existing=True)
+    if 0 in picture.size:
+        bpy.data.images.remove(picture)
+        raise ribbon.Error(texture, "is no picture that Blender can read", "choose another texture, or none")
+    return picture
+
+
+def cloth(picture, length):
+    """A material of cloth; a picture is as high as the ribbon is wide, repeated along its length in widths."""
     material = bpy.data.materials.new("cloth")
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     surface = next(node for node in nodes if node.type == "BSDF_PRINCIPLED")
     surface.inputs["Roughness"].default_value = 0.6
-    if not texture:
+    if not picture:
         surface.inputs["Base Color"].default_value = (0.6, 0.05, 0.08, 1)
         return material
-    picture = nodes.new("ShaderNodeTexImage")
-    picture.image = bpy.data.images.load(texture, check_existing=True)
+    image = nodes.new("ShaderNodeTexImage")
+    image.image = picture
     mapping = nodes.new("ShaderNodeMapping")
-    mapping.inputs["Scale"].default_value = (repeats, 1, 1)
+    mapping.inputs["Scale"].default_value = (length * picture.size[1] / picture.size[0], 1, 1)
     links.new(nodes.new("ShaderNodeTexCoord").outputs["UV"], mapping.inputs["Vector"])
-    links.new(mapping.outputs["Vector"], picture.inputs["Vector"])
-    links.new(picture.outputs["Color"], surface.inputs["Base Color"])
+    links.new(mapping.outputs["Vector"], image.inputs["Vector"])
+    links.new(image.outputs["Color"], surface.inputs["Base Color"])
     return material
 
 
@@ -80,13 +89,11 @@ def linked(context, mesh):
 
 def add_ribbon(context, path, first_frame, texture):
     recording = recording_at(path)
-    mesh = mesh_of(recording.scene_name, recording[0], recording.triangles)
+    first = recording[0]
+    picture = loaded(texture) if texture else None
+    mesh = mesh_of(recording.scene_name, first, recording.triangles)
     add_uv(mesh, recording.uv)
-    repeats = 1
-    if texture:
-        width, height = bpy.data.images.load(texture, check_existing=True).size
-        repeats = recording.length / recording.width * height / width
-    mesh.materials.append(cloth(texture, repeats))
+    mesh.materials.append(cloth(picture, recording.length / recording.width))
     thing = linked(context, mesh)
     thing[PATH], thing[FIRST] = path, first_frame
     return thing
@@ -106,6 +113,9 @@ def set_time(scene, recording, first_frame):
 def show(thing, frame):
     """Moves an imported ribbon to where it is in this frame of the scene; frames outside hold still."""
     recording = recording_at(thing[PATH])
+    if len(thing.data.vertices) != recording.along * recording.across:
+        raise ribbon.Error(thing[PATH], f"{thing.name} has {len(thing.data.vertices)} vertices, and the recording "
+                           f"{recording.along * recording.across} particles", "import it anew")
     index = min(max(frame - thing[FIRST], 0), len(recording) - 1)
     thing.data.vertices.foreach_set("co", recording[index].ravel())
     thing.data.update()
@@ -143,11 +153,14 @@ class ImportRibbonRecording(bpy.types.Operator, ImportHelper):
                 raise ribbon.Error(path, "the recording holds no frame yet", "import it when one is recorded")
             thing = add_ribbon(context, path, self.first_frame, bpy.path.abspath(self.texture))
         except (ribbon.Error, RuntimeError) as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, str(error).removeprefix("Error: ").strip())
             return {"CANCELLED"}
         if self.with_obstacle and recording.obstacle is not None:
             add_obstacle(context, recording.obstacle)
         set_time(context.scene, recording, self.first_frame)
+        for other in context.selected_objects:
+            other.select_set(False)
+        thing.select_set(True)
         context.view_layer.objects.active = thing
         return {"FINISHED"}
 

@@ -3,6 +3,8 @@
 usage: import_recording.py PACKAGE ADD_ON FOLDER      PACKAGE: folder in which the package ribbon lies
 """
 
+import contextlib
+import io
 import sys
 from pathlib import Path
 
@@ -51,13 +53,21 @@ def check_frames(recording, first):
     return thing
 
 
-def check_refused(path, word):
+def check_refused(path, word, **settings):
+    before = len(bpy.data.objects)
     try:
-        bpy.ops.import_scene.ribbon_recording(filepath=str(path))
+        bpy.ops.import_scene.ribbon_recording(filepath=str(path), **settings)
     except RuntimeError as error:
         check(word in str(error), f"the refusal says {error}")
     else:
         sys.exit(f"FAILED: {path} was imported")
+    check(len(bpy.data.objects) == before, f"{path} left something behind")
+
+
+def printed_at(frame):
+    with contextlib.redirect_stdout(io.StringIO()) as said:
+        bpy.context.scene.frame_set(frame)
+    return said.getvalue()
 
 
 path, picture = folder / "wave.rbn", folder / "cloth.png"
@@ -73,6 +83,13 @@ image.save()
 bpy.ops.preferences.addon_install(filepath=add_on)
 bpy.ops.preferences.addon_enable(module=Path(add_on).stem)
 check_refused(folder / "nothing.rbn", "nothing.rbn")
+whole = path.read_bytes()
+(folder / "other.rbn").write_bytes(b"no recording" * 100)
+check_refused(folder / "other.rbn", "other.rbn")
+(folder / "cut.rbn").write_bytes(whole[:100])
+check_refused(folder / "cut.rbn", "cut.rbn")
+check_refused(path, "is no picture", texture=str(path))
+check_refused(path, "nothing.png", texture=str(folder / "nothing.png"))
 bpy.ops.import_scene.ribbon_recording(filepath=str(path), first_frame=11, texture=str(picture))
 
 thing = check_frames(recording, 11)
@@ -86,6 +103,19 @@ check("stone" in scene.objects, "there is no obstacle")
 bpy.ops.wm.save_as_mainfile(filepath=str(folder / "wave.blend"))
 bpy.ops.wm.open_mainfile(filepath=str(folder / "wave.blend"))
 check_frames(recording, 11)
+
+# What is damaged or was recorded anew holds still, and the console says why.
+half = len(whole) // 2
+(folder / "damaged.rbn").write_bytes(whole[:half] + bytes([whole[half] ^ 255]) + whole[half + 1:])
+bpy.ops.import_scene.ribbon_recording(filepath=str(folder / "damaged.rbn"))
+check("is damaged" in "".join(map(printed_at, range(1, FRAMES + 1))), "nothing told of the damage")
+for across in (ACROSS, 2):
+    ribbon.write(folder / "anew.rbn", [wave(0)[:, :across], wave(1)[:, :across]], length=0.4, width=0.04, force=True)
+    bpy.ops.import_scene.ribbon_recording(filepath=str(folder / "anew.rbn"))
+said = printed_at(2)
+check("has 80 vertices" in said and "import it anew" in said, f"of an older ribbon it said {said!r}")
+check((vertices_of(bpy.context.active_object) == ribbon.open(folder / "anew.rbn")[1].reshape(-1, 3)).all(),
+      "the newer ribbon did not move")
 
 bpy.ops.preferences.addon_disable(module=Path(add_on).stem)
 print("Blender shows what was recorded.")

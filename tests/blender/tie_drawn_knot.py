@@ -127,6 +127,13 @@ for place in recording[0].mean(axis=1)[::10]:
     off = min(math.hypot(x - point[0], y - point[1]) for point in drawn_points(0.02))
     check(off < 0.01, f"the ribbon begins {off} m off the drawing")
 
+# Tied again, it takes the place of the one before.
+choose(drawing, post)
+check(tie(width=0.01, duration=0.02, across=5) == {"FINISHED"}, "it was not tied again")
+ribbons = [thing for thing in bpy.context.scene.objects if "ribbon_recording" in thing]
+check(len(ribbons) == 1 and ribbons[0] == bpy.context.active_object, f"there are {ribbons}")
+check(bpy.context.selected_objects == ribbons, "something else is chosen")
+
 # The same drawing on other walls, and its mirror image: where it lies and what passes over is seen.
 for name, turn, height, expected in (("front", (math.pi / 2, 0, 0), 0.02, ('axis = "z"', "left-handed")),
                                      ("side", (0, math.pi / 2, 0), 0.02, ('axis = "x"', "left-handed")),
