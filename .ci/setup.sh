@@ -16,7 +16,7 @@ python_packages=(pybind11-dev python3-dev python3-numpy)
 test_packages=(
   blender clang clang-format clang-tidy ffmpeg libcgal-dev libclang-14-dev libclang-rt-dev libdraco-dev
   libgmp-dev libgmock-dev libmeshoptimizer-dev libmpfr-dev libzfp-dev llvm-14-dev
-  python3-numpy regina-normal-dev shellcheck
+  python3-numpy regina-normal-dev shellcheck xauth xvfb
 )
 
 # For tests/run.sh --all alone.
