@@ -117,7 +117,10 @@ void bind_frames(py::class_<Recording>& recording) {
       .def("numbers", &Recording::numbers,
            "Name -> array over all frames; not a number where a frame has none.")
       .def("readable", &is_readable, py::arg("frame"),
-           "Can the frame be decoded? Damage may have taken it.")
+           "Can the frame be decoded? Damage may have taken it, as far as is known: check() looks.")
+      .def(
+          "check", [](Recording& self) { self.reader().check(); },
+          "Reads the whole file once, so that readable(), numbers() and damage tell all.")
       .def("refresh", &Recording::refresh, "Looks for new frames; tells how many there are now.");
 }
 
@@ -129,8 +132,10 @@ void bind_state(py::class_<Recording>& recording) {
       .def_property_readonly(
           "ending", [](const Recording& self) { return word_for(self.reader().ending()); },
           "What ended the run: 'tight', 'duration', ...; 'unknown' where that is not told.")
-      .def_property_readonly("damage", &damage_of,
-                             "(byte, length, reason) of each part that cannot be read.");
+      .def_property_readonly(
+          "damage", &damage_of,
+          "(byte, length, reason) of each part that cannot be read, as far as is known: "
+          "check() looks.");
 }
 
 void bind_ribbon(py::class_<Recording>& recording) {

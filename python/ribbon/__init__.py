@@ -48,10 +48,17 @@ def follow(recording: Recording, every: float = 0.1) -> Iterator[NDArray[numpy.f
             time.sleep(every)
 
 
+def _numbers(positions: ArrayLike) -> NDArray[Any]:
+    array = numpy.asarray(positions)
+    if array.dtype.kind not in "fiu":
+        raise ValueError(f"positions must be numbers, not of the type {array.dtype}")
+    return array
+
+
 def write(path: str | os.PathLike[str], frames: Iterable[ArrayLike], *, length: float, width: float,
           **settings: Any) -> None:
     """Writes frames, each along x across x 3 in metres, as a recording; settings are those of Writer."""
-    frames = (numpy.asarray(positions) for positions in frames)
+    frames = map(_numbers, frames)
     first = next(frames, None)
     if first is None or first.ndim != 3:
         raise ValueError("frames must be at least one array of along x across x 3")
