@@ -6,7 +6,9 @@ usage: documented_programs.py LIBRARY.md FOLDER SCENE [CMAKE_OPTION...]
 ribbon-record must be found in the path; it records SCENE for a moment.
 """
 
+import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -60,6 +62,45 @@ def check_growing_recording(programs, folder, scene):
     check(len(lines) == frames + 1 and lines[-1] == "ended: stopped", f"of {frames} frames follow said {lines}")
 
 
+def refusal(*command):
+    refused = subprocess.run(command, capture_output=True, text=True, check=False)
+    check(refused.returncode == 2, f"{command} ended with {refused.returncode}")
+    return refused.stderr
+
+
+def check_bad_recordings(programs, folder):
+    nothing, damaged, empty = folder / "nothing.rbn", folder / "damaged.rbn", folder / "empty.rbn"
+    damaged.write_bytes(b"no recording" * 100)
+    empty.write_bytes((folder / "own.rbn").read_bytes()[:300])
+    for program in ("read", "follow", "verify"):
+        for path in (nothing, damaged):
+            said = refusal(programs / program, path)
+            check(str(path) in said, f"{program} {path.name} said {said!r}")
+    check(str(empty) in refusal(programs / "verify", empty), "verify said nothing of a recording without a frame")
+
+
+def check_recording_that_vanishes(programs, folder, scene):
+    for name, vanish in (("deleted.rbn", Path.unlink), ("cut.rbn", lambda path: os.truncate(path, 100))):
+        path = folder / name
+        recorder = subprocess.Popen(["ribbon-record", scene, "--until", "5", "--quiet", "-o", path])
+        while recorder.poll() is None and subprocess.run([programs / "read", path], capture_output=True).returncode:
+            time.sleep(0.01)
+        follower = subprocess.Popen([programs / "follow", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        follower.stdout.readline()
+        recorder.send_signal(signal.SIGSTOP)  # so that it does not write over the gap
+        vanish(path)
+        if name == "deleted.rbn":
+            recorder.send_signal(signal.SIGCONT)
+            recorder.send_signal(signal.SIGTERM)
+        said, refused = follower.communicate()
+        recorder.kill()
+        recorder.wait()
+        if name == "deleted.rbn":
+            check(follower.returncode == 0 and said.endswith("ended: stopped\n"), f"{name}: {said[-80:]}, {refused}")
+        else:
+            check(follower.returncode == 2 and "has become shorter" in refused, f"{name}: {said[-80:]}, {refused}")
+
+
 def main():
     if len(sys.argv) < 4:
         sys.exit(__doc__)
@@ -71,6 +112,8 @@ def main():
     programs = build(folder, sys.argv[4:])
     check_own_recording(programs, folder)
     check_growing_recording(programs, folder, scene)
+    check_bad_recordings(programs, folder)
+    check_recording_that_vanishes(programs, folder, scene)
     print("The documented programs work.")
 
 
