@@ -8,6 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
 folder=${1-$root/build/packages}
 
 install_missing "${build_packages[@]}" "${python_packages[@]}"
+install_page_tools # so that the tools write pages
 build release -DRIBBON_BUILD_PYTHON=ON -- ribbon-record ribbon-play ribbon-convert ribbon_python
 echo "== Making packages"
 mkdir -p "$folder"

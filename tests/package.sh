@@ -48,7 +48,7 @@ inside() {
 looked_at_by_lintian() {
   echo "== lintian"
   # Nobody has asked Debian to take the packages, and static libraries are what libribbon-dev is for.
-  lintian --allow-root --tag-display-limit 0 --fail-on error \
+  lintian --allow-root --tag-display-limit 0 --fail-on error,warning \
     --suppress-tags initial-upload-closes-no-bugs "$packages"/*.deb
 }
 
@@ -61,7 +61,9 @@ tools_work() {
   inside tools ribbon-play knot.rbn -o 'preview/{frame:04}.png' --preview --frames -1 --size 320x180 --quiet
   inside tools ribbon-convert knot.rbn -o 'out/knot.{frame:04}.fbx' --frames -1 --quiet
   inside tools ribbon-record /usr/share/ribbon/samples/gallery/bow.toml --crossings bow.svg --quiet
-  for file in frames preview out bow.svg; do
+  inside tools ribbon-play knot.rbn -o knot.html --quiet
+  inside tools ribbon-record --draw -o sketch.html --quiet
+  for file in frames preview out bow.svg knot.html sketch.html; do
     [[ -s $here/tools/work/$file ]] || fail "$file is missing"
   done
   for tool in ribbon-record ribbon-play ribbon-convert; do
@@ -109,9 +111,46 @@ library_and_python_work() {
   [[ -s $here/development/work/tension.svg ]] || fail "there is no plot of the tension"
 }
 
+# files_of_ribbon   What lies in the system under that name, but for what dpkg and apt keep about it.
+files_of_ribbon() {
+  (cd "$here/development" && find . -xdev \( -path ./work -o -path ./var/lib/dpkg -o -path ./var/lib/apt -o \
+    -path ./var/log -o -path ./var/cache \) -prune -o -name '*ribbon*' -print)
+}
+
+# The same packages under an older version with a file that the newer has no more.
+older_packages() {
+  local package folder
+  for package in ribbon libribbon-dev python3-ribbon; do
+    folder=$here/older/$package
+    mkdir -p "$here/older"
+    rm -rf "$folder"
+    dpkg-deb --raw-extract "$packages/$package"_*.deb "$folder"
+    sed --in-place 's/^Version: .*/Version: 0.1.0-1/' "$folder/DEBIAN/control"
+    touch "$folder/usr/share/doc/$package/of-old"
+    dpkg-deb --root-owner-group --build "$folder" "$here/development/work/$package.deb" >/dev/null
+  done
+}
+
+goes_up_and_away() {
+  echo "== Upgrade and removal"
+  older_packages
+  chroot "$here/development" sh -c 'dpkg --install /work/*.deb' >"$here/dpkg.log" 2>&1
+  [[ -e $here/development/usr/share/doc/ribbon/of-old ]] || fail "the older packages are not there"
+  cp "$packages"/*.deb "$here/development/work"
+  chroot "$here/development" sh -c 'rm /work/ribbon.deb /work/libribbon-dev.deb /work/python3-ribbon.deb
+    dpkg --install /work/*.deb' >>"$here/dpkg.log" 2>&1
+  [[ -z $(find "$here/development/usr" -name of-old) ]] || fail "the upgrade left something of the older packages"
+  chroot "$here/development" dpkg --verify ribbon libribbon-dev python3-ribbon ||
+    fail "the upgrade did not put everything in its place"
+  chroot "$here/development" python3 -c 'import ribbon' # as root, Python may leave what it compiles
+  chroot "$here/development" dpkg --purge python3-ribbon libribbon-dev ribbon >>"$here/dpkg.log" 2>&1
+  [[ -z $(files_of_ribbon) ]] || fail "left behind: $(files_of_ribbon)"
+}
+
 looked_at_by_lintian
 tools_work
 completion_works
 documents_are_whole
 library_and_python_work
+goes_up_and_away
 echo "The packages are as they should be."
