@@ -10,6 +10,7 @@ if [[ $# -lt 2 ]]; then
   echo "usage: $0 IMAGE.tar PACKAGE.deb... [NAME...]" >&2
   exit 2
 fi
+command -v mmdebstrap >/dev/null || { echo "mmdebstrap is missing; install it (apt install mmdebstrap)" >&2 && exit 2; }
 image=$1
 shift
 
@@ -22,6 +23,7 @@ hooks=()
 names=()
 for package in "$@"; do
   if [[ $package == *.deb ]]; then
+    [[ -f $package ]] || { echo "$package: there is no such package; packaging/packages.sh makes them" >&2 && exit 2; }
     hooks+=(--customize-hook="copy-in '$(realpath "$package")' /var/tmp")
     names+=("/var/tmp/$(basename "$package")")
   else
