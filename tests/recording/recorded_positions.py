@@ -1,6 +1,5 @@
 """Decodes frames by section 8 of libribbon/recording/FORMAT.md; part of read_recording.py."""
 
-import struct
 
 import numpy as np
 
@@ -94,14 +93,12 @@ class PositionCodec:
         frame = Frame(self.along, self.across)
         if references:
             weights = take_weights(content)
-        else:
-            curvature = F(struct.unpack("b", content.bytes(1))[0]) / F(64)
         residuals = take_residuals(content, self.along, self.across)
         for j in range(self.across):
             if references:
                 self.decode_column(frame, j, residuals[:, j], weights[min(j, 1)], references)
             else:
-                self.decode_intra_column(frame, j, residuals[:, j], curvature)
+                self.decode_intra_column(frame, j, residuals[:, j])
             continue_over_ends(frame.values[:, :, j + 1])
             continue_over_ends(frame.motion[:, :, j + 1])
         for field in (frame.values, frame.motion):
@@ -129,27 +126,40 @@ class PositionCodec:
         frame.values[:, 1:-1, j + 1] = values
         frame.motion[:, 1:-1, j + 1] = values - r
 
-    def decode_intra_column(self, frame, j, residuals, curvature):
-        """Row by row, for each needs those before it."""
-        x, beside = frame.values[:, 1:-1, j + 1], frame.values[:, 1:-1, j]
+    def decode_intra_column(self, frame, j, residuals):
+        """Row by row, for each needs the one before it."""
+        kind = "i8" if self.step > 0 else "f4"
+        last = p = np.zeros(3, kind)
         for i in range(self.along):
-            p = intra_prediction(x, beside, i, j, curvature)
-            x[:, i] = self.values_from(np.zeros(3, "f4"), p, residuals[:, i])
+            r = last if j == 0 else frame.values[:, 1 + i, j].astype(kind)
+            if self.step > 0:
+                value = uniform_values(r + p, np.zeros(3, bool), residuals[:, i])
+            else:
+                value = self.values_from(r, p, residuals[:, i])
+            frame.values[:, 1 + i, j + 1] = value
+            last = value.astype(kind)
+            p = last - r
 
     def values_from(self, r, p, residuals):
-        odd = residuals % 2 == 1
-        half = (residuals + 1) // 2
         if self.step > 0:
             p = np.where(np.isnan(p), F(-(2.0**22)), p)
             p = np.clip(p, F(-(2.0**22)), F(2.0**22))
             c = np.rint(p)  # of two as near the even one
-            offset = np.where(odd != (p < c), half, -half)
-            numbers = wrapped(r.astype("i8") + c.astype("i8") + offset)
-            return np.clip(numbers, -LARGEST_NUMBER, LARGEST_NUMBER).astype("f4")
+            return uniform_values(r.astype("i8") + c.astype("i8"), p < c, residuals)
         t = r + p
         t = np.where(np.isfinite(t), t, F(0))
-        numbers = wrapped(ordered(t.view("i4")).astype("i8") + np.where(odd, half, -half))
+        numbers = wrapped(ordered(t.view("i4")).astype("i8") + offsets(residuals, False))
         return ordered(numbers).view("f4")
+
+
+def offsets(residuals, other_side):
+    half = (residuals + 1) // 2
+    return np.where((residuals % 2 == 1) != other_side, half, -half)
+
+
+def uniform_values(expected, other_side, residuals):
+    numbers = wrapped(expected + offsets(residuals, other_side))
+    return np.clip(numbers, -LARGEST_NUMBER, LARGEST_NUMBER).astype("f4")
 
 
 class Shifted:
@@ -161,20 +171,6 @@ class Shifted:
     def __call__(self, di, dj):
         rows = self.field.shape[1] - 2
         return self.field[:, 1 + di : 1 + di + rows, 1 + self.j + dj]
-
-
-def intra_prediction(x, beside, i, j, curvature):
-    if j == 0:
-        if i < 2:
-            return np.zeros(3, "f4") if i == 0 else x[:, 0].copy()
-        return (x[:, i - 1] + x[:, i - 1]) - x[:, i - 2]
-    if i == 0:
-        return beside[:, 0].copy()
-    step = x[:, i - 1] - beside[:, i - 1]
-    if i == 1:
-        return beside[:, 1] + step
-    before = x[:, i - 2] - beside[:, i - 2]
-    return (beside[:, i] + step) + curvature * (step - before)
 
 
 def continue_over_ends(field):

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "parallel/vector_loop.h"
 
@@ -60,54 +61,55 @@ struct Nearest {
 [[gnu::always_inline]] inline float value_at(std::int32_t ordinal) {
   return Eigen::numext::bit_cast<float>(ordinal ^ ((ordinal >> 31) & 0x7FFFFFFF));
 }
-[[gnu::always_inline]] inline std::int32_t ordinal_of_prediction(float value) {
-  constexpr float largest = std::numeric_limits<float>::max();
-  value = value >= -largest ? value : 0.0F;
-  value = value <= largest ? value : 0.0F;
-  return ordinal_of(value);
-}
 
-[[gnu::always_inline]] inline float in_exact_range(std::int32_t number) {
+[[gnu::always_inline]] inline std::int32_t in_exact_range(std::int32_t number) {
   number = number < largest_quantised ? number : largest_quantised;
-  number = number > -largest_quantised ? number : -largest_quantised;
-  return static_cast<float>(number);
+  return number > -largest_quantised ? number : -largest_quantised;
 }
 
-// Makes values from residuals.
+// What a number stands for in sums: itself, or the value whose ordinal it is.
+template <bool uniform>
+using Meaning = std::conditional_t<uniform, std::int32_t, float>;
+
+template <bool uniform>
+[[gnu::always_inline]] inline Meaning<uniform> meaning_of(std::int32_t number) {
+  if constexpr (uniform)
+    return number;
+  else
+    return value_at(number);
+}
+// The number that is nearest to a prediction.
+[[gnu::always_inline]] inline std::int32_t number_for(std::int32_t prediction) {
+  return prediction;
+}
+[[gnu::always_inline]] inline std::int32_t number_for(float prediction) {
+  constexpr float largest = std::numeric_limits<float>::max();
+  prediction = prediction >= -largest ? prediction : 0.0F;
+  prediction = prediction <= largest ? prediction : 0.0F;
+  return ordinal_of(prediction);
+}
+
+// Makes the value of a row from its residual; returns its number.
 struct Decoding {
   template <bool uniform>
-  [[gnu::always_inline]] static void run(const PredictedColumn& column, int row, float reference,
-                                         float predicted) {
-    const std::uint32_t residual = column.residuals[row];
-    float value = 0;
-    if constexpr (uniform) {
-      const Nearest near = nearest(predicted);
-      value = in_exact_range(sum_of(sum_of(static_cast<std::int32_t>(reference), near.number),
-                                    offset_of(residual, near.below)));
-    } else {
-      value =
-          value_at(sum_of(ordinal_of_prediction(reference + predicted), offset_of(residual, 0)));
-    }
-    column.values[row] = value;
-    column.motion[row] = value - reference;
+  [[gnu::always_inline]] static std::int32_t run(const PredictedColumn& column, int row,
+                                                 Nearest expected) {
+    std::int32_t number = sum_of(expected.number, offset_of(column.residuals[row], expected.below));
+    if constexpr (uniform) number = in_exact_range(number);
+    column.values[row] = static_cast<float>(meaning_of<uniform>(number));
+    return number;
   }
 };
 
-// Makes residuals from values.
+// Makes the residual of a row from its value; returns its number.
 struct Encoding {
   template <bool uniform>
-  [[gnu::always_inline]] static void run(const PredictedColumn& column, int row, float reference,
-                                         float predicted) {
+  [[gnu::always_inline]] static std::int32_t run(const PredictedColumn& column, int row,
+                                                 Nearest expected) {
     const float value = column.values[row];
-    if constexpr (uniform) {
-      const Nearest near = nearest(predicted);
-      const std::int32_t expected = sum_of(static_cast<std::int32_t>(reference), near.number);
-      column.residuals[row] =
-          residual_of(difference_of(static_cast<std::int32_t>(value), expected), near.below);
-    } else {
-      column.residuals[row] = residual_of(
-          difference_of(ordinal_of(value), ordinal_of_prediction(reference + predicted)), 0);
-    }
+    const std::int32_t number = uniform ? static_cast<std::int32_t>(value) : ordinal_of(value);
+    column.residuals[row] = residual_of(difference_of(number, expected.number), expected.below);
+    return number;
   }
 };
 
@@ -147,6 +149,17 @@ struct Neighbourhood {
   }
 };
 
+// reference: the value there of the first frame referred to.
+template <bool uniform>
+[[gnu::always_inline]] inline Nearest expected(float reference, float predicted) {
+  if constexpr (uniform) {
+    const Nearest near = nearest(predicted);
+    return {sum_of(static_cast<std::int32_t>(reference), near.number), near.below};
+  } else {
+    return {number_for(reference + predicted), 0};
+  }
+}
+
 template <class Work, bool uniform, bool is_first>
 void run(const PredictedColumn& column, const Weights& weights) {
   vectorised([&]() RIBBON_INLINED {
@@ -157,7 +170,8 @@ void run(const PredictedColumn& column, const Weights& weights) {
     for (int row = 0; row < at.rows; ++row) {
       float predicted = around.from_past(w.past, row);
       if constexpr (!is_first) predicted += around.from_beside(w.near, row);
-      Work::template run<uniform>(at, row, around.values[row], predicted);
+      Work::template run<uniform>(at, row, expected<uniform>(around.values[row], predicted));
+      at.motion[row] = at.values[row] - around.values[row];
     }
   });
 }
@@ -172,36 +186,31 @@ void run(const PredictedColumn& column, const Weights& weights) {
                     : run<Work, false, false>(column, weights);
 }
 
-// From the rows before and the column before.
-template <bool is_first>
-[[gnu::always_inline]] inline float intra_prediction(const PredictedColumn& column, int row,
-                                                     float curvature) {
-  const Floats x = column.values + row;
-  if constexpr (is_first) return row == 0 ? 0 : row == 1 ? x[-1] : (x[-1] + x[-1]) - x[-2];
-  const float beside = x[-column.stride];
-  if (row == 0) return beside;
-  const float step = x[-1] - x[-1 - column.stride];
-  if (row == 1) return beside + step;
-  return (beside + step) + curvature * (step - (x[-2] - x[-2 - column.stride]));
-}
-
+// Every row lies as far from the one beside it, in the column before, as the row before from its
+// own; in the first column what is beside is the row before.
 template <class Work, bool uniform, bool is_first>
-void run_intra(const Triple<PredictedColumn>& columns, float curvature) {
+void run_intra(const Triple<PredictedColumn>& columns) {
   const Triple<PredictedColumn> at = columns;
+  Triple<Meaning<uniform>> last{};
+  Triple<Meaning<uniform>> step{};  // of the row before
   for (int row = 0; row < at[0].rows; ++row)
-    for (const PredictedColumn& column : at)
-      Work::template run<uniform>(column, row, 0,
-                                  intra_prediction<is_first>(column, row, curvature));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto beside =
+          is_first ? last[c] : static_cast<Meaning<uniform>>(at[c].values[row - at[c].stride]);
+      const Nearest expected{number_for(beside + step[c]), 0};
+      last[c] = meaning_of<uniform>(Work::template run<uniform>(at[c], row, expected));
+      step[c] = last[c] - beside;
+    }
 }
 
 template <class Work>
-void run_intra(const Triple<PredictedColumn>& columns, float curvature) {
+void run_intra(const Triple<PredictedColumn>& columns) {
   if (columns[0].uniform)
-    columns[0].is_first ? run_intra<Work, true, true>(columns, curvature)
-                        : run_intra<Work, true, false>(columns, curvature);
+    columns[0].is_first ? run_intra<Work, true, true>(columns)
+                        : run_intra<Work, true, false>(columns);
   else
-    columns[0].is_first ? run_intra<Work, false, true>(columns, curvature)
-                        : run_intra<Work, false, false>(columns, curvature);
+    columns[0].is_first ? run_intra<Work, false, true>(columns)
+                        : run_intra<Work, false, false>(columns);
 }
 
 }  // namespace
@@ -214,12 +223,12 @@ void encode(const PredictedColumn& column, const Weights& weights) {
   run<Encoding>(column, weights);
 }
 
-void decode_intra(const Triple<PredictedColumn>& columns, float curvature) {
-  run_intra<Decoding>(columns, curvature);
+void decode_intra(const Triple<PredictedColumn>& columns) {
+  run_intra<Decoding>(columns);
 }
 
-void encode_intra(const Triple<PredictedColumn>& columns, float curvature) {
-  run_intra<Encoding>(columns, curvature);
+void encode_intra(const Triple<PredictedColumn>& columns) {
+  run_intra<Encoding>(columns);
 }
 
 void set_taps(const PredictedColumn& column, int first_row, Taps& taps) {

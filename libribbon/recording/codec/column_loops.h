@@ -41,10 +41,9 @@ void decode(const PredictedColumn& column, const Weights& weights);
 void encode(const PredictedColumn& column, const Weights& weights);
 
 // Likewise without references, from what is known of this frame: row after row, so x, y and z go
-// side by side. curvature: how much of the change of the step across the ribbon, from row to row,
-// goes on.
-void decode_intra(const Triple<PredictedColumn>& columns, float curvature);
-void encode_intra(const Triple<PredictedColumn>& columns, float curvature);
+// side by side. Motion is left as it is.
+void decode_intra(const Triple<PredictedColumn>& columns);
+void encode_intra(const Triple<PredictedColumn>& columns);
 
 // What the weights are applied to, in their order, past before near, then the motion that they
 // should add up to: of sixteen rows side by side, 0 beyond the column's end.

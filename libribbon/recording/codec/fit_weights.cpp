@@ -175,23 +175,4 @@ RecordedWeights fit_weights(const FramePrediction& prediction, Residuals& residu
   return WeightFit(prediction, residuals).run();
 }
 
-std::int8_t fit_curvature(const FramePrediction& prediction, Residuals& residuals) {
-  double products = 0;
-  double squares = 1e-30;
-  const RibbonGrid& grid = prediction.layout().grid();
-  for (int j = 1; j < grid.across; ++j)
-    for (const PredictedColumn& column : prediction.columns(j, residuals)) {
-      const auto step = [&](int row) {
-        return static_cast<double>(column.values[row] - column.values[row - column.stride]);
-      };
-      for (int row = 2; row < grid.along; ++row) {
-        const double before = step(row - 1) - step(row - 2);
-        products += (step(row) - step(row - 1)) * before;
-        squares += before * before;
-      }
-    }
-  const double curvature = std::isfinite(products / squares) ? products / squares : 0;
-  return static_cast<std::int8_t>(std::clamp(std::floor(64 * curvature + 0.5), -127.0, 127.0));
-}
-
 }  // namespace ribbon

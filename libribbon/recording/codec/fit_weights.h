@@ -11,7 +11,4 @@ namespace ribbon {
 // machine: plain arithmetic in a fixed order.
 RecordedWeights fit_weights(const FramePrediction& prediction, Residuals& residuals);
 
-// Likewise for an intra frame.
-std::int8_t fit_curvature(const FramePrediction& prediction, Residuals& residuals);
-
 }  // namespace ribbon

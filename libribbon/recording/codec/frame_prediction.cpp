@@ -85,7 +85,7 @@ void FramePrediction::decode(Residuals& residuals) {
   for (int j = 0; j < layout_.grid().across; ++j) {
     const auto at = columns(j, residuals);
     if (is_intra())
-      decode_intra(at, static_cast<float>(curvature) / 64);
+      decode_intra(at);
     else
       for (const PredictedColumn& column : at) ribbon::decode(column, j == 0 ? first : others);
     continue_over_ends(layout_, j, frame_->values);
@@ -102,7 +102,7 @@ void FramePrediction::encode(Residuals& residuals) const {
   for (int j = 0; j < layout_.grid().across; ++j) {
     const auto at = columns(j, residuals);
     if (is_intra())
-      encode_intra(at, static_cast<float>(curvature) / 64);
+      encode_intra(at);
     else
       for (const PredictedColumn& column : at) ribbon::encode(column, j == 0 ? first : others);
   }

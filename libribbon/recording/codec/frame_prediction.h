@@ -33,8 +33,7 @@ class FramePrediction {
   // Column j of x, y and z.
   [[nodiscard]] Triple<PredictedColumn> columns(int j, Residuals& residuals) const;
 
-  RecordedWeights weights;    // unless it is an intra frame
-  std::int8_t curvature = 0;  // of an intra frame, in 64ths
+  RecordedWeights weights;  // unless it is an intra frame
 
   // Makes the values of the frame from residuals, borders included.
   void decode(Residuals& residuals);

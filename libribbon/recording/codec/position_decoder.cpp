@@ -23,13 +23,6 @@ bool take_weights(std::string_view& bytes, RecordedWeights& weights) {
   return taken;
 }
 
-bool take_curvature(std::string_view& bytes, std::int8_t& curvature) {
-  ByteTaker taker(bytes);
-  curvature = taker.take<std::int8_t>();
-  bytes = taker.rest();
-  return taker.complete();
-}
-
 }  // namespace
 
 bool PositionDecoder::decode_plain(std::string_view geometry, QuantisedFrame& frame) {
@@ -47,10 +40,9 @@ bool PositionDecoder::decode_quantised(std::string_view geometry,
                                        std::span<const QuantisedFrame* const> references,
                                        QuantisedFrame& frame) {
   frame_prediction_.begin(references, frame);
-  const bool taken = frame_prediction_.is_intra()
-                         ? take_curvature(geometry, frame_prediction_.curvature)
-                         : take_weights(geometry, frame_prediction_.weights);
-  if (!taken || !unpacker_.unpack(geometry, residuals_)) return false;
+  if (!frame_prediction_.is_intra() && !take_weights(geometry, frame_prediction_.weights))
+    return false;
+  if (!unpacker_.unpack(geometry, residuals_)) return false;
   frame_prediction_.decode(residuals_);
   return frame.is_finite();
 }

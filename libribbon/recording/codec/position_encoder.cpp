@@ -65,10 +65,7 @@ std::string PositionEncoder::quantised_geometry(QuantisedFrame& frame,
   frame_prediction_.begin(references, frame);
   frame_prediction_.set_motion();
   std::string bytes;
-  if (frame_prediction_.is_intra()) {
-    frame_prediction_.curvature = fit_curvature(frame_prediction_, residuals_);
-    put<std::int8_t>(bytes, frame_prediction_.curvature);
-  } else {
+  if (!frame_prediction_.is_intra()) {
     frame_prediction_.weights = fit_weights(frame_prediction_, residuals_);
     put_weights(frame_prediction_.weights, bytes);
   }

@@ -130,6 +130,21 @@ TEST(PositionCodec, numbers_half_of_all_numbers_away_from_their_prediction_come_
   RoundTrip(parameters({4, 4}, 0, 1), 0).take(positions);
 }
 
+// Neighbours at opposite ends of what can be quantised: their differences need more bits than
+// single precision has.
+TEST(PositionCodec, numbers_at_both_ends_of_their_range_come_back) {
+  constexpr float step_m = 0x1p-20F;
+  std::vector<Eigen::Matrix3Xd> frames;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    Eigen::Matrix3Xd& positions = frames.emplace_back(noise(9 * 5, 0x1p-17, seed));
+    int k = static_cast<int>(seed);
+    for (double& coordinate : positions.reshaped())
+      coordinate += (++k % 3 == 0 ? 16 : -16) * (1 - 0x1p-19);
+  }
+  for (const FrameEncoding encoding : round_trip({{9, 5}, step_m}, step_m / 2, frames))
+    EXPECT_EQ(encoding, FrameEncoding::quantised);
+}
+
 TEST(PositionCodec, sudden_jumps_stay_within_the_bound) {
   std::vector<Eigen::Matrix3Xd> frames = sample_frames(20);
   for (std::size_t frame = 10; frame < 20; ++frame) frames[frame].array() += 25;
