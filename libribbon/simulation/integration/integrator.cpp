@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/integration/particle_runs.h"
+
 namespace ribbon {
 
 Integrator::Integrator(const SpringNetwork& springs, const MotionProperties& properties,
@@ -34,13 +36,23 @@ void Integrator::hold_force(const Eigen::Matrix3Xd& fastening_force, const Cloth
 }
 
 void Integrator::displace_in_substep(Cloth& cloth) {
-  state_.positions = cloth.positions.transpose();
-  state_.velocities = cloth.velocities.transpose();
+  state_.positions.resize(cloth.particle_count(), 3);
+  state_.velocities.resize(cloth.particle_count(), 3);
+  for_each_particle_run(cloth.particle_count(), [&](Eigen::Index first, Eigen::Index count) {
+    state_.positions.middleRows(first, count) =
+        cloth.positions.middleCols(first, count).transpose();
+    state_.velocities.middleRows(first, count) =
+        cloth.velocities.middleCols(first, count).transpose();
+  });
   const double h = properties_.step_s / substeps_;
   advance(h);
   if (damping_) damping_->apply(h, state_.positions, state_.velocities);
-  cloth.positions = state_.positions.transpose();
-  cloth.velocities = state_.velocities.transpose();
+  for_each_particle_run(cloth.particle_count(), [&](Eigen::Index first, Eigen::Index count) {
+    cloth.positions.middleCols(first, count) =
+        state_.positions.middleRows(first, count).transpose();
+    cloth.velocities.middleCols(first, count) =
+        state_.velocities.middleRows(first, count).transpose();
+  });
 }
 
 int stable_substeps(double step_s, double fastest_rad_s, double stability_limit) {

@@ -1,4 +1,5 @@
 #include "simulation/integration/integrator.h"
+#include "simulation/integration/particle_runs.h"
 
 namespace ribbon {
 
@@ -26,10 +27,14 @@ class SymplecticEuler final : public Integrator {
   void advance(double h) override {
     const double slowed = 1 / (1 + h * properties_.air_resistance_per_s);
     spring_forces_on_mean(state_.positions, forces_);
-    state_.velocities += h / properties_.particle_mass_kg * forces_;
-    if (state_.accelerations.rows() > 0) state_.velocities += h * state_.accelerations;
-    state_.velocities *= slowed;
-    state_.positions += h * state_.velocities;
+    for_each_particle_run(state_.positions.rows(), [&](Eigen::Index first, Eigen::Index count) {
+      auto velocities = state_.velocities.middleRows(first, count);
+      velocities += h / properties_.particle_mass_kg * forces_.middleRows(first, count);
+      if (state_.accelerations.rows() > 0)
+        velocities += h * state_.accelerations.middleRows(first, count);
+      velocities *= slowed;
+      state_.positions.middleRows(first, count) += h * velocities;
+    });
   }
 
   MatrixX3d forces_;

@@ -340,6 +340,16 @@ TEST_P(AnyIntegrator, leaves_a_flat_ribbon_at_rest_where_it_is) {
   EXPECT_LT((band.cloth.positions - before).norm(), 1e-13);
 }
 
+// Of several runs of particles, the last of them short.
+TEST_P(AnyIntegrator, moves_each_particle_of_a_long_ribbon) {
+  Band band(20, 0.02, {500, 5});
+  band.cloth.velocities.row(2).setConstant(3);
+  const Matrix3Xd before = band.cloth.positions;
+  band.advance(GetParam(), 0.01, 2);
+  EXPECT_LT(((band.cloth.positions - before).row(2).array() - 0.06).abs().maxCoeff(), 1e-12);
+  EXPECT_LT((band.cloth.velocities.row(2).array() - 3).abs().maxCoeff(), 1e-10);
+}
+
 TEST_P(AnyIntegrator, computes_the_same_bits_for_any_number_of_threads) {
   same_for_any_threads([] {
     Band band(20, 0.02, {500, 5});
