@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "converter/export/obj_text.h"
-#include "converter/export/picture_file.h"
 #include "converter/motion_format.h"
 #include "converter/output_names.h"
 #include "files/files.h"
+#include "model/obj_text.h"
+#include "model/picture_file.h"
 
 namespace ribbon {
 

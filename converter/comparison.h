@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "converter/export/model.h"
 #include "converter/read_back/written_motion.h"
+#include "model/model.h"
 
 namespace ribbon {
 

@@ -5,12 +5,12 @@
 
 #include "converter/conversion_job.h"
 #include "converter/excerpt.h"
-#include "converter/export/solid_ribbon.h"
 #include "converter/frame_sequence.h"
 #include "converter/number_table.h"
 #include "converter/planned_files.h"
 #include "converter/still_life.h"
 #include "converter/whole_motion.h"
+#include "model/solid_ribbon.h"
 
 namespace ribbon {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "commandline/progress.h"
-#include "converter/export/model.h"
+#include "model/model.h"
 #include "playback/recording_reader.h"
 #include "result/result.h"
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "commandline/frame_range.h"
-#include "converter/export/picture_file.h"
 #include "converter/format_abilities.h"
 #include "converter/output_names.h"
+#include "model/picture_file.h"
 #include "recording/coding/checksum.h"
 #include "text/number_text.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "converter/conversion.h"
-#include "converter/export/model.h"
 #include "converter/output_format.h"
+#include "model/model.h"
 #include "playback/recording_reader.h"
 #include "result/result.h"
 

@@ -1,7 +1,7 @@
 #include "converter/encode_model.h"
 
 #include "converter/export/fbx_writer.h"
-#include "converter/export/obj_text.h"
+#include "model/obj_text.h"
 
 namespace ribbon {
 

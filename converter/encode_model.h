@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "converter/export/model.h"
 #include "converter/output_format.h"
+#include "model/model.h"
 #include "result/result.h"
 
 namespace ribbon {

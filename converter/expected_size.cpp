@@ -9,10 +9,10 @@
 
 #include "converter/encode_model.h"
 #include "converter/excerpt.h"
-#include "converter/export/obj_text.h"
 #include "converter/motion_format.h"
 #include "converter/number_table.h"
 #include "files/part_file.h"
+#include "model/obj_text.h"
 
 namespace ribbon {
 

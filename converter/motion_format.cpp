@@ -7,12 +7,12 @@
 
 #include "converter/export/alembic_writer.h"
 #include "converter/export/fbx_writer.h"
-#include "converter/export/glb_writer.h"
 #include "converter/export/mdd_writer.h"
 #include "converter/export/npy_writer.h"
 #include "converter/export/pc2_writer.h"
-#include "converter/export/rate_warnings.h"
 #include "converter/export/usd_writer.h"
+#include "model/glb_writer.h"
+#include "model/rate_warnings.h"
 
 namespace ribbon {
 

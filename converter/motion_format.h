@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "converter/export/motion_writer.h"
+#include "model/motion_writer.h"
 
 namespace ribbon {
 

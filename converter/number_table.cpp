@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "converter/export/number_digits.h"
 #include "files/pending_file.h"
+#include "model/number_digits.h"
 
 namespace ribbon {
 

@@ -2,10 +2,10 @@
 
 #include "commandline/progress.h"
 #include "converter/companions.h"
-#include "converter/export/obj_text.h"
 #include "converter/motion_format.h"
 #include "converter/output_names.h"
 #include "files/files.h"
+#include "model/obj_text.h"
 
 namespace ribbon {
 

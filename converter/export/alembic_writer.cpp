@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "converter/export/alembic_tree.h"
-#include "converter/export/number_digits.h"
-#include "converter/export/point_bounds.h"
-#include "converter/export/raw_bytes.h"
 #include "converter/export/unique_names.h"
+#include "model/number_digits.h"
+#include "model/point_bounds.h"
+#include "model/raw_bytes.h"
 #include "recording/coding/bytes.h"
 
 namespace ribbon {

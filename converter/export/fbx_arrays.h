@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "converter/export/fbx_record.h"
-#include "converter/export/raw_bytes.h"
+#include "model/raw_bytes.h"
 
 namespace ribbon {
 

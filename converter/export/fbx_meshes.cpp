@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "converter/export/fbx_pieces.h"
-#include "converter/export/picture_file.h"
+#include "model/picture_file.h"
 
 namespace ribbon {
 

@@ -5,7 +5,7 @@
 
 #include "converter/export/fbx_arrays.h"
 #include "converter/export/fbx_record.h"
-#include "converter/export/model.h"
+#include "model/model.h"
 
 namespace ribbon {
 

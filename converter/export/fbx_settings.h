@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "converter/export/fbx_record.h"
-#include "converter/export/model.h"
+#include "model/model.h"
 
 namespace ribbon {
 

@@ -9,8 +9,8 @@
 #include "converter/export/fbx_motion.h"
 #include "converter/export/fbx_record.h"
 #include "converter/export/fbx_settings.h"
-#include "converter/export/rate_warnings.h"
 #include "files/pending_file.h"
+#include "model/rate_warnings.h"
 #include "text/number_text.h"
 
 namespace ribbon {

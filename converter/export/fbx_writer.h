@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "converter/export/motion_writer.h"
+#include "model/motion_writer.h"
 
 namespace ribbon {
 

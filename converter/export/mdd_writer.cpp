@@ -4,7 +4,7 @@
 #include <string>
 
 #include "converter/export/positions_writer.h"
-#include "converter/export/raw_bytes.h"
+#include "model/raw_bytes.h"
 
 namespace ribbon {
 

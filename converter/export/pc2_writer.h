@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "converter/export/motion_writer.h"
+#include "model/motion_writer.h"
 
 namespace ribbon {
 

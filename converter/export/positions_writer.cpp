@@ -3,8 +3,8 @@
 #include <cassert>
 #include <utility>
 
-#include "converter/export/raw_bytes.h"
 #include "files/pending_file.h"
+#include "model/raw_bytes.h"
 
 namespace ribbon {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string_view>
 
-#include "converter/export/motion_writer.h"
+#include "model/motion_writer.h"
 
 namespace ribbon {
 

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <vector>
 
-#include "converter/export/float_digits.h"
-#include "converter/export/number_digits.h"
+#include "model/float_digits.h"
+#include "model/number_digits.h"
 #include "parallel/parallel.h"
 
 namespace ribbon {

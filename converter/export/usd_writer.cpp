@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "converter/export/number_digits.h"
-#include "converter/export/picture_file.h"
-#include "converter/export/point_bounds.h"
 #include "converter/export/unique_names.h"
 #include "converter/export/usd_text.h"
 #include "files/pending_file.h"
 #include "files/scratch_file.h"
+#include "model/number_digits.h"
+#include "model/picture_file.h"
+#include "model/point_bounds.h"
 #include "text/number_text.h"
 
 namespace ribbon {

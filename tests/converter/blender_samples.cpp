@@ -10,13 +10,13 @@
 #include <limits>
 
 #include "converter/export/fbx_writer.h"
-#include "converter/export/obj_text.h"
-#include "converter/export/picture_file.h"
 #include "converter/motion_format.h"
-#include "converter/sample_knot.h"
-#include "converter/sample_picture.h"
-#include "converter/textured_settings.h"
 #include "files/files.h"
+#include "model/obj_text.h"
+#include "model/picture_file.h"
+#include "model/sample_knot.h"
+#include "model/sample_picture.h"
+#include "model/textured_settings.h"
 #include "playback/recording_reader.h"
 #include "recording/writer/recording_writer.h"
 #include "result/demanded.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "converter/dry_run.h"
-#include "converter/sample_knot.h"
 #include "files/temporary_folder.h"
+#include "model/sample_knot.h"
 #include "recording/sample_recording.h"
 #include "result/refusal.h"
 

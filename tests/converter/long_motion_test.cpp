@@ -5,7 +5,7 @@
 
 #include "commandline/tool_run.h"
 #include "converter/motion_format.h"
-#include "converter/sample_knot.h"
+#include "model/sample_knot.h"
 #include "recorder/process.h"
 #include "recording/writer/recording_writer.h"
 #include "result/demanded.h"

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "converter/sample_knot.h"
 #include "files/files.h"
 #include "files/flipped.h"
+#include "model/sample_knot.h"
 #include "recording/sample_recording.h"
 #include "result/refusal.h"
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 
 #include "commandline/tool_run.h"
-#include "converter/export/placement.h"
-#include "converter/sample_knot.h"
-#include "converter/sample_picture.h"
 #include "files/files.h"
 #include "files/flipped.h"
+#include "model/placement.h"
+#include "model/sample_knot.h"
+#include "model/sample_picture.h"
 #include "playback/recording_reader.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "converter/export/model.h"
+#include "model/model.h"
 
 namespace ribbon {
 

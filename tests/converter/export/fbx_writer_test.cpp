@@ -9,8 +9,8 @@
 #include <assimp/Importer.hpp>
 #include <set>
 
-#include "converter/export/written_motion.h"
 #include "converter/read_back/fbx_records.h"
+#include "model/written_motion.h"
 #include "result/refusal.h"
 
 namespace ribbon::fbx_writer_test {

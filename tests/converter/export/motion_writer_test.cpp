@@ -1,5 +1,5 @@
 // What holds of every format that has a whole motion in one file.
-#include "converter/export/motion_writer.h"
+#include "model/motion_writer.h"
 
 #include <gtest/gtest.h>
 
