@@ -75,7 +75,7 @@ function tell_numbers(index) {
 // ---- The worker
 
 let recording = null;  // the one that is shown
-let worker = null;
+let worker = null;     // null while it is being made
 let view = null;
 
 // What the worker is asked for: one frame at a time, the last one wanted. Until it has opened a
@@ -91,27 +91,44 @@ function ask() {
   if (wanted.is_asked || wanted.frame === null) return;
   wanted.is_asked = true;
   const buffer = wanted.buffer;
-  worker.postMessage({show: wanted.frame, buffer}, buffer ? [buffer] : []);
+  send({show: wanted.frame, buffer}, buffer ? [buffer] : []);
   wanted.buffer = null;
   wanted.frame = null;
+}
+
+// What is sent to a worker that is being made reaches it once it is there.
+const unsent = [];
+
+function send(message, transferred = []) {
+  if (worker) worker.postMessage(message, transferred);
+  else unsent.push([message, transferred]);
 }
 
 async function start_worker() {
   const scripts = [...document.querySelectorAll('script.of_worker')].map(one => one.textContent);
   const script = [await unpacked_gzip('glue'), ...scripts];
   const address = URL.createObjectURL(new Blob(script, {type: 'text/javascript'}));
+  const wasm = await unpacked_gzip('wasm');
   worker = new Worker(address);
   worker.onmessage = ({data}) => take(data);
   worker.onerror = event => take({broken: event.message});
-  const wasm = await unpacked_gzip('wasm');
   worker.postMessage({wasm}, [wasm]);
+  for (const one of unsent.splice(0)) worker.postMessage(...one);
+}
+
+// With what it was asked for and has not answered.
+function end_worker() {
+  worker?.terminate();
+  worker = null;
+  unsent.length = 0;
+  wanted.is_asked = true;
 }
 
 function take_frame({shown, lost, particles, sentence}) {
   wanted.is_asked = false;
   if (lost !== undefined) tell_problem(sentence);
   else {
-    document.body.dataset.ready = '';
+    say_ready();
     wanted.buffer = (view ? view.show(particles) : particles)?.buffer ?? null;
     tell_numbers(shown);
   }
@@ -253,6 +270,13 @@ element('again').addEventListener('click', () => view && view.show_all());
 
 
 // ---- The beginning
+
+// From now on it can be used.
+function say_ready() {
+  if (document.body.dataset.ready !== undefined) return;
+  document.body.dataset.ready = '';
+  performance.mark('ready');
+}
 
 const timeline = new Timeline(
     {

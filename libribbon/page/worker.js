@@ -112,7 +112,12 @@ const answers = {
 
 // One after the other, those that came while the module was made included.
 let last = Promise.resolve();
+function do_next(deed) {
+  last = last.then(deed).catch(error => postMessage({broken: String(error), left: left()}));
+}
+
+let left = () => null;  // what can still be saved of what was being done
 onmessage = ({data}) => {
   const kind = Object.keys(answers).find(key => key in data);
-  last = last.then(() => answers[kind](data)).catch(error => postMessage({broken: String(error)}));
+  do_next(() => answers[kind](data));
 };

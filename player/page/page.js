@@ -14,8 +14,7 @@ function take(answer) {
 // Out of memory, most likely. What was shown is opened again; what could not be opened is not.
 let last_fall_ms = -Infinity;
 async function take_over(reason) {
-  worker.terminate();
-  wanted.is_asked = true;
+  end_worker();
   wanted.buffer = null;
   const falls_again = performance.now() - last_fall_ms < 5000;
   last_fall_ms = performance.now();
@@ -31,7 +30,7 @@ async function open_file(file, is_shown = false) {
     const bytes = await file.arrayBuffer();
     if (bytes.byteLength === 0) return tell_problem(`${file.name}: is empty; choose a recording (.rbn)`);
     opening = {file, is_shown};
-    worker.postMessage({open: bytes, name: file.name}, [bytes]);
+    send({open: bytes, name: file.name}, [bytes]);
   } catch (error) {
     tell_problem(`${file.name}: cannot be read (${error.message}); choose a recording (.rbn)`);
   }

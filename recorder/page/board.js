@@ -185,6 +185,10 @@ class Board {
 
   // ---- Pointers
 
+  get is_touched() {
+    return this.pointers.size > 0;
+  }
+
   nearest_point([x, y], within) {
     let [nearest, least] = [-1, within];
     this.points.forEach((point, i) => {

@@ -8,6 +8,7 @@ let scenes = [];       // as scene_json() has them; the first ones are offered a
 let scene = null;      // the one whose text is changed
 let given = null;      // the user's own, where the page was written for one
 const object_count = 3;
+let is_new_object = false;  // its outline has not been seen yet
 const title_of = name => name.charAt(0).toUpperCase() + name.slice(1).replaceAll('-', ' ');
 
 const pairs = flat => Array.from({length: flat.length / 2}, (_, i) => flat.slice(2 * i, 2 * i + 2));
@@ -58,8 +59,15 @@ const board = new Board(
 function change(points, crossings) {
   const before = states.state.crossings ?? board.crossings;
   states.add({points, crossings, before});
+  unsaved.drawing = points.length > 0;
   show_drawing();
 }
+
+// What is lost when the page is closed.
+const unsaved = {drawing: false, recording: false};
+addEventListener('beforeunload', event => {
+  if (unsaved.drawing || unsaved.recording || is_tying) event.preventDefault();
+});
 
 // What of the scene is changed besides its drawing.
 function settings() {
@@ -82,6 +90,7 @@ function mesh_settings(width_m) {
 function show_drawing() {
   const {points, crossings} = states.state;
   answer = null;
+  ties_once_answered = false;
   element('undo').disabled = !states.can_undo;
   element('redo').disabled = !states.can_redo;
   board.show(points, crossings ?? []);
@@ -96,7 +105,7 @@ function look(letters) {
   asked.clear();
   asked.set(++looked, {state: states.state, letters});
   const svg = drawing_svg(states.state.points);
-  worker.postMessage({diagram: {scene: scene.text, svg, letters, settings: settings(), number: looked}});
+  send({diagram: {scene: scene.text, svg, letters, settings: settings(), number: looked}});
 }
 
 function take_diagram({drawn, number}) {
@@ -115,6 +124,7 @@ function take_diagram({drawn, number}) {
   if (drawn.problem) tell_mistake(drawn.problem);
   else if (status_line.className === 'problem' || status_line.textContent.startsWith('Draw a curve'))
     tell('');
+  if (ties_once_answered) tie();
 }
 
 function tell_mistake(sentence) {
@@ -122,10 +132,13 @@ function tell_mistake(sentence) {
   board.show_mistake(place_in(sentence));
 }
 
+// The board does not move under a stroke that has been begun.
 function take_outline({outlined, problem}) {
   board.show_object(outlined);
   if (problem) tell_problem(problem);
-  fit_board();
+  if (is_new_object && !board.is_touched) fit_board();
+  is_new_object = false;
+  say_ready();
 }
 
 // The object and the drawing with room around them.
@@ -156,26 +169,62 @@ function set_mode(mode) {
 
 // ---- Tying
 
-let tied = null;          // what is being tied or was: its scene, drawing, name
-let is_tying = false;
+let begun = null;         // what a start is looked for: its scene, drawing, name, object
+let tied = null;          // what is being tied or was: likewise, and its recording once it has ended
+let ties_once_answered = false;  // Tie was pressed before the worker had read the drawing
+let is_tying = false;     // or a start is looked for
 let begun_ms = 0;
 let most_frames = 0;
 
 function tie() {
   if (states.state.points.length < 2) return tell_problem('there is no curve to tie; draw one');
-  if (!answer?.text) return answer ? tell_mistake(answer.problem) : undefined;
+  ties_once_answered = answer === null;
+  if (ties_once_answered) return;
+  if (!answer.text) return tell_mistake(answer.problem);
   const name = given ? given.file.replace(/\.toml$/, '') + '-sketch' : 'sketch';
-  tied = {scene: answer.text, svg: answer.svg, name, object: scene.object};
+  begun = {scene: answer.text, svg: answer.svg, name, object: object_of(scene),
+           object_file: scene.object?.file};
   is_tying = true;
-  element('tie').disabled = true;
   begun_ms = performance.now();
   wanted.is_asked = true;
   wanted.frame = null;
+  show_ending();
   tell('Looking for a start…');
-  worker.postMessage({tie: {scene: tied.scene, svg: tied.svg, file: name + '.rbn'}});
+  send({tie: {scene: begun.scene, svg: begun.svg, file: name + '.rbn'}});
+}
+
+// A worker that looks for a start hears nothing: another one takes its place.
+async function stop_looking() {
+  if (!begun) return;
+  begun = null;
+  is_tying = false;
+  show_ending();
+  tell('Stopped before a start was found.');
+  await begin_anew();
+}
+
+// With a new worker, which is given what the one before had.
+async function begin_anew() {
+  end_worker();
+  send_object();
+  if (tied?.recording) send({open: tied.recording.slice().buffer, name: tied.name + '.rbn'});
+  if (!answer && states.state.points.length > 1) show_drawing();
+  await start_worker();
+}
+
+// By a new worker.
+function take_reopened(opened) {
+  const index = timeline.index;
+  wanted.is_asked = false;
+  show_recording(opened);
+  timeline.go_to(Math.min(index, opened.frames - 1));
 }
 
 function take_opened(opened, most) {
+  if (!begun) return take_reopened(opened);
+  tied = begun;
+  begun = null;
+  unsaved.recording = true;
   most_frames = most;
   wanted.is_asked = false;
   element('watch_mode').disabled = false;
@@ -209,7 +258,8 @@ function show_grown() {
       `frame ${frames} of at most ${most_frames}${left}, ${(frames / took_s).toFixed(0)} frames/s`;
 }
 
-function take_tied({tied: summary, frames, numbers}) {
+function take_tied({tied: summary, frames, numbers, bytes}) {
+  tied.recording = bytes;
   grown = {frames, numbers};
   show_grown();
   is_tying = false;
@@ -219,7 +269,9 @@ function take_tied({tied: summary, frames, numbers}) {
 }
 
 // What was tied before can still be watched.
-function take_refusal(sentence) {
+function take_refusal(sentence, left) {
+  if (left) tied.recording = left;
+  begun = null;
   is_tying = false;
   wanted.is_asked = recording === null;
   show_ending();
@@ -228,8 +280,10 @@ function take_refusal(sentence) {
 
 function show_ending() {
   element('tie').disabled = is_tying;
+  element('stop_looking').hidden = begun === null;
   element('stop').hidden = !is_tying;
-  for (const kind of ['recording', 'scene', 'object']) element('save_' + kind).disabled = is_tying;
+  for (const kind of ['recording', 'shape', 'motion', 'scene', 'object'])
+    element('save_' + kind).disabled = is_tying;
   element('save_object').hidden = given !== null;
 }
 
@@ -243,23 +297,17 @@ function save(name, content) {
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
 
+function save_recording() {
+  save(tied.name + '.rbn', tied.recording);
+  unsaved.recording = false;
+}
+
 function save_scene() {
   save(tied.name + '.toml', tied.scene);
   save('sketch.svg', tied.svg);
+  if (answer?.text === tied.scene) unsaved.drawing = false;
   tell(given ? `Put both into the folder of ${given.file}, so that what it names is found.`
-             : `Put both into one folder, with ${scene.object.file}.`);
-}
-
-// With numbers in as few digits as the page has them, which read as the same again.
-function obj_text({name, vertices, triangles}) {
-  const rows = (letter, numbers, shown) => {
-    let text = '';
-    for (let i = 0; i < numbers.length; i += 3)
-      text += `${letter} ${shown(numbers[i])} ${shown(numbers[i + 1])} ${shown(numbers[i + 2])}\n`;
-    return text;
-  };
-  return `o ${name}\n` + rows('v', vertices, value => value) +
-      rows('f', triangles, index => index + 1);
+             : `Put both into one folder, with ${tied.object_file}.`);
 }
 
 // ---- The worker
@@ -270,28 +318,38 @@ function take(answered) {
   else if (answered.opened) take_opened(answered.opened, answered.most_frames);
   else if (answered.grown) take_grown(answered.grown, answered.numbers);
   else if (answered.tied) take_tied(answered);
-  else if (answered.not_tied) take_refusal(answered.not_tied);
-  else if (answered.saved) save(tied.name + '.rbn', answered.saved);
-  else if (answered.broken) take_over(answered.broken);
+  else if (answered.not_tied) take_refusal(answered.not_tied, answered.left);
+  else if (answered.exported) for (const [name, bytes] of answered.exported) save(name, bytes);
+  else if (answered.not_exported) tell_problem(answered.not_exported);
+  else if (answered.broken) take_over(answered.broken, answered.left);
   else take_frame(answered);
 }
 
-// Out of memory, most likely: the drawing is still here, the recording is not.
+// Out of memory, most likely: the drawing is here, and so is what was tied before, or `left` of what was
+// being tied.
 let last_fall_ms = -Infinity;
-async function take_over(reason) {
-  worker.terminate();
+async function take_over(reason, left) {
+  begun = null;
   is_tying = false;
-  recording = null;
-  element('watch_mode').disabled = true;
-  set_mode('draw');
+  if (left) tied.recording = left;
+  else if (!tied?.recording) forget_recording();
+  element('tying').textContent = '';
   show_ending();
   const falls_again = performance.now() - last_fall_ms < 5000;
   last_fall_ms = performance.now();
   tell_problem(`it could not be computed (${reason}); ` +
-               (falls_again ? 'reload the page' : 'choose a coarser mesh'));
-  if (falls_again) return;
-  await start_worker();
-  worker.postMessage({object: object_of(scene) ?? null});
+               (falls_again ? 'reload the page' : 'choose a coarser mesh') +
+               (left ? '. What was tied until then can be watched and saved' : ''));
+  if (falls_again) end_worker();
+  else await begin_anew();
+}
+
+function forget_recording() {
+  recording = null;
+  tied = null;
+  unsaved.recording = false;
+  element('watch_mode').disabled = true;
+  set_mode('draw');
 }
 
 // ---- Controls
@@ -300,8 +358,13 @@ function choose_object(index) {
   scene = given ?? scenes[index];
   element('width').disabled = scene.width_m === 0;
   element('width').value = scene.width_m > 0 ? +(100 * scene.width_m).toFixed(2) : '';
-  worker.postMessage({object: object_of(scene) ?? null});
-  worker.postMessage({outline: scene.text});
+  is_new_object = true;
+  send_object();
+}
+
+function send_object() {
+  send({object: object_of(scene) ?? null});
+  send({outline: scene.text});
 }
 
 // Empty: as it is.
@@ -348,11 +411,15 @@ element('object').addEventListener('change', event => {
 element('ready').addEventListener('change', event => begin_with(event.target.value));
 for (const id of ['width', 'mesh']) element(id).addEventListener('change', show_drawing);
 element('tie').addEventListener('click', tie);
-element('stop').addEventListener('click', () => worker.postMessage({stop: true}));
-element('save_recording').addEventListener('click', () => worker.postMessage({save: true}));
+element('stop_looking').addEventListener('click', stop_looking);
+element('stop').addEventListener('click', () => send({stop: true}));
+element('save_recording').addEventListener('click', save_recording);
+element('save_shape').addEventListener(
+    'click', () => send({shape: {name: tied.name, frame: timeline.index}}));
+element('save_motion').addEventListener('click', () => send({motion: {name: tied.name}}));
 element('save_scene').addEventListener('click', save_scene);
 element('save_object').addEventListener(
-    'click', () => save(tied.object.file, obj_text(tied.object)));
+    'click', () => send({object_file: {file: tied.object_file, object: tied.object}}));
 for (const mode of ['draw', 'watch'])
   element(mode + '_mode').addEventListener('click', () => set_mode(mode));
 addEventListener('keydown', event => {
@@ -369,11 +436,10 @@ async function begin() {
   scenes = JSON.parse(new TextDecoder().decode(await unpacked_gzip('scenes')));
   const own = element('scene').textContent.trim();
   given = own ? JSON.parse(own) : null;
-  await start_worker();
   offer_scenes();
   choose_object(0);
   show_drawing();
-  document.body.dataset.ready = '';
+  await start_worker();
 }
 
 begin().catch(error => tell_problem(`this browser cannot tie knots (${error.message})`));

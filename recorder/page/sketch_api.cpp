@@ -10,6 +10,7 @@
 #include "geometry/triangle_mesh.h"
 #include "recorder/page/drawn_diagram.h"
 #include "recorder/page/sketched_scene.h"
+#include "recorder/page/taken_away.h"
 #include "recorder/page/tying.h"
 #include "scene/scene.h"
 
@@ -27,10 +28,20 @@ int refused(const ribbon::Error& error) {
   return -1;
 }
 
+int done(const Result<void>& answer) {
+  return answer ? 0 : refused(answer.error());
+}
+
 int told(Result<std::string> answer) {
   if (!answer) return refused(answer.error());
   text = *std::move(answer);
   return 0;
+}
+
+ribbon::TriangleMesh mesh_of(const char* name, const float* vertices, int vertex_count,
+                             const int* triangles, int triangle_count) {
+  return {name, Eigen::Map<const Eigen::Matrix3Xf>(vertices, 3, vertex_count),
+          Eigen::Map<const Eigen::Matrix3Xi>(triangles, 3, triangle_count)};
 }
 
 std::vector<std::string> lines_of(const char* settings) {
@@ -54,8 +65,7 @@ void sketch_object(const char* name, const float* vertices, int vertex_count, co
                    int triangle_count) {
   object.reset();
   if (vertex_count == 0) return;
-  object = ribbon::TriangleMesh{name, Eigen::Map<const Eigen::Matrix3Xf>(vertices, 3, vertex_count),
-                                Eigen::Map<const Eigen::Matrix3Xi>(triangles, 3, triangle_count)};
+  object = mesh_of(name, vertices, vertex_count, triangles, triangle_count);
 }
 
 // The text is then that of the scene (sketched_scene()); settings: one a line.
@@ -104,5 +114,18 @@ int sketch_stop() {
   if (auto stopped = tying->stop(); !stopped) return refused(stopped.error());
   text = tying->summary();
   return 0;
+}
+
+// Files to take away: taken_away.h.
+int sketch_write_shape(const char* recording, int frame, const char* file) {
+  return done(ribbon::write_shape(recording, frame, file));
+}
+int sketch_write_motion(const char* recording, const char* file) {
+  return done(ribbon::write_motion(recording, file));
+}
+int sketch_write_object(const char* file, const char* name, const float* vertices, int vertex_count,
+                        const int* triangles, int triangle_count) {
+  return done(
+      ribbon::write_object(mesh_of(name, vertices, vertex_count, triangles, triangle_count), file));
 }
 }

@@ -5,9 +5,12 @@
 //                 text with the diagram, or the sentence why there is none
 //   {outline}     a scene's text; answered by {outlined}
 //   {tie}         {scene, svg, file}; answered by {opened} with its first frame, by {grown} as frames
-//                 are added, at last by {tied}; or by {not_tied}
+//                 are added, at last by {tied} with the recording's bytes; or by {not_tied}. Where that
+//                 or {broken} comes between, `left` are the bytes of the recording so far
 //   {stop}        ends it; it is answered by {tied} as well
-//   {save}        answered by {saved}: the bytes of the recording
+//   {shape}       {name, frame}; answered by {exported}: names and bytes of files with this frame
+//   {motion}      {name}; likewise, with all frames; or by {not_exported}
+//   {object_file} {file, object}; likewise, with that object alone
 'use strict';
 
 const folder = '/sketch';
@@ -37,11 +40,15 @@ function with_array(array, heap, call) {
   return answer;
 }
 
+// call(name, vertices, their number, triangles, their number)
+function with_mesh({name, vertices, triangles}, call) {
+  return with_array(vertices, 'HEAPF32', v => with_array(triangles, 'HEAP32', t => call_with_texts(
+      text => call(text, v, vertices.length / 3, t, triangles.length / 3), name)));
+}
+
 answers.object = ({object}) => {
-  if (!object) return call_with_texts(name => library._sketch_object(name, 0, 0, 0, 0), '');
-  const {name, vertices, triangles} = object;
-  with_array(vertices, 'HEAPF32', v => with_array(triangles, 'HEAP32', t => call_with_texts(
-      text => library._sketch_object(text, v, vertices.length / 3, t, triangles.length / 3), name)));
+  if (object) with_mesh(object, library._sketch_object);
+  else call_with_texts(name => library._sketch_object(name, 0, 0, 0, 0), '');
 };
 
 // The text of the scene with this drawing, and its diagram.
@@ -85,14 +92,19 @@ function tell_tied() {
   ties = false;
   const summary = sketch_text();
   const frames = library._playback_refresh();
-  postMessage({tied: summary, frames, numbers: numbers_of(frames)});
+  postMessage({tied: summary, frames, numbers: numbers_of(frames), bytes: library.FS.readFile(tied_file)});
 }
+
+// The recording so far; files are not lost with the memory of what wrote them.
+left = () => {
+  const was_tying = ties;
+  ties = false;
+  return was_tying ? library.FS.readFile(tied_file) : null;
+};
 
 // Some frames, and again after what has been asked meanwhile.
 function go_on() {
-  setTimeout(() => {
-    last = last.then(record_frames).catch(error => postMessage({broken: String(error)}));
-  });
+  setTimeout(() => do_next(record_frames));
 }
 
 function record_frames() {
@@ -102,10 +114,7 @@ function record_frames() {
   do state = library._sketch_next();
   while (state === 1 && performance.now() - begun < longest_turn_ms);
   if (state === 0) return tell_tied();
-  if (state < 0) {
-    ties = false;
-    return postMessage({not_tied: sketch_text()});
-  }
+  if (state < 0) return postMessage({not_tied: sketch_text(), left: left()});
   const frames = library._playback_refresh();
   if (frames < 0) throw new Error(playback_text());
   postMessage({grown: frames, numbers: numbers_of(frames)});
@@ -119,7 +128,22 @@ answers.stop = () => {
   tell_tied();
 };
 
-answers.save = () => {
-  const saved = library.FS.readFile(tied_file);
-  postMessage({saved}, [saved.buffer]);
-};
+// What `write` writes is handed out and not kept.
+function hand_out(names, write) {
+  enter_folder();
+  if (write() < 0) return postMessage({not_exported: sketch_text()});
+  const files = names.map(name => [name, library.FS.readFile(name)]);
+  for (const name of names) library.FS.unlink(name);
+  postMessage({exported: files});
+}
+
+const recording_file = () => tied_file || open_file.path;
+
+answers.shape = ({shape: {name, frame}}) => hand_out([name + '.obj', name + '.mtl'], () => call_with_texts(
+    (recording, file) => library._sketch_write_shape(recording, frame, file), recording_file(), name + '.obj'));
+
+answers.motion = ({motion: {name}}) => hand_out([name + '.glb'], () => call_with_texts(
+    library._sketch_write_motion, recording_file(), name + '.glb'));
+
+answers.object_file = ({object_file: {file, object}}) => hand_out([file], () => with_mesh(
+    object, (...mesh) => call_with_texts(path => library._sketch_write_object(path, ...mesh), file)));

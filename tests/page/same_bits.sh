@@ -60,4 +60,23 @@ if ! cmp "$work/sketch/page.rbn" "$work/sketch/native.rbn"; then
   echo "DIFFERENT: what the page ties"
   different=1
 fi
+# Likewise what it hands out besides; and its object is read as the same vertices.
+"$1/converter/ribbon-convert" --quiet "$work/sketch/page.rbn" -o "$work/sketch/native.glb"
+"$1/converter/ribbon-convert" --quiet "$work/sketch/page.rbn" --frames -1 -o "$work/sketch/native.obj"
+sed -i 's/^mtllib native.mtl$/mtllib page.mtl/' "$work/sketch/native.obj"
+for kind in obj mtl glb; do
+  if ! cmp "$work/sketch/page.$kind" "$work/sketch/native.$kind"; then
+    echo "DIFFERENT: the page's .$kind"
+    different=1
+  fi
+done
+"$record" --quiet "$work/sketch/sketch.toml" --set 'obstacle.mesh="page-object.obj"' --frames 2 \
+  -o "$work/sketch/object.rbn"
+"$record" --quiet "$work/sketch/sketch.toml" --frames 2 -o "$work/sketch/first.rbn"
+"$decode" "$work/sketch/object.rbn" >"$work/native.txt"
+"$decode" "$work/sketch/first.rbn" >"$work/page.txt"
+if ! cmp "$work/native.txt" "$work/page.txt"; then
+  echo "DIFFERENT: a run round the page's object"
+  different=1
+fi
 exit "$different"

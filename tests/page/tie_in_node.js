@@ -1,6 +1,7 @@
 // tie_in_node.js SCENES FOLDER [FRAMES]: draws the first of the packed scenes (pack_scenes) and ties it by
 // what the worker of the page in which one draws is made of, without a browser. Leaves sketch.toml and
-// sketch.svg, as the page would save them, and page.rbn in FOLDER. Stops after FRAMES.
+// sketch.svg, as the page would save them, page.rbn, and of it page.obj (its last frame) with page.mtl,
+// page.glb and page-object.obj in FOLDER. Stops after FRAMES.
 'use strict';
 const fs = require('node:fs');
 const path = require('node:path');
@@ -29,12 +30,15 @@ const answered = {
   grown({grown}) {
     if (most_frames && grown >= most_frames) ask({stop: true});
   },
-  tied({tied, frames}) {
+  tied({tied, frames, bytes}) {
     console.log(`${frames} frames: ${tied}`);
-    ask({save: true});
+    fs.writeFileSync(path.join(folder, 'page.rbn'), bytes);
+    ask({shape: {name: 'page', frame: frames - 1}});
+    ask({motion: {name: 'page'}});
+    ask({object_file: {file: 'page-object.obj', object: given}});
   },
-  saved({saved}) {
-    fs.writeFileSync(path.join(folder, 'page.rbn'), saved);
+  exported({exported}) {
+    for (const [name, bytes] of exported) fs.writeFileSync(path.join(folder, name), bytes);
   },
 };
 
@@ -44,7 +48,7 @@ const worker = vm.createContext({
   setTimeout,
   postMessage(message) {
     const kind = Object.keys(answered).find(key => key in message);
-    if (!kind) throw new Error(message.not_tied ?? message.broken ?? JSON.stringify(message));
+    if (!kind) throw new Error(message.not_tied ?? message.not_exported ?? message.broken ?? JSON.stringify(message));
     answered[kind](message);
   },
 });
@@ -53,7 +57,8 @@ for (const script of ['libribbon/page/worker.js', 'recorder/page/tying_worker.js
 const ask = data => worker.onmessage({data});
 
 const {object} = scene;
+const given = {name: object.name, vertices: new Float32Array(object.vertices),
+               triangles: new Int32Array(object.triangles)};
 ask({wasm: fs.readFileSync(module_file + '.wasm')});
-ask({object: {name: object.name, vertices: new Float32Array(object.vertices),
-              triangles: new Int32Array(object.triangles)}});
+ask({object: given});
 ask({diagram: {scene: scene.text, svg, letters: scene.letters, settings, number: 1}});
