@@ -26,18 +26,28 @@ package_packages=(lintian mmdebstrap)
 # For pages that play recordings in a browser; without them ribbon-play writes none. The second list
 # drives those pages in tests.
 page_packages=(emscripten xz-utils)
-browser_packages=(chromium chromium-driver python3-selenium)
+browser_packages=(chromium chromium-driver firefox-esr python3-selenium python3-wsproto
+  xauth xvfb)
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
 }
 
-# Can tests drive a browser? Says what is missing where not.
-has_browser() {
+# Can tests drive browsers? Says what is missing where not.
+has_browsers() {
   command -v chromium >/dev/null && command -v chromedriver >/dev/null &&
-    /usr/bin/python3 -c 'import selenium' 2>/dev/null && return
+    command -v firefox-esr >/dev/null && command -v xvfb-run >/dev/null &&
+    /usr/bin/python3 -c 'import selenium, wsproto' 2>/dev/null && return
   echo "one of ${browser_packages[*]} is missing (the list browser_packages in .ci/setup.sh)" >&2
   return 1
+}
+
+# in_browser NAME SCRIPT...: a Python script that drives chromium or firefox. Firefox has WebGL only where
+# it has a display.
+in_browser() {
+  local display=()
+  [[ $1 != firefox ]] || display=(xvfb-run --auto-servernum --server-args='-screen 0 1280x1024x24')
+  BROWSER=$1 PYTHONDONTWRITEBYTECODE=1 "${display[@]}" /usr/bin/python3 "${@:2}"
 }
 
 as_root() {

@@ -1,8 +1,9 @@
-"""Draws and ties knots in a page as a person would, in headless Chromium: mouse, keys, touch.
+"""Draws and ties knots in a page as a person would: mouse, keys, touch.
 
 draw_in_browser.py PAGE OWN_SCENE_PAGE FOLDER   (pictures and what is saved go to FOLDER)
 """
 
+import base64
 import pathlib
 import sys
 import time
@@ -83,19 +84,34 @@ class Sketch(OpenedPage):
         else:
             self.wait_for(lambda: self.status().startswith("Tied: "), "it is not tied")
 
-    def save(self, button):
-        """What the page hands out, by name."""
+    def save(self, button, *names, into="other"):
+        """What the page hands out; into a folder."""
         self.script("""
             window.saved = {};
-            window.save = async (name, content) => {
-              const bytes = new Uint8Array(await new Blob([content]).arrayBuffer());
-              window.saved[name] = Array.from(bytes);
+            window.save = (name, content) => {
+              const reader = new FileReader();
+              reader.onload = () => { saved[name] = reader.result.split(',')[1]; };
+              reader.readAsDataURL(new Blob([content]));
             };""")
         self.find(button).click()
-        self.wait_for(lambda: self.script("return Object.keys(saved).length") > 0, "nothing was saved")
-        time.sleep(0.2)
-        for name, content in self.script("return saved").items():
-            (FOLDER / name).write_bytes(bytes(content))
+        self.wait_for(lambda: self.script("return Object.keys(saved).length") == len(names), "not all was saved")
+        saved = self.script("return saved")
+        self.assertEqual(sorted(saved), sorted(names))
+        folder = FOLDER / into
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, content in saved.items():
+            (folder / name).write_bytes(base64.b64decode(content))
+
+    def stop(self):
+        """Where it has not ended meanwhile."""
+        self.script("document.getElementById('stop').click()")
+        self.wait_for(lambda: self.status().startswith("Tied: "), "it does not stop")
+
+    def would_ask_before_closing(self):
+        return self.script("""
+            const closing = new Event('beforeunload', {cancelable: true});
+            dispatchEvent(closing);
+            return closing.defaultPrevented;""")
 
 
 class Drawing(Sketch):
@@ -120,8 +136,93 @@ class Drawing(Sketch):
         self.tie()
         self.assertIn("ended tight", self.status())
         self.picture("tied")
-        for button in ("save_recording", "save_scene", "save_object"):
-            self.save(button)
+        self.press(Keys.END)
+        self.wait_for(lambda: self.find("frame").text.split()[0] == self.find("frame").text.split()[-1],
+                      "the last frame did not come")
+        self.save("save_recording", "sketch.rbn", into="")
+        self.save("save_scene", "sketch.toml", "sketch.svg", into="")
+        self.save("save_object", "cylinder.obj", into="")
+        self.save("save_shape", "sketch.obj", "sketch.mtl", into="")
+        self.save("save_motion", "sketch.glb", into="")
+        self.assertEqual(self.browser.find_errors(), [])
+
+    def test_closing_asks_where_something_is_unsaved(self):
+        self.assertFalse(self.would_ask_before_closing())
+        self.begin_with("overhand knot")
+        self.assertTrue(self.would_ask_before_closing())
+        self.tie(frames=5)
+        self.stop()
+        self.save("save_scene", "sketch.toml", "sketch.svg")
+        self.assertTrue(self.would_ask_before_closing())
+        self.save("save_recording", "sketch.rbn")
+        self.assertFalse(self.would_ask_before_closing())
+
+    def test_looking_for_a_start_is_stopped_and_nothing_is_lost(self):
+        self.begin_with("overhand knot")
+        self.tie(frames=5)
+        self.stop()
+        frames = self.script("return recording.frames")
+        self.find("draw_mode").click()
+        points = self.points()
+        self.script("""
+            document.getElementById('tie').click();
+            if (document.getElementById('stop_looking').hidden) throw new Error('nothing to stop it by');
+            document.getElementById('stop_looking').click();""")
+        self.assertIn("Stopped", self.status())
+        self.assertEqual(self.points(), points)
+        self.find("watch_mode").click()
+        self.press(Keys.HOME)
+        self.wait_for(lambda: self.find("frame").text == f"1 of {frames}", "the recording was lost")
+        self.save("save_motion", "sketch.glb")
+        self.find("draw_mode").click()
+        self.tie(frames=5)
+
+    def test_it_goes_on_in_the_background(self):
+        self.begin_with("overhand knot")
+        Select(self.find("mesh")).select_by_index(1)
+        self.tie(frames=5)
+        self.browser.cover()
+        self.assertTrue(self.script("return document.hidden"))
+        self.script("window.heard = 0; const heard = take_grown; "
+                    "take_grown = (frames, numbers) => { window.heard = frames; heard(frames, numbers); }")
+        self.wait_for(lambda: self.script("return heard") >= 30, "it does not go on")
+        self.browser.uncover()
+        self.wait_for(lambda: self.script("return recording.frames") >= 30, "it is not shown")
+
+    def test_memory_that_runs_out_is_told_and_what_was_tied_is_kept(self):
+        self.script("""
+            const last = [...document.querySelectorAll('script.of_worker')].at(-1);
+            last.textContent += `
+              WebAssembly.Memory.prototype.grow = () => { throw new RangeError('there is no more'); };
+              const record_some = record_frames;
+              let turns = 0;
+              record_frames = () => {
+                if (++turns === 2) for (let size = 1 << 24; size >= 16; size /= 2) while (library._malloc(size));
+                record_some();
+              };`;
+            end_worker();
+            send_object();
+            start_worker();""")
+        self.begin_with("overhand knot")
+        Select(self.find("mesh")).select_by_index(1)
+        self.wait_for_answer()
+        points = self.points()
+        self.find("tie").click()
+        self.wait_for(lambda: "could not be computed" in self.status(), "it is not told")
+        self.assertIn("What was tied until then", self.status())
+        self.assertEqual(self.points(), points)
+        self.assertTrue(self.would_ask_before_closing())
+        self.wait_for(lambda: self.script("return recording.ending") == "unknown", "it is not opened again")
+        frames = self.script("return recording.frames")
+        self.press(Keys.HOME)
+        self.wait_for(lambda: self.find("frame").text == f"1 of {frames}", "frame 1 did not come")
+        self.press(Keys.END)
+        self.wait_for(lambda: self.find("frame").text == f"{frames} of {frames}", "the end did not come")
+        self.picture("out-of-memory")
+        self.save("save_recording", "sketch.rbn", into="out-of-memory")
+
+    def test_is_usable_within_a_second(self):
+        self.check_is_usable_soon()
 
     def test_points_are_put_dragged_undone_and_redone(self):
         for place in OVERHAND[:6]:
@@ -171,8 +272,8 @@ class Drawing(Sketch):
         self.begin_with("overhand knot")
         self.wait_for(lambda: len(self.crossings()) > 0, "no crossings")
         self.crossings()[0].send_keys(Keys.ENTER)
+        self.wait_for(lambda: "Crossing 1 of " in self.status(), "it is not told")
         self.wait_for_answer()
-        self.assertIn("Crossing 1 of ", self.status())
         self.assertIn("first under", self.crossings()[0].get_attribute("aria-label"))
 
     def test_mistakes_are_told_at_their_place(self):
@@ -227,18 +328,20 @@ class Drawing(Sketch):
         self.script("take({broken: 'out of memory'})")
         self.assertIn("out of memory", self.status())
         self.assertEqual(self.points(), points)
-        time.sleep(0.5)
         self.tie(frames=5)
 
     def test_every_control_has_a_name_and_room_for_a_finger(self):
         self.begin_with("overhand knot")
         self.check_controls()
         self.tie(frames=5)
-        self.find("stop").click()
+        self.check_controls()
+        self.stop()
         self.check_controls()
 
     def test_one_finger_draws_two_zoom(self):
-        self.set_screen(390, 844)
+        self.browser.set_screen(390, 844)
+        self.wait_for(lambda: self.script("return innerWidth === 390 && board.board.clientWidth <= 390"),
+                      "the screen stays wide")
         self.script("fit_board()")
         left, top, scale = self.script(
             "const b = board.board.getBoundingClientRect(); return [b.left, b.top, board.scale]")
@@ -246,26 +349,22 @@ class Drawing(Sketch):
         def at(place):
             x, y = self.script("return board.to_screen(arguments[0])", list(place))
             return left + x, top + y
-        self.touch("touchStart", at(OVERHAND[0]))
-        for place in OVERHAND[1:]:
-            self.touch("touchMove", at(place))
-        self.touch("touchEnd")
+        self.touch([at(place) for place in OVERHAND])
         self.wait_for_answer()
         self.assertGreater(len(self.points()), 10)
         self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
         self.assertGreater(self.script("return board.board.clientHeight"), 250)
         self.picture("phone-sketch")
         points = self.points()
-        self.touch("touchStart", (150, 300), (250, 300))
-        for step in range(1, 6):
-            self.touch("touchMove", (150 - 10 * step, 300), (250 + 10 * step, 300))
-        self.touch("touchEnd")
+        self.touch([(150 - 10 * step, 300) for step in range(6)], [(250 + 10 * step, 300) for step in range(6)])
         self.assertAlmostEqual(self.script("return board.scale") / scale, 2, delta=0.3)
         self.assertEqual(self.points(), points)
 
+
+class DarkSketch(Sketch):
+    dark = True
+
     def test_has_a_dark_face(self):
-        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-            "features": [{"name": "prefers-color-scheme", "value": "dark"}]})
         self.begin_with("figure eight knot")
         self.picture("dark-sketch")
         paper = self.script("return getComputedStyle(document.body).backgroundColor")
@@ -287,7 +386,7 @@ class OwnScene(Sketch):
 
 
 class WithoutPicture(Sketch):
-    options = ("--disable-gpu", "--disable-3d-apis")
+    with_picture = False
 
     def test_knots_are_tied_all_the_same(self):
         self.begin_with("overhand knot")

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Draws and ties knots in pages in headless Chromium as a person would; then records what was saved by
-# ribbon-record, compares the bytes, and verifies the page's recording. Exit code 77 (skipped) where the
-# page was not built or the browser is missing. Pictures and what was saved are left in build/sketches.
-#   draw_in_browser.sh BUILD [TEST...]   (folder of a build; names as in Drawing.test_has_a_dark_face)
+# Draws and ties knots in pages in Chromium and in Firefox as a person would; then records what was saved
+# by ribbon-record, compares the bytes, and verifies the page's recording. Exit code 77 (skipped) where the
+# page was not built or a browser is missing. Pictures and what was saved are left in build/sketches.
+#   [BROWSERS=firefox] draw_in_browser.sh BUILD [TEST...]   (folder of a build; names as in
+#                                                            Drawing.test_keys_draw_exchange_and_tie)
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../.ci/setup.sh"
@@ -11,7 +12,7 @@ work=$root/build/sketches
 rm -rf "$work"
 mkdir -p "$work"
 
-has_browser || { echo "SKIPPED: nobody has seen whether one can draw in pages" >&2; exit 77; }
+has_browsers || { echo "SKIPPED: nobody has seen whether one can draw in pages" >&2; exit 77; }
 
 record=$1/recorder/ribbon-record
 if ! "$record" --draw -o "$work/sketch.html" 2>"$work/errors.txt"; then
@@ -22,11 +23,20 @@ if ! "$record" --draw -o "$work/sketch.html" 2>"$work/errors.txt"; then
 fi
 "$record" --quiet --draw "$root/samples/overhand-cylinder-8x400.toml" \
   --set ribbon.along=100 --set ribbon.across=4 -o "$work/own.html"
-PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$root/tests/page/draw_in_browser.py" \
-  "$work/sketch.html" "$work/own.html" "$work" "${@:2}"
-[[ $# -eq 1 ]] || exit 0
-
-cd "$work"
-"$record" --quiet sketch.toml -o native.rbn
-cmp native.rbn sketch.rbn
-"$1/player/ribbon-play" sketch.rbn --verify
+build=$(realpath "$1")
+for browser in ${BROWSERS:-chromium firefox}; do
+  mkdir "$work/$browser"
+  in_browser "$browser" "$root/tests/page/draw_in_browser.py" \
+    "$work/sketch.html" "$work/own.html" "$work/$browser" "${@:2}"
+  [[ $# -eq 1 ]] || continue
+  (
+    cd "$work/$browser"
+    "$build/recorder/ribbon-record" --quiet sketch.toml -o native.rbn
+    cmp native.rbn sketch.rbn
+    "$build/player/ribbon-play" sketch.rbn --verify
+    mkdir native
+    "$build/converter/ribbon-convert" --quiet sketch.rbn -o native/sketch.glb
+    "$build/converter/ribbon-convert" --quiet sketch.rbn --frames -1 -o native/sketch.obj
+    for file in sketch.glb sketch.obj sketch.mtl; do cmp "native/$file" "$file"; done
+  )
+done

@@ -1,4 +1,4 @@
-"""Plays a page as a person would, in headless Chromium: mouse, keys, touch, files that are dropped.
+"""Plays a page as a person would: mouse, keys, touch, files that are dropped.
 
 in_browser.py PAGE RECORDING OTHER FOLDER   (OTHER is a second recording; pictures go to FOLDER)
 Every check is a method of Page; one that fails ends with what was seen.
@@ -66,8 +66,7 @@ class Page(Opened):
         self.picture("last")
         seen = self.colours()
         self.assertGreater(seen["red"], 50)
-        errors = [entry for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
-        self.assertEqual(errors, [])
+        self.assertEqual(self.browser.find_errors(), [])
 
     def test_loads_nothing_from_anywhere(self):
         self.assertEqual(self.asked_of_others(), [])
@@ -150,17 +149,11 @@ class Page(Opened):
 
     def test_two_fingers_zoom(self):
         before = self.camera()
-        touch = self.touch
-        touch("touchStart", (500, 300), (700, 300))
-        for step in range(1, 6):
-            touch("touchMove", (500 - 20 * step, 300), (700 + 20 * step, 300))
-        touch("touchEnd")
+        self.touch([(500 - 20 * step, 300) for step in range(6)], [(700 + 20 * step, 300) for step in range(6)])
         zoomed = self.camera()
         self.assertAlmostEqual(zoomed[2] / before[2], 0.5, delta=0.05)
         self.assertEqual(zoomed[:2], before[:2])
-        touch("touchStart", (600, 300))
-        touch("touchMove", (650, 320))
-        touch("touchEnd")
+        self.touch([(600, 300), (650, 320)])
         self.assertNotEqual(self.camera()[0], before[0])
 
     def test_colours_tell_strain_with_a_legend(self):
@@ -221,14 +214,19 @@ class Page(Opened):
         self.check_controls()
 
     def test_fits_a_phone(self):
-        self.set_screen(390, 844)
+        self.browser.set_screen(390, 844)
         self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
         self.picture("phone")
         self.assertGreater(self.script("return document.getElementById('stage').clientHeight"), 250)
 
+    def test_is_usable_within_a_second(self):
+        self.check_is_usable_soon()
+
+
+class DarkPage(Opened):
+    dark = True
+
     def test_has_a_dark_face(self):
-        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-            "features": [{"name": "prefers-color-scheme", "value": "dark"}]})
         paper = self.script("return getComputedStyle(document.body).backgroundColor")
         self.assertEqual(paper, "rgb(29, 31, 34)")
         self.picture("dark")
@@ -242,7 +240,7 @@ class PageInMotion(Opened):
 
 
 class PageWithoutPicture(Opened):
-    options = ("--disable-gpu", "--disable-3d-apis")
+    with_picture = False
 
     def test_still_tells_numbers(self):
         self.assertTrue(self.find("no_picture").is_displayed())

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Plays pages in headless Chromium as a person would. Exit code 77 (skipped) where the page was not built
-# or the browser is missing. Pictures of what was seen are left in build/page-pictures.
-#   in_browser.sh BUILD [TEST...]   (folder of a build; names as in Page.test_fits_a_phone)
+# Plays pages in Chromium and in Firefox as a person would. Exit code 77 (skipped) where the page was not
+# built or a browser is missing. Pictures of what was seen are left in build/page-pictures.
+#   [BROWSERS=firefox] in_browser.sh BUILD [TEST...]   (folder of a build; names as in Page.test_fits_a_phone)
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../.ci/setup.sh"
@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../../.ci/setup.sh"
 work=$root/build/page-pictures
 mkdir -p "$work"
 
-has_browser || { echo "SKIPPED: nobody has seen whether pages play" >&2; exit 77; }
+has_browsers || { echo "SKIPPED: nobody has seen whether pages play" >&2; exit 77; }
 
 # make NAME SCENE SETTING...
 make() {
@@ -27,5 +27,7 @@ if ! "$build/player/ribbon-play" "$work/knot.rbn" -o "$work/knot.html" --force 2
   echo "SKIPPED: nobody has seen whether pages play" >&2
   exit 77
 fi
-exec env PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$root/tests/page/in_browser.py" \
-  "$work/knot.html" "$work/knot.rbn" "$work/other.rbn" "$work" "${@:2}"
+for browser in ${BROWSERS:-chromium firefox}; do
+  in_browser "$browser" "$root/tests/page/in_browser.py" \
+    "$work/knot.html" "$work/knot.rbn" "$work/other.rbn" "$work/$browser" "${@:2}"
+done
