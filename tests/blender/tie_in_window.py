@@ -19,8 +19,9 @@ folder = Path(folder)
 import ribbon  # noqa: E402, found only now
 
 PATIENCE_S = 120
-# A loop with both ends outside: an overhand knot needs no more than to be begun here.
-LINE = [(-0.2, -0.1), (-0.05, -0.02), (0.08, 0.06), (0.05, 0.12), (-0.05, 0.12), (-0.08, 0.06), (0.05, -0.02), (0.2, -0.1)]
+# A loop with both ends outside, in metres seen from above.
+LINE = [(-0.2, -0.1), (-0.05, -0.02), (0.08, 0.06), (0.05, 0.12),
+        (-0.05, 0.12), (-0.08, 0.06), (0.05, -0.02), (0.2, -0.1)]
 
 
 def check(claim, text):

@@ -85,7 +85,8 @@ def check_recording_that_vanishes(programs, folder, scene):
         recorder = subprocess.Popen(["ribbon-record", scene, "--until", "5", "--quiet", "-o", path])
         while recorder.poll() is None and subprocess.run([programs / "read", path], capture_output=True).returncode:
             time.sleep(0.01)
-        follower = subprocess.Popen([programs / "follow", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        follower = subprocess.Popen([programs / "follow", path], text=True,
+                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         follower.stdout.readline()
         recorder.send_signal(signal.SIGSTOP)  # so that it does not write over the gap
         vanish(path)
