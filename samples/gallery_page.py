@@ -3,9 +3,11 @@
 
 usage: gallery_page.py SCENES RESULTS PAGE
 
+What the page tells of knots that RESULTS does not hold stays, and so does all that stands below its last table.
 Exit code 1 when a knot that was tied is not what was promised.
 """
 
+import itertools
 import json
 import os
 import sys
@@ -87,6 +89,25 @@ def processor():
     return "of an unknown kind"
 
 
+def line(cells):
+    return "| " + " | ".join(cells) + " |"
+
+
+def rows_below(lines, heading):
+    """The rows of the table below a heading in the lines of a page, by their knots."""
+    if heading not in lines:
+        return {}
+    below = itertools.takewhile(lambda row: row[:1] in ("", "|"), lines[lines.index(heading) + 1:])
+    _, _, *rows = filter(None, below)
+    return {row.split("|")[1].strip(): row for row in rows}
+
+
+def remarks(lines):
+    """What stands below the last table of a page."""
+    last = max((i for i, row in enumerate(lines) if row.startswith("|")), default=len(lines))
+    return "".join(row + "\n" for row in lines[last + 1:])
+
+
 def pictures(scenes):
     rows = ["| | |", "|---|---|"]
     for scene in scenes:
@@ -96,19 +117,21 @@ def pictures(scenes):
     return "\n".join(rows) + "\n"
 
 
-def table(runs):
-    rows = [HEADINGS, ("---",) * len(HEADINGS)] + [run.row() for run in runs]
-    return "\n".join("| " + " | ".join(row) + " |" for row in rows) + "\n"
-
-
 def main(scenes, results, page):
-    tied = {hand: runs_of(sorted(scenes.glob("*.toml")), results, hand) for hand in HANDS}
-    text = TOP + pictures([scenes / f"{run.name}.toml" for run in tied["drawn"]])
+    scenes_of = {scene.stem: scene for scene in sorted(scenes.glob("*.toml"))}
+    tied = {hand: runs_of(scenes_of.values(), results, hand) for hand in HANDS}
+    before = page.read_text().splitlines() if page.exists() else []
+    tables = {}
+    for hand, heading in HANDS.items():
+        rows = rows_below(before, f"**{heading}**") | {run.name: line(run.row()) for run in tied[hand]}
+        tables[hand] = {knot: rows[knot] for knot in scenes_of if knot in rows}
+    text = TOP + pictures([scenes_of[knot] for knot in tables["drawn"]])
     text += MEASURED.format(cores=os.cpu_count(), processor=processor())
     for hand, heading in HANDS.items():
-        if tied[hand]:
-            text += f"\n**{heading}**\n\n{table(tied[hand])}"
-    page.write_text(text)
+        if tables[hand]:
+            rows = [line(HEADINGS), line(("---",) * len(HEADINGS)), *tables[hand].values()]
+            text += f"\n**{heading}**\n\n" + "\n".join(rows) + "\n"
+    page.write_text(text + remarks(before))
     wrong = [f"{run.name}, {hand}" for hand in HANDS for run in tied[hand] if not run.is_as_promised()]
     for name in wrong:
         print(f"WRONG: {name}")
