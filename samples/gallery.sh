@@ -40,7 +40,7 @@ fi
 
 # Where from its picture is taken, unless close to the knot.
 declare -A view=(
-  [bow]="azimuth=10,elevation=12"
+  [bow]="azimuth=10,elevation=10,distance=2.2,lens=50,subject=knot"
   [figure-eight]="azimuth=140,elevation=25,subject=knot"
   [four-in-hand]="azimuth=0,elevation=4,distance=1.8,lens=50,subject=knot"
   [stevedore]="azimuth=205,elevation=25,subject=knot"
@@ -66,6 +66,7 @@ mirrored() {
       for (i = 2; i < NF; i += 2) printf "%s[%s, %s]", (i > 2 ? ", " : ""), $i, -$(i + 1)
       print "]"
     }
+    /^gravity = \[/ { printf "stage[%d].gravity=[%s, %s, %s]\n", stage, $2, -$3, $4 }
     /^acceleration = \[/ { printf "gravity.acceleration=[%s, %s, %s]\n", $2, -$3, $4 }
     /^position = \[/ { printf "obstacle.position=[%s, %s, %s]\n", $2, -$3, $4 }' "$1")
 }
