@@ -113,8 +113,11 @@ const answers = {
 // One after the other, those that came while the module was made included.
 let last = Promise.resolve();
 function do_next(deed) {
-  last = last.then(deed).catch(error => postMessage({broken: String(error), left: left()}));
+  last = last.then(deed).catch(error => postMessage({broken: reason_of(error), left: left()}));
 }
+
+// What C++ throws and nobody catches comes as a number; libribbon itself throws nothing.
+const reason_of = error => (typeof error === 'number' ? 'memory has run out' : String(error));
 
 let left = () => null;  // what can still be saved of what was being done
 onmessage = ({data}) => {

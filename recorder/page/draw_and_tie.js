@@ -330,6 +330,7 @@ function take(answered) {
 let last_fall_ms = -Infinity;
 async function take_over(reason, left) {
   begun = null;
+  grown = null;
   is_tying = false;
   if (left) tied.recording = left;
   else if (!tied?.recording) forget_recording();

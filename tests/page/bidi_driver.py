@@ -23,7 +23,6 @@ SETTINGS = {
     "browser.startup.homepage_override.mstone": "ignore",
     "datareporting.policy.dataSubmissionEnabled": False,
     "dom.disable_beforeunload": False,
-    "focusmanager.testmode": True,  # a window without a window manager has the focus, too
     "webgl.force-enabled": True,
 }
 
