@@ -63,6 +63,22 @@ void add_all_features(const Scene& full, List& list) {
   list.add("+ gravity", [](Scene& s) { s.gravity_m_s2 = Eigen::Vector3d(0, -9.81, 0); });
 }
 
+// A hand that fastens all of the band as without stages, or a part of it.
+HandScene all_of(const Scene& scene, const Span& part = {0, 1}) {
+  return {.at = part,
+          .task = HandTask::pull_along,
+          .speed_m_s = scene.fastening->speed_m_s,
+          .yield_strain = scene.fastening->yield_strain};
+}
+
+// One that carries an end of the band, and does not arrive while it is measured.
+HandScene carried_end(const Scene& scene) {
+  return {.at = Span{0.98, 1},
+          .task = HandTask::carry,
+          .speed_m_s = scene.fastening->speed_m_s,
+          .carry = {.path = std::vector<Eigen::Vector2d>{{2000, 0}, {2500, 500}, {3000, 0}}}};
+}
+
 }  // namespace
 
 std::vector<FeatureScene> feature_scenes(const Scene& full) {
@@ -77,12 +93,13 @@ std::vector<FeatureScene> feature_scenes(const Scene& full) {
   list.add_choice("sample, `implicit`", full, integrator(IntegrationMethod::implicit));
   list.add_choice("sample, `pull = \"ends\"`", full,
                   [](Scene& s) { s.fastening->pull = FasteningPull::ends; });
-  list.add_choice("sample, in a stage", full, [](Scene& s) {
-    const HandScene all{.at = Span{0, 1},
-                        .task = HandTask::pull_along,
-                        .speed_m_s = s.fastening->speed_m_s,
-                        .yield_strain = s.fastening->yield_strain};
-    s.stages = {{.hands = {all}}};
+  list.add_choice("sample, in a stage", full,
+                  [](Scene& s) { s.stages = {{.hands = {all_of(s)}}}; });
+  list.add_choice("sample, in a stage with gravity", full, [](Scene& s) {
+    s.stages = {{.gravity_m_s2 = Eigen::Vector3d(0, -9.81, 0), .hands = {all_of(s)}}};
+  });
+  list.add_choice("sample, in a stage that carries an end", full, [](Scene& s) {
+    s.stages = {{.hands = {all_of(s, {0, 0.9}), carried_end(s)}}};
   });
   list.add_choice("sample, width profile", full, [](Scene& s) {
     s.ribbon.profile = WidthProfile{{{0, 0.5 * s.ribbon.width_m}, {1, 1.5 * s.ribbon.width_m}}};

@@ -14,7 +14,8 @@ struct FeatureScene {
 };
 
 // From `full`, which has springs, air, an obstacle and a fastening: first nothing of it, then one
-// feature after the other until all are there, then other choices, each made in the full scene.
+// feature after the other until all are there, then other choices, each made in the full scene. One
+// with a width profile is of another ribbon, which has to be drawn.
 std::vector<FeatureScene> feature_scenes(const Scene& full);
 
 }  // namespace ribbon

@@ -53,6 +53,12 @@ void print(const std::string& feature, const StepCost& cost, int particles) {
   std::fflush(stdout);
 }
 
+// As it is, or drawn with the widths of a feature that asks for others.
+Result<SampleRibbon> with_feature(const SampleRibbon& ribbon, const Scene& scene) {
+  if (scene.ribbon.profile) return ribbon_of(scene);
+  return SampleRibbon{scene, ribbon.mesh, scene.obstacle ? ribbon.obstacle : std::nullopt};
+}
+
 Result<Findings> run(const Options& options) {
   set_thread_limit(options.threads);
   auto full = read_scene(options.scene);
@@ -63,9 +69,10 @@ Result<Findings> run(const Options& options) {
   Json report = Json::array();
   print_heading();
   for (const FeatureScene& feature : feature_scenes(ribbon->scene)) {
-    const auto cost = step_cost(feature.scene, ribbon->mesh,
-                                feature.scene.obstacle ? ribbon->obstacle : std::nullopt,
-                                steps_before, options.steps);
+    const auto drawn = with_feature(*ribbon, feature.scene);
+    if (!drawn) return tl::unexpected(drawn.error());
+    const auto cost =
+        step_cost(drawn->scene, drawn->mesh, drawn->obstacle, steps_before, options.steps);
     if (!cost) return tl::unexpected(cost.error());
     print(feature.feature, *cost, particles);
     report.push_back({{"scene", feature.feature}});
