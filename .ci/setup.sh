@@ -27,7 +27,7 @@ package_packages=(lintian mmdebstrap)
 # drives those pages in tests.
 page_packages=(emscripten xz-utils)
 browser_packages=(chromium chromium-driver firefox-esr python3-selenium python3-wsproto
-  xauth xvfb)
+  xauth xdotool xvfb)
 
 is_installed() {
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
@@ -35,8 +35,7 @@ is_installed() {
 
 # Can tests drive browsers? Says what is missing where not.
 has_browsers() {
-  command -v chromium >/dev/null && command -v chromedriver >/dev/null &&
-    command -v firefox-esr >/dev/null && command -v xvfb-run >/dev/null &&
+  type chromium chromedriver firefox-esr xdotool xvfb-run &>/dev/null &&
     /usr/bin/python3 -c 'import selenium, wsproto' 2>/dev/null && return
   echo "one of ${browser_packages[*]} is missing (the list browser_packages in .ci/setup.sh)" >&2
   return 1

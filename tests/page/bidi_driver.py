@@ -8,6 +8,7 @@ import shutil
 import socket
 import subprocess
 import tempfile
+import time
 
 from selenium import webdriver
 from selenium.common.exceptions import JavascriptException, NoSuchElementException, WebDriverException
@@ -244,6 +245,16 @@ class FirefoxDriver(webdriver.Remote):
             "webgl.disabled": not with_picture,
         })
         super().__init__(command_executor=self.firefox, options=webdriver.FirefoxOptions())
+        self.take_focus()
+
+    def take_focus(self):
+        """On a display without a window manager only a click of the mouse itself gives a page the keys."""
+        for _ in range(50):
+            subprocess.run(["xdotool", "mousemove", "600", "500", "click", "1"], check=True)
+            if self.firefox.script("return document.hasFocus()"):
+                return
+            time.sleep(0.2)
+        raise WebDriverException("Firefox does not take the focus")
 
     def quit(self):
         self.firefox.close()

@@ -272,8 +272,6 @@ class Drawing(Sketch):
         self.assertEqual(len(self.points()), 2)
         self.begin_with("overhand knot")
         self.wait_for(lambda: len(self.crossings()) > 0, "no crossings")
-        if not self.script("return document.hasFocus()"):
-            self.skipTest("without a window manager nobody gives the window the focus, and no button hears keys")
         self.crossings()[0].send_keys(Keys.ENTER)
         self.wait_for(lambda: "Crossing 1 of " in self.status(), "it is not told")
         self.wait_for_answer()
