@@ -213,7 +213,8 @@ class Drawing(Sketch):
         self.assertIn("What was tied until then", self.status())
         self.assertEqual(self.points(), points)
         self.assertTrue(self.would_ask_before_closing())
-        self.wait_for(lambda: self.script("return recording.ending") == "unknown", "it is not opened again")
+        self.wait_for(lambda: self.script("return !wanted.is_asked && recording.ending === 'unknown'"),
+                      "it is not opened again")
         frames = self.script("return recording.frames")
         self.press(Keys.HOME)
         self.wait_for(lambda: self.find("frame").text == f"1 of {frames}", "frame 1 did not come")
@@ -288,6 +289,7 @@ class Drawing(Sketch):
             self.click(place)
         self.assertRegex(self.status(), r"\(0, (39[5-9]|40[0-5])")
         self.find("tie").click()
+        self.wait_for(lambda: not self.status().startswith("Looking"), "Tie is not answered")
         self.assertRegex(self.status(), r"\(0, (39[5-9]|40[0-5])")
         self.assertEqual(self.script("return document.body.dataset.mode"), "draw")
 
