@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+
 #include "result/refusal.h"
 
 namespace ribbon::arguments_test {
@@ -11,8 +14,8 @@ Result<double> read_number(const char* text) {
   double number = 0;
   Arguments arguments("ribbon-test", "", "0", "");
   arguments.add("--noise", number, {0.01, 100}, "X", "");
-  const char* words[] = {"ribbon-test", "--noise", text};
-  return arguments.parse(3, words).map([&](bool) { return number; });
+  const std::array<const char*, 3> words = {"ribbon-test", "--noise", text};
+  return arguments.parse(3, words.data()).map([&](bool) { return number; });
 }
 
 TEST(Arguments, numbers_lie_within_their_limits_both_included) {
