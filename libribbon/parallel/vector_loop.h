@@ -7,9 +7,12 @@
 // and chooses the width of registers itself.
 #ifdef __clang__
 #define RIBBON_EACH_LANE
+#define RIBBON_EACH_LANE_OF_A_FEW
 #define RIBBON_WIDE
 #else
 #define RIBBON_EACH_LANE _Pragma("GCC ivdep")
+// Within another loop: GCC would write so few rounds out before it looks for lanes.
+#define RIBBON_EACH_LANE_OF_A_FEW _Pragma("GCC unroll 1")
 #define RIBBON_WIDE ",prefer-vector-width=512"
 #endif
 

@@ -38,10 +38,17 @@ template <unsigned bits>
 
 template <unsigned bits>
 [[gnu::always_inline]] inline void unpack_block(const unsigned char* from, std::uint32_t* to) {
-  constexpr unsigned in_a_byte = 8 / bits;
+  std::uint64_t symbols = 0;
+  std::memcpy(&symbols, from, block_rows * bits / 8);
+  RIBBON_EACH_LANE_OF_A_FEW
   for (unsigned k = 0; k < block_rows; ++k)
-    to[k] =
-        static_cast<unsigned>(from[k / in_a_byte]) >> bits * (k % in_a_byte) & ((1U << bits) - 1);
+    to[k] = static_cast<std::uint32_t>(symbols >> bits * k) & ((1U << bits) - 1);
+}
+
+template <>
+[[gnu::always_inline]] inline void unpack_block<8>(const unsigned char* from, std::uint32_t* to) {
+  RIBBON_EACH_LANE_OF_A_FEW
+  for (std::size_t k = 0; k < block_rows; ++k) to[k] = from[k];
 }
 
 // `count` bits each, one directly beside the other, from the lowest bit of each byte on.
@@ -107,14 +114,16 @@ Residuals::Residuals(const RibbonGrid& grid)
       numbers_(3 * columns_ * column_length_) {}
 
 void ResidualRuns::resize() {
-  std::array<std::size_t, 4> sizes{};
-  low_bytes = 0;
-  for (const unsigned char mode : modes) {
-    const auto run = std::min<unsigned char>(mode, bytes);
-    sizes[run] += packed_bytes[run];
-    low_bytes += mode > bytes ? (mode - std::size_t{bytes}) * block_rows / 8 : 0;
-  }
-  for (const PackingMode run : {quads, pairs, bytes}) packed[run].resize(sizes[run]);
+  // One count after the other: without a branch for each block.
+  const auto blocks = [this](auto is_counted) {
+    return static_cast<std::size_t>(std::count_if(modes.begin(), modes.end(), is_counted));
+  };
+  for (const PackingMode run : {quads, pairs})
+    packed[run].resize(packed_bytes[run] * blocks([run](auto mode) { return mode == run; }));
+  packed[bytes].resize(packed_bytes[bytes] * blocks([](auto mode) { return mode >= bytes; }));
+  std::uint32_t low = 0;  // bits of one row
+  for (const unsigned char mode : modes) low += std::max<unsigned>(mode, bytes) - bytes;
+  low_bytes = low * block_rows / 8;
   low_bits.resize(low_bytes + word_bytes);
 }
 
