@@ -10,6 +10,7 @@ LARGEST_NUMBER = 2**24
 BLOCK = 16
 MOST_LOW_BITS = 24
 F = np.float32
+WHOLE_FROM = F(1.5 * 2**23)
 
 
 class Damaged(Exception):
@@ -101,8 +102,7 @@ class PositionCodec:
                 self.decode_intra_column(frame, j, residuals[:, j])
             continue_over_ends(frame.values[:, :, j + 1])
             continue_over_ends(frame.motion[:, :, j + 1])
-        for field in (frame.values, frame.motion):
-            continue_over_ends(field.swapaxes(1, 2)[:, :, 1:-1])
+        continue_over_ends(frame.motion.swapaxes(1, 2)[:, :, 1:-1])
         return frame
 
     # Section 8.4.
@@ -114,10 +114,8 @@ class PositionCodec:
         o = Shifted(references[1].motion if len(references) > 1 else np.zeros_like(first.motion), j)
         line = (w[0] * m(0, 0) + w[1] * m(-1, 0)) + w[2] * m(1, 0)
         sides = w[3] * m(0, -1) + w[4] * m(0, 1)
-        before = (w[5] * o(0, 0) + w[6] * (o(-1, 0) + o(1, 0))) + w[7] * (o(0, -1) + o(0, 1))
-        twice = v(0, 0) + v(0, 0)
-        shape = w[8] * ((v(-1, 0) + v(1, 0)) - twice) + w[9] * ((v(0, -1) + v(0, 1)) - twice)
-        p = (line + sides) + (before + shape)
+        bend = (v(-1, 0) + v(1, 0)) - (v(0, 0) + v(0, 0))
+        p = (line + sides) + (w[5] * o(0, 0) + w[6] * bend)
         if j > 0:
             q = Shifted(frame.motion, j)
             p = p + ((n[0] * q(-1, -1) + n[1] * q(0, -1)) + n[2] * q(1, -1))
@@ -142,10 +140,9 @@ class PositionCodec:
 
     def values_from(self, r, p, residuals):
         if self.step > 0:
-            p = np.where(np.isnan(p), F(-(2.0**22)), p)
-            p = np.clip(p, F(-(2.0**22)), F(2.0**22))
-            c = np.rint(p)  # of two as near the even one
-            return uniform_values(r.astype("i8") + c.astype("i8"), p < c, residuals)
+            shifted = p + WHOLE_FROM
+            c = shifted.view("i4").astype("i8") - int(WHOLE_FROM.view("i4"))
+            return uniform_values(r.astype("i8") + c, p < shifted - WHOLE_FROM, residuals)
         t = r + p
         t = np.where(np.isfinite(t), t, F(0))
         numbers = wrapped(ordered(t.view("i4")).astype("i8") + offsets(residuals, False))
@@ -196,8 +193,8 @@ def take_weights(content):
     def take(count):
         return [F(zigzag(content.varint())) * F(2.0**-shift) for _ in range(count)]
 
-    first = take(10)
-    others = take(10)
+    first = take(7)
+    others = take(7)
     return (first, []), (others, take(3))
 
 

@@ -42,11 +42,10 @@ struct Nearest {
 };
 
 [[gnu::always_inline]] inline Nearest nearest(float steps) {
-  // Single precision has no fractions between this and twice a third more.
+  // Single precision has no fractions between 2^23 and twice that, in whose middle this lies. A
+  // prediction so far off that the sum lies elsewhere leads to another number: to the same one
+  // everywhere, for it is finite.
   constexpr float whole_from = 0x1.8p23F;
-  constexpr float largest = 0x1p22F;
-  steps = steps > -largest ? steps : -largest;  // what is no number, too
-  steps = steps < largest ? steps : largest;
   const float shifted = steps + whole_from;
   return {Eigen::numext::bit_cast<std::int32_t>(shifted) -
               Eigen::numext::bit_cast<std::int32_t>(whole_from),
@@ -125,23 +124,16 @@ struct Neighbourhood {
         beside(column.motion - column.stride),
         stride(column.stride) {}
 
-  // Of the neighbours on both sides.
-  [[gnu::always_inline]] static float pair(Floats field, std::ptrdiff_t at, std::ptrdiff_t step) {
-    return field[at - step] + field[at + step];
-  }
-  // How far the middle between two neighbours is away, twice.
-  [[gnu::always_inline]] [[nodiscard]] float bend(std::ptrdiff_t at, std::ptrdiff_t step) const {
-    return pair(values, at, step) - (values[at] + values[at]);
+  // How far the middle between the neighbours along the ribbon is away, twice.
+  [[gnu::always_inline]] [[nodiscard]] float bend(std::ptrdiff_t at) const {
+    return (values[at - 1] + values[at + 1]) - (values[at] + values[at]);
   }
 
   [[gnu::always_inline]] [[nodiscard]] float from_past(const std::array<float, past_taps>& w,
                                                        std::ptrdiff_t at) const {
     const float line = (w[0] * motion[at] + w[1] * motion[at - 1]) + w[2] * motion[at + 1];
     const float sides = w[3] * motion[at - stride] + w[4] * motion[at + stride];
-    const float before =
-        (w[5] * older[at] + w[6] * pair(older, at, 1)) + w[7] * pair(older, at, stride);
-    const float shape = w[8] * bend(at, 1) + w[9] * bend(at, stride);
-    return (line + sides) + (before + shape);
+    return (line + sides) + (w[5] * older[at] + w[6] * bend(at));
   }
   [[gnu::always_inline]] [[nodiscard]] float from_beside(const std::array<float, near_taps>& w,
                                                          std::ptrdiff_t at) const {
@@ -234,7 +226,6 @@ void encode_intra(const Triple<PredictedColumn>& columns) {
 void set_taps(const PredictedColumn& column, int first_row, Taps& taps) {
   vectorised([&]() RIBBON_INLINED {
     const Neighbourhood around(column);
-    const auto pair = Neighbourhood::pair;
     const int rows = std::min(tap_rows, column.rows - first_row);
     for (auto& tap : taps) tap.fill(0);
     for (int k = 0; k < rows; ++k) {
@@ -245,10 +236,7 @@ void set_taps(const PredictedColumn& column, int first_row, Taps& taps) {
                                               around.motion[at - around.stride],
                                               around.motion[at + around.stride],
                                               around.older[at],
-                                              pair(around.older, at, 1),
-                                              pair(around.older, at, around.stride),
-                                              around.bend(at, 1),
-                                              around.bend(at, around.stride)};
+                                              around.bend(at)};
       for (std::size_t tap = 0; tap < past_taps; ++tap) taps[tap][k] = past[tap];
       for (std::size_t tap = 0; tap < near_taps && !column.is_first; ++tap)
         taps[past_taps + tap][k] = around.beside[at - 1 + static_cast<std::ptrdiff_t>(tap)];

@@ -10,7 +10,7 @@ namespace ribbon {
 
 namespace {
 
-// So many groups of rows are enough to fit thirteen weights.
+// So many groups of rows are enough to fit ten weights.
 constexpr int most_groups = 400;
 
 constexpr std::size_t fields = most_taps + 1;

@@ -3,12 +3,30 @@
 #include <algorithm>
 #include <functional>
 
+#include "parallel/vector_loop.h"
+
 namespace ribbon {
 
 namespace {
 
 float line(float near, float far) {
   return (near + near) - far;
+}
+
+void continue_beyond(const float* near, const float* far, int rows, float* to) {
+  RIBBON_EACH_LANE
+  for (int i = 0; i < rows; ++i) to[i] = line(near[i], far[i]);
+}
+
+// Over the border of all columns.
+void continue_over_sides(const ParticleColumns& columns, CellValues& values) {
+  const int last = columns.grid().across - 1;
+  const int rows = columns.grid().along;
+  for (auto& component : values) {
+    const auto column = [&](int j) { return &component[columns.cell(0, j)]; };
+    continue_beyond(column(0), column(1), rows, column(-1));
+    continue_beyond(column(last), column(last - 1), rows, column(last + 1));
+  }
 }
 
 }  // namespace
@@ -19,17 +37,6 @@ void continue_over_ends(const ParticleColumns& columns, int j, CellValues& value
     float* column = &component[columns.cell(0, j)];
     column[-1] = line(column[0], column[1]);
     column[rows] = line(column[rows - 1], column[rows - 2]);
-  }
-}
-
-void continue_over_sides(const ParticleColumns& columns, CellValues& values) {
-  const int last = columns.grid().across - 1;
-  for (auto& component : values) {
-    const auto at = [&](int j) { return &component[columns.cell(0, j)]; };
-    for (int i = 0; i < columns.grid().along; ++i) {
-      at(-1)[i] = line(at(0)[i], at(1)[i]);
-      at(last + 1)[i] = line(at(last)[i], at(last - 1)[i]);
-    }
   }
 }
 
@@ -91,7 +98,6 @@ void FramePrediction::decode(Residuals& residuals) {
     continue_over_ends(layout_, j, frame_->values);
     continue_over_ends(layout_, j, frame_->motion);
   }
-  continue_over_sides(layout_, frame_->values);
   if (is_intra()) return set_motion();
   continue_over_sides(layout_, frame_->motion);
 }

@@ -35,7 +35,7 @@ class FramePrediction {
 
   RecordedWeights weights;  // unless it is an intra frame
 
-  // Makes the values of the frame from residuals, borders included.
+  // Makes the values and the motion of the frame from residuals, borders included.
   void decode(Residuals& residuals);
   // Makes the residuals of the frame.
   void encode(Residuals& residuals) const;
@@ -48,8 +48,7 @@ class FramePrediction {
   std::vector<float> no_motion_;  // of frames that there are not
 };
 
-// Continues values in straight lines over the border of a column, and over that of all columns.
+// Continues values in straight lines over the border of a column.
 void continue_over_ends(const ParticleColumns& columns, int j, CellValues& values);
-void continue_over_sides(const ParticleColumns& columns, CellValues& values);
 
 }  // namespace ribbon

@@ -47,7 +47,6 @@ std::optional<QuantisedFrame> PositionEncoder::quantised(const Eigen::Matrix3Xd&
   const ParticleColumns& columns = frame_prediction_.layout();
   for (auto& component : frame.values) component.resize(columns.cells());
   for (int j = 0; j < columns.grid().across; ++j) set_column(positions, j, frame);
-  continue_over_sides(columns, frame.values);
   return frame;
 }
 

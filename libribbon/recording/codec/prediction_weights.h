@@ -9,7 +9,7 @@ namespace ribbon {
 
 // A particle is predicted from its past, that is the frames referred to, and from neighbours in the
 // column before, whose motion is known by then.
-inline constexpr std::size_t past_taps = 10;
+inline constexpr std::size_t past_taps = 7;
 inline constexpr std::size_t near_taps = 3;
 inline constexpr std::size_t most_taps = past_taps + near_taps;
 

@@ -19,10 +19,12 @@ struct QuantisedFrame {
   RibbonGrid grid;
   float step_m = 0;  // 0: exact single precision
   // Steps, whole numbers up to largest_quantised in magnitude; metres where the step is 0. By cell
-  // of ParticleColumns(grid), continued over the ribbon's border in straight lines.
+  // of ParticleColumns(grid), continued over the ends of columns in straight lines; nothing is said
+  // beside the first and the last column.
   CellValues values;
-  CellValues motion;  // likewise: values less those of the frame that it was predicted from; 0 for
-                      // an intra frame
+  // Likewise, continued there as well: values less those of the frame that it was predicted from; 0
+  // for an intra frame.
+  CellValues motion;
   bool plain = false;
   Eigen::Matrix3Xf plain_positions;  // of a plain frame, which has no values
 
