@@ -98,23 +98,8 @@ class LinePainter {
       rays.add({camera_.eye, (pieces_[k].begin + pieces_[k].end) / 2 - camera_.eye});
     HitBatch hits;
     scene_.rays().first_hits(rays, Coherence::similar, hits);
-    for (std::size_t lane = 0; lane < rays.count; ++lane) {
-      const bool is_seen =
-          hits.body[lane] == Body::none || distance(rays.ray(lane), hits, lane) >= 1 - nearer;
-      seen[begin + lane] = is_seen ? 1 : 0;
-    }
-  }
-
-  // Of a hit along its ray, in lengths of the ray's direction.
-  [[nodiscard]] float distance(const Ray& ray, const HitBatch& hits, std::size_t lane) const {
-    const Surface& surface = hits.body[lane] == Body::ribbon ? scene_.ribbon() : scene_.obstacle();
-    const Eigen::Vector3i corner = surface.triangles.col(hits.triangle[lane]);
-    const float u = hits.u[lane];
-    const float v = hits.v[lane];
-    const Eigen::Vector3f point = (1 - u - v) * surface.vertices.col(corner[0]) +
-                                  u * surface.vertices.col(corner[1]) +
-                                  v * surface.vertices.col(corner[2]);
-    return (point - ray.origin).dot(ray.direction) / ray.direction.squaredNorm();
+    for (std::size_t lane = 0; lane < rays.count; ++lane)
+      seen[begin + lane] = hits.distance[lane] >= 1 - nearer ? 1 : 0;
   }
 
   const RenderScene& scene_;

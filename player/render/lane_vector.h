@@ -2,6 +2,7 @@
 // they do not with Eigen's.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "player/picture/color.h"
@@ -26,6 +27,20 @@ struct LaneVector {
 }
 [[gnu::always_inline]] inline float dot(LaneVector a, LaneVector b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+[[gnu::always_inline]] inline LaneVector cross(LaneVector a, LaneVector b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// Zero where it is too short to have a direction. The same bits as with Eigen, which sums in this
+// order.
+[[gnu::always_inline]] inline LaneVector unit_or_zero(LaneVector vector) {
+  const float length = std::sqrt(vector.x * vector.x + (vector.y * vector.y + vector.z * vector.z));
+  const bool usable = length > 1e-20F;
+  const float divisor = usable ? length : 1.0F;
+  return {usable ? vector.x / divisor : 0.0F, usable ? vector.y / divisor : 0.0F,
+          usable ? vector.z / divisor : 0.0F};
 }
 
 // Of a colour.

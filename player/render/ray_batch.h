@@ -49,12 +49,13 @@ struct RayBatch {
 
 enum class Body : std::uint8_t { none, ribbon, obstacle, ground };
 
-// The first thing that each ray meets; where that is nothing only the body is set.
+// The first thing that each ray meets; where that is nothing body and distance are all that counts.
 struct alignas(64) HitBatch {
   Lanes<Body> body;
   Lanes<std::uint32_t> triangle;
-  Lanes<float> u;  // weight of the triangle's second corner
-  Lanes<float> v;  // and of its third
+  Lanes<float> u;         // weight of the triangle's second corner
+  Lanes<float> v;         // and of its third
+  Lanes<float> distance;  // in lengths of the ray's direction; infinite where nothing is met
 };
 
 // Some of the lanes, in any order.

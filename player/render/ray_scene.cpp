@@ -232,12 +232,11 @@ void RayScene::first_hits(const RayBatch& rays, Coherence coherence, HitBatch& h
   if (log_ != nullptr) log_->add(first_hit_question(coherence), rays);
   RTCIntersectContext context = new_context(coherence);
   VectorLanes normals;
-  Lanes<float> reach;
   Lanes<unsigned> geometries;
   Lanes<unsigned> instances;
   std::fill_n(geometries.begin(), rays.count, RTC_INVALID_GEOMETRY_ID);
   std::fill_n(instances.begin(), rays.count, RTC_INVALID_GEOMETRY_ID);
-  RTCRayHitNp stream{stream_of(rays, reach),
+  RTCRayHitNp stream{stream_of(rays, hits.distance),
                      {normals.x.data(),
                       normals.y.data(),
                       normals.z.data(),

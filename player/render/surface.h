@@ -13,7 +13,6 @@ struct Surface {
   Eigen::Matrix3Xf vertices;   // 3 x V, metres
   Eigen::Matrix3Xf normals;    // 3 x V, unit length, to the front (outside); zero where none exists
   Eigen::Matrix3Xi triangles;  // 3 x T, counter-clockwise about the front
-  Eigen::Matrix3Xf facets;     // 3 x T, unit normals of the triangles; zero where none exists
 };
 
 // The ribbon with its triangles and no positions yet.

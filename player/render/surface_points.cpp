@@ -31,10 +31,9 @@ struct alignas(64) Group {
   // As they lie in a corner: its position, its normal, its place in the texture.
   using Corner = std::array<Row, 2 * four>;
   std::array<Corner, 3> corners;
-  std::array<Row, four> facet;  // the fourth is nothing
-  Row weight_b;                 // of the second corner
-  Row weight_c;                 // and of the third
-  Vectors origin;
+  Row weight_b;  // of the second corner
+  Row weight_c;  // and of the third
+  Row distance;
   Vectors direction;
   float spread = 0;  // of the rays, in units of the texture
   std::size_t count = 0;
@@ -58,34 +57,32 @@ void lay_side_by_side(const std::array<const float*, four>& from, Row* rows, std
 }
 
 void gather_four(const std::vector<HitSurface::Corner>& corners,
-                 const std::array<const HitSurface::Triangle*, four>& met, std::size_t first,
+                 const std::array<const HitSurface::Corners*, four>& met, std::size_t first,
                  Group& group) {
   std::array<const float*, four> from{};
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t l = 0; l < four; ++l)
-      from[l] = corners[static_cast<std::size_t>(met[l]->corners[c])].numbers.data();
+      from[l] = corners[static_cast<std::size_t>((*met[l])[c])].numbers.data();
     Row* const rows = group.corners[c].data();
     lay_side_by_side(from, rows, first);
     for (const float*& numbers : from) numbers += four;
     lay_side_by_side(from, rows + four, first);
   }
-  for (std::size_t l = 0; l < four; ++l) from[l] = met[l]->facet.data();
-  lay_side_by_side(from, group.facet.data(), first);
 }
 
 // Lanes beyond the last repeat it.
 void gather(const std::vector<HitSurface::Corner>& corners,
-            const std::vector<HitSurface::Triangle>& triangles, const RayBatch& rays,
+            const std::vector<HitSurface::Corners>& triangles, const RayBatch& rays,
             const HitBatch& hits, const std::uint16_t* lanes, Group& group) {
   for (std::size_t first = 0; first < group.count; first += four) {
-    std::array<const HitSurface::Triangle*, four> met{};
+    std::array<const HitSurface::Corners*, four> met{};
     for (std::size_t l = 0; l < four; ++l) {
       const std::size_t i = first + l;
       const std::size_t lane = lanes[std::min(i, group.count - 1)];
       met[l] = &triangles[hits.triangle[lane]];
       group.weight_b[i] = hits.u[lane];
       group.weight_c[i] = hits.v[lane];
-      set_lane(group.origin, i, lane_of(rays.origin, lane));
+      group.distance[i] = hits.distance[lane];
       set_lane(group.direction, i, lane_of(rays.direction, lane));
     }
     gather_four(corners, met, first, group);
@@ -125,28 +122,26 @@ void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceB
       const float wa = 1 - wb - wc;
       const auto mean = [&](LaneVector at_a, LaneVector at_b, LaneVector at_c)
                             RIBBON_INLINED { return wa * at_a + wb * at_b + wc * at_c; };
-      const LaneVector towards = lane_of(group.direction, i);
-      const LaneVector outer = vector_of(group.facet.data(), i);
-      const float side = dot(outer, towards) < 0 ? 1.0F : -1.0F;
+      const LaneVector corner_a = vector_of(a.data(), i);
+      const LaneVector corner_b = vector_of(b.data(), i);
+      const LaneVector corner_c = vector_of(c.data(), i);
+      const LaneVector outer = unit_or_zero(cross(corner_b - corner_a, corner_c - corner_a));
+      const float side = dot(outer, lane_of(group.direction, i)) < 0 ? 1.0F : -1.0F;
       const LaneVector facet = side * outer;
       const LaneVector normal_a = side * vector_of(&a[3], i);
       const LaneVector normal_b = side * vector_of(&b[3], i);
       const LaneVector normal_c = side * vector_of(&c[3], i);
-      const LaneVector corner_a = vector_of(a.data(), i);
-      const LaneVector corner_b = vector_of(b.data(), i);
-      const LaneVector corner_c = vector_of(c.data(), i);
       const LaneVector position = mean(corner_a, corner_b, corner_c);
       const LaneVector lifted = position + lift(position, corner_a, normal_a, wa) +
                                 lift(position, corner_b, normal_b, wb) +
                                 lift(position, corner_c, normal_c, wc) + clearance_m * facet;
-      const LaneVector way = position - lane_of(group.origin, i);
       set_lane(batch.position, to + i, position);
       set_lane(batch.start, to + i, lifted);
       set_lane(batch.normal, to + i, unit_normal(mean(normal_a, normal_b, normal_c), facet));
       looks.x[look + i] = wa * a[6][i] + wb * b[6][i] + wc * c[6][i];
       looks.y[look + i] = wa * a[7][i] + wb * b[7][i] + wc * c[7][i];
       looks.front[look + i] = side < 0 ? 0.0F : 1.0F;
-      looks.reach[look + i] = group.spread * std::sqrt(dot(way, way) / dot(towards, towards));
+      looks.reach[look + i] = group.spread * group.distance[i];
     }
   });
 }
@@ -158,7 +153,7 @@ HitSurface::HitSurface(const Surface& surface, float unit_m)
       corners_(static_cast<std::size_t>(surface.vertices.cols())),
       triangles_(static_cast<std::size_t>(surface.triangles.cols())) {
   for (std::size_t t = 0; t < triangles_.size(); ++t)
-    Eigen::Map<Eigen::Vector3i>(triangles_[t].corners.data()) =
+    Eigen::Map<Eigen::Vector3i>(triangles_[t].data()) =
         surface.triangles.col(static_cast<Eigen::Index>(t));
   move_to(surface);
 }
@@ -170,9 +165,6 @@ void HitSurface::move_to(const Surface& surface) {
     Eigen::Map<Eigen::Vector3f>(corners_[c].position()) = surface.vertices.col(column);
     Eigen::Map<Eigen::Vector3f>(corners_[c].normal()) = surface.normals.col(column);
   }
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-    Eigen::Map<Eigen::Vector3f>(triangles_[t].facet.data()) =
-        surface.facets.col(static_cast<Eigen::Index>(t));
 }
 
 void HitSurface::find_points(const RayBatch& rays, const HitBatch& hits, const LaneList& list,

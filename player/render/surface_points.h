@@ -29,7 +29,8 @@ struct LookBatch {
   Lanes<float> reach;  // how wide the look is
 };
 
-// A surface as rays meet it: all of a corner, and all of a triangle, lies together.
+// A surface as rays meet it: all of a corner lies together. What a triangle's corners tell is
+// worked out where it is met, so that little memory is gone through.
 class HitSurface {
  public:
   struct Corner {
@@ -43,16 +44,13 @@ class HitSurface {
       numbers[7] = y;
     }
   };
-  struct Triangle {
-    std::array<int, 3> corners;
-    std::array<float, 5> facet;  // its first three; so none lies in two lines of the cache
-  };
+  using Corners = std::array<int, 3>;  // of a triangle
 
   HitSurface() = default;
   // The unit is one of the texture's.
   explicit HitSurface(const Surface& surface, float unit_m = 1);
 
-  // Takes over positions, normals and facets.
+  // Takes over positions and normals.
   void move_to(const Surface& surface);
   [[nodiscard]] std::vector<Corner>& corners() { return corners_; }
 
@@ -64,7 +62,7 @@ class HitSurface {
  private:
   float unit_m_ = 1;
   std::vector<Corner> corners_;
-  std::vector<Triangle> triangles_;
+  std::vector<Corners> triangles_;
 };
 
 }  // namespace ribbon

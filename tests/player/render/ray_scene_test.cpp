@@ -4,6 +4,7 @@
 #include <pmmintrin.h>
 
 #include <array>
+#include <limits>
 
 #include "geometry/solids.h"
 #include "player/quads.h"
@@ -84,6 +85,17 @@ TEST(RayScene, corner_weights_tell_the_place) {
                                    hits.u[0] * at.col(corners[1]) + hits.v[0] * at.col(corners[2]);
   EXPECT_NEAR(position.x(), 0.7F, 1e-5);
   EXPECT_NEAR(position.y(), -0.1F, 1e-5);
+}
+
+TEST(RayScene, distances_are_in_lengths_of_the_direction) {
+  RayBatch rays = batch_of({down(0, 0), down(0, 0), down(40, 0)});
+  const Ray once = rays.ray(0);
+  rays.direction.set(1, 4 * once.direction);
+  HitBatch hits;
+  two_quads().first_hits(rays, Coherence::similar, hits);
+  EXPECT_NEAR((once.origin + hits.distance[0] * once.direction).z(), 0, 1e-5);
+  EXPECT_NEAR(hits.distance[1], hits.distance[0] / 4, 1e-5);
+  EXPECT_EQ(hits.distance[2], std::numeric_limits<float>::infinity());
 }
 
 TEST(RayScene, without_anything_every_ray_is_free) {
