@@ -24,6 +24,20 @@ constexpr std::array<std::uint16_t, tile_pixels> block_order = [] {
   return order;
 }();
 
+// The same as numbers of a column and a row of the tile.
+constexpr auto block_columns = [] {
+  std::array<float, tile_pixels> columns{};
+  for (std::size_t i = 0; i < tile_pixels; ++i)
+    columns[i] = static_cast<float>(block_order[i] % tile_side);
+  return columns;
+}();
+constexpr auto block_rows = [] {
+  std::array<float, tile_pixels> rows{};
+  for (std::size_t i = 0; i < tile_pixels; ++i)
+    rows[i] = static_cast<float>(block_order[i] / tile_side);
+  return rows;
+}();
+
 // Light from all sides mixes what it comes from: a pattern there would only be noise.
 constexpr float bounce_spread = 0.5F;
 
@@ -64,7 +78,10 @@ void TilePainter::paint(int left, int top) {
       wanting_.set(place);
     }
   if (!s_.quality.is_adaptive()) {
-    sample_wanting(s_.quality.samples);
+    if (s_.quality.samples == 1 && wanting_.all())
+      sample_all_once();
+    else
+      sample_wanting(s_.quality.samples);
     return;
   }
   noise_.begin(width_, height_);
@@ -85,6 +102,26 @@ std::bitset<tile_pixels> TilePainter::worth_more() const {
     return noise_.worth_doubling(quality.least_gain, quality.most_samples);
   if (noise_.error() <= quality.noise) return {};
   return noise_.most_worth_doubling(quality.most_samples);
+}
+
+// What sample_wanting(1) does, all at a time.
+void TilePainter::sample_all_once() {
+  static_assert(batch_size == tile_pixels);
+  const Eigen::Vector2f& offset = s_.rays.offset(0);
+  vectorised([&]() RIBBON_INLINED {
+    const auto left = static_cast<float>(left_);
+    const auto top = static_cast<float>(top_);
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < batch_size; ++i) {
+      place_x_[i] = offset.x() + (left + block_columns[i]);
+      place_y_[i] = offset.y() + (top + block_rows[i]);
+      samples_.place[i] = block_order[i];
+      samples_.number[i] = 0;
+    }
+  });
+  asking_.fill(true);
+  sample_count_ = batch_size;
+  finish_batch();
 }
 
 void TilePainter::sample_wanting(int first_samples) {

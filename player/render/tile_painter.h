@@ -58,6 +58,7 @@ class TilePainter {
     // Lanes from `first` on become those of `others` that are listed.
     void set(std::size_t first, const Samples& others, const LaneList& list);
   };
+  void sample_all_once();
   void sample_wanting(int first_samples);
   void sample_again(std::size_t place, int first_samples);
   void estimate_noise();

@@ -44,9 +44,9 @@ void TileSums::add(const SeenBatch& seen) {
       // What smoothing takes away is no noise that takes samples.
       const LaneVector sky = smooth_sky_ ? even_sky : lane_of(seen.skylight, i);
       const LaneVector all = returned + albedo * sky;
-      set_lane(direct, i, returned);
       set_lane(shown, i, all);
-      squared_light[i] = luminance(all) * luminance(all);
+      if (smooth_sky_) set_lane(direct, i, returned);
+      if (is_adaptive_) squared_light[i] = luminance(all) * luminance(all);
     }
   });
   find_runs(seen);
