@@ -33,8 +33,10 @@ constexpr auto block_columns = [] {
 }();
 constexpr auto block_rows = [] {
   std::array<float, tile_pixels> rows{};
-  for (std::size_t i = 0; i < tile_pixels; ++i)
-    rows[i] = static_cast<float>(block_order[i] / tile_side);
+  for (std::size_t i = 0; i < tile_pixels; ++i) {
+    const int row = block_order[i] / tile_side;
+    rows[i] = static_cast<float>(row);
+  }
   return rows;
 }();
 
