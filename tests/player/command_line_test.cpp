@@ -355,6 +355,35 @@ TEST_F(RibbonPlay, a_recording_without_frames_has_no_pictures) {
   expect_refusal(play_small("--sheet sheet.png"), "no frames");
 }
 
+TEST_F(RibbonPlay, without_an_obstacle_the_ribbon_is_shown_alone) {
+  const auto last_picture = [&](const std::string& name, const std::string& options) {
+    output_of(play_small("--quiet -o " + name + " --frames -1 " + options));
+    return bytes(name);
+  };
+  const std::string words = "--color-by contact --overlay wireframe,obstacle-wireframe,numbers";
+  const std::string with = last_picture("with.png", "--view front");
+  RecordingHeader header = sample_header();
+  header.obstacle.reset();
+  fs::remove(recording_);
+  write_recording(recording_, header, {sample_positions(0), sample_positions(1)}, Ending::finished);
+  const std::string alone = last_picture("alone.png", "--view front");
+  EXPECT_NE(alone, with);
+  EXPECT_NE(last_picture("colours.png", "--view front " + words), alone);
+  for (const std::string view : {"top", "knot"}) last_picture(view + ".png", "--view " + view);
+  output_of(run("knot.rbn --quiet --preview --size 64x48 -o preview.png --frames -1"));
+  output_of(play_small("--quiet --sheet sheet.png"));
+}
+
+TEST_F(RibbonPlay, a_texture_that_is_missing_or_broken_is_refused) {
+  ASSERT_TRUE(write_file(folder_ / "broken.png", "no picture"));
+  for (const std::string option : {"--texture", "--environment", "--preview --texture"}) {
+    expect_refusal(run("knot.rbn -o 1.png --frames 1 " + option + " nowhere.png"), "nowhere.png");
+    expect_refusal(run("knot.rbn -o 1.png --frames 1 " + option + " broken.png"),
+                   "broken.png: is not a PNG picture");
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "1.png"));
+}
+
 TEST_F(RibbonPlay, a_folder_that_cannot_be_written_is_refused) {
   ASSERT_TRUE(write_file(folder_ / "taken", "a file"));
   expect_refusal(play_small("-o 'taken/{frame}.png'"), "taken");
