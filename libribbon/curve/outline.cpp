@@ -267,6 +267,17 @@ std::string entry_of(const WidthProfile& profile, double unit_m) {
   return "width = [" + list + "]";
 }
 
+// All else may have been changed since the scene was read.
+Scene with_widths_of(const Scene& read, Scene scene) {
+  scene.text = read.text;
+  scene.ribbon.outline.reset();
+  scene.ribbon.width_m = read.ribbon.width_m;
+  scene.ribbon.profile = read.ribbon.profile;
+  scene.ribbon.width_m = mean_width_m(scene.ribbon);
+  if (scene.curve.clearance_m == 0) scene.curve.clearance_m = read.curve.clearance_m;
+  return scene;
+}
+
 }  // namespace
 
 Result<WidthProfile> widths_of(const Drawing& outline) {
@@ -289,7 +300,7 @@ Result<Scene> with_outline_read(const Scene& scene) {
       return with_entry_replaced(scene.file, text, "ribbon", key, words);
     };
   };
-  auto found =
+  const auto found =
       path_of(*outline)
           .and_then(widths_drawn_by)
           .and_then([&](const WidthProfile& profile) {
@@ -297,8 +308,7 @@ Result<Scene> with_outline_read(const Scene& scene) {
           })
           .and_then(replaced("outline_path", ""))
           .and_then([&](std::string text) { return read_scene(scene.file, std::move(text)); });
-  if (found) found->name = scene.name;
-  return found;
+  return found.map([&scene](const Scene& read) { return with_widths_of(read, scene); });
 }
 
 }  // namespace ribbon

@@ -33,17 +33,24 @@ struct DrawnHand {
   const PathId* carries = nullptr;  // likewise
 };
 
+bool is_at_mark(const HandScene& hand) {
+  return std::holds_alternative<Mark>(hand.at);
+}
+
+bool is_carried_as_drawn(const HandScene& hand) {
+  return hand.task == HandTask::carry && std::holds_alternative<PathId>(hand.carry.path);
+}
+
 std::vector<DrawnHand> drawn_hands(const Scene& scene) {
   std::vector<DrawnHand> hands;
   for (std::size_t i = 0; i < scene.stages.size(); ++i)
     for (std::size_t j = 0; j < scene.stages[i].hands.size(); ++j) {
       const HandScene& hand = scene.stages[i].hands[j];
-      const auto* at = std::get_if<Mark>(&hand.at);
-      const auto* carries =
-          hand.task == HandTask::carry ? std::get_if<PathId>(&hand.carry.path) : nullptr;
-      if (at != nullptr || carries != nullptr)
-        hands.push_back({"stage[" + std::to_string(i + 1) + "].hand[" + std::to_string(j + 1) + "]",
-                         at, carries});
+      if (is_at_mark(hand) || is_carried_as_drawn(hand))
+        hands.push_back(
+            {"stage[" + std::to_string(i + 1) + "].hand[" + std::to_string(j + 1) + "]",
+             std::get_if<Mark>(&hand.at),
+             is_carried_as_drawn(hand) ? std::get_if<PathId>(&hand.carry.path) : nullptr});
     }
   return hands;
 }
@@ -164,6 +171,19 @@ Result<std::vector<std::string>> settings_for_marks(const Document& document, co
   return settings;
 }
 
+// All else may have been changed since the scene was read.
+Scene with_shares_of(const Scene& read, Scene scene) {
+  for (std::size_t i = 0; i < scene.stages.size(); ++i)
+    for (std::size_t j = 0; j < scene.stages[i].hands.size(); ++j) {
+      HandScene& hand = scene.stages[i].hands[j];
+      if (is_at_mark(hand)) hand.at = read.stages[i].hands[j].at;
+      if (is_carried_as_drawn(hand)) hand.carry.path = read.stages[i].hands[j].carry.path;
+    }
+  if (is_marked(scene)) scene.knot->between = read.knot->between;
+  scene.text = read.text;
+  return scene;
+}
+
 }  // namespace
 
 Result<Scene> with_marks_found(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
@@ -174,9 +194,8 @@ Result<Scene> with_marks_found(const Scene& scene, const std::optional<TriangleM
   if (!ribbon) return tl::unexpected(ribbon.error());
   const auto settings = settings_for_marks(*document, scene, *ribbon);
   if (!settings) return tl::unexpected(settings.error());
-  auto found = read_scene(scene.file, scene.text, *settings);
-  if (found) found->name = scene.name;
-  return found;
+  const auto found = read_scene(scene.file, scene.text, *settings);
+  return found.map([&scene](const Scene& read) { return with_shares_of(read, scene); });
 }
 
 std::vector<PlacedMark> marks_on(const CurveScene& curve, const RibbonMesh& ribbon) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <string_view>
 
 #include "scene/scene_values.h"
@@ -157,12 +156,6 @@ void set_cloth(const Document& document, Scene& scene) {
   if (tells("time", "integrator")) scene.time.integrator = IntegrationMethod::implicit;
 }
 
-void set_mean_width(RibbonScene& ribbon) {
-  if (!ribbon.profile) return;
-  const std::vector<double> rows_m = row_widths_m(ribbon);
-  ribbon.width_m = std::accumulate(rows_m.begin(), rows_m.end(), 0.0) / ribbon.along;
-}
-
 // Hands pull and yield as [fastening] says, unless they say otherwise.
 void set_defaults_of_stages(Scene& scene) {
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
@@ -181,7 +174,7 @@ void set_defaults_of_stages(Scene& scene) {
 
 void set_defaults(const Document& document, Scene& scene) {
   if (scene.name.empty()) scene.name = document.file.stem().string();
-  set_mean_width(scene.ribbon);
+  scene.ribbon.width_m = mean_width_m(scene.ribbon);
   set_cloth(document, scene);
   if (scene.curve.clearance_m == 0)
     scene.curve.clearance_m = default_clearance_of_width * scene.ribbon.width_m;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <numeric>
 
 #include "scene/scene.h"
 
@@ -62,6 +63,12 @@ std::vector<double> row_widths_m(const RibbonScene& ribbon) {
 double widest_m(const RibbonScene& ribbon) {
   const std::vector<double> rows_m = row_widths_m(ribbon);
   return rows_m.empty() ? ribbon.width_m : *std::max_element(rows_m.begin(), rows_m.end());
+}
+
+double mean_width_m(const RibbonScene& ribbon) {
+  if (!ribbon.profile) return ribbon.width_m;
+  const std::vector<double> rows_m = row_widths_m(ribbon);
+  return std::accumulate(rows_m.begin(), rows_m.end(), 0.0) / ribbon.along;
 }
 
 }  // namespace ribbon

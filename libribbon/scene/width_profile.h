@@ -36,4 +36,7 @@ std::vector<double> row_widths_m(const RibbonScene& ribbon);
 // Of its widest row.
 double widest_m(const RibbonScene& ribbon);
 
+// Of all rows.
+double mean_width_m(const RibbonScene& ribbon);
+
 }  // namespace ribbon

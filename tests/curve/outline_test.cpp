@@ -163,6 +163,22 @@ TEST(OutlineOfScene, becomes_a_list_of_widths_that_needs_no_drawing_any_more) {
   EXPECT_EQ(read_scene(scene.file, scene.text).value(), scene);
 }
 
+TEST(OutlineOfScene, leaves_as_it_is_what_was_changed_since_the_scene_was_read) {
+  const auto file = svg_with(wedge).parent_path() / "knot.toml";
+  Scene changed = read_scene(file, scene_with("outline = 'tie.svg'\n")).value();
+  changed.name = "another";
+  changed.time.duration_s = 2.5;
+  changed.ribbon.along = 2;
+  changed.curve.clearance_m = 0.007;
+  const Scene scene = with_outline_read(changed).value();
+  EXPECT_FALSE(scene.ribbon.outline);
+  EXPECT_EQ(scene.name, "another");
+  EXPECT_EQ(scene.time.duration_s, 2.5);
+  EXPECT_EQ(scene.ribbon.along, 2);
+  EXPECT_EQ(scene.curve.clearance_m, 0.007);
+  EXPECT_EQ(scene.ribbon.width_m, mean_width_m(scene.ribbon)) << "of the rows that it has now";
+}
+
 TEST(OutlineOfScene, is_the_path_that_outline_path_names) {
   const std::string body = "<path id='knot' d='M0 0 H9'/>\n" + wedge;
   const std::string outline = "outline = 'tie.svg'\n";
