@@ -1,0 +1,103 @@
+// Knots that cannot be tied as they are drawn or told, as a user meets them: a sentence with its
+// place, and exit code 2, before anything is simulated.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "commandline/tool_run.h"
+
+namespace ribbon::bad_knots_test {
+
+class BadKnots : public ToolTest {
+ protected:
+  BadKnots() : ToolTest(RIBBON_RECORD) {}
+
+  // A scene of the gallery with settings.
+  void expect_refusal_of(const std::string& scene, const std::string& settings,
+                         const std::string& sentence) const {
+    std::string words = RIBBON_SAMPLES "/gallery/" + scene + ".toml -o knot.rbn";
+    expect_refusal(run(words + settings), scene + ".toml:" + sentence);
+  }
+
+  // A drawing in pieces: two paths of a group.
+  void expect_refusal_of_gaps(const std::string& one, const std::string& other,
+                              const std::string& sentence) const {
+    ASSERT_TRUE(write_file(folder_ / "knot.svg",
+                           "<svg xmlns='http://www.w3.org/2000/svg'><g id='band'><path d='" + one +
+                               "'/><path d='" + other + "'/></g></svg>"));
+    expect_refusal_of_text("[curve]\nsvg = 'knot.svg'\npath = 'band'\n", "", sentence);
+  }
+
+  // A band, what is drawn of it, and its stages.
+  void expect_refusal_of_text(const std::string& curve, const std::string& stages,
+                              const std::string& sentence) const {
+    ASSERT_TRUE(
+        write_file(folder_ / "knot.toml", curve +
+                                              "[ribbon]\nwidth = 0.005\nalong = 100\nacross = 4\n"
+                                              "[air]\nresistance = 10\n[fastening]\nspeed = 0.3\n"
+                                              "[time]\nduration = 9\n" +
+                                              stages));
+    expect_refusal(run("knot.toml -o knot.rbn"), sentence);
+  }
+
+  // A straight band in one stage.
+  void expect_refusal_of_stage(const std::string& stage, const std::string& sentence) const {
+    expect_refusal_of_text("[curve]\npoints = [[0, 0], [100, 0]]\n", "[[stage]]\n" + stage,
+                           sentence);
+  }
+};
+
+TEST_F(BadKnots, a_list_that_does_not_fit_its_drawing) {
+  expect_refusal_of("reef", " --set curve.crossings=OUOOUOUOUUO",
+                    "5:13: the drawing has 12 passages, 'crossings' has 11 letters; passage 12 "
+                    "is at (60, 530)");
+  expect_refusal_of("reef", " --set curve.crossings=OOOOUOUOUUOU",
+                    "5:13: passages 2 and 11 meet at (0, 530) of the drawing, and both say O");
+  expect_refusal_of("reef", " --set curve.crossings=OXOOUOUOUUOU",
+                    "5:13: letter 2 of 'crossings' is 'X'");
+}
+
+TEST_F(BadKnots, gaps_that_do_not_tell_what_passes_over) {
+  expect_refusal_of_gaps("M -100 0 H -10", "M 10 0 H 100 V 90 H 50 V -90",
+                         "drawing at (0, 0): this gap passes under nothing");
+  expect_refusal_of_gaps("M -100 -4 H 100 L 120 0 L 100 4 H -100 L -120 -50 L -100 -100 H 0 V -10",
+                         "M 0 10 V 100", "drawing at (0, 0): this gap passes under 2 strands");
+  expect_refusal_of_gaps("M -100 0 H 100 V -100 H 0 V -10", "M 0 10 V 100 H -50 V -50",
+                         "drawing at (-50, 0): two strands cross here, and neither has a gap");
+}
+
+TEST_F(BadKnots, hands_that_have_nothing_or_the_same) {
+  expect_refusal_of("bow", " --set 'stage[1].hand[1].at=\"arm-lfet\"'",
+                    "46:6: the drawing has no mark 'arm-lfet'; it has 'arm-left'");
+  expect_refusal_of_stage("name = 'knot'\n", "knot.toml:13:1: 'knot' has no hands");
+  expect_refusal_of_stage("[[stage.hand]]\nat = [0, 0.1]\npull = [1, 0, 0]\nhold = true\n",
+                          "knot.toml:17:8: a hand cannot both pull and hold");
+  expect_refusal_of_stage(
+      "[[stage.hand]]\nat = [0, 0.1]\npull = [1, 0, 0]\n"
+      "[[stage.hand]]\nat = [0.05, 0.2]\nhold = true\n",
+      "knot.toml:18:6: two hands of 'stage 1' fight over one part of the band");
+}
+
+TEST_F(BadKnots, a_stage_that_can_never_end) {
+  expect_refusal_of_stage("[[stage.hand]]\nat = [0, 0.1]\nhold = true\n",
+                          "knot.toml:13:1: 'stage 1' can never end");
+}
+
+TEST_F(BadKnots, a_knot_that_the_drawing_does_not_tie) {
+  expect_refusal_of("reef", " --set 'knot.expect=granny knot'",
+                    "8:10: the drawing ties: reef knot (6 crossings); expected is: granny knot");
+}
+
+TEST_F(BadKnots, widths_that_no_mesh_can_hold) {
+  expect_refusal_of("tapered", " --set 'ribbon.width=[[0, 0.0005], [1, 0.13]]'",
+                    "12:9: where the ribbon is 0.0005 m wide its particles are");
+  expect_refusal_of("tapered", " --set 'ribbon.width=[[0, 0.05], [0.5, 0.05], [0.51, 3], [1, 3]]'",
+                    "12:9: at 0.5 of its length the ribbon becomes wider or narrower by");
+}
+
+TEST_F(BadKnots, a_ribbon_that_begins_inside_the_object) {
+  expect_refusal_of("reef", " --set obstacle.scale=40",
+                    "29:8: the ribbon lies inside the obstacle");
+}
+
+}  // namespace ribbon::bad_knots_test
