@@ -42,10 +42,12 @@ fi
 declare -A view=(
   [bow]="azimuth=10,elevation=10,distance=2.2,lens=50,subject=knot"
   [figure-eight]="azimuth=140,elevation=25,subject=knot"
-  [four-in-hand]="azimuth=0,elevation=4,distance=1.8,lens=50,subject=knot"
+  [four-in-hand]="azimuth=0,elevation=6,distance=0.8,lens=50,subject=knot"
+  [obi]="azimuth=0,elevation=12,distance=2,subject=knot"
   [stevedore]="azimuth=205,elevation=25,subject=knot"
-  [windsor]="azimuth=0,elevation=4,distance=1.8,lens=50,subject=knot"
 )
+# Likewise, with the point that is looked at, where tails that meet far from the knot would pass for it.
+declare -A keyframe=([windsor]="0,0,8,0.8,50,0,0,0.2")
 
 # mirrored SCENE   Sets the array `settings` to what makes the scene its mirror image, reflected along the
 # axis of the drawing, which is y in all of them: over and under, front and back, up and down.
@@ -88,8 +90,13 @@ tied() {
 }
 
 pictured() {
+  local camera=(--view "${view[$1]-knot}")
+  if [[ -v keyframe[$1] ]]; then
+    printf 'time,azimuth,elevation,distance,lens,x,y,z\n%s\n' "${keyframe[$1]}" >"$results/$1-camera.csv"
+    camera=(--camera-path "$results/$1-camera.csv")
+  fi
   "$tools/player/ribbon-play" "$results/$1-drawn.rbn" -o "$pictures/$1.png" --frames -1 --size 360x270 \
-    --view "${view[$1]-knot}" --force --quiet
+    "${camera[@]}" --force --quiet
 }
 
 if [[ -z $tools ]]; then
