@@ -1,6 +1,7 @@
 #include "curve/walk_levels.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -201,8 +202,34 @@ Result<StoppedWalk> stopped_walk(const Plan& plan, const WalkedPassages& passage
   return walk;
 }
 
+namespace {
+
+// Why there is no room without any way that is too short: some crossing's upper strand lies behind
+// the object and its lower one in front of it.
+tl::unexpected<Error> turned_round(const StoppedWalk& walk) {
+  const auto is_bound = [&](std::size_t stop, bool in_front) {
+    const auto& bounds = walk.profile.bounds;
+    return std::any_of(bounds.begin(), bounds.end(), [&](const ObjectBound& bound) {
+      return bound.passage == stop && bound.in_front == in_front;
+    });
+  };
+  const auto& crossings = walk.profile.crossings;
+  const auto turned = std::find_if(crossings.begin(), crossings.end(), [&](const auto& crossing) {
+    return is_bound(crossing.above, false) && is_bound(crossing.below, true);
+  });
+  assert(turned != crossings.end());
+  const WalkStop& above = walk.stops[turned->above];
+  return failure(drawing_place(above.point),
+                 above.name + " lies behind the object and " + walk.stops[turned->below].name +
+                     ", over which it is to pass, in front of it",
+                 "exchange over and under there, or front and behind");
+}
+
+}  // namespace
+
 tl::unexpected<Error> too_tight(const CurveScene& scene, const RibbonScene& ribbon,
                                 const StoppedWalk& walk, const TightCircle& tight) {
+  if (tight.stretches.empty()) return turned_round(walk);
   const double width_m = widest_m(ribbon);
   const bool varies = ribbon.profile.has_value();
   const double gap = (width_m + scene.clearance_m) / scene.unit_m;

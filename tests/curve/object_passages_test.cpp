@@ -185,6 +185,15 @@ TEST(ObjectPassages, a_turn_too_short_for_the_object_is_told_and_how_long_it_mus
               HasSubstr("or set ribbon.width to 0."));
 }
 
+TEST(ObjectPassages, what_lies_behind_passes_over_nothing_that_lies_in_front) {
+  const Points across = {{-30, 0}, {-10, 0}, {-3, 0}, {3, 0}, {10, 0}, {20, 0},  {28, 8}, {20, 20},
+                         {8, 24},  {0, 16},  {0, 10}, {0, 3}, {0, -3}, {0, -10}, {0, -30}};
+  EXPECT_TRUE(curve_of(across, "FOBU"));
+  EXPECT_EQ(refusal(across, "BOFU"),
+            "drawing at (0, 0): passage 2 lies behind the object and passage 4, over which it is "
+            "to pass, in front of it; exchange over and under there, or front and behind");
+}
+
 TEST(ObjectPassages, are_squeezed_only_where_some_ribbon_would_have_room) {
   EXPECT_TRUE(
       curve_of(wrap, "FB", block(4.5), wide_m, TightPassage::squeeze)->squeezed.has_value());
