@@ -13,12 +13,26 @@ namespace ribbon {
 
 namespace {
 
-Result<void> pose(RecordingReader& reader, int frame, Model& model) {
-  Eigen::Matrix3Xf positions;
-  return reader.read(frame, positions)
-      .and_then([&] { return pose_ribbon(model, positions, frame + 1); })
-      .map([](bool) {});
-}
+// A recording with the model that its frames pose.
+struct PosedRecording {
+  RecordingReader reader;
+  Model model;
+
+  static Result<PosedRecording> open(const std::filesystem::path& recording) {
+    auto reader = RecordingReader::open(recording);
+    if (!reader) return tl::unexpected(reader.error());
+    auto model = model_of_recording(reader->header(), {});
+    if (!model) return tl::unexpected(model.error());
+    return PosedRecording{*std::move(reader), *std::move(model)};
+  }
+
+  Result<void> pose(int frame) {
+    Eigen::Matrix3Xf positions;
+    return reader.read(frame, positions)
+        .and_then([&] { return pose_ribbon(model, positions, frame + 1); })
+        .map([](bool) {});
+  }
+};
 
 std::vector<int> readable_frames(const RecordingReader& reader) {
   std::vector<int> frames;
@@ -27,10 +41,9 @@ std::vector<int> readable_frames(const RecordingReader& reader) {
   return frames;
 }
 
-Result<void> append(RecordingReader& reader, const std::vector<int>& frames, Model& model,
-                    MotionWriter& writer) {
+Result<void> append(PosedRecording& posed, const std::vector<int>& frames, MotionWriter& writer) {
   for (const int frame : frames)
-    if (auto appended = pose(reader, frame, model).and_then([&] { return writer.append(model); });
+    if (auto appended = posed.pose(frame).and_then([&] { return writer.append(posed.model); });
         !appended)
       return appended;
   return writer.finish();
@@ -40,29 +53,26 @@ Result<void> append(RecordingReader& reader, const std::vector<int>& frames, Mod
 
 Result<void> write_shape(const std::filesystem::path& recording, int frame,
                          const std::filesystem::path& file) {
-  auto reader = RecordingReader::open(recording);
-  if (!reader) return tl::unexpected(reader.error());
-  auto model = model_of_recording(reader->header(), {});
-  if (!model) return tl::unexpected(model.error());
+  auto posed = PosedRecording::open(recording);
+  if (!posed) return tl::unexpected(posed.error());
+  const Model& model = posed->model;
   const auto library = std::filesystem::path(file).replace_extension(".mtl");
-  return pose(*reader, frame, *model)
-      .and_then([&] { return write_file(file, obj_text(*model, library.filename().string())); })
-      .and_then([&] { return write_file(library, material_library_text(*model)); });
+  return posed->pose(frame)
+      .and_then([&] { return write_file(file, obj_text(model, library.filename().string())); })
+      .and_then([&] { return write_file(library, material_library_text(model)); });
 }
 
 Result<void> write_motion(const std::filesystem::path& recording,
                           const std::filesystem::path& file) {
-  auto reader = RecordingReader::open(recording);
-  if (!reader) return tl::unexpected(reader.error());
-  auto model = model_of_recording(reader->header(), {});
-  if (!model) return tl::unexpected(model.error());
-  const std::vector<int> frames = readable_frames(*reader);
+  auto posed = PosedRecording::open(recording);
+  if (!posed) return tl::unexpected(posed.error());
+  const std::vector<int> frames = readable_frames(posed->reader);
   if (frames.empty())
     return failure(recording.string(), "holds no frame that can be read", "tie it once more");
-  if (auto posed = pose(*reader, frames.front(), *model); !posed) return posed;
-  const auto writer = new_glb_writer(file, *model, static_cast<int>(frames.size()));
+  if (auto first = posed->pose(frames.front()); !first) return first;
+  const auto writer = new_glb_writer(file, posed->model, static_cast<int>(frames.size()));
   if (!writer) return tl::unexpected(writer.error());
-  return append(*reader, frames, *model, **writer);
+  return append(*posed, frames, **writer);
 }
 
 Result<void> write_object(const TriangleMesh& object, const std::filesystem::path& file) {
