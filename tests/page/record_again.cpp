@@ -1,6 +1,7 @@
 // record_again RECORDING NEW: simulates what a recording holds once more, with the recorded
 // obstacle and as many frames, and records it under another name. Run in WebAssembly, it tells
-// whether a page comes to the bits of the native recorder.
+// whether a page comes to the bits of the native recorder; and, by its summary, how fast.
+#include <cstdio>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ Result<ExitCode> record_again(const std::string& file, const std::string& target
   const auto statistics = record_around(header.obstacle, run->scene, recording, observer,
                                         {.frames = run->reader.frame_count()});
   if (!statistics) return tl::unexpected(statistics.error());
+  std::printf("%s: %s\n", target.c_str(), summary_line(*statistics).c_str());
   return ExitCode::done;
 }
 

@@ -22,8 +22,15 @@ using Eigen::MatrixX3d;
 constexpr int rows_in_lot = 32;
 constexpr int half_lot = rows_in_lot / 2;
 
-// Of dashpots that have no particle in common several are computed at once.
-using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+// Of dashpots that have no particle in common several are computed at once: as many as fit one
+// register of the baseline of WebAssembly, which is also the widest that it has; elsewhere four, in
+// one register or two.
+#ifdef __wasm__
+constexpr int lane_count = 2;
+#else
+constexpr int lane_count = 4;
+#endif
+using Several [[gnu::vector_size(lane_count * sizeof(double))]] = double;
 
 // Do all rows weigh the same?
 enum class Rows { alike, differing };
@@ -38,7 +45,7 @@ struct Loop {
   std::array<const double*, 3> positions{};
   std::array<double*, 3> velocities{};
 
-  // The dashpot of the particle at `first`, or those of the four from there on.
+  // The dashpot of the particle at `first`, or those of several from there on.
   template <class Lanes>
   [[gnu::always_inline]] void damp(Index first) const {
     std::array<Lanes, 3> apart{};
@@ -67,7 +74,7 @@ struct Loop {
   // Those of `count` particles one after the other, which have no particle in common.
   [[gnu::always_inline]] void damp_run(Index first, int count) const {
     int i = 0;
-    for (; i + 4 <= count; i += 4) damp<Four>(first + i);
+    for (; i + lane_count <= count; i += lane_count) damp<Several>(first + i);
     for (; i < count; ++i) damp<double>(first + i);
   }
 };

@@ -77,8 +77,10 @@ void SpringForces::forces_on(Index begin, Index end, const MatrixX3d& positions,
       run.tension[axis] = tension.col(axis).data() + (first - begin_run);
     }
     compute_tension(run);
-    forces.middleRows(begin, end - begin) +=
-        tension.bottomRows(end - begin) - tension.topRows(end - begin);
+    // Coordinate by coordinate: as blocks of a matrix they would not be vectorised everywhere.
+    for (int axis = 0; axis < 3; ++axis)
+      forces.col(axis).segment(begin, end - begin) +=
+          tension.col(axis).tail(end - begin) - tension.col(axis).head(end - begin);
     workspace.energy_j += sum_of(twice_energy_j.tail(end - begin).data(), end - begin) / 2;
   }
 }

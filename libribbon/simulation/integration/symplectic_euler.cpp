@@ -28,12 +28,14 @@ class SymplecticEuler final : public Integrator {
     const double slowed = 1 / (1 + h * properties_.air_resistance_per_s);
     spring_forces_on_mean(state_.positions, forces_);
     for_each_particle_run(state_.positions.rows(), [&](Eigen::Index first, Eigen::Index count) {
-      auto velocities = state_.velocities.middleRows(first, count);
-      velocities += h / properties_.particle_mass_kg * forces_.middleRows(first, count);
-      if (state_.accelerations.rows() > 0)
-        velocities += h * state_.accelerations.middleRows(first, count);
-      velocities *= slowed;
-      state_.positions.middleRows(first, count) += h * velocities;
+      for (int axis = 0; axis < 3; ++axis) {
+        auto velocities = state_.velocities.col(axis).segment(first, count);
+        velocities += h / properties_.particle_mass_kg * forces_.col(axis).segment(first, count);
+        if (state_.accelerations.rows() > 0)
+          velocities += h * state_.accelerations.col(axis).segment(first, count);
+        velocities *= slowed;
+        state_.positions.col(axis).segment(first, count) += h * velocities;
+      }
     });
   }
 
