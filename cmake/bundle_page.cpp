@@ -1,20 +1,16 @@
 // bundle_page PAGE NEW FOLDER...: puts everything that a page loads into it, so that it loads
 // nothing.
 // {{text NAME}} is a file of the first of the folders that has it, as it is; {{packed NAME}}
-// likewise, compressed by gzip, as seven_bits(). Other places stay for the tool that writes the
-// page.
-#include <libdeflate.h>
-
+// likewise, as packed(). Other places stay for the tool that writes the page.
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "commandline/tool.h"
 #include "files/files.h"
 #include "page/page_parts.h"
-#include "page/seven_bits.h"
+#include "recorder/page/packed.h"
 
 namespace ribbon {
 
@@ -23,16 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using Folders = std::vector<fs::path>;
-
-std::string gzip(const std::string& bytes) {
-  constexpr int smallest = 12;
-  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-      libdeflate_alloc_compressor(smallest), libdeflate_free_compressor);
-  std::string packed(libdeflate_gzip_compress_bound(compressor.get(), bytes.size()), '\0');
-  packed.resize(libdeflate_gzip_compress(compressor.get(), bytes.data(), bytes.size(),
-                                         packed.data(), packed.size()));
-  return packed;
-}
 
 Result<std::string> file_of(const Folders& folders, std::string_view name) {
   const auto folder = std::find_if(folders.begin(), folders.end(),
@@ -46,7 +32,7 @@ Result<std::string> content(std::string_view place, const Folders& folders) {
   if (space == std::string_view::npos) return "{{" + std::string(place) + "}}";
   auto file = file_of(folders, place.substr(space + 1));
   if (place.substr(0, space) == "text") return file;
-  return file.map([](const std::string& bytes) { return seven_bits(gzip(bytes)); });
+  return file.map(packed);
 }
 
 Result<ExitCode> bundle(const fs::path& page, const fs::path& target, const Folders& folders) {

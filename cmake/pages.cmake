@@ -30,7 +30,8 @@ if(RIBBON_BUILD_PAGE)
     INSTALL_COMMAND "")
 
   find_library(RIBBON_LIBDEFLATE deflate REQUIRED)
-  add_executable(bundle_page cmake/bundle_page.cpp)
+  add_executable(bundle_page cmake/bundle_page.cpp recorder/page/packed.cpp)
+  target_include_directories(bundle_page PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(bundle_page
     PRIVATE ribbon_page ribbon_files ribbon_commandline ${RIBBON_LIBDEFLATE})
   ribbon_precompiled(bundle_page)

@@ -34,6 +34,10 @@ async function unpacked_gzip(id) {
   return new Response(stream.pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }
 
+async function unpacked_json(id) {
+  return JSON.parse(new TextDecoder().decode(await unpacked_gzip(id)));
+}
+
 // ---- What is told
 
 const status_line = element('status');

@@ -434,9 +434,8 @@ addEventListener('keydown', event => {
 async function begin() {
   start_view();
   show_ending();
-  scenes = JSON.parse(new TextDecoder().decode(await unpacked_gzip('scenes')));
-  const own = element('scene').textContent.trim();
-  given = own ? JSON.parse(own) : null;
+  scenes = await unpacked_json('scenes');
+  given = element('scene').textContent ? await unpacked_json('scene') : null;
   offer_scenes();
   choose_object(0);
   show_drawing();

@@ -4,6 +4,7 @@
 
 #include "files/files.h"
 #include "page/page_parts.h"
+#include "recorder/page/packed.h"
 #include "recorder/page/scene_json.h"
 #include "recorder/page/sketch_page.h"
 #include "text/number_text.h"
@@ -12,16 +13,9 @@ namespace ribbon {
 
 namespace {
 
-// That a name in a scene ends the page's script is not to be.
-std::string in_script(std::string json) {
-  for (std::size_t i = 0; (i = json.find('<', i)) != std::string::npos;)
-    json.replace(i, 1, "\\u003c");
-  return json;
-}
-
-Result<std::string> json_of(const std::optional<Scene>& scene) {
+Result<std::string> packed_scene(const std::optional<Scene>& scene) {
   if (!scene) return "";
-  return scene_json(*scene).map([](const Json& json) { return in_script(json.line()); });
+  return scene_json(*scene).map([](const Json& json) { return packed(json.line()); });
 }
 
 }  // namespace
@@ -35,10 +29,11 @@ Result<std::string> write_sketch_page(const std::optional<Scene>& scene,
   std::error_code code;
   if (overwrite == Overwrite::no && std::filesystem::exists(page, code))
     return failure(page.string(), "exists already", "name another file, or replace it by --force");
-  const auto json = json_of(scene);
-  if (!json) return tl::unexpected(json.error());
+  const auto filled = packed_scene(scene);
+  if (!filled) return tl::unexpected(filled.error());
   std::string whole;
-  for (const PagePart& part : page_parts(sketch_page())) whole += part.is_place ? *json : part.text;
+  for (const PagePart& part : page_parts(sketch_page()))
+    whole += part.is_place ? *filled : part.text;
   const double megabytes = static_cast<double>(whole.size()) / 1e6;
   return write_file(page, whole).map([&] {
     return filled_in("page: {} ({:.1f} MB); open it in a browser\n", page.string(), megabytes);

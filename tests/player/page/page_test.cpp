@@ -4,6 +4,7 @@
 #include "page/base64.h"
 #include "page/page_parts.h"
 #include "page/seven_bits.h"
+#include "page/unpacked.h"
 #include "player/page/viewer_page.h"
 #include "player/ribbon_play.h"
 
@@ -33,21 +34,6 @@ TEST(Base64, is_that_of_the_standard) {
   EXPECT_EQ(base64("foo"), "Zm9v");
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
   EXPECT_EQ(base64("\xFB\xFF\xBF"), "+/+/");
-}
-
-// The reverse, by the words of its declaration.
-std::string bytes_of_seven_bits(std::string_view text) {
-  std::string bits;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    auto letter = static_cast<unsigned char>(text[i]);
-    if (letter >= 0x80)
-      letter = static_cast<unsigned char>((letter & 0x03U) << 6U | (text[++i] & 0x3FU));
-    for (int bit = 6; bit >= 0; --bit) bits += (letter >> bit & 1U) != 0 ? '1' : '0';
-  }
-  std::string bytes;
-  for (std::size_t i = 0; i + 8 <= bits.size(); i += 8)
-    bytes += static_cast<char>(std::stoi(bits.substr(i, 8), nullptr, 2));
-  return bytes;
 }
 
 TEST(SevenBits, say_the_bytes_and_nothing_that_a_page_changes) {

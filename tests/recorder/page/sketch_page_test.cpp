@@ -4,9 +4,20 @@
 #include <gtest/gtest.h>
 
 #include "commandline/tool_run.h"
+#include "page/unpacked.h"
+#include "recorder/page/packed.h"
 #include "recorder/small_scene.h"
 
 namespace ribbon::sketch_page_test {
+
+TEST(Packed, is_smaller_and_unpacked_as_it_was) {
+  std::string bytes;
+  for (int i = 0; i < 20000; ++i) bytes += static_cast<char>(i * i / 64 % 7 + i % 3);
+  const std::string text = packed(bytes);
+  EXPECT_LT(text.size(), bytes.size() / 2);
+  EXPECT_TRUE(unpacked(text, bytes.size()) == bytes);
+  EXPECT_EQ(unpacked(packed(""), 1), "");
+}
 
 class SketchPage : public ToolTest {
  protected:
@@ -31,8 +42,18 @@ TEST_F(SketchPage, holds_the_scene_that_is_named) {
   if (sketch_page().empty()) GTEST_SKIP() << "this build has no pages";
   ASSERT_EQ(run("--draw small.toml --set name='</script>' -o sketch.html").exit_code, 0);
   const std::string page = bytes("sketch.html");
-  EXPECT_THAT(page, HasSubstr("\"file\":\"small.toml\""));
-  EXPECT_THAT(page, HasSubstr("\\u003c/script>"));
+  const std::string begin = "id=\"scene\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  const std::string scene = unpacked(page.substr(at, page.find('<', at) - at), 1 << 20);
+  EXPECT_THAT(scene, HasSubstr("\"file\":\"small.toml\""));
+  EXPECT_THAT(scene, HasSubstr("\"name\":\"</script>\""));
+}
+
+TEST_F(SketchPage, is_as_small_with_an_object_of_many_triangles) {
+  if (sketch_page().empty()) GTEST_SKIP() << "this build has no pages";
+  ASSERT_EQ(run("--draw " RIBBON_SAMPLES "/overhand-hourglass-8x400.toml -o sketch.html").exit_code,
+            0);
+  EXPECT_LE(bytes("sketch.html").size(), 1'000'000U);
 }
 
 TEST_F(SketchPage, goes_with_nothing_that_records) {
