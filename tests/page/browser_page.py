@@ -140,6 +140,31 @@ class OpenedPage(unittest.TestCase):
             self.skipTest("the machine is too busy to tell")
         self.assertLess(min(took_s), most_s)
 
+    def check_fits_a_phone(self):
+        """Upright: half of the screen is picture, and what is told is seen with it; nothing is wider than
+        the screen, controls do not lie on one another, and the last can be scrolled to."""
+        found = self.script("""
+            scrollTo(0, 0);
+            const box = one => one.getBoundingClientRect();
+            const shown = [...document.querySelectorAll('header *, footer *')].filter(
+                one => one.offsetParent && !one.children.length && box(one).width > 0);
+            const touched = [...document.querySelectorAll('footer button, footer select, footer input, nav button')]
+                .filter(one => one.offsetParent).map(box);
+            const lie_on = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 &&
+                a.top < b.bottom - 1 && b.top < a.bottom - 1;
+            return {
+              wider: shown.filter(one => box(one).right > innerWidth + 1 || box(one).left < -1)
+                         .map(one => one.id || one.textContent),
+              overlapping: touched.filter((a, i) => touched.slice(i + 1).some(b => lie_on(a, b))).length,
+              picture: box(document.querySelector('main')).height / innerHeight,
+              told: box(document.getElementById('status')).bottom <= innerHeight,
+              unreachable: Math.max(...touched.map(one => one.bottom)) - document.documentElement.scrollHeight,
+            };""")
+        self.assertEqual([found["wider"], found["overlapping"]], [[], 0])
+        self.assertGreaterEqual(found["picture"], 0.5)
+        self.assertTrue(found["told"])
+        self.assertLessEqual(found["unreachable"], 0)
+
     def check_controls(self):
         """Each that is shown has a name and room for a finger."""
         controls = self.browser.find_elements(

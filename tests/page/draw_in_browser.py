@@ -382,6 +382,27 @@ class OwnScene(Sketch):
     def test_its_drawing_is_offered_and_tied_as_it_stands_there(self):
         self.assertFalse(self.find("object").is_displayed())
         self.begin_with("its own drawing")
+    def test_fits_a_phone_while_one_draws_ties_and_watches(self):
+        self.browser.set_screen(390, 844)
+        self.wait_for(lambda: self.script("return innerWidth === 390"), "the screen stays wide")
+        self.begin_with("overhand knot")
+        self.check_fits_a_phone()
+        self.tie(frames=5)
+        self.check_fits_a_phone()
+        self.stop()
+        self.check_fits_a_phone()
+        self.picture("phone-watch")
+        distance = self.script("return view.camera.distance")
+        x, y, width, height = self.script(
+            "const b = stage.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+        middle = y + height / 2
+        self.touch([(x + width / 2 - 20 - 10 * step, middle) for step in range(6)],
+                   [(x + width / 2 + 20 + 10 * step, middle) for step in range(6)])
+        self.assertLess(self.script("return view.camera.distance"), 0.6 * distance)
+        azimuth = self.script("return view.camera.azimuth")
+        self.touch([(x + 100 + 10 * step, middle) for step in range(6)])
+        self.assertNotAlmostEqual(self.script("return view.camera.azimuth"), azimuth, delta=0.1)
+
         self.assertIn("trefoil", self.knot())
         self.tie(frames=5)
         self.assertEqual(self.script("return [recording.along, recording.across]"), [100, 4])
