@@ -1,6 +1,6 @@
-// The board on which one draws: pointer and keys become points; curve, gaps, crossings and mistakes are
-// shown. It changes nothing itself: deeds.points_changed(points), deeds.crossing_exchanged(index) and
-// deeds.said(sentence) are called.
+// The board on which one draws: pointer and keys become points; curve, gaps, crossings, passes of the
+// object and mistakes are shown. It changes nothing itself: deeds.points_changed(points),
+// deeds.crossing_exchanged(index), deeds.pass_exchanged(index) and deeds.said(sentence) are called.
 'use strict';
 
 const svg_name = 'http://www.w3.org/2000/svg';
@@ -11,13 +11,13 @@ const shortest_stroke = 6;                      // a shorter one is a click
 const half_gap_px = 9;
 
 class Board {
-  // elements: board (has the focus), paper (svg), shape, band, dots, cursor, mistake, ends (in it),
-  // buttons (of the crossings).
+  // elements: board (has the focus), paper (svg), shape, band, band_behind, dots, cursor, mistake (in it),
+  // crossing_buttons, pass_buttons.
   constructor(elements, deeds) {
     Object.assign(this, elements);
     this.deeds = deeds;
     this.points = [];
-    this.crossings = [];
+    this.told = nothing_told;  // crossings, and passes of the object
     this.middle = [0, 0];
     this.scale = 0.3;       // screen pixels a drawing unit
     this.tolerance = 3;     // of freehand strokes, drawing units
@@ -48,9 +48,9 @@ class Board {
 
   // ---- What is shown
 
-  show(points, crossings) {
+  show(points, told) {
     this.points = points;
-    this.crossings = crossings;
+    this.told = told;
     if (this.selected >= points.length) this.selected = -1;
     this.draw();
   }
@@ -122,11 +122,13 @@ class Board {
 
   draw_band() {
     const is_changing = this.stroke !== null || this.dragged >= 0;
-    const crossings = is_changing ? [] : this.crossings;
+    const told = is_changing ? nothing_told : this.told;
     const curve = this.stroke ? [...this.points, ...this.stroke] : this.points;
-    const pieces = curve.length < 2 ? [] : pieces_with_gaps(curve, crossings, half_gap_px / this.scale);
-    const path = pieces.map(piece => 'M' + piece.map(point => point.join(' ')).join('L')).join('');
-    this.band.setAttribute('d', path);
+    const {seen, behind} = curve.length < 2 ? {seen: [], behind: []}
+                                            : drawn_pieces(curve, told, half_gap_px / this.scale);
+    const path = pieces => pieces.map(piece => 'M' + piece.map(point => point.join(' ')).join('L')).join('');
+    this.band.setAttribute('d', path(seen));
+    this.band_behind.setAttribute('d', path(behind));
   }
 
   draw_dots() {
@@ -156,31 +158,49 @@ class Board {
     this.mistake.setAttribute('r', 18 / this.scale);
   }
 
-  // As many as there are crossings; one that has the focus keeps it.
   draw_buttons() {
-    while (this.buttons.children.length > this.crossings.length) this.buttons.lastChild.remove();
-    while (this.buttons.children.length < this.crossings.length) this.add_button();
-    this.crossings.forEach((crossing, i) => {
-      const button = this.buttons.children[i];
-      const [x, y] = this.to_screen(crossing.at);
-      button.style.left = `${x}px`;
-      button.style.top = `${y}px`;
-      button.setAttribute('aria-label', this.spoken(i));
+    const {crossings, passes} = this.told;
+    this.place_buttons(this.crossing_buttons, crossings, this.deeds.crossing_exchanged);
+    this.place_buttons(this.pass_buttons, passes, this.deeds.pass_exchanged);
+    crossings.forEach((_, i) => {
+      const button = this.crossing_buttons.children[i];
+      button.textContent = i + 1;
+      button.setAttribute('aria-label', `${this.spoken_crossing(i)} Exchange`);
+    });
+    passes.forEach(({in_front}, i) => {
+      const button = this.pass_buttons.children[i];
+      button.textContent = in_front ? 'F' : 'B';
+      button.setAttribute('aria-label', `${this.spoken_pass(i)} Exchange`);
     });
   }
 
-  add_button() {
-    const index = this.buttons.children.length;
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.textContent = index + 1;
-    button.addEventListener('click', () => this.deeds.crossing_exchanged(index));
-    this.buttons.append(button);
+  // As many as there are places; one that has the focus keeps it.
+  place_buttons(buttons, places, exchange) {
+    while (buttons.children.length > places.length) buttons.lastChild.remove();
+    while (buttons.children.length < places.length) {
+      const index = buttons.children.length;
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.addEventListener('click', () => exchange(index));
+      buttons.append(button);
+    }
+    places.forEach(({at}, i) => {
+      const [x, y] = this.to_screen(at);
+      buttons.children[i].style.left = `${x}px`;
+      buttons.children[i].style.top = `${y}px`;
+    });
   }
 
-  spoken(index) {
-    const over = this.crossings[index].first_over ? 'first over, then under' : 'first under, then over';
-    return `Crossing ${index + 1} of ${this.crossings.length}: the curve runs ${over}. Exchange`;
+  spoken_crossing(index) {
+    const {crossings} = this.told;
+    const over = crossings[index].first_over ? 'first over, then under' : 'first under, then over';
+    return `Crossing ${index + 1} of ${crossings.length}: the curve runs ${over}.`;
+  }
+
+  spoken_pass(index) {
+    const {passes} = this.told;
+    const where = passes[index].in_front ? 'in front of the object' : 'behind the object';
+    return `Passage ${index + 1} of ${passes.length}: the curve runs ${where}.`;
   }
 
   // ---- Pointers

@@ -63,7 +63,10 @@ class History {
   }
 }
 
-// ---- Crossings: {at, first, second, first_over}, in the order of their first passages
+// ---- Crossings: {at, first, second, first_over}, in the order of their first passages; and passes of the
+// object: {at, begin, end, in_front}, in the order of the walk. What is told of a curve are both.
+
+const nothing_told = {crossings: [], passes: []};
 
 // The two passages of each in the order of the walk.
 function passages(crossings) {
@@ -73,32 +76,47 @@ function passages(crossings) {
       .sort((a, b) => a.parameter - b.parameter);
 }
 
-// "OUOUOU", as a scene has it.
-const letters_of = crossings => passages(crossings).map(({over}) => (over ? 'O' : 'U')).join('');
+// "OUOUOU", as a scene has it; "FOUBOU" where the curve passes the object.
+const letters_of = ({crossings, passes}) =>
+    [...passages(crossings).map(({parameter, over}) => [parameter, over ? 'O' : 'U']),
+     ...passes.map(({begin, in_front}) => [begin, in_front ? 'F' : 'B'])]
+        .sort(([a], [b]) => a - b).map(([, letter]) => letter).join('');
 
 // How far a crossing may have moved and still be the same, in drawing units.
-const same_crossing = 60;
+const same_place = 60;
 
-// Over and under of crossings that were there before stay; what is new is as it was found.
-function with_choices_kept(found, before) {
+// What was chosen where there was one before stays chosen; what is new is as it was found. `choice` is
+// where crossings or passes have it.
+function kept(found, before, choice) {
   const free = before.slice();
-  return found.map(crossing => {
-    let [nearest, least] = [-1, same_crossing];
+  return found.map(one => {
+    let [nearest, least] = [-1, same_place];
     free.forEach((old, i) => {
-      const way = old ? distance(old.at, crossing.at) : Infinity;
+      const way = old ? distance(old.at, one.at) : Infinity;
       if (way < least) [nearest, least] = [i, way];
     });
-    if (nearest < 0) return crossing;
+    if (nearest < 0) return one;
     const [old] = free.splice(nearest, 1, null);
-    return {...crossing, first_over: old.first_over};
+    return {...one, [choice]: old[choice]};
   });
 }
 
-const exchanged = (crossings, index) => crossings.map(
-    (crossing, i) => (i === index ? {...crossing, first_over: !crossing.first_over} : crossing));
+const with_choices_kept = (found, before) => ({
+  crossings: kept(found.crossings, before.crossings, 'first_over'),
+  passes: kept(found.passes, before.passes, 'in_front'),
+});
 
-const mirrored = crossings =>
-    crossings.map(crossing => ({...crossing, first_over: !crossing.first_over}));
+const turned_over = crossing => ({...crossing, first_over: !crossing.first_over});
+const turned_back = pass => ({...pass, in_front: !pass.in_front});
+
+const with_crossing_exchanged = ({crossings, passes}, index) =>
+    ({crossings: crossings.with(index, turned_over(crossings[index])), passes});
+const with_pass_exchanged = ({crossings, passes}, index) =>
+    ({crossings, passes: passes.with(index, turned_back(passes[index]))});
+
+// As seen from behind the board: over and under, in front and behind.
+const mirrored = ({crossings, passes}) =>
+    ({crossings: crossings.map(turned_over), passes: passes.map(turned_back)});
 
 // By turns, where each crossing has an odd and an even passage; null where one has not.
 function alternated(crossings) {
@@ -138,24 +156,44 @@ function part_of(points, lengths, begin, end) {
   return part;
 }
 
-// What of the curve is to be drawn, with a gap before and behind each passage under; where passages
-// are close, gaps are small.
-function pieces_with_gaps(points, crossings, widest_half_gap) {
-  const lengths = lengths_of(points);
+// What of the walk is to be drawn, by lengths, with a gap before and behind each passage under; where
+// passages are close, gaps are small.
+function spans_with_gaps(lengths, crossings, widest_half_gap) {
   const all = passages(crossings).map(
       passage => ({...passage, length: length_at(lengths, passage.parameter)}));
-  const pieces = [];
+  const spans = [];
   let begin = 0;
   all.forEach(({over, length}, i) => {
     if (over) return;
     const before = i > 0 ? length - all[i - 1].length : length;
     const next = (i + 1 < all.length ? all[i + 1].length : lengths.at(-1)) - length;
     const half = Math.min(widest_half_gap, before / 3, next / 3);
-    pieces.push(part_of(points, lengths, begin, length - half));
+    spans.push([begin, length - half]);
     begin = length + half;
   });
-  pieces.push(part_of(points, lengths, begin, lengths.at(-1)));
-  return pieces.filter(piece => piece.length > 1);
+  spans.push([begin, lengths.at(-1)]);
+  return spans;
+}
+
+// The pieces of the curve that are to be drawn, with gaps; those behind the object by themselves.
+function drawn_pieces(points, {crossings, passes}, widest_half_gap) {
+  const lengths = lengths_of(points);
+  const pieces_of = spans => spans.filter(([begin, end]) => begin < end)
+                                 .map(([begin, end]) => part_of(points, lengths, begin, end))
+                                 .filter(piece => piece.length > 1);
+  const hidden = passes.filter(({in_front}) => !in_front)
+                     .map(({begin, end}) => [begin, end].map(parameter => length_at(lengths, parameter)));
+  const seen = [], behind = [];
+  for (let [begin, end] of spans_with_gaps(lengths, crossings, widest_half_gap)) {
+    for (const [from, to] of hidden) {
+      if (to <= begin || from >= end) continue;
+      seen.push([begin, Math.max(begin, from)]);
+      behind.push([Math.max(begin, from), Math.min(end, to)]);
+      begin = Math.min(end, to);
+    }
+    seen.push([begin, end]);
+  }
+  return {seen: pieces_of(seen), behind: pieces_of(behind)};
 }
 
 // ---- Files
@@ -180,5 +218,6 @@ function place_in(sentence) {
 }
 
 if (typeof module !== 'undefined')
-  module.exports = {simplified, rounded, History, passages, letters_of, with_choices_kept, exchanged,
-                    mirrored, alternated, pieces_with_gaps, drawing_svg, place_in};
+  module.exports = {simplified, rounded, History, passages, letters_of, nothing_told, with_choices_kept,
+                    with_crossing_exchanged, with_pass_exchanged, mirrored, alternated, drawn_pieces,
+                    drawing_svg, place_in};

@@ -29,8 +29,8 @@ function points_for(target, {points, unit_m, origin}) {
 
 // ---- What is drawn
 
-// points, and crossings once the worker has found them (null before).
-let states = new History({points: [], crossings: []});
+// points, and what is told of their curve once the worker has found it (null before).
+let states = new History({points: [], told: nothing_told});
 let answer = null;   // the worker's last one of what is drawn now: its text, letters, knot, problem
 let looked = 0;      // the number of the last question
 const asked = new Map();
@@ -41,24 +41,30 @@ const board = new Board(
       paper: element('paper'),
       shape: element('shape'),
       band: element('band'),
+      band_behind: element('band_behind'),
       dots: element('dots'),
       cursor: element('cursor'),
       mistake: element('mistake'),
-      buttons: element('crossings'),
+      crossing_buttons: element('crossings'),
+      pass_buttons: element('passes'),
     },
     {
       points_changed: points => change(points, null),
       crossing_exchanged: index => {
-        change(states.state.points, exchanged(states.state.crossings, index));
-        tell(board.spoken(index).replace(' Exchange', ''));
+        change(states.state.points, with_crossing_exchanged(states.state.told, index));
+        tell(board.spoken_crossing(index));
+      },
+      pass_exchanged: index => {
+        change(states.state.points, with_pass_exchanged(states.state.told, index));
+        tell(board.spoken_pass(index));
       },
       said: sentence => tell(sentence),
     });
 
-// Crossings that are not known yet are those that were there, as far as they still are.
-function change(points, crossings) {
-  const before = states.state.crossings ?? board.crossings;
-  states.add({points, crossings, before});
+// What is not told yet is as it was, as far as it is still there.
+function change(points, told) {
+  const before = states.state.told ?? board.told;
+  states.add({points, told, before});
   unsaved.drawing = points.length > 0;
   show_drawing();
 }
@@ -88,15 +94,15 @@ function mesh_settings(width_m) {
 }
 
 function show_drawing() {
-  const {points, crossings} = states.state;
+  const {points, told} = states.state;
   answer = null;
   ties_once_answered = false;
   element('undo').disabled = !states.can_undo;
   element('redo').disabled = !states.can_redo;
-  board.show(points, crossings ?? []);
+  board.show(points, told ?? nothing_told);
   board.show_mistake(null);
-  if (points.length > 1) return look(crossings ? letters_of(crossings) : '');
-  states.state.crossings = [];
+  if (points.length > 1) return look(told ? letters_of(told) : '');
+  states.state.told = nothing_told;
   element('knot').textContent = '';
   tell('Draw a curve that begins and ends outside of the object, and leads round it.');
 }
@@ -113,10 +119,11 @@ function take_diagram({drawn, number}) {
   if (!question) return;
   asked.delete(number);
   const {state} = question;
-  if (!state.crossings && drawn.crossings) {
-    state.crossings = with_choices_kept(drawn.crossings, state.before ?? []);
-    board.show(state.points, state.crossings);
-    const letters = letters_of(state.crossings);
+  if (!state.told && drawn.crossings) {
+    state.told = with_choices_kept(drawn, state.before);
+    board.show(state.points, state.told);
+    tell_passes(state.told.passes);
+    const letters = letters_of(state.told);
     if (letters !== '' && (letters !== drawn.letters || drawn.knot === '')) return look(letters);
   }
   answer = {...drawn, svg: drawing_svg(state.points)};
@@ -125,6 +132,13 @@ function take_diagram({drawn, number}) {
   else if (status_line.className === 'problem' || status_line.textContent.startsWith('Draw a curve'))
     tell('');
   if (ties_once_answered) tie();
+}
+
+// Who only meant to lead the curve round the object shall hear of it.
+function tell_passes(passes) {
+  if (passes.length === 0) return;
+  const where = passes.map(({in_front}) => (in_front ? 'in front' : 'behind')).join(', then ');
+  tell(`The curve passes the object ${where}; F and B in the drawing exchange that.`);
 }
 
 function tell_mistake(sentence) {
@@ -396,14 +410,16 @@ function offer_scenes() {
 
 element('undo').addEventListener('click', () => (states.undo(), show_drawing()));
 element('redo').addEventListener('click', () => (states.redo(), show_drawing()));
-element('clear').addEventListener('click', () => change([], []));
+element('clear').addEventListener('click', () => change([], nothing_told));
 element('mirror').addEventListener('click', () => {
-  if (states.state.crossings?.length) change(states.state.points, mirrored(states.state.crossings));
+  const {points, told} = states.state;
+  if (told && letters_of(told)) change(points, mirrored(told));
 });
 element('alternate').addEventListener('click', () => {
-  const crossings = alternated(states.state.crossings ?? []);
+  const {points, told} = states.state;
+  const crossings = alternated(told?.crossings ?? []);
   if (!crossings) return tell_problem('over and under cannot alternate: an end is shut in by a loop of the curve; lead it out, or exchange crossings one by one');
-  if (crossings.length) change(states.state.points, crossings);
+  if (crossings.length) change(points, {...told, crossings});
 });
 element('object').addEventListener('change', event => {
   choose_object(event.target.value);

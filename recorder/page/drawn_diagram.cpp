@@ -34,15 +34,35 @@ std::vector<Crossing> all_first_over(const std::vector<DoublePoint>& points) {
   return crossings;
 }
 
+Json json_of(const std::vector<ObjectPassage>& passages) {
+  Json list = Json::list({});
+  for (const auto& [run, in_front] : passages)
+    list.add({{"at", Json::list({run.from.x(), run.from.y()})},
+              {"begin", run.begin},
+              {"end", run.end},
+              {"in_front", in_front}});
+  return list;
+}
+
+std::vector<ObjectPassage> all_in_front(const std::vector<ObjectRun>& runs) {
+  std::vector<ObjectPassage> passages;
+  passages.reserve(runs.size());
+  for (const ObjectRun& run : runs) passages.push_back({run, true});
+  return passages;
+}
+
 // A curve of which nobody says whether it passes the object in front of it or behind it runs into
 // it.
-Result<void> check_leads_round(const JoinedDrawing& drawing, const CurveScene& curve,
-                               const std::optional<TriangleMesh>& obstacle) {
-  if (!obstacle || tells_of_object(drawing, curve)) return {};
-  const auto runs = find_object_runs(drawing.points, heights_of(obstacle, curve));
-  if (runs.empty()) return {};
+Result<std::vector<ObjectPassage>> told_passages(const std::vector<DoublePoint>& points,
+                                                 const JoinedDrawing& drawing,
+                                                 const CurveScene& curve,
+                                                 const ObjectHeights& object,
+                                                 const std::vector<ObjectRun>& runs) {
+  if (runs.empty() || tells_of_object(drawing, curve))
+    return object_passages(points, drawing, curve, object);
   return failure(drawing_place((runs.front().from + runs.front().to) / 2),
-                 "the curve leads through the object", "lead it round the object's outline");
+                 "the curve leads through the object",
+                 "lead it round the object's outline, or say whether it passes in front or behind");
 }
 
 }  // namespace
@@ -54,11 +74,15 @@ Result<std::string> diagram_json(const Scene& scene, const std::optional<Triangl
   if (!points) return tl::unexpected(points.error());
   const auto told = over_and_under(*points, *drawing, scene.curve);
   const std::vector<Crossing> crossings = told ? *told : all_first_over(*points);
-  const Result<void> free = check_leads_round(*drawing, scene.curve, obstacle);
+  const ObjectHeights heights = heights_of(obstacle, scene.curve);
+  const auto runs =
+      obstacle ? find_object_runs(drawing->points, heights) : std::vector<ObjectRun>();
+  const auto passes = told_passages(*points, *drawing, scene.curve, heights, runs);
   const std::string problem =
-      !told ? told.error().sentence() : (free ? "" : free.error().sentence());
+      !told ? told.error().sentence() : (passes ? "" : passes.error().sentence());
   return Json{{"crossings", json_of(crossings)},
-              {"letters", letters_of(crossings, {})},
+              {"passes", json_of(passes ? *passes : all_in_front(runs))},
+              {"letters", letters_of(crossings, passes.value_or(std::vector<ObjectPassage>()))},
               {"knot", told ? text_of_knot(diagram_of(crossings)) : ""},
               {"problem", problem}}
       .line();

@@ -63,10 +63,13 @@ class Sketch(OpenedPage):
         return self.script("return states.state.points")
 
     def letters(self):
-        return self.script("return letters_of(states.state.crossings)")
+        return self.script("return letters_of(states.state.told)")
 
     def crossings(self):
         return self.browser.find_elements(By.CSS_SELECTOR, "#crossings button")
+
+    def passes(self):
+        return self.browser.find_elements(By.CSS_SELECTOR, "#passes button")
 
     def knot(self):
         return self.find("knot").text
@@ -278,9 +281,47 @@ class Drawing(Sketch):
         self.wait_for_answer()
         self.assertIn("first under", self.crossings()[0].get_attribute("aria-label"))
 
+    def test_it_is_chosen_what_passes_in_front_of_the_object_and_what_behind(self):
+        self.draw([(-800, 0), (800, 0), (800, 500), (100, 500), (100, -600)])
+        self.assertEqual(self.letters(), "FOFU")
+        self.assertIn("in front, then in front", self.status())
+        self.passes()[0].click()
+        self.wait_for_answer()
+        self.assertEqual(self.letters(), "BOFU")
+        self.assertIn("Passage 1 of 2: the curve runs behind the object", self.status())
+        self.assertEqual(self.passes()[0].text, "B")
+        self.passes()[1].send_keys(Keys.ENTER)
+        self.wait_for(lambda: self.letters() == "BOBU", "the key does not exchange")
+        self.assertIn("behind the object", self.passes()[1].get_attribute("aria-label"))
+        self.find("undo").click()
+        self.wait_for_answer()
+        self.assertEqual(self.letters(), "BOFU")
+        self.find("redo").click()
+        self.find("undo").click()
+        self.wait_for_answer()
+        ActionChains(self.browser).move_to_element_with_offset(
+            self.find("paper"), *self.on_screen(self.points()[1])).click_and_hold().move_by_offset(
+                10, 10).release().perform()
+        self.wait_for_answer()
+        self.assertEqual(self.letters(), "BOFU")
+        self.assertTrue(self.script("return board.band_behind.getAttribute('d')"))
+        self.check_controls()
+        self.picture("passes")
+        self.find("clear").click()
+        self.draw([(-1100, 0), (1100, 0)])  # long enough to rise over the object's edge
+        self.passes()[0].click()
+        self.wait_for_answer()
+        self.tie(frames=5)
+        self.stop()
+        self.picture("behind")
+        self.save("save_recording", "sketch.rbn", into="behind")
+        self.save("save_scene", "sketch.toml", "sketch.svg", into="behind")
+        self.save("save_object", "cylinder.obj", into="behind")
+        self.assertIn('crossings = "B"', (FOLDER / "behind" / "sketch.toml").read_text())
+
     def test_mistakes_are_told_at_their_place(self):
-        self.draw([(-800, 0), (800, 0)])
-        self.assertIn("leads through the object", self.status())
+        self.draw([(-800, 0), (0, 0)])
+        self.assertIn("an end of the curve lies in front of the object", self.status())
         self.assertTrue(self.find("mistake").is_displayed())
         self.picture("mistake")
         self.find("clear").click()
@@ -341,6 +382,27 @@ class Drawing(Sketch):
         self.stop()
         self.check_controls()
 
+    def test_fits_a_phone_while_one_draws_ties_and_watches(self):
+        self.browser.set_screen(390, 844)
+        self.wait_for(lambda: self.script("return innerWidth === 390"), "the screen stays wide")
+        self.begin_with("overhand knot")
+        self.check_fits_a_phone()
+        self.tie(frames=5)
+        self.check_fits_a_phone()
+        self.stop()
+        self.check_fits_a_phone()
+        self.picture("phone-watch")
+        distance = self.script("return view.camera.distance")
+        x, y, width, height = self.script(
+            "const b = stage.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+        middle = y + height / 2
+        self.touch([(x + width / 2 - 20 - 10 * step, middle) for step in range(6)],
+                   [(x + width / 2 + 20 + 10 * step, middle) for step in range(6)])
+        self.assertLess(self.script("return view.camera.distance"), 0.6 * distance)
+        azimuth = self.script("return view.camera.azimuth")
+        self.touch([(x + 100 + 10 * step, middle) for step in range(6)])
+        self.assertNotAlmostEqual(self.script("return view.camera.azimuth"), azimuth, delta=0.1)
+
     def test_one_finger_draws_two_zoom(self):
         self.browser.set_screen(390, 844)
         self.wait_for(lambda: self.script("return innerWidth === 390 && board.board.clientWidth <= 390"),
@@ -382,27 +444,6 @@ class OwnScene(Sketch):
     def test_its_drawing_is_offered_and_tied_as_it_stands_there(self):
         self.assertFalse(self.find("object").is_displayed())
         self.begin_with("its own drawing")
-    def test_fits_a_phone_while_one_draws_ties_and_watches(self):
-        self.browser.set_screen(390, 844)
-        self.wait_for(lambda: self.script("return innerWidth === 390"), "the screen stays wide")
-        self.begin_with("overhand knot")
-        self.check_fits_a_phone()
-        self.tie(frames=5)
-        self.check_fits_a_phone()
-        self.stop()
-        self.check_fits_a_phone()
-        self.picture("phone-watch")
-        distance = self.script("return view.camera.distance")
-        x, y, width, height = self.script(
-            "const b = stage.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
-        middle = y + height / 2
-        self.touch([(x + width / 2 - 20 - 10 * step, middle) for step in range(6)],
-                   [(x + width / 2 + 20 + 10 * step, middle) for step in range(6)])
-        self.assertLess(self.script("return view.camera.distance"), 0.6 * distance)
-        azimuth = self.script("return view.camera.azimuth")
-        self.touch([(x + 100 + 10 * step, middle) for step in range(6)])
-        self.assertNotAlmostEqual(self.script("return view.camera.azimuth"), azimuth, delta=0.1)
-
         self.assertIn("trefoil", self.knot())
         self.tie(frames=5)
         self.assertEqual(self.script("return [recording.along, recording.across]"), [100, 4])

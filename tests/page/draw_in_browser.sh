@@ -34,6 +34,9 @@ for browser in ${BROWSERS:-chromium firefox}; do
     "$build/recorder/ribbon-record" --quiet sketch.toml -o native.rbn
     cmp native.rbn sketch.rbn
     "$build/player/ribbon-play" sketch.rbn --verify
+    frames=$("$build/player/ribbon-play" behind/sketch.rbn --info | sed -n 's/^frames *\([0-9]*\) .*/\1/p')
+    "$build/recorder/ribbon-record" --quiet behind/sketch.toml -o behind/native.rbn --frames "$frames"
+    cmp behind/native.rbn behind/sketch.rbn
     mkdir native
     "$build/converter/ribbon-convert" --quiet sketch.rbn -o native/sketch.glb
     "$build/converter/ribbon-convert" --quiet sketch.rbn --frames -1 -o native/sketch.obj

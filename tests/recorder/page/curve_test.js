@@ -7,6 +7,10 @@ const curve = require(require('node:path').resolve(process.env.CURVE));
 // An overhand knot as the page finds it: three crossings, passages 0 1 2 0 1 2.
 const overhand = [[10, 0], [20, 10], [30, 0]].map(
     (at, i) => ({at, first: 1 + i, second: 4 + i, first_over: i % 2 === 0}));
+const told = {crossings: overhand, passes: []};
+// It passes an object before its first crossing, and between the second and the third passage.
+const round_object = {crossings: overhand, passes: [{at: [5, 0], begin: 0.25, end: 0.75, in_front: true},
+                                                    {at: [250, 0], begin: 2.25, end: 2.75, in_front: false}]};
 
 test('a stroke keeps its ends and its corners, and nothing of a straight line', () => {
   const stroke = [];
@@ -34,37 +38,65 @@ test('what was undone comes back, until something else is done', () => {
 });
 
 test('letters tell over and under in the order of the walk', () => {
-  assert.strictEqual(curve.letters_of(overhand), 'OUOUOU');
-  assert.strictEqual(curve.letters_of(curve.exchanged(overhand, 1)), 'OOOUUU');
-  assert.strictEqual(curve.letters_of(curve.mirrored(overhand)), 'UOUOUO');
+  assert.strictEqual(curve.letters_of(told), 'OUOUOU');
+  assert.strictEqual(curve.letters_of(curve.with_crossing_exchanged(told, 1)), 'OOOUUU');
+  assert.strictEqual(curve.letters_of(curve.mirrored(told)), 'UOUOUO');
+});
+
+test('letters tell in front and behind where the curve passes the object', () => {
+  assert.strictEqual(curve.letters_of(round_object), 'FOUBOUOU');
+  assert.strictEqual(curve.letters_of(curve.with_pass_exchanged(round_object, 0)), 'BOUBOUOU');
+  assert.strictEqual(curve.letters_of(curve.with_pass_exchanged(round_object, 1)), 'FOUFOUOU');
+  assert.strictEqual(curve.letters_of(curve.mirrored(round_object)), 'BUOFUOUO');
 });
 
 test('alternating is refused where a crossing has two odd passages', () => {
-  assert.strictEqual(curve.letters_of(curve.alternated(curve.exchanged(overhand, 1))), 'OUOUOU');
+  const {crossings} = curve.with_crossing_exchanged(told, 1);
+  assert.strictEqual(curve.letters_of({crossings: curve.alternated(crossings), passes: []}), 'OUOUOU');
   const shut_in = [{at: [0, 0], first: 1, second: 3, first_over: true},
                    {at: [0, 1], first: 2, second: 4, first_over: true}];
   assert.strictEqual(curve.alternated(shut_in), null);
 });
 
 test('a crossing that is dragged along stays as it was chosen', () => {
-  const chosen = curve.exchanged(overhand, 2);
+  const chosen = curve.with_crossing_exchanged(told, 2);
   const moved = overhand.map(one => ({...one, at: [one.at[0] + 3, one.at[1] - 2]}));
-  assert.deepStrictEqual(curve.with_choices_kept(moved, chosen).map(one => one.first_over),
-                         [true, false, false]);
+  const kept = crossings => curve.with_choices_kept({crossings, passes: []}, chosen).crossings;
+  assert.deepStrictEqual(kept(moved).map(one => one.first_over), [true, false, false]);
   const one_more = [...moved, {at: [500, 500], first: 2.5, second: 9, first_over: true}];
-  assert.strictEqual(curve.with_choices_kept(one_more, chosen)[3].first_over, true);
+  assert.strictEqual(kept(one_more)[3].first_over, true);
 });
 
+test('what was led behind the object stays behind it', () => {
+  const found = {crossings: [], passes: [{at: [12, -4], begin: 0.3, end: 0.8, in_front: true},
+                                         {at: [900, 0], begin: 5, end: 6, in_front: true}]};
+  const chosen = {crossings: [], passes: [{at: [5, 0], begin: 0.25, end: 0.75, in_front: false}]};
+  assert.deepStrictEqual(curve.with_choices_kept(found, chosen).passes.map(one => one.in_front), [false, true]);
+});
+
+const line = Array.from({length: 8}, (_, i) => [100 * i, 0]);
+const reaches = pieces => pieces.map(piece => [piece[0][0], piece.at(-1)[0]]);
+
 test('the curve has a gap at each passage under and nowhere else', () => {
-  const points = Array.from({length: 8}, (_, i) => [100 * i, 0]);
-  const pieces = curve.pieces_with_gaps(points, overhand, 5);
-  assert.deepStrictEqual(pieces.map(piece => [piece[0][0], piece.at(-1)[0]]),
-                         [[0, 195], [205, 395], [405, 595], [605, 700]]);
+  const {seen, behind} = curve.drawn_pieces(line, told, 5);
+  assert.deepStrictEqual(reaches(seen), [[0, 195], [205, 395], [405, 595], [605, 700]]);
+  assert.deepStrictEqual(behind, []);
+});
+
+test('what lies behind the object is drawn by itself', () => {
+  const {seen, behind} = curve.drawn_pieces(line, round_object, 5);
+  assert.deepStrictEqual(reaches(seen), [[0, 195], [205, 225], [275, 395], [405, 595], [605, 700]]);
+  assert.deepStrictEqual(reaches(behind), [[225, 275]]);
+  const over_a_gap = {crossings: overhand, passes: [{at: [200, 0], begin: 1.5, end: 2.5, in_front: false}]};
+  const pieces = curve.drawn_pieces(line, over_a_gap, 5);
+  assert.deepStrictEqual(reaches(pieces.seen), [[0, 150], [250, 395], [405, 595], [605, 700]]);
+  assert.deepStrictEqual(reaches(pieces.behind), [[150, 195], [205, 250]]);
 });
 
 test('gaps are small where passages are close', () => {
   const close = [{at: [0, 0], first: 1, second: 1.03, first_over: false}];
-  const [first, second] = curve.pieces_with_gaps([[0, 0], [100, 0], [200, 0]], close, 5);
+  const points = [[0, 0], [100, 0], [200, 0]];
+  const [first, second] = curve.drawn_pieces(points, {crossings: close, passes: []}, 5).seen;
   assert.ok(Math.abs(second[0][0] - first.at(-1)[0] - 2) < 1e-9);
 });
 

@@ -67,6 +67,35 @@ TEST(DiagramJson, a_curve_through_the_object_is_told_with_the_place) {
   EXPECT_THAT(told["problem"], HasSubstr("drawing at (0, 0): the curve leads through the object"));
 }
 
+TEST(DiagramJson, passes_of_the_object_are_told_with_their_letters) {
+  const auto scene = read_scene(RIBBON_SAMPLES "/overhand-cylinder-8x400.toml").value();
+  const auto cylinder = read_obstacle(scene).value();
+  Scene through = drawn("[[-1000, 0], [1000, 0], [1000, 500], [100, 500], [100, -500]]");
+  auto told = diagram(through, cylinder);
+  ASSERT_EQ(told["passes"].size(), 2U);
+  EXPECT_NEAR(told["passes"][0]["begin"], 0.4, 0.001) << "the outline is 200 mm from the middle";
+  EXPECT_NEAR(told["passes"][0]["end"], 0.6, 0.001);
+  EXPECT_NEAR(told["passes"][0]["at"][0], -200, 1);
+  EXPECT_TRUE(told["passes"][0]["in_front"]);
+  EXPECT_TRUE(told["passes"][1]["in_front"]);
+  EXPECT_EQ(told["letters"], "OU");
+  EXPECT_THAT(told["problem"], HasSubstr("leads through the object"));
+  through.curve.crossings = CrossingList{"FOBU"};
+  told = diagram(through, cylinder);
+  EXPECT_EQ(told["letters"], "FOBU");
+  EXPECT_EQ(told["problem"], "");
+  EXPECT_TRUE(told["passes"][0]["in_front"]);
+  EXPECT_FALSE(told["passes"][1]["in_front"]);
+  through.curve.crossings = CrossingList{"FOU"};
+  EXPECT_THAT(diagram(through, cylinder)["problem"], HasSubstr("passes the object"));
+}
+
+TEST(DiagramJson, letters_of_the_object_where_there_is_none_are_refused) {
+  Scene through = drawn("[[-1000, 0], [1000, 0]]");
+  through.curve.crossings = CrossingList{"F"};
+  EXPECT_THAT(diagram(through)["problem"], HasSubstr("there is none"));
+}
+
 TEST(Silhouette, is_the_object_as_seen_from_the_axis) {
   const auto scene = read_scene(RIBBON_SAMPLES "/overhand-cylinder-8x400.toml").value();
   const auto cylinder = read_obstacle(scene).value();
