@@ -124,7 +124,7 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
   const auto& contacts = find_contacts(motion, expected_, bodies);
   hold_force(force, cloth);
   for (int part = 0; part < parts; ++part) {
-    before_substep_ = cloth.positions;
+    if (repulsion_.friction > 0) before_substep_ = cloth.positions;
     integrate_substep(cloth);  // section 5.3
     const bool is_last = part + 1 == parts;
     correct_strain_and_contact(contacts, is_last ? most_sweeps_before_gate : sweeps_in_substep,
