@@ -47,8 +47,8 @@ struct Nearest {
   // everywhere, for it is finite.
   constexpr float whole_from = 0x1.8p23F;
   const float shifted = steps + whole_from;
-  return {Eigen::numext::bit_cast<std::int32_t>(shifted) -
-              Eigen::numext::bit_cast<std::int32_t>(whole_from),
+  return {difference_of(Eigen::numext::bit_cast<std::int32_t>(shifted),
+                        Eigen::numext::bit_cast<std::int32_t>(whole_from)),
           steps < shifted - whole_from ? -1 : 0};
 }
 
