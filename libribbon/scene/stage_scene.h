@@ -87,7 +87,7 @@ struct StageScene {
   std::string name = {};
   std::optional<double> until_s = std::nullopt;    // how long it lasts; none: until its goal
   std::optional<double> at_most_s = std::nullopt;  // how long that may take; none: any time
-  std::optional<double> friction = std::nullopt;   // while it lasts; none: the scene's
+  std::optional<double> friction = std::nullopt;   // until the next; none: the scene's
   std::optional<Eigen::Vector3d> gravity_m_s2 = std::nullopt;  // likewise; zero: there is none
   std::vector<HandScene> hands;                                // at least one
   StageGoal goal = StageGoal::tight;
