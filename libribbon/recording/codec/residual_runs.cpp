@@ -114,16 +114,23 @@ Residuals::Residuals(const RibbonGrid& grid)
       numbers_(3 * columns_ * column_length_) {}
 
 void ResidualRuns::resize() {
-  // One count after the other: without a branch for each block.
-  const auto blocks = [this](auto is_counted) {
-    return static_cast<std::size_t>(std::count_if(modes.begin(), modes.end(), is_counted));
-  };
-  for (const PackingMode run : {quads, pairs})
-    packed[run].resize(packed_bytes[run] * blocks([run](auto mode) { return mode == run; }));
-  packed[bytes].resize(packed_bytes[bytes] * blocks([](auto mode) { return mode >= bytes; }));
-  std::uint32_t low = 0;  // bits of one row
-  for (const unsigned char mode : modes) low += std::max<unsigned>(mode, bytes) - bytes;
-  low_bytes = low * block_rows / 8;
+  std::array<std::size_t, bytes + 1> blocks{};
+  vectorised([&]() RIBBON_INLINED {
+    std::uint32_t of_quads = 0;
+    std::uint32_t of_pairs = 0;
+    std::uint32_t of_bytes = 0;
+    std::uint32_t low = 0;  // bits of one row
+    for (const unsigned char mode : modes) {
+      of_quads += mode == quads ? 1 : 0;
+      of_pairs += mode == pairs ? 1 : 0;
+      of_bytes += mode >= bytes ? 1 : 0;
+      low += mode >= bytes ? mode - bytes : 0;
+    }
+    blocks = {0, of_quads, of_pairs, of_bytes};
+    low_bytes = std::size_t{low} * block_rows / 8;
+  });
+  for (const PackingMode run : {quads, pairs, bytes})
+    packed[run].resize(packed_bytes[run] * blocks[run]);
   low_bits.resize(low_bytes + word_bytes);
 }
 
@@ -152,9 +159,14 @@ void ResidualPacker::append(const Residuals& residuals, std::string& to) {
 
 bool ResidualUnpacker::take_modes(std::string_view& from, std::size_t blocks) {
   runs_.modes.resize(blocks);
-  return decompressor_.take(from, runs_.modes) &&
-         std::all_of(runs_.modes.begin(), runs_.modes.end(),
-                     [](unsigned char mode) { return mode <= bytes + most_low_bits; });
+  if (!decompressor_.take(from, runs_.modes)) return false;
+  bool known = true;
+  vectorised([&]() RIBBON_INLINED {
+    unsigned char highest = 0;
+    for (const unsigned char mode : runs_.modes) highest = std::max(highest, mode);
+    known = highest <= bytes + most_low_bits;
+  });
+  return known;
 }
 
 bool ResidualUnpacker::unpack(std::string_view from, Residuals& residuals) {
