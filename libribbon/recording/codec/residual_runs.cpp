@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<std::size_t, 4> packed_bytes = {0, block_rows / 4, block_rows / 2, block_rows};
 
 // Low bits are read and written in words that reach beyond them.
-constexpr std::size_t word_bytes = sizeof(std::uint32_t);
+constexpr std::size_t word_bytes = sizeof(std::uint64_t);
 
 [[gnu::always_inline]] inline unsigned char mode_of(const std::uint32_t* block) {
   std::uint32_t any = 0;
@@ -57,21 +57,27 @@ template <>
   const std::uint32_t mask = (std::uint32_t{1} << count) - 1;
   std::memset(to, 0, block_rows * count / 8);
   for (std::size_t k = 0; k < block_rows; ++k) {
-    std::uint32_t word = 0;
+    std::uint64_t word = 0;
     unsigned char* at = to + k * count / 8;
     std::memcpy(&word, at, word_bytes);
-    word |= (block[k] & mask) << k * count % 8;
+    word |= std::uint64_t{block[k] & mask} << k * count % 8;
     std::memcpy(at, &word, word_bytes);
   }
 }
 
+// `rows` of them at a time, which a word holds.
+template <unsigned rows>
 [[gnu::always_inline]] inline void add_low_bits(const unsigned char* from, unsigned count,
                                                 std::uint32_t* to) {
   const std::uint32_t mask = (std::uint32_t{1} << count) - 1;
-  for (std::size_t k = 0; k < block_rows; ++k) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, from + k * count / 8, word_bytes);
-    to[k] = to[k] << count | (word >> k * count % 8 & mask);
+  for (unsigned first = 0; first < block_rows; first += rows) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, from + first * count / 8, word_bytes);
+    word >>= first * count % 8;
+    RIBBON_EACH_LANE_OF_A_FEW
+    for (unsigned k = 0; k < rows; ++k)
+      to[first + k] =
+          to[first + k] << count | (static_cast<std::uint32_t>(word >> k * count) & mask);
   }
 }
 
@@ -184,7 +190,13 @@ bool ResidualUnpacker::unpack(std::string_view from, Residuals& residuals) {
       if (mode == quads) unpack_block<2>(at.quad, block);
       if (mode == pairs) unpack_block<4>(at.pair, block);
       if (mode >= bytes) unpack_block<8>(at.byte, block);
-      if (mode > bytes) add_low_bits(at.low, mode - bytes, block);
+      if (mode > bytes) {
+        constexpr unsigned most_of_four = 15;  // and 4 bits where they begin within a byte
+        if (mode - bytes <= most_of_four)
+          add_low_bits<4>(at.low, mode - bytes, block);
+        else
+          add_low_bits<2>(at.low, mode - bytes, block);
+      }
     });
   });
   return true;

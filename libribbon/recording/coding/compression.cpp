@@ -98,6 +98,10 @@ constexpr std::string_view frame_start{"\x28\xB5\x2F\xFD\x00", 5};
 // Fixed, so that equal runs give equal bytes however long they are.
 constexpr int window_log = 17;
 
+// A run is coded where that saves more than this part of it: decoding takes longer than all else
+// that is done with a symbol.
+constexpr std::size_t least_share_saved = 16;
+
 }  // namespace
 
 struct SymbolCompressor::State {
@@ -126,9 +130,9 @@ void SymbolCompressor::append(std::span<const unsigned char> symbols, std::strin
                                           symbols.data(), symbols.size());
   assert(ZSTD_isError(size) == 0 && packed.starts_with(frame_start));
   const std::size_t kept = size - frame_start.size();
-  const bool is_shorter = kept < symbols.size();
-  put_varint(to, is_shorter ? static_cast<std::uint32_t>(kept) : 0);
-  if (is_shorter)
+  const bool is_worth_it = kept < symbols.size() - symbols.size() / least_share_saved;
+  put_varint(to, is_worth_it ? static_cast<std::uint32_t>(kept) : 0);
+  if (is_worth_it)
     to.append(packed, frame_start.size(), kept);
   else
     to.append(symbols.begin(), symbols.end());

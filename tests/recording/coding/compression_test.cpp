@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <string>
+#include <vector>
+
 namespace ribbon::compression_test {
 
 std::string compress_one(std::string_view content) {
@@ -37,6 +41,39 @@ TEST(Compression, a_decompressor_works_after_a_failure) {
   Decompressor decompressor;
   EXPECT_FALSE(decompressor.decompress("no zstd frame at all", 1000).has_value());
   EXPECT_EQ(decompressor.decompress(compress_one("fine"), 1000), "fine");
+}
+
+std::string coded(const std::vector<unsigned char>& symbols) {
+  std::string bytes;
+  SymbolCompressor().append(symbols, bytes);
+  return bytes;
+}
+
+// Numbers below `kinds`, each as often as any other.
+std::vector<unsigned char> even_symbols(unsigned kinds) {
+  std::mt19937 random(7);
+  std::vector<unsigned char> symbols(20'000);
+  for (unsigned char& symbol : symbols) symbol = static_cast<unsigned char>(random() % kinds);
+  return symbols;
+}
+
+TEST(SymbolCoding, symbols_come_back) {
+  for (const unsigned kinds : {1U, 2U, 20U, 200U, 256U}) {
+    const auto symbols = even_symbols(kinds);
+    const std::string bytes = coded(symbols) + "rest";
+    std::string_view left = bytes;
+    std::vector<unsigned char> taken(symbols.size());
+    ASSERT_TRUE(SymbolDecompressor().take(left, taken));
+    EXPECT_EQ(taken, symbols) << kinds;
+    EXPECT_EQ(left, "rest");
+  }
+}
+
+// Two hundred kinds leave a twentieth to be gained, a hundred and sixty a twelfth.
+TEST(SymbolCoding, what_saves_less_than_a_sixteenth_is_left_as_it_is) {
+  EXPECT_EQ(coded(even_symbols(200)).size(), 20'001U);
+  EXPECT_EQ(coded(even_symbols(200)).front(), '\0');
+  EXPECT_LT(coded(even_symbols(160)).size(), 20'000U * 15 / 16);
 }
 
 }  // namespace ribbon::compression_test
