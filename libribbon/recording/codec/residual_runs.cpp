@@ -119,14 +119,17 @@ Residuals::Residuals(const RibbonGrid& grid)
       columns_(static_cast<std::size_t>(grid.across)),
       numbers_(3 * columns_ * column_length_) {}
 
-void ResidualRuns::resize() {
+bool ResidualRuns::resize() {
   std::array<std::size_t, bytes + 1> blocks{};
+  bool are_known = true;
   vectorised([&]() RIBBON_INLINED {
     std::uint32_t of_quads = 0;
     std::uint32_t of_pairs = 0;
     std::uint32_t of_bytes = 0;
     std::uint32_t low = 0;  // bits of one row
+    unsigned char highest = 0;
     for (const unsigned char mode : modes) {
+      highest = std::max(highest, mode);
       of_quads += mode == quads ? 1 : 0;
       of_pairs += mode == pairs ? 1 : 0;
       of_bytes += mode >= bytes ? 1 : 0;
@@ -134,10 +137,13 @@ void ResidualRuns::resize() {
     }
     blocks = {0, of_quads, of_pairs, of_bytes};
     low_bytes = std::size_t{low} * block_rows / 8;
+    are_known = highest <= bytes + most_low_bits;
   });
+  if (!are_known) return false;
   for (const PackingMode run : {quads, pairs, bytes})
     packed[run].resize(packed_bytes[run] * blocks[run]);
   low_bits.resize(low_bytes + word_bytes);
+  return true;
 }
 
 void ResidualPacker::append(const Residuals& residuals, std::string& to) {
@@ -163,21 +169,9 @@ void ResidualPacker::append(const Residuals& residuals, std::string& to) {
             runs_.low_bits.begin() + static_cast<std::ptrdiff_t>(runs_.low_bytes));
 }
 
-bool ResidualUnpacker::take_modes(std::string_view& from, std::size_t blocks) {
-  runs_.modes.resize(blocks);
-  if (!decompressor_.take(from, runs_.modes)) return false;
-  bool known = true;
-  vectorised([&]() RIBBON_INLINED {
-    unsigned char highest = 0;
-    for (const unsigned char mode : runs_.modes) highest = std::max(highest, mode);
-    known = highest <= bytes + most_low_bits;
-  });
-  return known;
-}
-
 bool ResidualUnpacker::unpack(std::string_view from, Residuals& residuals) {
-  if (!take_modes(from, residuals.block_count())) return false;
-  runs_.resize();
+  runs_.modes.resize(residuals.block_count());
+  if (!decompressor_.take(from, runs_.modes) || !runs_.resize()) return false;
   for (auto& run : runs_.packed)
     if (!decompressor_.take(from, run)) return false;
   if (from.size() != runs_.low_bytes) return false;

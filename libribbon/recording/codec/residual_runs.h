@@ -48,8 +48,8 @@ struct ResidualRuns {
   std::vector<unsigned char> low_bits;  // and some bytes more, which are nobody's
   std::size_t low_bytes = 0;            // without these
 
-  // Makes room for what the modes ask for.
-  void resize();
+  // Makes room for what the modes ask for; false where one of them is not known.
+  bool resize();
 };
 
 // Keeps its memory between calls and nothing else.
@@ -69,8 +69,6 @@ class ResidualUnpacker {
   bool unpack(std::string_view from, Residuals& residuals);
 
  private:
-  bool take_modes(std::string_view& from, std::size_t blocks);
-
   SymbolDecompressor decompressor_;
   ResidualRuns runs_;
 };

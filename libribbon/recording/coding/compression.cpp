@@ -24,61 +24,47 @@ constexpr int match_table_log = 6;
 // Above every window that this level uses; a file that asks for more memory is not one of ours.
 constexpr int largest_window_log = 23;
 
-struct FreeContext {
-  void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
-  void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
-};
-
 }  // namespace
 
-struct Compressor::State {
-  std::unique_ptr<ZSTD_CCtx, FreeContext> context{ZSTD_createCCtx()};
-};
-
-Compressor::Compressor() : state_(std::make_unique<State>()) {
-  ZSTD_CCtx_setParameter(state_->context.get(), ZSTD_c_compressionLevel, level);
-  ZSTD_CCtx_setParameter(state_->context.get(), ZSTD_c_contentSizeFlag, 0);
-  ZSTD_CCtx_setParameter(state_->context.get(), ZSTD_c_minMatch, shortest_match);
-  ZSTD_CCtx_setParameter(state_->context.get(), ZSTD_c_hashLog, match_table_log);
+void FreeContext::operator()(ZSTD_CCtx* context) const {
+  ZSTD_freeCCtx(context);
 }
-Compressor::Compressor(Compressor&&) noexcept = default;
-Compressor& Compressor::operator=(Compressor&&) noexcept = default;
-Compressor::~Compressor() = default;
+void FreeContext::operator()(ZSTD_DCtx* context) const {
+  ZSTD_freeDCtx(context);
+}
+
+Compressor::Compressor() : context_(ZSTD_createCCtx()) {
+  ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, level);
+  ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_contentSizeFlag, 0);
+  ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_minMatch, shortest_match);
+  ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_hashLog, match_table_log);
+}
 
 std::string Compressor::compress(std::string_view content) {
   std::string bytes(ZSTD_compressBound(content.size()), '\0');
-  const std::size_t size = ZSTD_compress2(state_->context.get(), bytes.data(), bytes.size(),
-                                          content.data(), content.size());
+  const std::size_t size =
+      ZSTD_compress2(context_.get(), bytes.data(), bytes.size(), content.data(), content.size());
   assert(ZSTD_isError(size) == 0);  // the room is enough for the worst case
   bytes.resize(size);
   return bytes;
 }
 
-struct Decompressor::State {
-  std::unique_ptr<ZSTD_DCtx, FreeContext> context{ZSTD_createDCtx()};
-  std::string content;
-};
-
-Decompressor::Decompressor() : state_(std::make_unique<State>()) {
-  ZSTD_DCtx_setParameter(state_->context.get(), ZSTD_d_windowLogMax, largest_window_log);
+Decompressor::Decompressor() : context_(ZSTD_createDCtx()) {
+  ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_windowLogMax, largest_window_log);
 }
-Decompressor::Decompressor(Decompressor&&) noexcept = default;
-Decompressor& Decompressor::operator=(Decompressor&&) noexcept = default;
-Decompressor::~Decompressor() = default;
 
 std::optional<std::string_view> Decompressor::decompress(std::string_view bytes,
                                                          std::size_t limit) {
-  std::string& content = state_->content;
-  ZSTD_DCtx_reset(state_->context.get(), ZSTD_reset_session_only);
+  ZSTD_DCtx_reset(context_.get(), ZSTD_reset_session_only);
   ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
   std::size_t filled = 0;
   while (true) {
     // One byte more than allowed, so that a frame that holds too much is noticed.
-    if (filled == content.size())
-      content.resize(std::min(limit + 1, std::max<std::size_t>(2 * content.size(), 1 << 16)));
+    if (filled == content_.size())
+      content_.resize(std::min(limit + 1, std::max<std::size_t>(2 * content_.size(), 1 << 16)));
     if (filled > limit) return std::nullopt;
-    ZSTD_outBuffer out{content.data(), content.size(), filled};
-    const std::size_t left = ZSTD_decompressStream(state_->context.get(), &out, &in);
+    ZSTD_outBuffer out{content_.data(), content_.size(), filled};
+    const std::size_t left = ZSTD_decompressStream(context_.get(), &out, &in);
     const bool stuck = in.pos == in.size && out.pos < out.size;
     filled = out.pos;
     if (ZSTD_isError(left) != 0) return std::nullopt;
@@ -86,7 +72,7 @@ std::optional<std::string_view> Decompressor::decompress(std::string_view bytes,
     if (stuck) return std::nullopt;  // cut off
   }
   if (in.pos != in.size || filled > limit) return std::nullopt;
-  return std::string_view(content).substr(0, filled);
+  return std::string_view(content_).substr(0, filled);
 }
 
 namespace {
@@ -104,13 +90,8 @@ constexpr std::size_t least_share_saved = 16;
 
 }  // namespace
 
-struct SymbolCompressor::State {
-  std::unique_ptr<ZSTD_CCtx, FreeContext> context{ZSTD_createCCtx()};
-  std::string packed;
-};
-
-SymbolCompressor::SymbolCompressor() : state_(std::make_unique<State>()) {
-  ZSTD_CCtx* context = state_->context.get();
+SymbolCompressor::SymbolCompressor() : context_(ZSTD_createCCtx()) {
+  ZSTD_CCtx* context = context_.get();
   // Entropy coding alone: this level looks for no repetitions, which it takes for a reason not to
   // code literals either, unless told.
   ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, ZSTD_minCLevel());
@@ -118,35 +99,23 @@ SymbolCompressor::SymbolCompressor() : state_(std::make_unique<State>()) {
   ZSTD_CCtx_setParameter(context, ZSTD_c_windowLog, window_log);
   ZSTD_CCtx_setParameter(context, ZSTD_c_contentSizeFlag, 0);
 }
-SymbolCompressor::SymbolCompressor(SymbolCompressor&&) noexcept = default;
-SymbolCompressor& SymbolCompressor::operator=(SymbolCompressor&&) noexcept = default;
-SymbolCompressor::~SymbolCompressor() = default;
 
 void SymbolCompressor::append(std::span<const unsigned char> symbols, std::string& to) {
   if (symbols.empty()) return;
-  std::string& packed = state_->packed;
-  packed.resize(ZSTD_compressBound(symbols.size()));
-  const std::size_t size = ZSTD_compress2(state_->context.get(), packed.data(), packed.size(),
+  packed_.resize(ZSTD_compressBound(symbols.size()));
+  const std::size_t size = ZSTD_compress2(context_.get(), packed_.data(), packed_.size(),
                                           symbols.data(), symbols.size());
-  assert(ZSTD_isError(size) == 0 && packed.starts_with(frame_start));
+  assert(ZSTD_isError(size) == 0 && packed_.starts_with(frame_start));
   const std::size_t kept = size - frame_start.size();
   const bool is_worth_it = kept < symbols.size() - symbols.size() / least_share_saved;
   put_varint(to, is_worth_it ? static_cast<std::uint32_t>(kept) : 0);
   if (is_worth_it)
-    to.append(packed, frame_start.size(), kept);
+    to.append(packed_, frame_start.size(), kept);
   else
     to.append(symbols.begin(), symbols.end());
 }
 
-struct SymbolDecompressor::State {
-  std::unique_ptr<ZSTD_DCtx, FreeContext> context{ZSTD_createDCtx()};
-  std::string packed{frame_start};
-};
-
-SymbolDecompressor::SymbolDecompressor() : state_(std::make_unique<State>()) {}
-SymbolDecompressor::SymbolDecompressor(SymbolDecompressor&&) noexcept = default;
-SymbolDecompressor& SymbolDecompressor::operator=(SymbolDecompressor&&) noexcept = default;
-SymbolDecompressor::~SymbolDecompressor() = default;
+SymbolDecompressor::SymbolDecompressor() : context_(ZSTD_createDCtx()) {}
 
 bool SymbolDecompressor::take(std::string_view& from, std::span<unsigned char> symbols) {
   if (symbols.empty()) return true;
@@ -160,12 +129,10 @@ bool SymbolDecompressor::take(std::string_view& from, std::span<unsigned char> s
     std::memcpy(symbols.data(), run.data(), run.size());
     return true;
   }
-  std::string& packed = state_->packed;
-  packed.resize(frame_start.size());
-  packed += run;
-  if (ZSTD_findFrameCompressedSize(packed.data(), packed.size()) != packed.size()) return false;
-  return ZSTD_decompressDCtx(state_->context.get(), symbols.data(), symbols.size(), packed.data(),
-                             packed.size()) == symbols.size();
+  packed_.assign(frame_start).append(run);
+  if (ZSTD_findFrameCompressedSize(packed_.data(), packed_.size()) != packed_.size()) return false;
+  return ZSTD_decompressDCtx(context_.get(), symbols.data(), symbols.size(), packed_.data(),
+                             packed_.size()) == symbols.size();
 }
 
 }  // namespace ribbon
