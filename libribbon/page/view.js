@@ -1,28 +1,23 @@
 // Draws the ribbon and its obstacle by WebGL2: each in one call.
 'use strict';
 
-const cloth_vertex_shader = `#version 300 es
-in vec3 position;
-in vec3 normal;
-in float strain;
-in vec2 thread;
-uniform mat4 clip_from_world;
-out vec3 world_normal;
-out vec2 place;
-out float strained;
+// Light is linear in the normal but for its sign: what vertices hand on is little, and pixels are cheap
+// without a graphics card, too.
+const light_on_vertex = `
+uniform vec3 light[4];  // direction of the sun, its radiance, that of the sky above and below
+out vec2 facing;        // the sun, the sky
 
-void main() {
-  world_normal = normal;
-  place = thread;
-  strained = strain;
-  gl_Position = clip_from_world * vec4(position, 1);
+void hand_on(vec3 normal) {
+  facing = vec2(dot(normal, light[0]), normal.y);
 }`;
 
-const light_source = `
-uniform vec3 light[4];  // direction of the sun, its radiance, that of the sky above and below
+const light_on_pixel = `
+uniform vec3 light[4];
+in vec2 facing;
 
-vec3 light_on(vec3 normal) {
-  return light[1] * max(dot(normal, light[0]), 0.0) + mix(light[3], light[2], 0.5 + normal.y / 3.0);
+vec3 lit(vec3 albedo) {
+  vec2 seen = gl_FrontFacing ? facing : -facing;
+  return albedo * (light[1] * max(seen.x, 0.0) + mix(light[3], light[2], 0.5 + seen.y / 3.0));
 }
 vec4 on_screen(vec3 linear) {
   vec3 shown = min(linear, 1.0);
@@ -30,49 +25,62 @@ vec4 on_screen(vec3 linear) {
                   step(0.0031308, shown)), 1);
 }`;
 
+const cloth_vertex_shader = `#version 300 es
+in vec3 position;
+in vec3 normal;
+in float strain;
+in vec2 thread;
+uniform mat4 clip_from_world;
+out vec2 place;
+out float strained;
+${light_on_vertex}
+void main() {
+  hand_on(normal);
+  place = thread;
+  strained = strain;
+  gl_Position = clip_from_world * vec4(position, 1);
+}`;
+
 // Where colours tell strain, stripes on the back alone still tell the sides apart.
 const cloth_fragment_shader = `#version 300 es
 precision highp float;
 precision highp sampler2DArray;
-in vec3 world_normal;
 in vec2 place;
 in float strained;
 uniform sampler2DArray cloth;  // front, back
 uniform sampler2D strain_colors;
 uniform float most_strain;     // 0: the cloth is shown
 out vec4 color;
-${light_source}
+${light_on_pixel}
 void main() {
-  vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
-  vec3 root = texture(cloth, vec3(place.x / 0.5, place.y, gl_FrontFacing ? 0.0 : 1.0)).rgb;
-  vec3 albedo = root * root;
+  vec3 albedo;
   if (most_strain > 0.0) {
     vec3 told = pow(texture(strain_colors, vec2(strained / most_strain, 0.5)).rgb, vec3(2.2));
     float stripe = gl_FrontFacing ? 1.0 : 0.75 + 0.25 * step(0.5, fract(place.x * 6.0));
     albedo = told * stripe;
+  } else {
+    vec3 root = texture(cloth, vec3(place.x / 0.5, place.y, gl_FrontFacing ? 0.0 : 1.0)).rgb;
+    albedo = root * root;
   }
-  color = on_screen(albedo * light_on(normal));
+  color = on_screen(lit(albedo));
 }`;
 
 const obstacle_vertex_shader = `#version 300 es
 in vec3 position;
 in vec3 normal;
 uniform mat4 clip_from_world;
-out vec3 world_normal;
-
+${light_on_vertex}
 void main() {
-  world_normal = normal;
+  hand_on(normal);
   gl_Position = clip_from_world * vec4(position, 1);
 }`;
 
 const obstacle_fragment_shader = `#version 300 es
 precision highp float;
-in vec3 world_normal;
 out vec4 color;
-${light_source}
+${light_on_pixel}
 void main() {
-  vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
-  color = on_screen(vec3(0.50, 0.47, 0.43) * light_on(normal));
+  color = on_screen(lit(vec3(0.50, 0.47, 0.43)));
 }`;
 
 function compiled_program(gl, vertex, fragment) {
@@ -120,6 +128,8 @@ class Camera {
     this.target = low.map((value, axis) => (value + high[axis]) / 2);
     this.half = low.map((value, axis) => Math.max(1e-6, (high[axis] - value) / 2));
     this.radius = Math.hypot(...this.half);
+    this.eye = [0, 0, 0];
+    this.matrix = new Float32Array(16);
     this.reset(1);
   }
 
@@ -158,28 +168,73 @@ class Camera {
         (value, i) => value - metres * (right * axes.right[i] + up * axes.up[i]));
   }
 
-  // Column by column.
+  // Column by column, in an array that stays the same one.
   clip_from_world(aspect) {
     const {right, up, back} = this.axes();
-    const eye = this.middle.map((value, i) => value + this.distance * back[i]);
-    const reach = Math.hypot(...eye.map((value, i) => value - this.target[i]));
+    const {eye, matrix, target} = this;
+    for (let i = 0; i < 3; ++i) eye[i] = this.middle[i] + this.distance * back[i];
+    const reach = Math.hypot(eye[0] - target[0], eye[1] - target[1], eye[2] - target[2]);
     const far = reach + 3 * this.radius;
     const near = Math.max(reach - 3 * this.radius, far / 2000);
     const fy = 1 / lens_slope;
     const fx = fy / aspect;
     const depth = (far + near) / (near - far);
-    const row = (axis, scale) => [...axis.map(v => v * scale), -scale * dot3(axis, eye)];
-    const x = row(right, fx);
-    const y = row(up, fy);
-    const w = row(back, -1);
-    const z = row(back, depth);
-    z[3] += 2 * far * near / (near - far);
-    return new Float32Array([0, 1, 2, 3].flatMap(i => [x[i], y[i], z[i], w[i]]));
+    const set_row = (row, axis, scale) => {
+      for (let i = 0; i < 3; ++i) matrix[4 * i + row] = scale * axis[i];
+      matrix[12 + row] = -scale * dot3(axis, eye);
+    };
+    set_row(0, right, fx);
+    set_row(1, up, fy);
+    set_row(2, back, depth);
+    set_row(3, back, -1);
+    matrix[14] += 2 * far * near / (near - far);
+    return matrix;
   }
 }
 
 function dot3(a, b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// How many pixels are drawn for one of the screen's in each direction, and how long a picture may take
+// among others before they become fewer: more than one only where that costs no pictures.
+const sharpness = [
+  {share: 2, most_ms: 20},
+  {share: 1, most_ms: 36},
+  {share: 0.7, most_ms: 36},
+  {share: 0.5, most_ms: Infinity},
+];
+const most_pixels = 8e6;
+const rest_ms = 250;
+
+// Which of them, by how long pictures take while something moves.
+class Pace {
+  constructor() {
+    this.patience = 30;  // pictures in time before more pixels are tried
+    this.set_level(1);
+  }
+
+  set_level(level) {
+    this.level = Math.min(sharpness.length - 1, Math.max(0, level));
+    this.count = 0;
+    this.mean_ms = 0;
+  }
+
+  // From the beginning of a picture to when the next one could begin.
+  took(ms) {
+    if (ms > 1000) return;  // nobody saw it
+    const window = 8;
+    ++this.count;
+    this.mean_ms += (Math.min(100, ms) - this.mean_ms) / Math.min(window, this.count);
+    if (this.count < window) return;
+    const {most_ms} = sharpness[this.level];
+    if (this.mean_ms > most_ms) {
+      if (this.count < 2 * window) this.patience *= 2;
+      this.set_level(this.level + (this.mean_ms > 2 * most_ms ? 2 : 1));
+    } else if (this.level > 0 && this.mean_ms < sharpness[0].most_ms && this.count >= this.patience) {
+      this.set_level(this.level - 1);
+    }
+  }
 }
 
 class View {
@@ -190,12 +245,18 @@ class View {
     this.most_strain = 0;
     this.particles = null;
     this.recording = null;
-    this.gl = canvas.getContext('webgl2', {antialias: true, alpha: true});
+    this.pace = new Pace();
+    this.drawn_ms = null;   // when the last picture was begun, until the next one could be
+    this.drawn_level = 0;
+    // Edges become smooth by more pixels, and nothing is seen through it: both are cheaper without a
+    // graphics card.
+    this.gl = canvas.getContext('webgl2', {antialias: false, alpha: false});
     if (!this.gl) throw new Error('no WebGL2');
     this.prepare();
     canvas.addEventListener('webglcontextlost', event => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => this.restore());
     new ResizeObserver(() => this.draw_soon()).observe(canvas);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.match_paper());
   }
 
   prepare() {
@@ -203,6 +264,14 @@ class View {
     this.cloth = compiled_program(gl, cloth_vertex_shader, cloth_fragment_shader);
     this.stone = compiled_program(gl, obstacle_vertex_shader, obstacle_fragment_shader);
     gl.enable(gl.DEPTH_TEST);
+    this.match_paper();
+  }
+
+  // The canvas itself has the page's colour.
+  match_paper() {
+    const [red, green, blue] = getComputedStyle(this.canvas).backgroundColor.match(/\d+/g).map(Number);
+    this.gl.clearColor(red / 255, green / 255, blue / 255, 1);
+    this.draw_soon();
   }
 
   // The browser took the graphics card away, and gave it back empty.
@@ -271,13 +340,13 @@ class View {
     gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
-    const finer = gl.getExtension('EXT_texture_filter_anisotropic');
-    if (finer) gl.texParameterf(gl.TEXTURE_2D_ARRAY, finer.TEXTURE_MAX_ANISOTROPY_EXT, 8);
+    this.anisotropy = gl.getExtension('EXT_texture_filter_anisotropic');
     gl.activeTexture(gl.TEXTURE1);
     gl.bindTexture(gl.TEXTURE_2D, this.textures[1]);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, strain_colors);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+    gl.activeTexture(gl.TEXTURE0);  // its anisotropy changes
   }
 
   // Keeps the array until the next frame is shown, and returns the one before.
@@ -292,49 +361,72 @@ class View {
 
   // At most once each time the screen is renewed, and only when something has changed.
   draw_soon() {
-    if (this.is_waiting) return;
-    this.is_waiting = true;
-    requestAnimationFrame(() => {
-      this.is_waiting = false;
-      this.draw();
-    });
+    this.is_wanted = true;
+    this.await_screen();
   }
 
-  fit_to_screen() {
-    const scale = Math.min(2, devicePixelRatio || 1);
-    const width = Math.max(1, Math.round(this.canvas.clientWidth * scale));
-    const height = Math.max(1, Math.round(this.canvas.clientHeight * scale));
+  await_screen() {
+    if (this.is_waiting) return;
+    this.is_waiting = true;
+    requestAnimationFrame(now_ms => this.renew(now_ms));
+  }
+
+  renew(now_ms) {
+    this.is_waiting = false;
+    if (this.drawn_ms !== null) this.pace.took(now_ms - this.drawn_ms);
+    this.drawn_ms = null;
+    if (!this.is_wanted) return;
+    this.is_wanted = false;
+    this.draw(this.pace.level);
+    this.drawn_ms = now_ms;
+    this.await_screen();
+    clearTimeout(this.rest);
+    if (this.drawn_level > 0) this.rest = setTimeout(() => this.draw(0), rest_ms);
+  }
+
+  fit_to_screen(level) {
+    const {clientWidth, clientHeight} = this.canvas;
+    const scale = Math.min(Math.min(2, devicePixelRatio || 1) * sharpness[level].share,
+                           Math.sqrt(most_pixels / Math.max(1, clientWidth * clientHeight)));
+    const width = Math.max(1, Math.round(clientWidth * scale));
+    const height = Math.max(1, Math.round(clientHeight * scale));
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
     this.gl.viewport(0, 0, width, height);
     return width / height;
   }
 
-  draw() {
+  draw(level = 0) {
     const gl = this.gl;
     if (!this.recording || gl.isContextLost()) return;
-    const clip_from_world = this.camera.clip_from_world(this.fit_to_screen());
-    gl.clearColor(0, 0, 0, 0);
+    this.drawn_level = level;
+    const clip_from_world = this.camera.clip_from_world(this.fit_to_screen(level));
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const use = ({program, uniforms}) => {
-      gl.useProgram(program);
-      gl.uniformMatrix4fv(uniforms.clip_from_world, false, clip_from_world);
-      gl.uniform3fv(uniforms.light, this.recording.light);
-      return uniforms;
-    };
-    if (this.recording.obstacle.length > 0) {
-      use(this.stone);
-      gl.bindVertexArray(this.obstacle);
-      gl.drawArrays(gl.TRIANGLES, 0, this.recording.obstacle.length / 6);
-    }
+    // The ribbon hides more of the obstacle than the other way round.
     if (this.particles) {
-      const uniforms = use(this.cloth);
+      const uniforms = this.use(this.cloth, clip_from_world);
       gl.uniform1i(uniforms.cloth, 0);
       gl.uniform1i(uniforms.strain_colors, 1);
       gl.uniform1f(uniforms.most_strain, this.most_strain);
+      if (this.anisotropy)
+        gl.texParameterf(gl.TEXTURE_2D_ARRAY, this.anisotropy.TEXTURE_MAX_ANISOTROPY_EXT,
+                         sharpness[level].share < 1 ? 1 : 8);
       gl.bindVertexArray(this.ribbon);
       gl.drawElements(gl.TRIANGLES, this.recording.triangles.length, gl.UNSIGNED_INT, 0);
     }
+    if (this.recording.obstacle.length > 0) {
+      this.use(this.stone, clip_from_world);
+      gl.bindVertexArray(this.obstacle);
+      gl.drawArrays(gl.TRIANGLES, 0, this.recording.obstacle.length / 6);
+    }
     gl.bindVertexArray(null);
+  }
+
+  use({program, uniforms}, clip_from_world) {
+    const gl = this.gl;
+    gl.useProgram(program);
+    gl.uniformMatrix4fv(uniforms.clip_from_world, false, clip_from_world);
+    gl.uniform3fv(uniforms.light, this.recording.light);
+    return uniforms;
   }
 }

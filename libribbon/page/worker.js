@@ -1,8 +1,8 @@
 // Decodes frames beside the page, by libribbon's playback in WebAssembly. The page sends
 //   {wasm}               once, the module's bytes
 //   {open, name}         a recording's bytes; answered by {opened} or {refused}
-//   {show, buffer}       a frame's index, and a buffer to fill if there is one; answered by {shown} or
-//                        {lost}
+//   {show, buffer}       a frame's index, and a buffer to fill if there is one; answered by {shown}, and
+//                        how long that took, or {lost}
 // and what cannot be gone on from is answered by {broken}. Other scripts of the worker add to `answers`.
 'use strict';
 
@@ -80,13 +80,14 @@ function description_of(path, name) {
 }
 
 function show(frame, buffer) {
+  const begun_ms = performance.now();
   const length = library._playback_show(frame);
   if (length < 0) return postMessage({lost: frame, sentence: playback_text().replace(/^\/\d+\//, '')});
   const particles =
       buffer && buffer.byteLength === 4 * length ? new Float32Array(buffer) : new Float32Array(length);
   const address = library._playback_particles() / 4;
   particles.set(library.HEAPF32.subarray(address, address + length));
-  postMessage({shown: frame, particles}, [particles.buffer]);
+  postMessage({shown: frame, particles, took_ms: performance.now() - begun_ms}, [particles.buffer]);
 }
 
 const answers = {

@@ -136,9 +136,13 @@ class OpenedPage(unittest.TestCase):
             self.open()
             took_s.append(self.script("return performance.getEntriesByName('ready')[0].startTime") / 1000)
         print(f"usable after {', '.join(f'{one:.2f}' for one in sorted(took_s))} s in {NAME}")
-        if os.getloadavg()[0] > 2 * os.cpu_count():
-            self.skipTest("the machine is too busy to tell")
-        self.assertLess(min(took_s), most_s)
+        self.check_measured(min(took_s) < most_s, f"{min(took_s):.2f} s")
+
+    def check_measured(self, holds, measured):
+        """Of a bar that what was measured must reach, where the machine does little else."""
+        if not holds and os.getloadavg()[0] > 2 * os.cpu_count():
+            self.skipTest(f"the machine is too busy to tell: {measured}")
+        self.assertTrue(holds, measured)
 
     def check_fits_a_phone(self):
         """Upright: half of the screen is picture, and what is told is seen with it; nothing is wider than
@@ -175,4 +179,5 @@ class OpenedPage(unittest.TestCase):
             label = self.script("return arguments[0].labels?.[0]?.textContent", control)
             name = control.get_attribute("aria-label") or control.text or label
             self.assertTrue(name, control.get_attribute("id"))
-            self.assertGreaterEqual(round(control.rect["height"]), 44, name)
+            for side in ("width", "height"):
+                self.assertGreaterEqual(round(control.rect[side]), 44, f"{side} of {name}")

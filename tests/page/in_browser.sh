@@ -21,6 +21,8 @@ make() {
 build=$1
 make knot overhand-hourglass-8x400.toml ribbon.along=200 ribbon.across=4
 make other overhand-cylinder-8x400.toml ribbon.along=100 ribbon.across=3 time.duration=2
+[[ -f $work/fine.rbn ]] || "$build/recorder/ribbon-record" --quiet "$root/samples/overhand-hourglass-8x400.toml" \
+  --set ribbon.across=16 -o "$work/fine.rbn" --frames 100
 if ! "$build/player/ribbon-play" "$work/knot.rbn" -o "$work/knot.html" --force 2>"$work/errors.txt"; then
   cat "$work/errors.txt" >&2
   grep -q "without Emscripten" "$work/errors.txt" || exit 1
@@ -29,5 +31,5 @@ if ! "$build/player/ribbon-play" "$work/knot.rbn" -o "$work/knot.html" --force 2
 fi
 for browser in ${BROWSERS:-chromium firefox}; do
   in_browser "$browser" "$root/tests/page/in_browser.py" \
-    "$work/knot.html" "$work/knot.rbn" "$work/other.rbn" "$work/$browser" "${@:2}"
+    "$work/knot.html" "$work/knot.rbn" "$work/other.rbn" "$work/fine.rbn" "$work/$browser" "${@:2}"
 done
