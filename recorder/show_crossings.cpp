@@ -1,5 +1,6 @@
 #include "recorder/show_crossings.h"
 
+#include <optional>
 #include <system_error>
 #include <vector>
 
@@ -68,19 +69,20 @@ Result<std::string> show_crossings(const Scene& scene, const std::filesystem::pa
   const auto obstacle = read_obstacle(scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
   const ObjectHeights heights = heights_of(*obstacle, scene.curve);
-  const auto runs = heights ? find_object_runs(drawing->points, heights) : std::vector<ObjectRun>();
-  const auto objects = object_passages(*points, *drawing, scene.curve, heights);
+  std::optional<std::vector<ObjectRun>> runs;
+  if (heights) runs = find_object_runs(drawing->points, heights);
+  const auto objects = object_passages(*points, *drawing, scene.curve, runs);
   const auto crossings = over_and_under(*points, *drawing, scene.curve);
   const NumberedPassages drawn = crossings && objects
                                      ? NumberedPassages{passages_along(*crossings), *objects}
-                                     : numbered(*points, runs);
+                                     : numbered(*points, runs.value_or(std::vector<ObjectRun>()));
   if (auto written = write_file(file, diagram_svg(drawing->points, drawn.crossings, drawn.objects));
       !written)
     return tl::unexpected(written.error());
   if (!objects) return tl::unexpected(objects.error());
   if (!crossings) return tl::unexpected(crossings.error());
   return text_of(*crossings, *objects) +
-         (runs.size() > objects->size() ? text_of(runs) : std::string());
+         (runs && runs->size() > objects->size() ? text_of(*runs) : std::string());
 }
 
 }  // namespace ribbon

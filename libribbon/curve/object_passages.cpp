@@ -169,13 +169,21 @@ Result<std::vector<ObjectPassage>> object_passages(const std::vector<DoublePoint
                                                    const CurveScene& scene,
                                                    const ObjectHeights& object) {
   if (!tells_of_object(drawing, scene)) return std::vector<ObjectPassage>();
+  std::optional<std::vector<ObjectRun>> runs;
+  if (object) runs = find_object_runs(drawing.points, object);
+  return object_passages(points, drawing, scene, runs);
+}
+
+Result<std::vector<ObjectPassage>> object_passages(
+    const std::vector<DoublePoint>& points, const JoinedDrawing& drawing, const CurveScene& scene,
+    const std::optional<std::vector<ObjectRun>>& runs) {
+  if (!tells_of_object(drawing, scene)) return std::vector<ObjectPassage>();
   const std::string place = scene.crossings ? scene.crossings->place : "drawing";
-  if (!object)
+  if (!runs)
     return failure(place, "tells what lies in front of the object and behind it, but there is none",
                    "add [obstacle] to the scene");
-  const auto runs = find_object_runs(drawing.points, object);
-  if (auto out = ends_lead_out(drawing.points, runs); !out) return tl::unexpected(out.error());
-  return scene.crossings ? as_listed(points, runs, *scene.crossings) : as_drawn(runs, drawing);
+  if (auto out = ends_lead_out(drawing.points, *runs); !out) return tl::unexpected(out.error());
+  return scene.crossings ? as_listed(points, *runs, *scene.crossings) : as_drawn(*runs, drawing);
 }
 
 std::vector<CountedPassage> counted(const std::vector<Passage>& passages,

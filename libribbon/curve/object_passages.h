@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,11 @@ Result<std::vector<ObjectPassage>> object_passages(const std::vector<DoublePoint
                                                    const JoinedDrawing& drawing,
                                                    const CurveScene& scene,
                                                    const ObjectHeights& object);
+
+// Likewise of runs that have been found already; none: there is no object.
+Result<std::vector<ObjectPassage>> object_passages(
+    const std::vector<DoublePoint>& points, const JoinedDrawing& drawing, const CurveScene& scene,
+    const std::optional<std::vector<ObjectRun>>& runs);
 
 // A passage of a crossing, or one of the object, which is counted where it begins.
 struct CountedPassage {

@@ -53,14 +53,12 @@ std::vector<ObjectPassage> all_in_front(const std::vector<ObjectRun>& runs) {
 
 // A curve of which nobody says whether it passes the object in front of it or behind it runs into
 // it.
-Result<std::vector<ObjectPassage>> told_passages(const std::vector<DoublePoint>& points,
-                                                 const JoinedDrawing& drawing,
-                                                 const CurveScene& curve,
-                                                 const ObjectHeights& object,
-                                                 const std::vector<ObjectRun>& runs) {
-  if (runs.empty() || tells_of_object(drawing, curve))
-    return object_passages(points, drawing, curve, object);
-  return failure(drawing_place((runs.front().from + runs.front().to) / 2),
+Result<std::vector<ObjectPassage>> told_passages(
+    const std::vector<DoublePoint>& points, const JoinedDrawing& drawing, const CurveScene& curve,
+    const std::optional<std::vector<ObjectRun>>& runs) {
+  if (!runs || runs->empty() || tells_of_object(drawing, curve))
+    return object_passages(points, drawing, curve, runs);
+  return failure(drawing_place((runs->front().from + runs->front().to) / 2),
                  "the curve leads through the object",
                  "lead it round the object's outline, or say whether it passes in front or behind");
 }
@@ -74,17 +72,17 @@ Result<std::string> diagram_json(const Scene& scene, const std::optional<Triangl
   if (!points) return tl::unexpected(points.error());
   const auto told = over_and_under(*points, *drawing, scene.curve);
   const std::vector<Crossing> crossings = told ? *told : all_first_over(*points);
-  const ObjectHeights heights = heights_of(obstacle, scene.curve);
-  const auto runs =
-      obstacle ? find_object_runs(drawing->points, heights) : std::vector<ObjectRun>();
-  const auto passes = told_passages(*points, *drawing, scene.curve, heights, runs);
+  std::optional<std::vector<ObjectRun>> runs;
+  if (obstacle) runs = find_object_runs(drawing->points, heights_of(obstacle, scene.curve));
+  const auto passes = told_passages(*points, *drawing, scene.curve, runs);
   const std::string problem =
       !told ? told.error().sentence() : (passes ? "" : passes.error().sentence());
-  return Json{{"crossings", json_of(crossings)},
-              {"passes", json_of(passes ? *passes : all_in_front(runs))},
-              {"letters", letters_of(crossings, passes.value_or(std::vector<ObjectPassage>()))},
-              {"knot", told ? text_of_knot(diagram_of(crossings)) : ""},
-              {"problem", problem}}
+  return Json{
+      {"crossings", json_of(crossings)},
+      {"passes", json_of(passes ? *passes : all_in_front(runs.value_or(std::vector<ObjectRun>())))},
+      {"letters", letters_of(crossings, passes.value_or(std::vector<ObjectPassage>()))},
+      {"knot", told ? text_of_knot(diagram_of(crossings)) : ""},
+      {"problem", problem}}
       .line();
 }
 
