@@ -9,6 +9,25 @@ const svg_name = 'http://www.w3.org/2000/svg';
 const reach = {mouse: 11, pen: 16, touch: 22};  // of a point that is to be dragged
 const shortest_stroke = 6;                      // a shorter one is a click
 const half_gap_px = 9;
+const button_px = 44;
+
+// Where buttons stand that belong to these places: there, or as near as may be without lying on one
+// before.
+function places_of_buttons(places) {
+  const taken = [];
+  const is_free = ([x, y]) => taken.every(
+      ([left, top]) => Math.abs(x - left) >= button_px || Math.abs(y - top) >= button_px);
+  const step = button_px / 2;
+  for (const [x, y] of places) {
+    const offsets = [];
+    for (let right = -6; right <= 6; ++right)
+      for (let down = -6; down <= 6; ++down) offsets.push([right * step, down * step]);
+    offsets.sort((a, b) => Math.hypot(...a) - Math.hypot(...b));
+    const [right, down] = offsets.find(([dx, dy]) => is_free([x + dx, y + dy])) ?? [0, 0];
+    taken.push([x + right, y + down]);
+  }
+  return taken;
+}
 
 class Board {
   // elements: board (has the focus), paper (svg), shape, band, band_behind, dots, cursor, mistake (in it),
@@ -160,8 +179,10 @@ class Board {
 
   draw_buttons() {
     const {crossings, passes} = this.told;
-    this.place_buttons(this.crossing_buttons, crossings, this.deeds.crossing_exchanged);
-    this.place_buttons(this.pass_buttons, passes, this.deeds.pass_exchanged);
+    const places = places_of_buttons([...crossings, ...passes].map(({at}) => this.to_screen(at)));
+    this.place_buttons(this.crossing_buttons, places.slice(0, crossings.length),
+                       this.deeds.crossing_exchanged);
+    this.place_buttons(this.pass_buttons, places.slice(crossings.length), this.deeds.pass_exchanged);
     crossings.forEach((_, i) => {
       const button = this.crossing_buttons.children[i];
       button.textContent = i + 1;
@@ -184,8 +205,7 @@ class Board {
       button.addEventListener('click', () => exchange(index));
       buttons.append(button);
     }
-    places.forEach(({at}, i) => {
-      const [x, y] = this.to_screen(at);
+    places.forEach(([x, y], i) => {
       buttons.children[i].style.left = `${x}px`;
       buttons.children[i].style.top = `${y}px`;
     });

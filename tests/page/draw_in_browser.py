@@ -319,6 +319,32 @@ class Drawing(Sketch):
         self.save("save_object", "cylinder.obj", into="behind")
         self.assertIn('crossings = "B"', (FOLDER / "behind" / "sketch.toml").read_text())
 
+    def test_no_button_lies_on_another(self):
+        """Crossings right at the object's outline, and two of them close together."""
+        self.draw([(-800, 0), (800, 0), (800, 500), (250, 500), (250, -600)])
+        left = min(place["at"][0] for place in self.script("return states.state.told.passes"))
+        self.find("clear").click()
+        self.draw([(-800, 0), (800, 0), (800, 500), (left, 500), (left, -600)])
+        self.assertGreater(len(self.crossings()), 0)
+        self.assertGreater(len(self.passes()), 0)
+        self.check_buttons_lie_apart()
+        self.picture("close-buttons")
+        self.find("clear").click()
+        self.draw([(-700, 500), (700, 500), (700, 560), (0, 560), (0, 400), (60, 400), (60, 620)])
+        self.assertGreaterEqual(len(self.crossings()), 3)
+        self.check_buttons_lie_apart()
+        first = self.letters()
+        self.crossings()[1].click()
+        self.wait_for_answer()
+        self.assertNotEqual(self.letters(), first)
+
+    def check_buttons_lie_apart(self):
+        boxes = [button.rect for button in [*self.crossings(), *self.passes()]]
+        for i, a in enumerate(boxes):
+            for b in boxes[:i]:
+                apart = max(abs(a["x"] - b["x"]), abs(a["y"] - b["y"]))
+                self.assertGreaterEqual(apart, 43.5)
+
     def test_mistakes_are_told_at_their_place(self):
         self.draw([(-800, 0), (0, 0)])
         self.assertIn("an end of the curve lies in front of the object", self.status())
