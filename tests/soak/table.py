@@ -67,8 +67,9 @@ class Run:
         gap, knot = self.verify["gap"], self.verify["knot"]
         smallest = f"{1000 * gap['smallest_m']:.4f}" if "smallest_m" in gap else "?"
         stated = f"{1000 * gap['stated_m']:.4f}" if gap["stated_m"] else "none"
-        same = "same" if not knot["changes"] else f"{len(knot['changes'])} changes"
-        return [str(self.verify["intersections"]["pairs"]), cgal, f"{smallest} / {stated}", same]
+        changes = sum(len(certified["changes"]) for certified in [knot, *knot["between"]])
+        return [str(self.verify["intersections"]["pairs"]), cgal, f"{smallest} / {stated}",
+                f"{changes} changes" if changes else "same"]
 
     def of_springs(self):
         strain = ["", ""]
