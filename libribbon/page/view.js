@@ -121,22 +121,28 @@ function interleaved(gl, program, buffer, attributes) {
 // Of the upper border of what is seen: a lens of 60 mm, as ribbon-play has.
 const lens_slope = 12 / 60;
 
-// Turns about a point of the scene; y is up.
+// Turns about a point of the scene; y is up. First it has the three-quarter view of ribbon-play.
 class Camera {
-  // A box that shall be seen.
-  constructor(low = [-1, -1, -1], high = [1, 1, 1]) {
+  constructor() {
+    this.azimuth = 36 * Math.PI / 180;
+    this.elevation = 22 * Math.PI / 180;
+    this.distance = 1;
+    this.eye = [0, 0, 0];
+    this.matrix = new Float32Array(16);
+    this.is_moved = false;  // by who looks
+    this.surround([-1, -1, -1], [1, 1, 1]);
+    this.fit(1);
+  }
+
+  // A box that may be seen.
+  surround(low, high) {
     this.target = low.map((value, axis) => (value + high[axis]) / 2);
     this.half = low.map((value, axis) => Math.max(1e-6, (high[axis] - value) / 2));
     this.radius = Math.hypot(...this.half);
-    this.eye = [0, 0, 0];
-    this.matrix = new Float32Array(16);
-    this.reset(1);
   }
 
-  // The three-quarter view of ribbon-play, from where the box just fits.
-  reset(aspect) {
-    this.azimuth = 36 * Math.PI / 180;
-    this.elevation = 22 * Math.PI / 180;
+  // To where the box just fits.
+  fit(aspect) {
     this.middle = this.target.slice();
     const {right, up, back} = this.axes();
     const reach = axis => axis.reduce((sum, value, i) => sum + Math.abs(value) * this.half[i], 0);
@@ -146,11 +152,13 @@ class Camera {
   }
 
   orbit(right, up) {
+    this.is_moved = true;
     this.azimuth -= right;
     this.elevation = Math.min(1.57, Math.max(-1.57, this.elevation + up));
   }
 
   zoom(factor) {
+    this.is_moved = true;
     this.distance = Math.min(50 * this.radius, Math.max(0.05 * this.radius, this.distance / factor));
   }
 
@@ -162,6 +170,7 @@ class Camera {
 
   // By shares of the picture's height.
   pan(right, up) {
+    this.is_moved = true;
     const axes = this.axes();
     const metres = 2 * this.distance * lens_slope;
     this.middle = this.middle.map(
@@ -237,6 +246,8 @@ class Pace {
   }
 }
 
+const floats_per_particle = 7;  // position, normal, strain
+
 class View {
   // Throws where the browser has no WebGL2.
   constructor(canvas) {
@@ -255,7 +266,7 @@ class View {
     this.prepare();
     canvas.addEventListener('webglcontextlost', event => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => this.restore());
-    new ResizeObserver(() => this.draw_soon()).observe(canvas);
+    new ResizeObserver(() => this.keep_all_seen()).observe(canvas);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.match_paper());
   }
 
@@ -290,8 +301,16 @@ class View {
   }
 
   show_all() {
-    this.camera = new Camera(this.recording.box_min, this.recording.box_max);
-    this.camera.reset(this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight));
+    this.camera = new Camera();
+    this.keep_all_seen();
+  }
+
+  // Until who looks has turned, moved or zoomed. A picture that is hidden has no size to fit in.
+  keep_all_seen() {
+    const {camera, canvas, recording} = this;
+    if (recording) camera.surround(recording.box_min, recording.box_max);
+    if (!camera.is_moved && canvas.clientWidth > 0 && canvas.clientHeight > 0)
+      camera.fit(canvas.clientWidth / canvas.clientHeight);
     this.draw_soon();
   }
 
@@ -300,7 +319,8 @@ class View {
     this.particles = null;
     this.release();
     this.buffers = {
-      particles: this.filled(gl.ARRAY_BUFFER, recording.threads.length / 2 * 7 * 4, gl.STREAM_DRAW),
+      particles: this.filled(gl.ARRAY_BUFFER, recording.threads.length / 2 * floats_per_particle * 4,
+                             gl.STREAM_DRAW),
       threads: this.filled(gl.ARRAY_BUFFER, recording.threads, gl.STATIC_DRAW),
       obstacle: this.filled(gl.ARRAY_BUFFER, recording.obstacle, gl.STATIC_DRAW),
     };
@@ -355,8 +375,24 @@ class View {
     this.particles = particles;
     this.gl.bindBuffer(this.gl.ARRAY_BUFFER, this.buffers.particles);
     this.gl.bufferSubData(this.gl.ARRAY_BUFFER, 0, particles);
-    this.draw_soon();
+    if (this.widens_box(particles)) this.keep_all_seen();
+    else this.draw_soon();
     return before;
+  }
+
+  // A recording that still grows is pulled out of the box of what there was when it was opened.
+  widens_box(particles) {
+    const {box_min, box_max} = this.recording;
+    let widens = false;
+    for (let i = 0; i < particles.length; i += floats_per_particle)
+      for (let axis = 0; axis < 3; ++axis) {
+        const value = particles[i + axis];
+        if (value < box_min[axis]) box_min[axis] = value;
+        else if (value > box_max[axis]) box_max[axis] = value;
+        else continue;
+        widens = true;
+      }
+    return widens;
   }
 
   // At most once each time the screen is renewed, and only when something has changed.

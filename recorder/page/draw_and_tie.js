@@ -226,11 +226,13 @@ async function begin_anew() {
   await start_worker();
 }
 
-// By a new worker.
+// By a new worker; who had turned it looks at it as before.
 function take_reopened(opened) {
   const index = timeline.index;
+  const camera = view?.camera;
   wanted.is_asked = false;
   show_recording(opened);
+  if (camera?.is_moved) view.camera = camera;
   timeline.go_to(Math.min(index, opened.frames - 1));
 }
 

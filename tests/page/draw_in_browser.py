@@ -388,6 +388,47 @@ class Drawing(Sketch):
         self.find("watch_mode").click()
         self.wait_for(lambda: self.script("return recording.frames") >= 40, "it does not go on")
 
+    def all_is_seen(self):
+        """Of the frame that is shown, each particle lies in the picture."""
+        return self.script("""
+            if (!view.particles || timeline.index !== recording.frames - 1 || wanted.is_asked) return null;
+            const m = view.camera.clip_from_world(stage.clientWidth / stage.clientHeight);
+            const {particles: p} = view;
+            for (let i = 0; i < p.length; i += 7) {
+              const [x, y, w] = [0, 1, 3].map(
+                  row => m[row] * p[i] + m[4 + row] * p[i + 1] + m[8 + row] * p[i + 2] + m[12 + row]);
+              if (!(w > 0 && Math.abs(x) <= w && Math.abs(y) <= w)) return false;
+            }
+            return true;""")
+
+    def test_all_is_seen_until_who_watches_turns_the_picture(self):
+        self.begin_with("overhand knot")
+        self.tie()
+        self.press(Keys.END)
+        self.wait_for(lambda: self.all_is_seen() is not None, "the last frame did not come")
+        self.assertTrue(self.all_is_seen(), "pulled out of the picture")
+        self.browser.set_screen(390, 844)
+        self.wait_for(lambda: self.script("return stage.clientWidth <= 390"), "the screen stays wide")
+        self.wait_for(lambda: self.all_is_seen(), "not all is seen on a phone")
+        self.script("turn(0.5, 0); zoom(3)")
+        camera = "const {azimuth, distance, middle} = view.camera; return [azimuth, distance, ...middle]"
+        moved = self.script(camera)
+        self.press(Keys.HOME)
+        self.wait_for(lambda: self.find("frame").text.startswith("1 of"), "frame 1 did not come")
+        self.find("draw_mode").click()
+        self.script("document.getElementById('tie').click(); document.getElementById('stop_looking').click()")
+        self.wait_for(lambda: self.script("return worker !== null && !wanted.is_asked"), "it is not opened again")
+        self.find("watch_mode").click()
+        self.assertEqual(self.script(camera), moved)
+        self.find("draw_mode").click()
+        Select(self.find("object")).select_by_visible_text("box")
+        self.begin_with("figure eight knot")
+        self.tie(frames=30)
+        self.stop()
+        self.press(Keys.END)
+        self.wait_for(lambda: self.all_is_seen(), "another knot is not framed anew")
+        self.picture("framed-on-a-phone")
+
     def test_loads_nothing_from_anywhere(self):
         self.assertEqual(self.asked_of_others(), [])
         self.assertEqual(self.blocked_by_policy(), "connect-src")
