@@ -7,7 +7,7 @@
 let scenes = [];       // as scene_json() has them; the first ones are offered as objects
 let scene = null;      // the one whose text is changed
 let given = null;      // the user's own, where the page was written for one
-const object_count = 3;
+const object_count = 4;
 let is_new_object = false;  // its outline has not been seen yet
 const title_of = name => name.charAt(0).toUpperCase() + name.slice(1).replaceAll('-', ' ');
 

@@ -361,7 +361,7 @@ class Drawing(Sketch):
         self.assertEqual(self.script("return document.body.dataset.mode"), "draw")
 
     def test_ready_knots_go_round_every_object(self):
-        for item in ("cylinder", "hourglass", "box"):
+        for item in ("cylinder", "hourglass", "neck", "box"):
             Select(self.find("object")).select_by_visible_text(item)
             for knot, name in (("overhand knot", "trefoil"), ("figure eight knot", "figure-eight"),
                                ("cinquefoil knot", "cinquefoil")):
