@@ -35,8 +35,9 @@ void CameraRays::look(const Lanes<float>& x, const Lanes<float>& y, std::size_t 
   const LaneVector right = {right_.x(), right_.y(), right_.z()};
   const LaneVector down = {down_.x(), down_.y(), down_.z()};
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < end; ++i) {
       set_lane(rays.origin, i, eye);
       set_lane(rays.direction, i, corner + x[i] * right + y[i] * down);
     }

@@ -116,8 +116,9 @@ void cloth_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors
     const LaneVector front_stripe = lane_vector(gold);
     const LaneVector back = lane_vector(vermilion);
     const LaneVector stripe_on_back = lane_vector(wine - vermilion);
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < end; ++i) {
       const Threads threads = front_threads(looks.x[i], looks.y[i], looks.reach[i]);
       const LaneVector woven = front + threads.thread * thread_on_front;
       const LaneVector seen = looks.front[i] > 0 ? woven + threads.stripe * (front_stripe - woven)

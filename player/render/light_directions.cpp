@@ -32,8 +32,9 @@ struct Frame {
 void to_disc(const Lanes<float>& u, const Lanes<float>& v, std::size_t count, Lanes<float>& x,
              Lanes<float>& y) {
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < end; ++i) {
       const float radius = std::sqrt(u[i]);
       // Half the angle, -pi/2 to pi/2, by the first terms of the series: within 2e-4.
       const float half = 3.14159265F * (v[i] - 0.5F);
@@ -53,8 +54,9 @@ void to_sun(const Eigen::Vector3f& middle, float radius, const Lanes<float>& dis
             const Lanes<float>& disc_y, std::size_t count, VectorLanes& direction) {
   const Frame frame(middle.x(), middle.y(), middle.z());
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < end; ++i) {
       const float x = radius * disc_x[i];
       const float y = radius * disc_y[i];
       const float inverse = 1 / std::sqrt(1 + x * x + y * y);
@@ -68,8 +70,9 @@ void to_sun(const Eigen::Vector3f& middle, float radius, const Lanes<float>& dis
 void to_sky(const VectorLanes& normal, const Lanes<float>& disc_x, const Lanes<float>& disc_y,
             std::size_t count, VectorLanes& direction) {
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < end; ++i) {
       const Frame frame(normal.x[i], normal.y[i], normal.z[i]);
       const float x = disc_x[i];
       const float y = disc_y[i];
@@ -84,8 +87,9 @@ void to_sky(const VectorLanes& normal, const Lanes<float>& disc_x, const Lanes<f
 
 void products(const VectorLanes& a, const VectorLanes& b, std::size_t count, Lanes<float>& result) {
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < end; ++i)
       result[i] = a.x[i] * b.x[i] + a.y[i] * b.y[i] + a.z[i] * b.z[i];
   });
 }

@@ -16,8 +16,9 @@ void add_gradient(const Lighting& lighting, std::size_t count, VectorLanes& lane
   const LaneVector below = lane_vector(lighting.sky_below);
   const LaneVector rise = lane_vector(lighting.sky_above - lighting.sky_below);
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < end; ++i)
       set_lane(lanes, i, lane_of(lanes, i) + light(i, below, rise));
   });
 }
@@ -38,8 +39,9 @@ void add_shares(const Lanes<float>& shares, const Color& light, std::size_t coun
                 VectorLanes& lanes) {
   const LaneVector all = lane_vector(light);
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i) set_lane(lanes, i, lane_of(lanes, i) + shares[i] * all);
+    for (std::size_t i = 0; i < end; ++i) set_lane(lanes, i, lane_of(lanes, i) + shares[i] * all);
   });
 }
 

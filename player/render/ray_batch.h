@@ -15,8 +15,16 @@ struct Ray {
 
 inline constexpr std::size_t batch_size = 256;
 
+// Loops over lanes go on to the end of the last vector register, as lanes that are left over would
+// be gone through one by one. What stands there means nothing.
+inline constexpr std::size_t register_lanes = 16;
+constexpr std::size_t filled_up(std::size_t count) {
+  return (count + register_lanes - 1) / register_lanes * register_lanes;
+}
+
+// With room to fill up a register from any lane on.
 template <class Value>
-using Lanes = std::array<Value, batch_size>;
+using Lanes = std::array<Value, batch_size + register_lanes>;
 
 // One vector a lane.
 struct alignas(64) VectorLanes {
@@ -51,11 +59,11 @@ enum class Body : std::uint8_t { none, ribbon, obstacle, ground };
 
 // The first thing that each ray meets; where that is nothing body and distance are all that counts.
 struct alignas(64) HitBatch {
-  Lanes<Body> body;
   Lanes<std::uint32_t> triangle;
   Lanes<float> u;         // weight of the triangle's second corner
   Lanes<float> v;         // and of its third
   Lanes<float> distance;  // in lengths of the ray's direction; infinite where nothing is met
+  Lanes<Body> body;
 };
 
 // Some of the lanes, in any order.

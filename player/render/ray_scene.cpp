@@ -64,27 +64,22 @@ Scene new_scene(RTCDevice device, unsigned more_flags = RTC_SCENE_FLAG_NONE) {
 constexpr unsigned ribbon_id = 0;
 constexpr unsigned obstacle_id = 1;
 
-void copy_vertices(const Surface& surface, RTCGeometry geometry, void* buffer) {
-  std::copy_n(surface.vertices.data(), surface.vertices.size(), static_cast<float*>(buffer));
-  rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
-  rtcCommitGeometry(geometry);
-}
-
-// Buffers that Embree makes itself are padded as it needs them. Returns the vertex buffer.
-void* attach(const Surface& surface, unsigned id, RTCBuildQuality quality, RTCDevice device,
-             RTCScene scene) {
+// Embree reads corners where they lie, four numbers of each: what it has read is near the processor
+// when the place that was met is looked up there.
+RTCGeometry attach(const HitSurface& surface, unsigned id, RTCBuildQuality quality,
+                   RTCDevice device, RTCScene scene) {
+  const auto& corners = surface.corners();
+  const auto& triangles = surface.triangles();
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetGeometryBuildQuality(geometry, quality);
-  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                           3 * sizeof(float), surface.vertices.cols());
-  void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                            3 * sizeof(unsigned), surface.triangles.cols());
-  check(device);
-  std::copy_n(surface.triangles.data(), surface.triangles.size(), static_cast<int*>(triangles));
-  copy_vertices(surface, geometry, vertices);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, corners.data(),
+                             0, sizeof corners[0], corners.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
+                             0, sizeof triangles[0], triangles.size());
+  rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, id);
-  rtcReleaseGeometry(geometry);
-  return vertices;
+  rtcReleaseGeometry(geometry);  // the scene keeps it
+  return geometry;
 }
 
 // Lanes without a ray are switched off by `valid`, and repeat another one: where packets of 16 are
@@ -201,7 +196,7 @@ struct RayScene::State {
   RibbonTree tree;
   Device device{rtcNewDevice(configuration())};
   Scene scene;
-  void* ribbon_vertices = nullptr;
+  RTCGeometry ribbon = nullptr;  // the scene's
 };
 
 RayScene::RayScene(RibbonTree tree) : state_(std::make_unique<State>(tree)) {}
@@ -209,21 +204,23 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 RayScene::~RayScene() = default;
 
-void RayScene::set_obstacle(const Surface& obstacle) {
+void RayScene::set_obstacle(const HitSurface& obstacle) {
   State& s = *state_;
   attach(obstacle, obstacle_id, RTC_BUILD_QUALITY_MEDIUM, s.device.get(), s.scene.get());
   rtcCommitScene(s.scene.get());
   check(s.device.get());
 }
 
-void RayScene::set_ribbon(const Surface& ribbon) {
+void RayScene::set_ribbon(const HitSurface& ribbon) {
   State& s = *state_;
   const RTCBuildQuality quality =
       s.tree == RibbonTree::refitted ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM;
-  if (s.ribbon_vertices == nullptr)
-    s.ribbon_vertices = attach(ribbon, ribbon_id, quality, s.device.get(), s.scene.get());
-  else
-    copy_vertices(ribbon, rtcGetGeometry(s.scene.get(), ribbon_id), s.ribbon_vertices);
+  if (s.ribbon == nullptr) {
+    s.ribbon = attach(ribbon, ribbon_id, quality, s.device.get(), s.scene.get());
+  } else {
+    rtcUpdateGeometryBuffer(s.ribbon, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcCommitGeometry(s.ribbon);
+  }
   rtcCommitScene(s.scene.get());
   check(s.device.get());
 }

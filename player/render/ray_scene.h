@@ -8,7 +8,7 @@
 #include "player/render/ray_batch.h"
 #include "player/render/ray_log.h"
 #include "player/render/ribbon_tree.h"
-#include "player/render/surface.h"
+#include "player/render/surface_points.h"
 
 namespace ribbon {
 
@@ -26,10 +26,10 @@ class RayScene {
   RayScene& operator=(RayScene&&) noexcept;
   ~RayScene();
 
-  // The obstacle is there once, the ribbon comes anew for each frame; only one of each. The number
-  // of the ribbon's vertices and triangles must not change.
-  void set_obstacle(const Surface& obstacle);
-  void set_ribbon(const Surface& ribbon);
+  // The obstacle is there once, the ribbon comes anew for each frame: always the same one, moved;
+  // only one of each. What they hold is not copied and must stay where it is as long as the scene.
+  void set_obstacle(const HitSurface& obstacle);
+  void set_ribbon(const HitSurface& ribbon);
 
   // Fills lane i of `hits` with the first thing that ray i meets. Safe to call from several
   // threads.

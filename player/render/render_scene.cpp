@@ -34,8 +34,8 @@ RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages, Ribb
   if (!header.obstacle || header.obstacle->triangles.cols() == 0) return;
   obstacle_ = creased_surface(*header.obstacle);
   obstacle_reach_ = reach(obstacle_.vertices);
-  rays_.set_obstacle(obstacle_);
   hit_obstacle_ = HitSurface(obstacle_);
+  rays_.set_obstacle(hit_obstacle_);
 }
 
 void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions,
@@ -43,8 +43,8 @@ void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions,
   assert(positions.cols() == grid_.particle_count());
   update_ribbon(grid_, positions, ribbon_);
   if (with_selvages_) update_selvages(grid_, half_thickness_m, ribbon_);
-  rays_.set_ribbon(ribbon_);
   hit_ribbon_.move_to(ribbon_);
+  rays_.set_ribbon(hit_ribbon_);
   // Some hundred times what single precision loses in a coordinate, and far less than cloth is
   // thick.
   clearance_ = 1e-5F * std::max(obstacle_reach_, reach(positions));

@@ -24,7 +24,7 @@ struct Vectors {
 
 // Numbers are copied four at a time, of four lanes at a time.
 constexpr std::size_t four = 4;
-static_assert(group_size % four == 0);
+static_assert(group_size % register_lanes == 0 && register_lanes % four == 0);
 
 // What rays met, not yet interpolated.
 struct alignas(64) Group {
@@ -115,8 +115,9 @@ void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceB
   const Group::Corner& b = group.corners[1];
   const Group::Corner& c = group.corners[2];
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(group.count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < group.count; ++i) {
+    for (std::size_t i = 0; i < end; ++i) {
       const float wb = group.weight_b[i];
       const float wc = group.weight_c[i];
       const float wa = 1 - wb - wc;
@@ -170,7 +171,7 @@ void HitSurface::move_to(const Surface& surface) {
 void HitSurface::find_points(const RayBatch& rays, const HitBatch& hits, const LaneList& list,
                              float clearance_m, SurfaceBatch& batch, LookBatch& looks) const {
   assert(batch.count + list.count <= batch_size);
-  Group group;
+  Group group{};  // what fills up registers is a number, if none that means anything
   group.spread = rays.spread / unit_m_;
   for (std::size_t first = 0; first < list.count; first += group_size) {
     group.count = std::min(group_size, list.count - first);

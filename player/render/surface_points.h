@@ -33,7 +33,7 @@ struct LookBatch {
 // worked out where it is met, so that little memory is gone through.
 class HitSurface {
  public:
-  struct Corner {
+  struct alignas(32) Corner {
     // Three of its position, three of its normal, two of its place in the texture.
     std::array<float, 8> numbers;
 
@@ -53,6 +53,8 @@ class HitSurface {
   // Takes over positions and normals.
   void move_to(const Surface& surface);
   [[nodiscard]] std::vector<Corner>& corners() { return corners_; }
+  [[nodiscard]] const std::vector<Corner>& corners() const { return corners_; }
+  [[nodiscard]] const std::vector<Corners>& triangles() const { return triangles_; }
 
   // Fills those of `batch` from batch.count on, but for body and albedo, with what the listed rays
   // met, and `looks` from 0 on. clearance_m: by which light starts above a facet.

@@ -217,8 +217,9 @@ void TilePainter::look(Pattern pattern, const Samples& samples, std::size_t coun
   vectorised([&]() RIBBON_INLINED {
     const auto first = static_cast<std::uint32_t>(top_ * s_.size.width + left_);
     const auto width = static_cast<std::uint32_t>(s_.size.width);
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < end; ++i)
       pixels[i] = first + samples.place[i] / tile_side * width + samples.place[i] % tile_side;
   });
   Lanes<float> u;

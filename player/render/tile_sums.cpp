@@ -37,8 +37,9 @@ void TileSums::add(const SeenBatch& seen) {
   const std::size_t count = seen.surfaces.count;
   const LaneVector even_sky = lane_vector(Color::Constant(0.5F));
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < end; ++i) {
       const LaneVector albedo = lane_of(seen.surfaces.albedo, i);
       const LaneVector returned = albedo * lane_of(seen.sunlight, i);
       // What smoothing takes away is no noise that takes samples.
@@ -71,8 +72,9 @@ void TileSums::add_runs(const SeenBatch& seen, const VectorLanes& numbers, float
   const std::size_t count = seen.surfaces.count;
   float* const together = together_.front().data();
   vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < end; ++i) {
       together[4 * i] = numbers.x[i];
       together[4 * i + 1] = numbers.y[i];
       together[4 * i + 2] = numbers.z[i];

@@ -66,8 +66,8 @@ class TileSums {
   std::array<Eigen::Array4f, tile_pixels> shown_;
   std::array<SurfaceSums, tile_pixels> surfaces_;
   std::array<float, tile_pixels> squared_light_;
-  std::array<Eigen::Array4f, batch_size> together_;  // numbers of the lanes, those of each together
-  LaneList runs_;  // the first lane of each run of one pixel and one body
+  Lanes<Eigen::Array4f> together_;  // numbers of the lanes, those of each together
+  LaneList runs_;                   // the first lane of each run of one pixel and one body
 };
 
 }  // namespace ribbon

@@ -11,16 +11,25 @@
 
 namespace ribbon::ray_scene_test {
 
-// The ribbon's quad at z = 0 and a square obstacle of side 2 at z = -1.
-RayScene two_quads(float ribbon_z = 0, RibbonTree tree = RibbonTree::rebuilt) {
+HitSurface flat_ribbon(float z) {
   Eigen::Matrix3Xf positions = test::flat_quad();
-  positions.row(2).setConstant(ribbon_z);
-  RayScene scene(tree);
-  scene.set_obstacle(
-      creased_surface(quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1})));
-  scene.set_ribbon(test::quad_surface(positions));
-  return scene;
+  positions.row(2).setConstant(z);
+  return HitSurface(test::quad_surface(positions));
 }
+
+// The ribbon's quad at z = 0 and a square obstacle of side 2 at z = -1.
+struct TwoQuads {
+  explicit TwoQuads(float ribbon_z = 0, RibbonTree tree = RibbonTree::rebuilt)
+      : ribbon(flat_ribbon(ribbon_z)), scene(tree) {
+    scene.set_obstacle(obstacle);
+    scene.set_ribbon(ribbon);
+  }
+
+  HitSurface obstacle{
+      creased_surface(quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}))};
+  HitSurface ribbon;
+  RayScene scene;
+};
 
 Ray down(float x, float y) {
   return {{x, y, 5}, {0, 0, -1}};
@@ -35,31 +44,33 @@ RayBatch batch_of(std::initializer_list<Ray> rays) {
 TEST(RayScene, the_nearest_body_is_hit_whichever_it_is) {
   const RayBatch rays = batch_of({down(0, 0), down(0, 0.9F), down(1.9F, 0), down(0, 3)});
   HitBatch hits;
-  two_quads().first_hits(rays, Coherence::similar, hits);
+  TwoQuads().scene.first_hits(rays, Coherence::similar, hits);
   EXPECT_EQ(hits.body[0], Body::ribbon);
   EXPECT_EQ(hits.body[1], Body::obstacle);
   EXPECT_EQ(hits.body[2], Body::ribbon);
   EXPECT_EQ(hits.body[3], Body::none);
-  two_quads(-2).first_hits(rays, Coherence::similar, hits);
+  TwoQuads(-2).scene.first_hits(rays, Coherence::similar, hits);
   EXPECT_EQ(hits.body[0], Body::obstacle);
 }
 
 TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
   for (const RibbonTree tree : {RibbonTree::rebuilt, RibbonTree::refitted}) {
-    RayScene scene = two_quads(0, tree);
+    TwoQuads quads(0, tree);
     Eigen::Matrix3Xf moved = test::flat_quad();
     moved.row(1).array() += 10;
-    scene.set_ribbon(test::quad_surface(moved));
+    quads.ribbon.move_to(test::quad_surface(moved));
+    quads.scene.set_ribbon(quads.ribbon);
     const RayBatch rays = batch_of({down(1.9F, 0), down(1.9F, 10)});
     HitBatch hits;
-    scene.first_hits(rays, Coherence::mixed, hits);
+    quads.scene.first_hits(rays, Coherence::mixed, hits);
     EXPECT_EQ(hits.body[0], Body::none);
     EXPECT_EQ(hits.body[1], Body::ribbon);
   }
 }
 
 TEST(RayScene, any_number_of_rays_is_answered_one_by_one) {
-  const RayScene scene = two_quads();
+  const TwoQuads quads;
+  const RayScene& scene = quads.scene;
   for (std::size_t count = 0; count <= 40; ++count) {
     RayBatch rays;
     for (std::size_t i = 0; i < count; ++i) rays.add(down(0, i % 3 == 0 ? 0.0F : 3.0F));
@@ -78,7 +89,7 @@ TEST(RayScene, corner_weights_tell_the_place) {
   const RecordingHeader header = test::quad_ribbon();
   const RayBatch rays = batch_of({down(0.7F, -0.1F)});
   HitBatch hits;
-  two_quads().first_hits(rays, Coherence::similar, hits);
+  TwoQuads().scene.first_hits(rays, Coherence::similar, hits);
   const Eigen::Vector3i corners = header.grid.triangles().col(hits.triangle[0]);
   const Eigen::Matrix3Xf at = test::flat_quad();
   const Eigen::Vector3f position = (1 - hits.u[0] - hits.v[0]) * at.col(corners[0]) +
@@ -92,7 +103,7 @@ TEST(RayScene, distances_are_in_lengths_of_the_direction) {
   const Ray once = rays.ray(0);
   rays.direction.set(1, 4 * once.direction);
   HitBatch hits;
-  two_quads().first_hits(rays, Coherence::similar, hits);
+  TwoQuads().scene.first_hits(rays, Coherence::similar, hits);
   EXPECT_NEAR((once.origin + hits.distance[0] * once.direction).z(), 0, 1e-5);
   EXPECT_NEAR(hits.distance[1], hits.distance[0] / 4, 1e-5);
   EXPECT_EQ(hits.distance[2], std::numeric_limits<float>::infinity());
