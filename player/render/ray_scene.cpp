@@ -196,7 +196,9 @@ struct RayScene::State {
   RibbonTree tree;
   Device device{rtcNewDevice(configuration())};
   Scene scene;
-  RTCGeometry ribbon = nullptr;  // the scene's
+  // The scene's, if they are there.
+  RTCGeometry ribbon = nullptr;
+  RTCGeometry obstacle = nullptr;
 };
 
 RayScene::RayScene(RibbonTree tree) : state_(std::make_unique<State>(tree)) {}
@@ -206,7 +208,8 @@ RayScene::~RayScene() = default;
 
 void RayScene::set_obstacle(const HitSurface& obstacle) {
   State& s = *state_;
-  attach(obstacle, obstacle_id, RTC_BUILD_QUALITY_MEDIUM, s.device.get(), s.scene.get());
+  s.obstacle =
+      attach(obstacle, obstacle_id, RTC_BUILD_QUALITY_MEDIUM, s.device.get(), s.scene.get());
   rtcCommitScene(s.scene.get());
   check(s.device.get());
 }
@@ -261,10 +264,10 @@ void RayScene::unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>
 
 double RayScene::plain_seconds(const RayLog& log) const {
   // Built for all that there is at once, as Embree is used plainly.
-  Scene scene = new_scene(state_->device.get());
-  for (const unsigned id : {ribbon_id, obstacle_id})
-    if (RTCGeometry geometry = rtcGetGeometry(state_->scene.get(), id))
-      rtcAttachGeometryByID(scene.get(), geometry, id);
+  const State& s = *state_;
+  Scene scene = new_scene(s.device.get());
+  if (s.ribbon != nullptr) rtcAttachGeometryByID(scene.get(), s.ribbon, ribbon_id);
+  if (s.obstacle != nullptr) rtcAttachGeometryByID(scene.get(), s.obstacle, obstacle_id);
   rtcCommitScene(scene.get());
   std::mutex mutex;
   double seconds = 0;

@@ -372,6 +372,7 @@ TEST_F(RibbonPlay, without_an_obstacle_the_ribbon_is_shown_alone) {
   for (const std::string view : {"top", "knot"}) last_picture(view + ".png", "--view " + view);
   output_of(run("knot.rbn --quiet --preview --size 64x48 -o preview.png --frames -1"));
   output_of(play_small("--quiet --sheet sheet.png"));
+  EXPECT_THAT(output_of(play_small("--bench")), HasSubstr("plain Embree "));
 }
 
 TEST_F(RibbonPlay, a_texture_that_is_missing_or_broken_is_refused) {
