@@ -4,6 +4,7 @@ draw_in_browser.py PAGE OWN_SCENE_PAGE FOLDER   (pictures and what is saved go t
 """
 
 import base64
+import math
 import pathlib
 import sys
 import time
@@ -359,6 +360,27 @@ class Drawing(Sketch):
         self.wait_for(lambda: not self.status().startswith("Looking"), "Tie is not answered")
         self.assertRegex(self.status(), r"\(0, (39[5-9]|40[0-5])")
         self.assertEqual(self.script("return document.body.dataset.mode"), "draw")
+
+    def test_a_scribble_is_told_at_its_place_and_stays(self):
+        # Nine times round the object, and across itself each time.
+        reaches = [380 + 220 * math.sin(2.3 * k) for k in range(63)]
+        scribble = [(reach * math.cos(0.9 * k), reach * math.sin(0.9 * k)) for k, reach in enumerate(reaches)]
+        self.draw(scribble)
+        sentence = r"^drawing at \(.*\): (two|three) pieces of the curve .*; "
+        self.assertRegex(self.status(), sentence)
+        self.assertTrue(self.find("mistake").is_displayed())
+        points = self.points()
+        self.find("tie").click()
+        self.wait_for(lambda: not self.status().startswith("Looking"), "Tie is not answered")
+        self.assertRegex(self.status(), sentence)
+        self.picture("scribble")
+        self.assertEqual(self.script("return document.body.dataset.mode"), "draw")
+        self.assertEqual(self.points(), points)
+        self.find("undo").click()
+        self.assertEqual(self.points(), [])
+        self.begin_with("overhand knot")
+        self.assertIn("trefoil", self.knot())
+        self.assertEqual(self.browser.find_errors(), [])
 
     def test_ready_knots_go_round_every_object(self):
         for item in ("cylinder", "hourglass", "neck", "box"):
