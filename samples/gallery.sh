@@ -47,7 +47,7 @@ declare -A view=(
   [stevedore]="azimuth=205,elevation=25,subject=knot"
 )
 # Likewise, with the point that is looked at, where tails that meet far from the knot would pass for it.
-declare -A keyframe=([windsor]="0,0,8,0.8,50,0,0,0.2")
+declare -A keyframe=([windsor]="0,0,8,0.9,50,0.13,-0.03,0.15")
 
 # mirrored SCENE   Sets the array `settings` to what makes the scene its mirror image, reflected along the
 # axis of the drawing, which is y in all of them: over and under, front and back, up and down.
