@@ -11,6 +11,12 @@ const shortest_stroke = 6;                      // a shorter one is a click
 const half_gap_px = 9;
 const button_px = 44;
 
+// Left, top, right and bottom of points.
+function box_around(points) {
+  const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
+  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+}
+
 // Where buttons stand that belong to these places: there, or as near as may be without lying on one
 // before.
 function places_of_buttons(places) {
@@ -45,8 +51,9 @@ class Board {
     this.pointers = new Map();
     this.stroke = null;     // points that are being drawn
     this.dragged = -1;      // the point that is being dragged
+    this.is_moved = false;  // by who draws: zoomed or shifted
     this.listen();
-    new ResizeObserver(() => this.draw()).observe(this.board);
+    new ResizeObserver(() => this.keep_all_seen()).observe(this.board);
   }
 
   listen() {
@@ -92,17 +99,29 @@ class Board {
     this.draw();
   }
 
-  // All of a box, in drawing units.
-  fit([left, top, right, bottom]) {
-    const {width, height} = this.board.getBoundingClientRect();
-    this.box = [left, top, right, bottom];
-    if (width === 0) return;
-    this.middle = [(left + right) / 2, (top + bottom) / 2];
-    this.scale = Math.min((width - 40) / (right - left || 1), (height - 40) / (bottom - top || 1));
+  // All of a box, in drawing units, and of what is drawn since.
+  fit(box) {
+    this.box = box;
+    this.is_moved = false;
+    this.keep_all_seen();
+  }
+
+  // Until who draws zooms or moves: then what is in the middle stays there. A board that is hidden has no
+  // size to fit in, and one does not move under a finger.
+  keep_all_seen() {
+    const {clientWidth: width, clientHeight: height} = this.board;
+    this.is_late = this.is_touched;
+    if (this.box && width > 0 && !this.is_moved && !this.is_touched) {
+      const [left, top, right, bottom] = box_around([this.box.slice(0, 2), this.box.slice(2), ...this.points]);
+      this.middle = [(left + right) / 2, (top + bottom) / 2];
+      this.scale = Math.min(Math.max(1, width - 40) / (right - left || 1),
+                            Math.max(1, height - 40) / (bottom - top || 1));
+    }
     this.draw();
   }
 
   zoom(factor, [x, y]) {
+    this.is_moved = true;
     const before = this.in_drawing([x, y]);
     this.scale = Math.min(100, Math.max(1e-3, this.scale * factor));
     const after = this.in_drawing([x, y]);
@@ -126,10 +145,6 @@ class Board {
   draw() {
     const {clientWidth: width, clientHeight: height} = this.board;
     if (width === 0) return;
-    if (!this.is_fitted && this.box) {
-      this.is_fitted = true;
-      return this.fit(this.box);
-    }
     const [w, h] = [width / this.scale, height / this.scale];
     this.paper.setAttribute(
         'viewBox', `${this.middle[0] - w / 2} ${this.middle[1] - h / 2} ${w} ${h}`);
@@ -273,6 +288,7 @@ class Board {
     const moved = this.points;
     this.stop_drawing();
     const is_click = this.way_px < shortest_stroke;
+    if (this.is_late) this.keep_all_seen();
     if (dragged >= 0 && !is_click) this.deeds.points_changed(rounded(moved));
     else if (stroke) this.add(is_click ? stroke.slice(0, 1) : simplified(stroke, this.tolerance));
   }
@@ -280,6 +296,7 @@ class Board {
   give_up(event) {
     this.pointers.delete(event.pointerId);
     this.stop_drawing();
+    if (this.is_late) this.keep_all_seen();
   }
 
   // What was not finished is forgotten.
@@ -300,6 +317,7 @@ class Board {
       const middle = [0, 1].map(axis => (at[axis] + other[axis]) / 2);
       this.zoom(distance(at, other) / Math.max(1, distance(before, other)), middle);
     }
+    this.is_moved = true;
     const share = this.scale * all.length;
     this.middle = this.middle.map((value, axis) => value - (at[axis] - before[axis]) / share);
     this.draw();

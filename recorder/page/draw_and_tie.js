@@ -161,8 +161,7 @@ function fit_board() {
   const path = element('shape').getAttribute('d') ?? '';
   for (const [, x, y] of path.matchAll(/[ML](\S+?) ([^MLZ]+)/g)) points.push([Number(x), Number(y)]);
   if (points.length === 0) points.push([-500, -500], [500, 500]);
-  const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
-  const box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+  const box = box_around(points);
   const room = states.state.points.length > 0 ? 0.08 : 1.2;
   const margin = room * Math.max(box[2] - box[0], box[3] - box[1]);
   board.fit([box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin]);

@@ -517,6 +517,52 @@ class Drawing(Sketch):
         self.assertEqual(self.points(), points)
 
 
+    def turn_phone(self, width, height):
+        self.browser.set_screen(width, height)
+        self.wait_for(lambda: self.script(
+            "return innerWidth === arguments[0] && board.board.clientWidth <= innerWidth", width),
+                      "the screen is not turned")
+
+    def drawing_is_seen(self):
+        """Each point and the whole object lie on the board."""
+        return self.script("""
+            const corners = board.shape.getBBox();
+            const places = [...board.points, [corners.x, corners.y],
+                            [corners.x + corners.width, corners.y + corners.height]];
+            const {clientWidth, clientHeight} = board.board;
+            return places.map(place => board.to_screen(place)).every(
+                ([x, y]) => x >= 0 && y >= 0 && x <= clientWidth && y <= clientHeight);""")
+
+    def share_of_board(self):
+        """Of the drawing, in the direction in which it fills more."""
+        return self.script("""
+            const xs = board.points.map(([x]) => x), ys = board.points.map(([, y]) => y);
+            const {clientWidth, clientHeight} = board.board;
+            return board.scale * Math.max((Math.max(...xs) - Math.min(...xs)) / clientWidth,
+                                          (Math.max(...ys) - Math.min(...ys)) / clientHeight);""")
+
+    def test_the_drawing_fits_a_phone_that_is_turned(self):
+        self.turn_phone(390, 844)
+        self.begin_with("overhand knot")
+        for width, height in ((844, 390), (390, 844)):
+            self.turn_phone(width, height)
+            self.wait_for(lambda: self.drawing_is_seen() and self.share_of_board() > 0.5,
+                          "the drawing is cut off or small")
+            self.picture(f"board-{width}")
+        self.script("board.zoom(3, [40, 30])")
+        view = "return [board.scale, ...board.middle]"
+        zoomed = self.script(view)
+        self.turn_phone(844, 390)
+        self.wait_for(lambda: self.script("return Number(paper.getAttribute('viewBox').split(' ')[2]) === "
+                                          "board.board.clientWidth / board.scale"), "it is not drawn anew")
+        self.assertEqual(self.script(view), zoomed)
+        self.script("board.board.focus()")
+        self.press("0")
+        self.assertTrue(self.drawing_is_seen())
+        self.turn_phone(390, 844)
+        self.wait_for(lambda: self.drawing_is_seen(), "the drawing is cut off once more")
+
+
 class DarkSketch(Sketch):
     dark = True
 
