@@ -160,7 +160,7 @@ class OpenedPage(unittest.TestCase):
               wider: shown.filter(one => box(one).right > innerWidth + 1 || box(one).left < -1)
                          .map(one => one.id || one.textContent),
               overlapping: touched.filter((a, i) => touched.slice(i + 1).some(b => lie_on(a, b))).length,
-              picture: box(document.querySelector('main')).height / innerHeight,
+              picture: box(document.getElementById('seen')).height / innerHeight,
               told: box(document.getElementById('status')).bottom <= innerHeight,
               unreachable: Math.max(...touched.map(one => one.bottom)) - document.documentElement.scrollHeight,
             };""")
@@ -168,6 +168,25 @@ class OpenedPage(unittest.TestCase):
         self.assertGreaterEqual(found["picture"], 0.5)
         self.assertTrue(found["told"])
         self.assertLessEqual(found["unreachable"], 0)
+
+    def check_picture_has_the_room(self, width, height):
+        """Of a screen that is wider than high: nearly all of the height, and most of the width; and it stays
+        in sight while one scrolls to the last control."""
+        self.browser.set_screen(width, height)
+        self.wait_for(lambda: self.script("return innerWidth === arguments[0] && innerHeight === arguments[1]",
+                                          width, height), "the screen stays as it was")
+        found = self.script("""
+            const box = one => one.getBoundingClientRect();
+            const last = [...document.querySelectorAll('footer button')].filter(one => one.offsetParent).at(-1);
+            last.scrollIntoView({block: 'nearest'});
+            const seen = box(document.getElementById('seen'));
+            return {height: seen.height / innerHeight, width: seen.width / innerWidth, top: seen.top,
+                    reached: box(last).bottom <= innerHeight + 1,
+                    wider: document.documentElement.scrollWidth - innerWidth};""")
+        self.assertGreaterEqual(found["height"], 0.7)
+        self.assertGreaterEqual(found["width"], 0.6)
+        self.assertEqual([found["top"], found["reached"]], [0, True])
+        self.assertLessEqual(found["wider"], 0)
 
     def check_controls(self):
         """Each that is shown has a name and room for a finger."""

@@ -494,6 +494,30 @@ class Drawing(Sketch):
         self.touch([(x + 100 + 10 * step, middle) for step in range(6)])
         self.assertNotAlmostEqual(self.script("return view.camera.azimuth"), azimuth, delta=0.1)
 
+    def test_tie_is_within_reach_on_a_phone(self):
+        """Also where the browser's own bars take a fifth of the screen."""
+        self.browser.set_screen(390, 664)
+        self.wait_for(lambda: self.script("return innerWidth === 390"), "the screen stays wide")
+        self.begin_with("overhand knot")
+        self.assertLessEqual(self.script("return element('tie').getBoundingClientRect().bottom"), 664)
+        self.assertEqual(self.script("return scrollY"), 0)
+
+    def test_the_picture_has_the_room(self):
+        sizes = ((1200, 800), (1366, 768), (844, 390))
+        self.begin_with("overhand knot")
+        for width, height in sizes:
+            self.check_picture_has_the_room(width, height)
+            self.picture(f"draw-{width}")
+        Select(self.find("mesh")).select_by_index(1)  # still tied while it is looked at
+        self.tie(frames=5)
+        for width, height in sizes:
+            self.check_picture_has_the_room(width, height)
+            self.picture(f"tying-{width}")
+        self.stop()
+        for width, height in sizes:
+            self.check_picture_has_the_room(width, height)
+            self.picture(f"watch-{width}")
+
     def test_one_finger_draws_two_zoom(self):
         self.browser.set_screen(390, 844)
         self.wait_for(lambda: self.script("return innerWidth === 390 && board.board.clientWidth <= 390"),

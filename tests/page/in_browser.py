@@ -222,6 +222,11 @@ class Page(Opened):
         self.check_fits_a_phone()
         self.picture("phone")
 
+    def test_the_picture_has_the_room(self):
+        for width, height in ((1200, 800), (1366, 768), (844, 390)):
+            self.check_picture_has_the_room(width, height)
+            self.picture(f"wide-{width}")
+
     def test_moves_smoothly_without_a_graphics_card(self):
         """At 1200x800: turned by somebody who has come close, then playing, each in the best of
         four seconds; and sharp once it rests."""
