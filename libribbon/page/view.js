@@ -41,7 +41,8 @@ void main() {
   gl_Position = clip_from_world * vec4(position, 1);
 }`;
 
-// Where colours tell strain, stripes on the back alone still tell the sides apart.
+// Where colours tell strain, bars across the back alone still tell the sides apart: a light and a dark line
+// side by side, which stand out from any colour.
 const cloth_fragment_shader = `#version 300 es
 precision highp float;
 precision highp sampler2DArray;
@@ -56,8 +57,8 @@ void main() {
   vec3 albedo;
   if (most_strain > 0.0) {
     vec3 told = pow(texture(strain_colors, vec2(strained / most_strain, 0.5)).rgb, vec3(2.2));
-    float stripe = gl_FrontFacing ? 1.0 : 0.75 + 0.25 * step(0.5, fract(place.x * 6.0));
-    albedo = told * stripe;
+    float bar = gl_FrontFacing ? 1.0 : fract(place.x);
+    albedo = bar < 0.2 ? mix(told, vec3(1), 0.8) : bar < 0.4 ? 0.1 * told : told;
   } else {
     vec3 root = texture(cloth, vec3(place.x / 0.5, place.y, gl_FrontFacing ? 0.0 : 1.0)).rgb;
     albedo = root * root;

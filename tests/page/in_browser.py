@@ -168,6 +168,40 @@ class Page(Opened):
         self.assertNotEqual(self.colours(), cloth)
         self.picture("strain")
 
+    def test_bars_tell_the_back_where_colours_tell_strain(self):
+        """Of the ribbon alone: shares of light, pale pixels and of dark ones. Then its sides are exchanged."""
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+        self.find("by_strain").click()
+        shares = """
+            view.recording.obstacle = new Float32Array(0);
+            const {gl} = view;
+            gl.frontFace(arguments[0] ? gl.CW : gl.CCW);
+            view.camera.zoom(2);
+            view.draw();
+            view.camera.zoom(0.5);
+            const bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+            gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+            const paper = getComputedStyle(stage).backgroundColor.match(/\d+/g).map(Number);
+            let [drawn, pale, dark] = [0, 0, 0];
+            for (let i = 0; i < bytes.length; i += 4) {
+              const pixel = [...bytes.subarray(i, i + 3)];
+              if (paper.every((value, channel) => Math.abs(pixel[channel] - value) < 2)) continue;
+              ++drawn;
+              if (Math.min(...pixel) > 0.8 * Math.max(...pixel)) ++pale;
+              if (Math.max(...pixel) < 70) ++dark;
+            }
+            return [pale / drawn, dark / drawn]"""
+        mostly_front = self.script(shares, False)
+        mostly_back = self.script(shares, True)
+        print(f"pale and dark shares: front {mostly_front}, back {mostly_back}")
+        self.script("zoom(2)")
+        time.sleep(0.5)
+        self.picture("bars")
+        for front, back in zip(mostly_front, mostly_back):
+            self.assertLess(front, 0.06)
+            self.assertGreater(back, 0.1)
+
     def test_other_recordings_can_be_dropped(self):
         name = self.find("name").text
         self.drop("other.rbn", OTHER.read_bytes())
