@@ -142,14 +142,17 @@ class Camera {
     this.radius = Math.hypot(...this.half);
   }
 
-  // To where the box just fits.
+  // To where the box's corners just fit.
   fit(aspect) {
     this.middle = this.target.slice();
     const {right, up, back} = this.axes();
-    const reach = axis => axis.reduce((sum, value, i) => sum + Math.abs(value) * this.half[i], 0);
     const margin = 1.05;
-    this.distance = reach(back) +
-        margin / lens_slope * Math.max(reach(right) / aspect, reach(up));
+    this.distance = 0;
+    for (let number = 0; number < 8; ++number) {
+      const corner = this.half.map((value, axis) => (number >> axis & 1 ? value : -value));
+      const aside = Math.max(Math.abs(dot3(corner, right)) / aspect, Math.abs(dot3(corner, up)));
+      this.distance = Math.max(this.distance, dot3(corner, back) + margin / lens_slope * aside);
+    }
   }
 
   orbit(right, up) {
@@ -248,6 +251,7 @@ class Pace {
 }
 
 const floats_per_particle = 7;  // position, normal, strain
+const floats_per_corner = 6;    // of the obstacle: position, normal
 
 class View {
   // Throws where the browser has no WebGL2.
@@ -297,6 +301,7 @@ class View {
 
   open(recording) {
     this.recording = recording;
+    this.widens_box(recording.obstacle, floats_per_corner);
     this.load(recording);
     this.show_all();
   }
@@ -376,18 +381,19 @@ class View {
     this.particles = particles;
     this.gl.bindBuffer(this.gl.ARRAY_BUFFER, this.buffers.particles);
     this.gl.bufferSubData(this.gl.ARRAY_BUFFER, 0, particles);
-    if (this.widens_box(particles)) this.keep_all_seen();
+    if (this.widens_box(particles, floats_per_particle)) this.keep_all_seen();
     else this.draw_soon();
     return before;
   }
 
-  // A recording that still grows is pulled out of the box of what there was when it was opened.
-  widens_box(particles) {
+  // The box that the worker tells is that of the ribbon alone, and a recording that still grows is pulled out
+  // of it. floats: of each point, whose place they begin with.
+  widens_box(points, floats) {
     const {box_min, box_max} = this.recording;
     let widens = false;
-    for (let i = 0; i < particles.length; i += floats_per_particle)
+    for (let i = 0; i < points.length; i += floats)
       for (let axis = 0; axis < 3; ++axis) {
-        const value = particles[i + axis];
+        const value = points[i + axis];
         if (value < box_min[axis]) box_min[axis] = value;
         else if (value > box_max[axis]) box_max[axis] = value;
         else continue;
@@ -454,7 +460,7 @@ class View {
     if (this.recording.obstacle.length > 0) {
       this.use(this.stone, clip_from_world);
       gl.bindVertexArray(this.obstacle);
-      gl.drawArrays(gl.TRIANGLES, 0, this.recording.obstacle.length / 6);
+      gl.drawArrays(gl.TRIANGLES, 0, this.recording.obstacle.length / floats_per_corner);
     }
     gl.bindVertexArray(null);
   }

@@ -144,6 +144,18 @@ class OpenedPage(unittest.TestCase):
             self.skipTest(f"the machine is too busy to tell: {measured}")
         self.assertTrue(holds, measured)
 
+    def lies_in_picture(self, points, floats):
+        """Each of what this JavaScript tells: floats to a point, its place first."""
+        return self.script("""
+            const m = view.camera.clip_from_world(stage.clientWidth / stage.clientHeight);
+            const [p, floats] = [%s, arguments[0]];
+            for (let i = 0; i < p.length; i += floats) {
+              const [x, y, w] = [0, 1, 3].map(
+                  row => m[row] * p[i] + m[4 + row] * p[i + 1] + m[8 + row] * p[i + 2] + m[12 + row]);
+              if (!(w > 0 && Math.abs(x) <= w && Math.abs(y) <= w)) return false;
+            }
+            return p.length > 0;""" % points, floats)
+
     def check_fits_a_phone(self):
         """Upright: half of the screen is picture, and what is told is seen with it; nothing is wider than
         the screen, controls do not lie on one another, and the last can be scrolled to."""

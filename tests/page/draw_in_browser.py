@@ -411,17 +411,11 @@ class Drawing(Sketch):
         self.wait_for(lambda: self.script("return recording.frames") >= 40, "it does not go on")
 
     def all_is_seen(self):
-        """Of the frame that is shown, each particle lies in the picture."""
-        return self.script("""
-            if (!view.particles || timeline.index !== recording.frames - 1 || wanted.is_asked) return null;
-            const m = view.camera.clip_from_world(stage.clientWidth / stage.clientHeight);
-            const {particles: p} = view;
-            for (let i = 0; i < p.length; i += 7) {
-              const [x, y, w] = [0, 1, 3].map(
-                  row => m[row] * p[i] + m[4 + row] * p[i + 1] + m[8 + row] * p[i + 2] + m[12 + row]);
-              if (!(w > 0 && Math.abs(x) <= w && Math.abs(y) <= w)) return false;
-            }
-            return true;""")
+        """Of the last frame and its object; None while it is not shown."""
+        is_shown = self.script(
+            "return view.particles && timeline.index === recording.frames - 1 && !wanted.is_asked")
+        return self.lies_in_picture("view.particles", 7) and self.lies_in_picture(
+            "recording.obstacle", 6) if is_shown else None
 
     def test_all_is_seen_until_who_watches_turns_the_picture(self):
         self.begin_with("overhand knot")

@@ -256,6 +256,16 @@ class Page(Opened):
         self.check_fits_a_phone()
         self.picture("phone")
 
+    def test_an_object_is_seen_that_is_larger_than_the_ribbon(self):
+        self.assertTrue(self.lies_in_picture("recording.obstacle", 6))
+        self.script("""
+            const obstacle = recording.obstacle.map((value, i) => (i % 6 === 1 ? 8 * value : value));
+            view.open({...recording, obstacle});""")
+        self.assertTrue(self.lies_in_picture("view.recording.obstacle", 6))
+        self.browser.set_screen(390, 844)
+        self.wait_for(lambda: self.script("return stage.clientWidth <= 390"), "the screen stays wide")
+        self.wait_for(lambda: self.lies_in_picture("view.recording.obstacle", 6), "a phone cuts it off")
+
     def test_the_picture_has_the_room(self):
         for width, height in ((1200, 800), (1366, 768), (844, 390)):
             self.check_picture_has_the_room(width, height)
