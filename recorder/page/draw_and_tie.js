@@ -4,7 +4,7 @@
 
 // ---- Scenes: objects to draw round, and drawings to begin with
 
-let scenes = [];       // as scene_json() has them; the first ones are offered as objects
+let scenes = [];       // as scene_json() has them; the first ones are offered as objects. None where one is given
 let scene = null;      // the one whose text is changed
 let given = null;      // the user's own, where the page was written for one
 const object_count = 4;
@@ -451,8 +451,8 @@ addEventListener('keydown', event => {
 async function begin() {
   start_view();
   show_ending();
-  scenes = await unpacked_json('scenes');
   given = element('scene').textContent ? await unpacked_json('scene') : null;
+  if (!given) scenes = await unpacked_json('scenes');
   offer_scenes();
   choose_object(0);
   show_drawing();

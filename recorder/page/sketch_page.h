@@ -5,8 +5,9 @@
 
 namespace ribbon {
 
-// Complete but for {{scene}}, the scene to begin with, where there is one. Empty where the program
-// was built without Emscripten.
+// Complete but for {{scene}}, the scene to begin with, where there is one; then what stands between
+// {{offered}} and {{offered-end}} is not needed. Empty where the program was built without
+// Emscripten.
 std::string_view sketch_page();
 
 }  // namespace ribbon

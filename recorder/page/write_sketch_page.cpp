@@ -32,8 +32,14 @@ Result<std::string> write_sketch_page(const std::optional<Scene>& scene,
   const auto filled = packed_scene(scene);
   if (!filled) return tl::unexpected(filled.error());
   std::string whole;
-  for (const PagePart& part : page_parts(sketch_page()))
-    whole += part.is_place ? *filled : part.text;
+  bool is_left_out = false;
+  for (const PagePart& part : page_parts(sketch_page())) {
+    if (part.is_place) is_left_out = scene && part.text == "offered";
+    if (part.is_place && part.text == "scene")
+      whole += *filled;
+    else if (!part.is_place && !is_left_out)
+      whole += part.text;
+  }
   const double megabytes = static_cast<double>(whole.size()) / 1e6;
   return write_file(page, whole).map([&] {
     return filled_in("page: {} ({:.1f} MB); open it in a browser\n", page.string(), megabytes);
