@@ -40,7 +40,10 @@ class Sketch(OpenedPage):
         return round(x - board["width"] / 2), round(y - board["height"] / 2)
 
     def draw(self, places):
-        """With the mouse, in one stroke."""
+        """With the mouse, in one stroke; on a board that shows as much."""
+        self.script("""
+            const box = box_around([board.box.slice(0, 2), board.box.slice(2), ...arguments[0]]);
+            if (box.some((value, i) => value !== board.box[i])) board.fit(box);""", [list(place) for place in places])
         paper = self.find("paper")
         actions = ActionChains(self.browser, duration=5)
         actions.move_to_element_with_offset(paper, *self.on_screen(places[0])).click_and_hold()
@@ -355,10 +358,10 @@ class Drawing(Sketch):
         self.assertFalse(self.find("mistake").is_displayed())
         for place in ((-500, 400), (500, 400), (500, 600), (0, 400), (-500, 600)):
             self.click(place)
-        self.assertRegex(self.status(), r"\(0, (39[5-9]|40[0-5])")
+        self.assertRegex(self.status(), r"\(-?[01](\.\d+)?, (39[5-9]|40[0-5])")
         self.find("tie").click()
         self.wait_for(lambda: not self.status().startswith("Looking"), "Tie is not answered")
-        self.assertRegex(self.status(), r"\(0, (39[5-9]|40[0-5])")
+        self.assertRegex(self.status(), r"\(-?[01](\.\d+)?, (39[5-9]|40[0-5])")
         self.assertEqual(self.script("return document.body.dataset.mode"), "draw")
 
     def test_a_scribble_is_told_at_its_place_and_stays(self):
