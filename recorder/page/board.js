@@ -37,7 +37,7 @@ function places_of_buttons(places) {
 
 class Board {
   // elements: board (has the focus), paper (svg), shape, band, band_behind, dots, cursor, mistake (in it),
-  // crossing_buttons, pass_buttons.
+  // crossing_buttons, pass_buttons, all_seen (the button that goes back to that).
   constructor(elements, deeds) {
     Object.assign(this, elements);
     this.deeds = deeds;
@@ -67,6 +67,10 @@ class Board {
       event.preventDefault();
       this.zoom(Math.exp(-0.0015 * event.deltaY), this.on_screen(event));
     }, {passive: false});
+    this.all_seen.addEventListener('click', () => {
+      this.board.focus({preventScroll: true});
+      this.fit(this.box);
+    });
     this.board.addEventListener('keydown', event => this.key(event));
     this.board.addEventListener('focus', () => this.draw());
     this.board.addEventListener('blur', () => this.draw());
@@ -145,6 +149,7 @@ class Board {
   draw() {
     const {clientWidth: width, clientHeight: height} = this.board;
     if (width === 0) return;
+    this.all_seen.hidden = !this.is_moved;
     const [w, h] = [width / this.scale, height / this.scale];
     this.paper.setAttribute(
         'viewBox', `${this.middle[0] - w / 2} ${this.middle[1] - h / 2} ${w} ${h}`);

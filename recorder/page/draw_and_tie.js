@@ -47,6 +47,7 @@ const board = new Board(
       mistake: element('mistake'),
       crossing_buttons: element('crossings'),
       pass_buttons: element('passes'),
+      all_seen: element('all_seen'),
     },
     {
       points_changed: points => change(points, null),

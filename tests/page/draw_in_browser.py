@@ -537,7 +537,15 @@ class Drawing(Sketch):
         self.touch([(150 - 10 * step, 300) for step in range(6)], [(250 + 10 * step, 300) for step in range(6)])
         self.assertAlmostEqual(self.script("return board.scale") / scale, 2, delta=0.3)
         self.assertEqual(self.points(), points)
-
+        self.script("board.zoom(3, [40, 30])")
+        self.assertFalse(self.drawing_is_seen())
+        self.picture("phone-zoomed")
+        left, top, width, height = self.script(
+            "const b = all_seen.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+        self.touch([(left + width / 2, top + height / 2)])
+        self.wait_for(self.drawing_is_seen, "Show all shows a part")
+        self.assertTrue(self.script("return all_seen.hidden"))
+        self.assertEqual(self.points(), points)
 
     def turn_phone(self, width, height):
         self.browser.set_screen(width, height)
