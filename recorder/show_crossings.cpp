@@ -50,9 +50,9 @@ std::string text_of(const std::vector<Crossing>& crossings,
 // Of a list that does not tell of the object.
 std::string text_of(const std::vector<ObjectRun>& runs) {
   return filled_in(
-      "the curve passes the object {} times; where it lies in front of it or behind, F or B in "
+      "the curve passes the object {}; where it lies in front of it or behind, F or B in "
       "'crossings' tells it\n",
-      runs.size());
+      runs.size() == 1 ? "once" : filled_in("{} times", runs.size()));
 }
 
 }  // namespace

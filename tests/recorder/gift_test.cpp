@@ -73,6 +73,10 @@ TEST(Gift, whose_list_does_not_tell_of_the_box_is_told_how_often_it_is_passed) {
                 [](char letter) { return letter == 'F' || letter == 'B'; });
   EXPECT_THAT(show_crossings(scene, temporary_file("gift.svg"), Overwrite::yes).value(),
               HasSubstr("passes the object 5 times"));
+  scene.curve.drawing = DrawnPoints{{{-9000, 0}, {9000, 10}}};
+  scene.curve.crossings.reset();
+  EXPECT_THAT(show_crossings(scene, temporary_file("straight.svg"), Overwrite::yes).value(),
+              HasSubstr("passes the object once"));
 }
 
 TEST(Gift, with_a_letter_too_few_is_told_where) {
