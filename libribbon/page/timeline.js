@@ -58,12 +58,13 @@ class Timeline {
     return null;
   }
 
-  // By hand: playing ends. Over lost frames it goes on in the same direction.
+  // By hand: playing ends. Over lost frames it goes on in the same direction, at the end back.
   go_to(index) {
     if (!this.frames) return;
     this.pause();
     const inside = Math.min(this.frames - 1, Math.max(0, index));
-    this.move_to(this.next_readable(inside, inside < this.index ? -1 : 1) ?? this.index);
+    const step = inside < this.index ? -1 : 1;
+    this.move_to(this.next_readable(inside, step) ?? this.next_readable(inside, -step) ?? this.index);
   }
 
   move_to(index) {
@@ -84,7 +85,8 @@ class Timeline {
   // From the beginning where the end has been reached.
   start() {
     if (this.frames < 2) return;
-    if (this.index >= this.frames - 1) this.move_to(this.next_readable(0, 1));
+    if (this.next_readable(this.index + 1, 1) === null)
+      this.move_to(this.next_readable(0, 1) ?? this.index);
     this.is_playing = true;
     this.tell_play();
     this.played_s = this.time_s(this.index);

@@ -95,13 +95,15 @@ function ask() {
   if (wanted.is_asked || wanted.frame === null) return;
   wanted.is_asked = true;
   const buffer = wanted.buffer;
-  send({show: wanted.frame, buffer}, buffer ? [buffer] : []);
+  send({show: wanted.frame, of: recording.opening, buffer}, buffer ? [buffer] : []);
   wanted.buffer = null;
   wanted.frame = null;
 }
 
-// What is sent to a worker that is being made reaches it once it is there.
+// What is sent to a worker that is being made reaches it once it is there; one that is ended before does
+// not come to be.
 const unsent = [];
+let ended_workers = 0;
 
 function send(message, transferred = []) {
   if (worker) worker.postMessage(message, transferred);
@@ -109,13 +111,15 @@ function send(message, transferred = []) {
 }
 
 async function start_worker() {
+  const ended_before = ended_workers;
   const scripts = [...document.querySelectorAll('script.of_worker')].map(one => one.textContent);
   const script = [await unpacked_gzip('glue'), ...scripts];
   const address = URL.createObjectURL(new Blob(script, {type: 'text/javascript'}));
   const wasm = await unpacked_gzip('wasm');
-  worker = new Worker(address);
-  worker.onmessage = ({data}) => take(data);
-  worker.onerror = event => take({broken: event.message});
+  if (ended_workers > ended_before) return;
+  const own = worker = new Worker(address);
+  worker.onmessage = ({data}) => worker === own && take(data);
+  worker.onerror = event => worker === own && take({broken: event.message});
   worker.postMessage({wasm}, [wasm]);
   for (const one of unsent.splice(0)) worker.postMessage(...one);
 }
@@ -124,6 +128,7 @@ async function start_worker() {
 function end_worker() {
   worker?.terminate();
   worker = null;
+  ++ended_workers;
   unsent.length = 0;
   wanted.is_asked = true;
 }
@@ -254,7 +259,8 @@ const page_keys = {
 
 // Controls keep the keys that they know themselves.
 function is_used_by(control, key) {
-  if (control.matches('select, input[type=range]')) return key !== ' ';
+  if (control.matches('select')) return true;
+  if (control.matches('input[type=range]')) return key !== ' ';
   return control.matches('button, input, a') && key === ' ';
 }
 

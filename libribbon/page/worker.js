@@ -1,8 +1,9 @@
 // Decodes frames beside the page, by libribbon's playback in WebAssembly. The page sends
 //   {wasm}               once, the module's bytes
 //   {open, name}         a recording's bytes; answered by {opened} or {refused}
-//   {show, buffer}       a frame's index, and a buffer to fill if there is one; answered by {shown}, and
-//                        how long that took, or {lost}
+//   {show, of, buffer}   a frame's index, the number of the opening that it is of, and a buffer to fill if
+//                        there is one; answered by {shown}, and how long that took, or {lost}; not at all
+//                        where another recording has been opened since
 // and what cannot be gone on from is answered by {broken}. Other scripts of the worker add to `answers`.
 'use strict';
 
@@ -72,11 +73,13 @@ function call_with_texts(called, ...texts) {
   return answer;
 }
 
+let opening = 0;  // the number of the recording that is open
+
 // What an open recording is to who draws it; null where it is refused, for which there is a sentence.
 function description_of(path, name) {
   const frames = call_with_texts(library._playback_open, path);
   if (frames < 0) return null;
-  return {...JSON.parse(playback_text()), ...opened_arrays(frames), file: name};
+  return {...JSON.parse(playback_text()), ...opened_arrays(frames), file: name, opening: ++opening};
 }
 
 function show(frame, buffer) {
@@ -107,7 +110,7 @@ const answers = {
     postMessage({opened});
   },
   show(message) {
-    show(message.show, message.buffer);
+    if (message.of === opening) show(message.show, message.buffer);
   },
 };
 

@@ -45,7 +45,7 @@ class Board {
     this.told = nothing_told;  // crossings, and passes of the object
     this.middle = [0, 0];
     this.scale = 0.3;       // screen pixels a drawing unit
-    this.tolerance = 3;     // of freehand strokes, drawing units
+    this.grain = 1;         // drawing units: what is finer is not drawn by hand
     this.spot = [0, 0];     // the keyboard's cursor
     this.selected = -1;     // the point that keys move
     this.pointers = new Map();
@@ -79,7 +79,8 @@ class Board {
   // ---- What is shown
 
   show(points, told) {
-    this.points = points;
+    if (this.dragged >= 0 && points !== this.before) this.stop_drawing();
+    if (this.dragged < 0) this.points = points;
     this.told = told;
     if (this.selected >= points.length) this.selected = -1;
     this.draw();
@@ -127,7 +128,7 @@ class Board {
   zoom(factor, [x, y]) {
     this.is_moved = true;
     const before = this.in_drawing([x, y]);
-    this.scale = Math.min(100, Math.max(1e-3, this.scale * factor));
+    this.scale = Math.min(100 / this.grain, Math.max(1e-3 / this.grain, this.scale * factor));
     const after = this.in_drawing([x, y]);
     this.middle = this.middle.map((value, axis) => value + before[axis] - after[axis]);
     this.draw();
@@ -294,14 +295,20 @@ class Board {
     this.stop_drawing();
     const is_click = this.way_px < shortest_stroke;
     if (this.is_late) this.keep_all_seen();
-    if (dragged >= 0 && !is_click) this.deeds.points_changed(rounded(moved));
-    else if (stroke) this.add(is_click ? stroke.slice(0, 1) : simplified(stroke, this.tolerance));
+    if (dragged >= 0 && !is_click) this.deeds.points_changed(rounded(moved, this.grain));
+    else if (stroke) this.add(is_click ? stroke.slice(0, 1) : simplified(stroke, 3 * this.grain));
   }
 
   give_up(event) {
     this.pointers.delete(event.pointerId);
     this.stop_drawing();
     if (this.is_late) this.keep_all_seen();
+  }
+
+  // Whatever fingers do.
+  let_go() {
+    this.pointers.clear();
+    this.stop_drawing();
   }
 
   // What was not finished is forgotten.
@@ -329,7 +336,7 @@ class Board {
   }
 
   add(points) {
-    const added = rounded(points);
+    const added = rounded(points, this.grain);
     const last = this.points.at(-1);
     this.deeds.points_changed(
         [...this.points, ...(last && distance(last, added[0]) === 0 ? added.slice(1) : added)]);
@@ -356,7 +363,7 @@ class Board {
       '-': () => this.zoom(1 / 1.2, this.to_screen(this.spot)),
       '0': () => this.fit(this.box),
     };
-    const deed = deeds[event.key];
+    const deed = deeds[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!deed) return;
     event.preventDefault();
     event.stopPropagation();
@@ -370,9 +377,10 @@ class Board {
   }
 
   shift(right, down) {
-    this.spot = [this.spot[0] + right, this.spot[1] + down];
+    const [x, y] = this.selected < 0 ? this.spot : this.points[this.selected];
+    this.spot = [x + right, y + down];
     if (this.selected >= 0)
-      this.deeds.points_changed(rounded(this.points.with(this.selected, this.spot)));
+      this.deeds.points_changed(rounded(this.points.with(this.selected, this.spot), this.grain));
     this.draw();
     this.say_spot();
   }

@@ -33,9 +33,23 @@ function simplified(points, tolerance) {
   return points.filter((_, i) => keep[i]);
 }
 
-const rounded = points => points.map(point => point.map(value => Math.round(100 * value) / 100));
+// To a hundredth of `grain`, a power of ten.
+function rounded(points, grain) {
+  const digits = digits_for(grain);
+  return points.map(point => point.map(value => +value.toFixed(digits)));
+}
+const digits_for = grain => Math.max(0, 2 - Math.round(Math.log10(grain)));
 
-// What can be undone: states that nobody changes.
+// The power of ten that is about a two-thousandth of what the points take up.
+function grain_of(points) {
+  const extents = [0, 1].map(axis => {
+    const values = points.map(point => point[axis]);
+    return Math.max(...values) - Math.min(...values);
+  });
+  return 10 ** Math.round(Math.log10(Math.max(...extents) / 2000 || 1));
+}
+
+// What can be undone. States stay as they are, but for what is told of them once it is found.
 class History {
   constructor(state) {
     this.states = [state];
@@ -82,15 +96,15 @@ const letters_of = ({crossings, passes}) =>
      ...passes.map(({begin, in_front}) => [begin, in_front ? 'F' : 'B'])]
         .sort(([a], [b]) => a - b).map(([, letter]) => letter).join('');
 
-// How far a crossing may have moved and still be the same, in drawing units.
+// How far a crossing may have moved and still be the same, in grains.
 const same_place = 60;
 
 // What was chosen where there was one before stays chosen; what is new is as it was found. `choice` is
 // where crossings or passes have it.
-function kept(found, before, choice) {
+function kept(found, before, choice, within) {
   const free = before.slice();
   return found.map(one => {
-    let [nearest, least] = [-1, same_place];
+    let [nearest, least] = [-1, within];
     free.forEach((old, i) => {
       const way = old ? distance(old.at, one.at) : Infinity;
       if (way < least) [nearest, least] = [i, way];
@@ -101,9 +115,9 @@ function kept(found, before, choice) {
   });
 }
 
-const with_choices_kept = (found, before) => ({
-  crossings: kept(found.crossings, before.crossings, 'first_over'),
-  passes: kept(found.passes, before.passes, 'in_front'),
+const with_choices_kept = (found, before, grain) => ({
+  crossings: kept(found.crossings, before.crossings, 'first_over', same_place * grain),
+  passes: kept(found.passes, before.passes, 'in_front', same_place * grain),
 });
 
 const turned_over = crossing => ({...crossing, first_over: !crossing.first_over});
@@ -199,15 +213,16 @@ function drawn_pieces(points, {crossings, passes}, widest_half_gap) {
 // ---- Files
 
 // The drawing as libribbon reads it.
-function drawing_svg(points) {
+function drawing_svg(points, grain) {
+  const told = value => +value.toFixed(digits_for(grain));
   const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
   const [left, top] = [Math.min(...xs), Math.min(...ys)];
   const [width, height] = [Math.max(...xs) - left, Math.max(...ys) - top];
-  const margin = 0.05 * Math.max(width, height, 1);
+  const margin = 0.05 * Math.max(width, height, grain);
   const box = [left - margin, top - margin, width + 2 * margin, height + 2 * margin];
   return '<svg xmlns="http://www.w3.org/2000/svg" viewBox="' +
-      box.map(value => +value.toFixed(2)).join(' ') + '">\n' +
-      `  <path id="band" fill="none" stroke="#8f1d3c" stroke-width="${+(margin / 10).toFixed(2)}" d="M` +
+      box.map(told).join(' ') + '">\n' +
+      `  <path id="band" fill="none" stroke="#8f1d3c" stroke-width="${told(margin / 10)}" d="M` +
       points.map(([x, y]) => ` ${x} ${y}`).join('') + '"/>\n</svg>\n';
 }
 
@@ -218,6 +233,6 @@ function place_in(sentence) {
 }
 
 if (typeof module !== 'undefined')
-  module.exports = {simplified, rounded, History, passages, letters_of, nothing_told, with_choices_kept,
+  module.exports = {simplified, rounded, grain_of, History, passages, letters_of, nothing_told, with_choices_kept,
                     with_crossing_exchanged, with_pass_exchanged, mirrored, alternated, drawn_pieces,
                     drawing_svg, place_in};

@@ -9,6 +9,7 @@ let scene = null;      // the one whose text is changed
 let given = null;      // the user's own, where the page was written for one
 const object_count = 4;
 let is_new_object = false;  // its outline has not been seen yet
+let grain = 1;         // in drawing units: about a two-thousandth of what is drawn there
 const title_of = name => name.charAt(0).toUpperCase() + name.slice(1).replaceAll('-', ' ');
 
 const pairs = flat => Array.from({length: flat.length / 2}, (_, i) => flat.slice(2 * i, 2 * i + 2));
@@ -24,13 +25,14 @@ function points_for(target, {points, unit_m, origin}) {
   const scale = unit_m / target.unit_m;
   const placed = pairs(points).map(
       point => point.map((value, axis) => (value - origin[axis]) * scale + target.origin[axis]));
-  return rounded(simplified(placed, board.tolerance));
+  return rounded(simplified(placed, 3 * grain), grain);
 }
 
 // ---- What is drawn
 
-// points, and what is told of their curve once the worker has found it (null before).
-let states = new History({points: [], told: nothing_told});
+// points; what is told of their curve round `of`, a scene's object, once the worker has found it (null
+// before); and from what that is found: the letters that come with a drawing, or what was told before.
+let states = new History({points: [], told: nothing_told, of: null, letters: '', before: nothing_told});
 let answer = null;   // the worker's last one of what is drawn now: its text, letters, knot, problem
 let looked = 0;      // the number of the last question
 const asked = new Map();
@@ -64,9 +66,8 @@ const board = new Board(
 
 // What is not told yet is as it was, as far as it is still there.
 function change(points, told) {
-  const before = states.state.told ?? board.told;
-  states.add({points, told, before});
-  unsaved.drawing = points.length > 0;
+  const {state} = states;
+  states.add({points, told, of: scene, letters: '', before: state.told ?? state.before});
   show_drawing();
 }
 
@@ -95,14 +96,18 @@ function mesh_settings(width_m) {
 }
 
 function show_drawing() {
-  const {points, told} = states.state;
+  const {state} = states;
+  if (state.of !== scene)
+    Object.assign(state, {told: null, of: scene, letters: '', before: state.told ?? state.before});
+  const {points, told} = state;
+  unsaved.drawing = points.length > 0;
   answer = null;
   ties_once_answered = false;
   element('undo').disabled = !states.can_undo;
   element('redo').disabled = !states.can_redo;
   board.show(points, told ?? nothing_told);
   board.show_mistake(null);
-  if (points.length > 1) return look(told ? letters_of(told) : '');
+  if (points.length > 1) return look(told ? letters_of(told) : state.letters);
   states.state.told = nothing_told;
   element('knot').textContent = '';
   tell('Draw a curve that begins and ends outside of the object, and leads round it.');
@@ -111,7 +116,7 @@ function show_drawing() {
 function look(letters) {
   asked.clear();
   asked.set(++looked, {state: states.state, letters});
-  const svg = drawing_svg(states.state.points);
+  const svg = drawing_svg(states.state.points, grain);
   send({diagram: {scene: scene.text, svg, letters, settings: settings(), number: looked}});
 }
 
@@ -120,14 +125,18 @@ function take_diagram({drawn, number}) {
   if (!question) return;
   asked.delete(number);
   const {state} = question;
+  if (!state.told && state.letters !== '' && (drawn.problem || !drawn.crossings)) {
+    state.letters = '';  // of another object, or of a curve that is less simple
+    return look('');
+  }
   if (!state.told && drawn.crossings) {
-    state.told = with_choices_kept(drawn, state.before);
+    state.told = with_choices_kept(drawn, state.before, grain);
     board.show(state.points, state.told);
     tell_passes(state.told.passes);
     const letters = letters_of(state.told);
     if (letters !== '' && (letters !== drawn.letters || drawn.knot === '')) return look(letters);
   }
-  answer = {...drawn, svg: drawing_svg(state.points)};
+  answer = {...drawn, svg: drawing_svg(state.points, grain)};
   element('knot').textContent = drawn.knot ? `This ties: ${drawn.knot}` : '';
   if (drawn.problem) tell_mistake(drawn.problem);
   else if (status_line.className === 'problem' || status_line.textContent.startsWith('Draw a curve'))
@@ -173,6 +182,7 @@ function fit_board() {
 const is_watching = () => document.body.dataset.mode === 'watch';
 
 function set_mode(mode) {
+  if (mode === 'watch') board.let_go();
   document.body.dataset.mode = mode;
   for (const name of ['draw', 'watch'])
     element(name + '_mode').setAttribute('aria-pressed', String(name === mode));
@@ -237,7 +247,7 @@ function take_reopened(opened) {
 }
 
 function take_opened(opened, most) {
-  if (!begun) return take_reopened(opened);
+  if (most === undefined) return take_reopened(opened);
   tied = begun;
   begun = null;
   unsaved.recording = true;
@@ -286,7 +296,7 @@ function take_tied({tied: summary, frames, numbers, bytes}) {
 
 // What was tied before can still be watched.
 function take_refusal(sentence, left) {
-  if (left) tied.recording = left;
+  keep_left(left);
   begun = null;
   is_tying = false;
   wanted.is_asked = recording === null;
@@ -321,7 +331,7 @@ function save_recording() {
 function save_scene() {
   save(tied.name + '.toml', tied.scene);
   save('sketch.svg', tied.svg);
-  if (answer?.text === tied.scene) unsaved.drawing = false;
+  if (answer?.text === tied.scene && answer.svg === tied.svg) unsaved.drawing = false;
   tell(given ? `Put both into the folder of ${given.file}, so that what it names is found.`
              : `Put both into one folder, with ${tied.object_file}.`);
 }
@@ -332,6 +342,7 @@ function take(answered) {
   if (answered.drawn) take_diagram(answered);
   else if (answered.outlined) take_outline(answered);
   else if (answered.opened) take_opened(answered.opened, answered.most_frames);
+  else if (answered.refused) tell_problem(answered.refused);
   else if (answered.grown) take_grown(answered.grown, answered.numbers);
   else if (answered.tied) take_tied(answered);
   else if (answered.not_tied) take_refusal(answered.not_tied, answered.left);
@@ -348,8 +359,7 @@ async function take_over(reason, left) {
   begun = null;
   grown = null;
   is_tying = false;
-  if (left) tied.recording = left;
-  else if (!tied?.recording) forget_recording();
+  keep_left(left);
   element('tying').textContent = '';
   show_ending();
   const falls_again = performance.now() - last_fall_ms < 5000;
@@ -359,6 +369,12 @@ async function take_over(reason, left) {
                (left ? '. What was tied until then can be watched and saved' : ''));
   if (falls_again) end_worker();
   else await begin_anew();
+}
+
+// Of what was being tied, or of what was tied before, there is a recording; or there is none.
+function keep_left(left) {
+  if (left) tied.recording = left;
+  else if (!tied?.recording) forget_recording();
 }
 
 function forget_recording() {
@@ -373,6 +389,7 @@ function forget_recording() {
 
 function choose_object(index) {
   scene = given ?? scenes[index];
+  grain = board.grain = given ? grain_of(pairs(given.points)) : 1;
   element('width').disabled = scene.width_m === 0;
   element('width').value = scene.width_m > 0 ? +(100 * scene.width_m).toFixed(2) : '';
   is_new_object = true;
@@ -388,7 +405,9 @@ function send_object() {
 function begin_with(index) {
   if (index === '') return;
   const begun = given ?? scenes[index];
-  change(points_for(scene, begun), null);
+  const points = points_for(scene, begun);
+  states.add({points, told: null, of: scene, letters: begun.letters, before: nothing_told});
+  show_drawing();
   fit_board();
 }
 

@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "curve/crossings.h"
 #include "curve/joined_drawing.h"
+#include "curve/object_heights.h"
 #include "curve/object_passages.h"
 #include "curve/over_under.h"
 #include "obstacle/obstacle.h"
@@ -44,11 +47,17 @@ std::vector<double> rounded(const Drawing& drawing) {
   return numbers;
 }
 
-std::string list_for(const JoinedDrawing& drawing, const CurveScene& curve) {
+// Over and under of each crossing, in front of the object or behind it of each passage.
+std::string list_for(const JoinedDrawing& drawing, const CurveScene& curve,
+                     const std::optional<TriangleMesh>& obstacle) {
   const auto points = find_double_points(drawing.points);
   if (!points) return "";
   const auto crossings = over_and_under(*points, drawing, curve);
-  return crossings ? letters_of(*crossings, {}) : "";
+  if (!crossings) return "";
+  std::optional<std::vector<ObjectRun>> runs;
+  if (obstacle) runs = find_object_runs(drawing.points, heights_of(obstacle, curve));
+  const auto passages = object_passages(*points, drawing, curve, runs);
+  return passages ? letters_of(*crossings, *passages) : "";
 }
 
 Json json_of(const ObstacleScene& scene, const TriangleMesh& mesh) {
@@ -71,7 +80,7 @@ Result<Json> scene_json(const Scene& scene) {
             {"text", scene.text},
             {"name", scene.name},
             {"points", rounded(drawing->points)},
-            {"letters", list_for(*drawing, scene.curve)},
+            {"letters", list_for(*drawing, scene.curve, *obstacle)},
             {"unit_m", scene.curve.unit_m},
             {"origin", Json::list({scene.curve.origin.x(), scene.curve.origin.y()})},
             {"width_m", has_one_width ? scene.ribbon.width_m : 0.0},

@@ -10,7 +10,7 @@
 namespace ribbon {
 
 // Its `file`, `text` and `name`, its drawing (`points`, x and y in turn, drawing units, and
-// `letters`, the list of crossings, empty where there is none), how that lies in the world
+// `letters`, as [curve] crossings has them, empty where there are none), how that lies in the world
 // (`unit_m`, `origin`), the ribbon (`width_m`, 0 where its rows are not all as wide, `along`,
 // `across`) and, where there is one, the `object`: `file`, `name`, and of a TriangleMesh `vertices`
 // and `triangles`, three numbers each. Fails where drawing or object cannot be read.

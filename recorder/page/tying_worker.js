@@ -83,23 +83,35 @@ answers.tie = ({tie}) => {
   const opened = description_of(tied_file, tie.file);
   if (!opened) return postMessage({not_tied: playback_text()});
   postMessage({opened, most_frames});
-  if (state === 0) return tell_tied();
   ties = true;
+  if (state === 0) return tell_tied();
   go_on();
 };
 
+// Until all of it is there, what fails leaves the recording so far.
 function tell_tied() {
-  ties = false;
   const summary = sketch_text();
+  const frames = refreshed();
+  const bytes = library.FS.readFile(tied_file);
+  postMessage({tied: summary, frames, numbers: numbers_of(frames), bytes});
+  ties = false;
+}
+
+function refreshed() {
   const frames = library._playback_refresh();
-  postMessage({tied: summary, frames, numbers: numbers_of(frames), bytes: library.FS.readFile(tied_file)});
+  if (frames < 0) throw new Error(playback_text());
+  return frames;
 }
 
 // The recording so far; files are not lost with the memory of what wrote them.
 left = () => {
-  const was_tying = ties;
+  if (!ties) return null;
   ties = false;
-  return was_tying ? library.FS.readFile(tied_file) : null;
+  try {
+    return library.FS.readFile(tied_file);
+  } catch {
+    return null;  // there is no room for a copy
+  }
 };
 
 // Some frames, and again after what has been asked meanwhile.
@@ -115,16 +127,14 @@ function record_frames() {
   while (state === 1 && performance.now() - begun < longest_turn_ms);
   if (state === 0) return tell_tied();
   if (state < 0) return postMessage({not_tied: sketch_text(), left: left()});
-  const frames = library._playback_refresh();
-  if (frames < 0) throw new Error(playback_text());
+  const frames = refreshed();
   postMessage({grown: frames, numbers: numbers_of(frames)});
   go_on();
 }
 
 answers.stop = () => {
   if (!ties) return;
-  ties = false;
-  if (library._sketch_stop() < 0) return postMessage({not_tied: sketch_text()});
+  if (library._sketch_stop() < 0) return postMessage({not_tied: sketch_text(), left: left()});
   tell_tied();
 };
 

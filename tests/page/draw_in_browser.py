@@ -1,6 +1,7 @@
 """Draws and ties knots in a page as a person would: mouse, keys, touch.
 
-draw_in_browser.py PAGE OWN_SCENE_PAGE FOLDER   (pictures and what is saved go to FOLDER)
+draw_in_browser.py PAGES FOLDER   (PAGES holds sketch.html, and own.html, reef.html and metres.html, which were
+                                   written for a scene; pictures and what is saved go to FOLDER)
 """
 
 import base64
@@ -17,7 +18,7 @@ from selenium.webdriver.support.ui import Select
 
 from browser_page import OpenedPage
 
-PAGE, OWN, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+PAGES, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 
 # An overhand knot round what stands in the middle, in drawing units.
 OVERHAND = [(-640, 570), (-510, 545), (-285, 425), (-160, 395), (-70, 410), (75, 510), (150, 520), (250, 460),
@@ -30,7 +31,7 @@ OVERHAND = [(-640, 570), (-510, 545), (-285, 425), (-160, 395), (-70, 410), (75,
 class Sketch(OpenedPage):
     """A page in which nothing has been drawn yet."""
 
-    page = PAGE
+    page = PAGES / "sketch.html"
     pictures = FOLDER
 
     def on_screen(self, place):
@@ -267,6 +268,86 @@ class Drawing(Sketch):
                 -10, 15).release().perform()
         self.wait_for_answer()
         self.assertEqual(self.letters(), letters)
+
+    def test_a_choice_stays_where_answers_come_late(self):
+        self.draw(OVERHAND)
+        self.crossings()[0].click()
+        self.wait_for_answer()
+        letters = self.letters()
+        self.script("board.select(0); for (let i = 0; i < 3; ++i) board.shift(-2, 1)")
+        self.wait_for_answer()
+        self.assertEqual(self.letters(), letters)
+        # The worker answers while a point is being dragged.
+        first = self.points()[0]
+        self.script("""
+            board.pointers.set(1, [0, 0]);
+            [board.dragged, board.before] = [0, board.points];
+            board.pull({pointerId: 1, clientX: 100, clientY: 100});
+            const dragged = board.points[0];
+            board.show(states.state.points, states.state.told);
+            if (board.points[0] !== dragged) throw new Error('the drag is lost');
+            board.lift({pointerId: 1});""")
+        self.wait_for_answer()
+        self.assertNotEqual(self.points()[0], first)
+
+    def test_keys_move_the_point_that_is_chosen(self):
+        for place in ((-700, 100), (-650, 300), (-600, 550)):
+            self.click(place)
+        before = self.points()
+        self.click(before[1])
+        self.press(Keys.ARROW_RIGHT)
+        x, y = self.points()[1]
+        self.assertTrue(before[1][0] < x < before[1][0] + 100, x)
+        self.assertEqual(y, before[1][1])
+        self.press("N", "N", Keys.DELETE, Keys.ARROW_RIGHT)  # removes the first one, then moves the next
+        (second_x, second_y), last = self.points()
+        self.assertTrue(x < second_x < x + 100, second_x)
+        self.assertEqual(second_y, y)
+        self.assertEqual(last, before[2])
+
+    def test_the_object_is_exchanged_under_a_drawing(self):
+        choose = Select(self.find("object")).select_by_visible_text
+
+        def passes_of(item):
+            choose(item)
+            self.wait_for_answer()
+            self.assertEqual(self.script("return answer.problem"), "", item)
+            return len(self.passes())
+        self.draw([(-1100, 160), (1100, 160)])  # over the cylinder, past the box
+        self.assertEqual([passes_of(item) for item in ("box", "cylinder", "box")], [0, 1, 0])
+        self.find("clear").click()
+        self.draw([(-1100, 0), (1100, 0)])  # over both
+        self.passes()[0].click()
+        self.wait_for_answer()
+        self.assertEqual(self.letters(), "B")
+        self.assertEqual([passes_of(item) for item in ("cylinder", "box", "cylinder")], [1, 1, 1])
+        self.find("undo").click()  # what it was round the box
+        self.wait_for_answer()
+        self.assertEqual(self.letters(), "F")
+        self.assertEqual(self.script("return answer.problem"), "")
+
+    def test_tie_is_pressed_again_at_once(self):
+        self.begin_with("overhand knot")
+        self.tie(frames=5)
+        self.stop()
+        tied = self.script("return tied.recording.length")
+        self.script("tie(); stop_looking(); tie(); stop_looking();")
+        self.wait_for(lambda: self.script("return worker !== null && !wanted.is_asked"), "there is no worker")
+        self.assertEqual(self.script("return tied.recording.length"), tied)
+        self.script("tie()")
+        self.wait_for(lambda: self.script("return most_frames > 0 && is_tying && begun === null"), "it does not tie")
+        self.stop()
+        self.assertGreater(self.script("return tied.recording.length"), 0)
+        self.assertEqual(self.browser.find_errors(), [])
+        # The worker knows the object.
+        self.find("draw_mode").click()
+        self.find("clear").click()
+        self.assertFalse(self.script("return unsaved.drawing"))
+        self.find("undo").click()
+        self.assertTrue(self.script("return unsaved.drawing"))
+        self.find("clear").click()
+        self.draw([(-1100, 0), (1100, 0)])
+        self.assertEqual(len(self.passes()), 1)
 
     def test_keys_draw_exchange_and_tie(self):
         self.script("document.getElementById('board').focus()")
@@ -606,7 +687,7 @@ class DarkSketch(Sketch):
 class OwnScene(Sketch):
     """A page that was written for a scene."""
 
-    page = OWN
+    page = PAGES / "own.html"
 
     def test_its_drawing_is_offered_and_tied_as_it_stands_there(self):
         self.assertFalse(self.find("object").is_displayed())
@@ -615,6 +696,37 @@ class OwnScene(Sketch):
         self.tie(frames=5)
         self.assertEqual(self.script("return [recording.along, recording.across]"), [100, 4])
         self.assertFalse(self.find("save_object").is_displayed())
+
+
+class OwnReef(Sketch):
+    """Over and under do not take turns."""
+
+    page = PAGES / "reef.html"
+
+    def test_its_drawing_ties_what_its_scene_ties(self):
+        self.begin_with("its own drawing")
+        self.assertEqual(self.letters(), "OUOOUOUOUUOU")
+        self.assertIn("reef knot", self.knot())
+
+
+class InMetres(Sketch):
+    """A drawing unit is a metre."""
+
+    page = PAGES / "metres.html"
+
+    def test_it_is_drawn_as_finely_as_in_millimetres(self):
+        self.begin_with("its own drawing")
+        self.assertGreater(len(self.points()), 15)
+        self.assertIn("trefoil", self.knot())
+        scale = self.script("return board.scale")
+        self.script("board.zoom(1.2, [40, 30])")
+        self.assertAlmostEqual(self.script("return board.scale") / scale, 1.2)
+        self.crossings()[1].click()
+        self.wait_for_answer()
+        letters = self.letters()
+        self.script("board.select(0); board.shift(-0.02, 0.01)")
+        self.wait_for_answer()
+        self.assertEqual(self.letters(), letters)
 
 
 class WithoutPicture(Sketch):
@@ -627,4 +739,4 @@ class WithoutPicture(Sketch):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

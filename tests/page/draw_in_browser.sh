@@ -23,11 +23,16 @@ if ! "$record" --draw -o "$work/sketch.html" 2>"$work/errors.txt"; then
 fi
 "$record" --quiet --draw "$root/samples/overhand-cylinder-8x400.toml" \
   --set ribbon.along=100 --set ribbon.across=4 -o "$work/own.html"
+"$record" --quiet --draw "$root/samples/gallery/reef.toml" -o "$work/reef.html"
+sed 's|<path |<path transform="scale(0.001)" |' "$root/samples/overhand-cylinder.svg" >"$work/metres.svg"
+sed "s|overhand-cylinder.svg\"|metres.svg\"\nunit = 1.0|;s|cylinder.obj|$root/samples/cylinder.obj|" \
+  "$root/samples/overhand-cylinder-8x400.toml" >"$work/metres.toml"
+"$record" --quiet --draw "$work/metres.toml" -o "$work/metres.html"
 build=$(realpath "$1")
 for browser in ${BROWSERS:-chromium firefox}; do
   mkdir "$work/$browser"
   in_browser "$browser" "$root/tests/page/draw_in_browser.py" \
-    "$work/sketch.html" "$work/own.html" "$work/$browser" "${@:2}"
+    "$work" "$work/$browser" "${@:2}"
   [[ $# -eq 1 ]] || continue
   (
     cd "$work/$browser"

@@ -5,6 +5,7 @@ pictures go to FOLDER)
 Every check is a method of Page; one that fails ends with what was seen.
 """
 
+import base64
 import pathlib
 import sys
 import time
@@ -210,6 +211,51 @@ class Page(Opened):
         self.press(Keys.END)
         self.wait_for_frame(self.frames())
         self.picture("other")
+
+    def test_a_shorter_recording_is_dropped_while_a_longer_one_plays(self):
+        """Frames that were asked for of the one before are not taken for its own."""
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+        self.script("""
+            window.problems = [];
+            new MutationObserver(() => problems.push(status_line.textContent))
+                .observe(status_line, {childList: true});""")
+        name = self.find("name").text
+        bytes_of = base64.b64encode(OTHER.read_bytes()).decode()
+        self.script("""
+            const bytes = Uint8Array.from(atob(arguments[0]), letter => letter.charCodeAt(0));
+            worker.postMessage({open: bytes.buffer, name: 'other.rbn'});
+            asked_for.push({file: new File([bytes], 'other.rbn'), is_shown: false});
+            wanted.is_asked = false;
+            timeline.index = -1;
+            timeline.move_to(recording.frames - 1);""", bytes_of)
+        self.wait_for(lambda: self.find("name").text != name, "the other recording did not come")
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames())
+        self.assertEqual([text for text in self.script("return problems") if "damaged" in text], [])
+        self.assertEqual(self.status(), "")
+
+    def test_of_several_files_the_last_one_is_shown(self):
+        shown = self.find("name").text
+        self.script("""
+            const of = (bytes, name) => new File([Uint8Array.from(atob(bytes), letter => letter.charCodeAt(0))], name);
+            open_file(of(arguments[0], 'other.rbn'));
+            open_file(of(btoa('no recording'), 'notes.txt'));
+            open_file(of(arguments[0], 'third.rbn'));""", base64.b64encode(OTHER.read_bytes()).decode())
+        self.wait_for(lambda: self.find("name").text != shown, "none is shown")
+        self.wait_for(lambda: self.script("return asked_for.length === 0 && source.name === 'third.rbn'"),
+                      "it is not the last one")
+        self.assertEqual(self.status(), "")
+
+    def test_lost_frames_at_the_end_are_gone_round(self):
+        self.script("""
+            const frames = recording.frames, numbers = recording.numbers.slice();
+            for (const lost of [frames - 1, frames - 2]) numbers[8 * lost + columns.indexOf('readable')] = 0;
+            timeline.grow({numbers, frames});""")
+        self.press(Keys.END)
+        self.wait_for_frame(self.frames() - 2)
+        self.find("play").click()
+        self.wait_for(lambda: self.frame() < self.frames() - 2, "it does not play from the beginning")
 
     def test_foreign_files_are_refused_and_nothing_is_lost(self):
         self.press(Keys.END)

@@ -14,8 +14,8 @@ const curve = require(path.join(root, 'recorder/page/curve.js'));
 const [scene] = JSON.parse(fs.readFileSync(scenes_file));
 
 const points = curve.rounded(curve.simplified(
-    Array.from({length: scene.points.length / 2}, (_, i) => scene.points.slice(2 * i, 2 * i + 2)), 3));
-const svg = curve.drawing_svg(points);
+    Array.from({length: scene.points.length / 2}, (_, i) => scene.points.slice(2 * i, 2 * i + 2)), 3), 1);
+const svg = curve.drawing_svg(points, 1);
 const settings = ['name="sketch"', `obstacle.mesh="${scene.object.file}"`].join('\n');
 
 // The worker's other side.

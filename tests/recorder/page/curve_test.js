@@ -24,6 +24,17 @@ test('a closed stroke is not taken for a point', () => {
   assert.ok(curve.simplified(ring, 3).length > 6);
 });
 
+test('a drawing in metres is taken as finely as one in millimetres', () => {
+  const in_millimetres = [[-640, 570], [12.3456, -7.891], [650, -420]];
+  const in_metres = in_millimetres.map(point => point.map(value => value / 1000));
+  assert.strictEqual(curve.grain_of(in_millimetres), 1);
+  assert.strictEqual(curve.grain_of(in_metres), 0.001);
+  assert.strictEqual(curve.grain_of([[3, 4], [3, 4]]), 1);
+  assert.deepStrictEqual(curve.rounded(in_millimetres, 1)[1], [12.35, -7.89]);
+  assert.deepStrictEqual(curve.rounded(in_metres, 0.001)[1], [0.01235, -0.00789]);
+  assert.match(curve.drawing_svg(in_metres, 0.001), /viewBox="-0.7045 -0.4845 1.419 1.119"/);
+});
+
 test('what was undone comes back, until something else is done', () => {
   const states = new curve.History(0);
   states.add(1);
@@ -61,7 +72,7 @@ test('alternating is refused where a crossing has two odd passages', () => {
 test('a crossing that is dragged along stays as it was chosen', () => {
   const chosen = curve.with_crossing_exchanged(told, 2);
   const moved = overhand.map(one => ({...one, at: [one.at[0] + 3, one.at[1] - 2]}));
-  const kept = crossings => curve.with_choices_kept({crossings, passes: []}, chosen).crossings;
+  const kept = crossings => curve.with_choices_kept({crossings, passes: []}, chosen, 1).crossings;
   assert.deepStrictEqual(kept(moved).map(one => one.first_over), [true, false, false]);
   const one_more = [...moved, {at: [500, 500], first: 2.5, second: 9, first_over: true}];
   assert.strictEqual(kept(one_more)[3].first_over, true);
@@ -71,7 +82,9 @@ test('what was led behind the object stays behind it', () => {
   const found = {crossings: [], passes: [{at: [12, -4], begin: 0.3, end: 0.8, in_front: true},
                                          {at: [900, 0], begin: 5, end: 6, in_front: true}]};
   const chosen = {crossings: [], passes: [{at: [5, 0], begin: 0.25, end: 0.75, in_front: false}]};
-  assert.deepStrictEqual(curve.with_choices_kept(found, chosen).passes.map(one => one.in_front), [false, true]);
+  assert.deepStrictEqual(curve.with_choices_kept(found, chosen, 1).passes.map(one => one.in_front), [false, true]);
+  // In a drawing a hundred times as fine it is another place.
+  assert.deepStrictEqual(curve.with_choices_kept(found, chosen, 0.01).passes.map(one => one.in_front), [true, true]);
 });
 
 const line = Array.from({length: 8}, (_, i) => [100 * i, 0]);
