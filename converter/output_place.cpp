@@ -9,13 +9,6 @@ namespace ribbon {
 
 namespace {
 
-// Symbolic links that lead nowhere are there, too; devices are no files that could be lost.
-bool is_taken(const std::filesystem::path& file) {
-  std::error_code code;
-  const auto status = std::filesystem::symlink_status(file, code);
-  return std::filesystem::exists(status) && !std::filesystem::is_other(status);
-}
-
 tl::unexpected<Error> taken(const std::filesystem::path& file) {
   return failure(file.string(), "exists already",
                  "replace it by --force, or name another file after -o");

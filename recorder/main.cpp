@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "commandline/interrupt.h"
 #include "commandline/progress.h"
@@ -137,9 +138,35 @@ Result<ExitCode> do_draw(const RecorderOptions& options) {
   return ExitCode::done;
 }
 
+// Those that were recorded before are not simulated anew.
+void warn_of_lost_frames(RecordingReader& reader, const std::filesystem::path& file) {
+  reader.check();
+  std::vector<int> lost;
+  for (int frame = 0; frame < reader.frame_count(); ++frame)
+    if (!reader.readable(frame)) lost.push_back(frame + 1);
+  if (lost.empty()) return;
+  std::fprintf(stderr,
+               "ribbon-record: %s: frames %s are lost; record the scene anew to have them again\n",
+               file.c_str(), number_list(lost).c_str());
+}
+
+// Asked before the run, which may be long.
+Result<void> check_place_of_statistics(const RecorderOptions& options) {
+  const std::filesystem::path& file = options.statistics;
+  if (file.empty()) return {};
+  for (const auto& other : {options.recording, options.input})
+    if (!other.empty() && is_same_file(file, other))
+      return failure(file.string(), "is " + other.string() + ", in whose place figures cannot go",
+                     "name another file after --stats");
+  if (options.force || !is_taken(file)) return {};
+  return failure(file.string(), "exists already",
+                 "name another file after --stats, or replace it by --force");
+}
+
 Result<ExitCode> do_task(const RecorderOptions& options) {
   if (options.task == RecorderTask::draw) return do_draw(options);
   if (options.task == RecorderTask::crossings) return do_crossings(options);
+  if (auto place = check_place_of_statistics(options); !place) return tl::unexpected(place.error());
   set_thread_limit(options.threads);
   Watch watch(options.progress);
   auto statistics = run_task(options, watch.observer());
@@ -147,8 +174,10 @@ Result<ExitCode> do_task(const RecorderOptions& options) {
   if (!statistics) return tl::unexpected(statistics.error());
   std::optional<RunStatistics>& run = *statistics;
   const bool interrupted = is_interrupted(run, watch);
-  if (run)
-    if (auto reader = RecordingReader::open(options.recording)) run->outcome = outcome(*reader);
+  if (auto reader = RecordingReader::open(options.recording)) {
+    if (run) run->outcome = outcome(*reader);
+    if (options.task == RecorderTask::resume) warn_of_lost_frames(*reader, options.recording);
+  }
   if (!options.quiet)
     std::printf("%s: %s\n", options.recording.c_str(),
                 run ? summary_line(*run).c_str() : nothing_done(options));

@@ -30,7 +30,7 @@ Exit codes: 0 done, 2 could not, 3 ended early (by Ctrl-C, a signal, or because 
 
 // The words of the command line that were used.
 struct Given {
-  bool input, output, resume, from, set, force, crossings, draw, of_runs;
+  bool input, output, resume, from, set, force, crossings, draw, statistics, of_runs;
 };
 
 Result<void> refuse(const std::string& problem, const std::string& remedy) {
@@ -67,7 +67,7 @@ Result<void> goes_together(const Given& given) {
   if (given.resume && given.set)
     return refuse("--resume goes on with the settings that the run has",
                   "branch a new take off with --from");
-  if (given.resume && given.force)
+  if (given.resume && given.force && !given.statistics)
     return refuse("--resume replaces nothing that --force could be of", "leave --force out");
   if (!given.resume && !given.input)
     return given.from ? refuse("--from needs a recording to branch off", "name it at the end")
@@ -104,7 +104,8 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
                                   "branch a new take off at this frame of a recording (from 1)");
   const auto set = arguments.add("--set", options.settings, "KEY=VALUE",
                                  "change this setting of the scene; may be repeated");
-  const auto force = arguments.flag("--force", options.force, "replace a recording of that name");
+  const auto force =
+      arguments.flag("--force", options.force, "replace a recording, or figures, of that name");
   const auto crossings = arguments.add(
       "--crossings", options.diagram, "FILE",
       "write the scene's drawing with its passages numbered (.svg), and record nothing");
@@ -127,9 +128,9 @@ Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const
   if (!*read) return std::nullopt;
   const bool is_of_runs =
       until.is_given() || frames.is_given() || statistics.is_given() || profile.is_given();
-  const Given given{input.is_given(),     output.is_given(), resume.is_given(),
-                    from.is_given(),      set.is_given(),    force.is_given(),
-                    crossings.is_given(), draw.is_given(),   is_of_runs};
+  const Given given{input.is_given(),      output.is_given(), resume.is_given(),    from.is_given(),
+                    set.is_given(),        force.is_given(),  crossings.is_given(), draw.is_given(),
+                    statistics.is_given(), is_of_runs};
   options.progress = progress_style(progress, options.quiet);
   if (until.is_given()) options.limit.until_s = until_s;
   if (frames.is_given()) options.limit.frames = frame_count;

@@ -27,7 +27,7 @@ struct RecorderOptions {
   std::filesystem::path diagram;      // of the crossings, to write
   int from_frame = 0;                 // to branch off at, from 0
   std::vector<std::string> settings;  // to change in the scene, or there: "key=value"
-  bool force = false;                 // replace an older recording
+  bool force = false;                 // replace an older recording, older figures
   RunLimit limit;
   std::filesystem::path statistics;  // JSON file to write at the end; empty: none
   int threads = 0;                   // 0: all cores

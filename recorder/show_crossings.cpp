@@ -59,8 +59,7 @@ std::string text_of(const std::vector<ObjectRun>& runs) {
 
 Result<std::string> show_crossings(const Scene& scene, const std::filesystem::path& file,
                                    Overwrite overwrite) {
-  std::error_code code;
-  if (overwrite == Overwrite::no && std::filesystem::exists(file, code))
+  if (overwrite == Overwrite::no && is_taken(file))
     return failure(file.string(), "exists already", "name another file, or replace it by --force");
   const auto drawing = read_drawing(scene.curve);
   if (!drawing) return tl::unexpected(drawing.error());

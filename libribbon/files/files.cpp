@@ -11,10 +11,26 @@
 
 namespace ribbon {
 
+bool is_taken(const std::filesystem::path& path) {
+  std::error_code code;
+  const auto status = std::filesystem::symlink_status(path, code);
+  return std::filesystem::exists(status) &&
+         !std::filesystem::is_other(std::filesystem::status(path, code));
+}
+
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+  std::error_code code;
+  return std::filesystem::equivalent(one, other, code) ||
+         std::filesystem::weakly_canonical(one, code) ==
+             std::filesystem::weakly_canonical(other, code);
+}
+
 Result<std::string> read_file(const std::filesystem::path& path) {
   std::error_code code;
   if (std::filesystem::is_directory(path, code))
     return failure(path.string(), "is a folder", "name a file");
+  if (std::filesystem::is_character_file(path, code))
+    return failure(path.string(), "is a device, which may never end", "name a file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     return failure(path.string(), "cannot be opened (" + last_error_text() + ")",

@@ -9,7 +9,14 @@
 
 namespace ribbon {
 
-// Reads all of `path`. Fails when it cannot be opened or read.
+// Is there something that a file of this name would replace? Symbolic links that lead nowhere are
+// there, too; devices and pipes are nothing that could be lost.
+bool is_taken(const std::filesystem::path& path);
+
+// Would both names be those of one file? Neither needs to be there.
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
+
+// Reads all of `path`. Fails when it cannot be opened or read, or is a folder or a device.
 Result<std::string> read_file(const std::filesystem::path& path);
 
 // Writes `bytes` beside `path` under a temporary name, flushes and renames, so that a crash or a

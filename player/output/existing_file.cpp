@@ -1,12 +1,11 @@
 #include "player/output/existing_file.h"
 
-#include <system_error>
+#include "files/files.h"
 
 namespace ribbon {
 
 Result<void> check_place(const std::filesystem::path& file, bool replaces) {
-  std::error_code code;
-  if (replaces || !std::filesystem::is_regular_file(file, code)) return {};
+  if (replaces || !is_taken(file)) return {};
   return failure(
       file.string(), "exists already",
       "choose another name, replace it by --force, or go on with a sequence by --resume");

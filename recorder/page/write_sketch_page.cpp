@@ -26,8 +26,7 @@ Result<std::string> write_sketch_page(const std::optional<Scene>& scene,
     return failure(page.string(),
                    "cannot be written: this ribbon-record was built without Emscripten",
                    "install it (apt-get install emscripten) and build again, as docs/page.md says");
-  std::error_code code;
-  if (overwrite == Overwrite::no && std::filesystem::exists(page, code))
+  if (overwrite == Overwrite::no && is_taken(page))
     return failure(page.string(), "exists already", "name another file, or replace it by --force");
   const auto filled = packed_scene(scene);
   if (!filled) return tl::unexpected(filled.error());

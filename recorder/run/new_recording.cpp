@@ -1,13 +1,11 @@
 #include "recorder/run/new_recording.h"
 
-#include <system_error>
+#include "files/files.h"
 
 namespace ribbon {
 
 Result<void> NewRecording::check_place() const {
-  std::error_code code;
-  const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file, code));
-  if (!is_there || overwrite == Overwrite::yes || std::filesystem::is_other(file, code)) return {};
+  if (overwrite == Overwrite::yes || !is_taken(file)) return {};
   return failure(file.string(), "exists already",
                  "go on with that recording by --resume, replace it by --force, or name another "
                  "file after -o");

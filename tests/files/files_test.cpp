@@ -30,4 +30,23 @@ TEST(Files, a_folder_is_not_a_file) {
   EXPECT_FALSE(read_file(testing::TempDir()).has_value());
 }
 
+TEST(Files, a_device_that_never_ends_is_not_read) {
+  EXPECT_THAT(refusal_of(read_file("/dev/zero")), StartsWith("/dev/zero: is a device"));
+}
+
+TEST(Files, what_would_be_replaced_is_known) {
+  const auto file = temporary_file("taken") / "bytes.bin";
+  EXPECT_FALSE(is_taken(file));
+  EXPECT_TRUE(is_same_file(file, file.parent_path() / "." / "bytes.bin"));
+  ASSERT_TRUE(write_file(file, "x").has_value());
+  EXPECT_TRUE(is_taken(file));
+  EXPECT_FALSE(is_taken("/dev/null"));
+  const auto link = file.parent_path() / "link";
+  std::filesystem::create_symlink(file, link);
+  EXPECT_TRUE(is_same_file(file, link));
+  std::filesystem::remove(file);
+  EXPECT_TRUE(is_taken(link)) << "it leads nowhere";
+  EXPECT_FALSE(is_same_file(file, file.parent_path() / "other.bin"));
+}
+
 }  // namespace ribbon::files_test

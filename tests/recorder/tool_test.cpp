@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "commandline/tool_run.h"
+#include "files/flipped.h"
 #include "playback/frames_of.h"
 #include "playback/recording_reader.h"
 #include "recorder/process.h"
@@ -51,6 +52,38 @@ TEST_F(RibbonRecord, writes_the_figures_of_the_run) {
   const auto json = nlohmann::json::parse(bytes("figures/run.json"));
   EXPECT_EQ(json["frames"], 7);
   EXPECT_EQ(json["bytes"], fs::file_size(folder_ / "knot.rbn"));
+}
+
+TEST_F(RibbonRecord, figures_take_no_other_files_place) {
+  ASSERT_EQ(run("small.toml -o knot.rbn --quiet --frames 3 --stats run.json").exit_code, 0);
+  const std::string knot = bytes("knot.rbn");
+  const std::string scene = bytes("small.toml");
+  expect_refusal(run("small.toml -o other.rbn --stats run.json"),
+                 "run.json: exists already; name another file after --stats");
+  EXPECT_FALSE(fs::exists(folder_ / "other.rbn"));
+  EXPECT_EQ(run("small.toml -o other.rbn --quiet --stats run.json --force").exit_code, 0);
+  expect_refusal(run("--resume knot.rbn --stats run.json"), "run.json: exists already");
+  for (const std::string words : {"--resume knot.rbn --stats ./knot.rbn --force",
+                                  "--from 2 -o take.rbn knot.rbn --stats knot.rbn --force",
+                                  "small.toml -o new.rbn --stats small.toml --force",
+                                  "small.toml -o new.rbn --stats new.rbn"})
+    expect_refusal(run(words), "in whose place figures cannot go");
+  EXPECT_TRUE(bytes("knot.rbn") == knot);
+  EXPECT_TRUE(bytes("small.toml") == scene);
+  EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
+  EXPECT_EQ(run("--resume knot.rbn --quiet --stats run.json --force").exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(bytes("run.json"))["frames"], 7);
+}
+
+TEST_F(RibbonRecord, a_run_that_goes_on_tells_of_lost_frames) {
+  write_small_scene_lasting("4");
+  ASSERT_EQ(run("long.toml -o knot.rbn --quiet --frames 100").exit_code, 0);
+  const std::string whole = bytes("knot.rbn");
+  ASSERT_TRUE(write_file(folder_ / "knot.rbn", flipped(whole, whole.size() / 2)).has_value());
+  const auto answer = run("--resume knot.rbn --frames 102 --quiet");
+  EXPECT_EQ(answer.exit_code, 0);
+  EXPECT_THAT(answer.errors, StartsWith("ribbon-record: knot.rbn: frames "));
+  EXPECT_THAT(answer.errors, HasSubstr(" are lost; record the scene anew"));
 }
 
 TEST_F(RibbonRecord, the_number_of_threads_changes_nothing) {
