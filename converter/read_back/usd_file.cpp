@@ -91,7 +91,7 @@ class UsdFile : public WrittenMotion {
   }
 
   void read_property(const std::string& name, MeshText* mesh) {
-    if (!tokens_.take_if('=')) return;
+    if (!tokens_.take_if('=')) return skip_metadata();  // declared, with values elsewhere
     const char first = tokens_.peek();
     if (first == '"' || first == '@')
       tokens_.string();

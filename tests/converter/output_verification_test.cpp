@@ -119,6 +119,14 @@ TEST_F(OutputVerification, a_thickness_is_known) {
   }
 }
 
+TEST_F(OutputVerification, files_with_normals_are_read_back) {
+  model_.with_normals = true;
+  for (const std::string output : {"a.abc", "a.fbx", "a.glb", "a.usda"}) {
+    ASSERT_EQ(refusal_of(convert(request(output))), "") << output;
+    EXPECT_TRUE(report(output).deviations.good()) << verification_text(report(output));
+  }
+}
+
 TEST_F(OutputVerification, a_vertex_that_has_moved_is_found_with_its_frame) {
   write_all();
   knot_.frames[3](1, 17) += 1e-4;
