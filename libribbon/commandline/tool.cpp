@@ -13,6 +13,14 @@ int told(ExitCode code, const std::string& tool_name, const std::string& sentenc
   return static_cast<int>(code);
 }
 
+// What was printed must have arrived, too.
+Result<ExitCode> printed(ExitCode code) {
+  const bool is_lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  if (!is_lost) return code;
+  return passing_failure("standard output", "cannot be written, so that part of it is missing",
+                         "make room where it goes, and call it again");
+}
+
 int could_not(const std::string& tool_name, const std::string& sentence) {
   return told(ExitCode::could_not, tool_name, sentence);
 }
@@ -23,7 +31,7 @@ int run_tool(const std::string& tool_name, const std::function<Result<ExitCode>(
   // A limit on file sizes is a write error like a full disk, with a sentence.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    const Result<ExitCode> answer = body();
+    const Result<ExitCode> answer = body().and_then(printed);
     if (!answer)
       return told(answer.error().may_pass ? ExitCode::try_again : ExitCode::could_not, tool_name,
                   answer.error().sentence());

@@ -89,6 +89,13 @@ TEST_F(Output, a_full_disk_may_pass) {
   EXPECT_THAT(bytes("errors.txt"), HasSubstr("standard output: cannot be written (No space left"));
 }
 
+TEST_F(Output, what_is_printed_and_lost_is_no_success) {
+  for (const std::string words : {"--info", "--verify"}) {
+    EXPECT_EQ(shell("'" RIBBON_PLAY "' knot.rbn " + words + " > /dev/full 2> errors.txt"), 3);
+    EXPECT_THAT(bytes("errors.txt"), HasSubstr("ribbon-play: standard output: cannot be written"));
+  }
+}
+
 TEST_F(Output, pictures_that_are_counted_anew_have_numbers_in_the_order_of_playing) {
   ASSERT_EQ(play_small("-o 'a/{frame:01}.png'").exit_code, 0);
   ASSERT_EQ(play_small("-o 'b/{frame:01}.png' --frames 2:4 --ping-pong").exit_code, 0);
