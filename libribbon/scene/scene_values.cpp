@@ -26,7 +26,8 @@ Result<SizeAt> size_at(const Value& value, const Sizes& sizes, const TomlValue& 
     return wrong(value, pair, "pairs of a share of the length and a " + what);
   const double least = before.empty() ? 0 : std::nextafter(before.back().share, 2);
   const double most = before.empty() ? 0 : 1;
-  const auto share = number_within({"", is_last ? 1 : least, most}, (*numbers)[0]);
+  const auto share =
+      number_within({"", is_last ? std::max(1.0, least) : least, most}, (*numbers)[0]);
   if (!share)
     return wrong(value, (*numbers)[0], "pairs whose shares of the length rise from 0 to 1");
   const auto size_m = number_within(sizes.range, (*numbers)[1]);

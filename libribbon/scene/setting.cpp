@@ -71,9 +71,14 @@ std::optional<Setting> parse_setting(const std::string& text) {
   return is_toml(setting.value) ? std::optional(setting) : std::nullopt;
 }
 
+// Where the text begins behind a byte order mark, as some editors write one.
+std::size_t begin_of(const std::string& text) {
+  return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
+
 // Where a line and column, both from 1, stand in the text; columns count code points.
 std::size_t offset_of(const std::string& text, const TomlPosition& position) {
-  std::size_t offset = 0;
+  std::size_t offset = begin_of(text);
   for (std::uint32_t line = 1; line < position.line; ++line) offset = text.find('\n', offset) + 1;
   const auto is_continued = [&] {
     return offset < text.size() && (static_cast<unsigned char>(text[offset]) & 0xC0) == 0x80;
@@ -96,7 +101,7 @@ std::string changed_text(const Document& document, std::string text, const Setti
     const std::size_t begin = offset_of(text, old->begin);
     return text.replace(begin, offset_of(text, old->end) - begin, setting.value);
   }
-  if (setting.table.empty()) return line + "\n" + text;
+  if (setting.table.empty()) return text.insert(begin_of(text), line + "\n");
   const std::size_t end = text.find('\n', offset_of(text, table->begin));
   if (end == std::string::npos) return text + "\n" + line + "\n";
   return text.insert(end + 1, line + "\n");

@@ -67,15 +67,19 @@ Result<void> keys_fit_the_task(const Document& document, const HandScene& hand,
   return {};
 }
 
+// A span of one row alone, too.
+bool share_rows(const Span& a, const Span& b) {
+  if (a.begin == a.end || b.begin == b.end) return a.begin <= b.end && b.begin <= a.end;
+  return a.begin < b.end && b.begin < a.end;
+}
+
 Result<void> hands_do_not_fight(const Document& document, const StageScene& stage,
                                 std::size_t number) {
   for (std::size_t b = 0; b < stage.hands.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) {
       const auto* one = std::get_if<Span>(&stage.hands[a].at);
       const auto* other = std::get_if<Span>(&stage.hands[b].at);
-      if (one == nullptr || other == nullptr || one->end <= other->begin ||
-          other->end <= one->begin)
-        continue;
+      if (one == nullptr || other == nullptr || !share_rows(*one, *other)) continue;
       return failure(document.place(hand_path(number, b), "at"),
                      "two hands of '" + stage.name + "' fight over one part of the band: one has " +
                          span_text(*one) + ", the other " + span_text(*other),

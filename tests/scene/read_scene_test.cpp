@@ -308,6 +308,9 @@ INSTANTIATE_TEST_SUITE_P(
                    "4:29: " + shares_rule + "0.4" + width_remedy},
         Impossible{"profile_beyond_the_end", ribbon_line("0.05", "[[0, 1], [1.5, 1], [1, 1]]"),
                    "4:19: " + shares_rule + "1.5" + width_remedy},
+        Impossible{"profile_with_two_ends",
+                   ribbon_line("0.05", "[[0, 0.05], [1, 0.05], [1, 0.03]]"),
+                   "4:33: " + shares_rule + "1" + width_remedy},
         Impossible{"profile_of_no_width", ribbon_line("0.05", "[[0, 0.05], [1, 0]]"),
                    "4:25: 'width' must be pairs with a width above 0 (from 1e-12 to 1e12), not 0" +
                        width_remedy},

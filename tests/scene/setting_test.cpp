@@ -46,6 +46,12 @@ TEST(WithSetting, adds_what_is_missing_to_its_table) {
   EXPECT_EQ(changed("[ribbon]", "ribbon.width=1"), "[ribbon]\nwidth = 1\n");
 }
 
+TEST(WithSetting, leaves_a_byte_order_mark_in_front) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(changed(mark + "name = 'x'\n", "name=xyz"), mark + "name = \"xyz\"\n");
+  EXPECT_EQ(changed(mark + commented, "accuracy=fine"), mark + "accuracy = \"fine\"\n" + commented);
+}
+
 TEST(WithSetting, finds_values_however_tables_are_written) {
   EXPECT_EQ(changed("ribbon.width = 1\n", "ribbon.width=2"), "ribbon.width = 2\n");
   EXPECT_EQ(changed("ribbon = { width = 1, along = 4 }\n", "ribbon.width=2"),
