@@ -32,24 +32,37 @@ constexpr std::array<Column, 7> make_columns() {
 constexpr std::array<Column, 7> columns = make_columns();
 constexpr int time_column = -1;
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
+// What stands between the fields of a table, as its first line tells. Where numbers have a decimal
+// comma, spreadsheets put semicolons or tabs there.
+char separator_of(std::string_view heading) {
+  const std::size_t found = heading.find_first_of(";\t");
+  return found == std::string_view::npos ? ',' : heading[found];
+}
+
+std::string_view without_spaces(std::string_view field) {
+  const std::size_t first = field.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return field.substr(first, field.find_last_not_of(" \t\r") + 1 - first);
+}
+
+std::vector<std::string> fields_of(std::string_view line, char separator) {
+  std::vector<std::string> fields;
   for (;;) {
-    const std::size_t comma = line.find(',');
-    std::string_view field = line.substr(0, comma);
-    while (!field.empty() && (field.front() == ' ' || field.front() == '\t'))
-      field.remove_prefix(1);
-    while (!field.empty() && (field.back() == ' ' || field.back() == '\r')) field.remove_suffix(1);
-    fields.push_back(field);
-    if (comma == std::string_view::npos) return fields;
-    line.remove_prefix(comma + 1);
+    const std::size_t end = line.find(separator);
+    std::string_view field = without_spaces(line.substr(0, end));
+    if (field.size() > 1 && field.front() == '"' && field.back() == '"')
+      field = without_spaces(field.substr(1, field.size() - 2));
+    fields.emplace_back(field);
+    if (end == std::string_view::npos) return fields;
+    line.remove_prefix(end + 1);
   }
 }
 
 // Which value each field is, or time_column.
-Result<std::vector<int>> read_heading(std::string_view line, const std::string& place) {
+Result<std::vector<int>> read_heading(const std::vector<std::string>& fields,
+                                      const std::string& place) {
   std::vector<int> order;
-  for (const std::string_view field : fields_of(line)) {
+  for (const std::string& field : fields) {
     const auto* found = std::find_if(columns.begin(), columns.end(),
                                      [&](const Column& column) { return column.name == field; });
     if (found == columns.end() && field != "time")
@@ -88,13 +101,16 @@ Result<CameraPath> CameraPath::parse(const std::string& text, const std::string&
   std::istringstream stream(text);
   std::string line;
   std::getline(stream, line);
-  const auto order = read_heading(line, name + ":1");
+  if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+  const char separator = separator_of(line);
+  const auto order = read_heading(fields_of(line, separator), name + ":1");
   if (!order) return tl::unexpected(order.error());
   CameraPath path(start, std::find(order->begin(), order->end(), 4) != order->end());
   for (int number = 2; std::getline(stream, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const std::string place = filled_in("{}:{}", name, number);
-    const auto fields = fields_of(line);
+    if (separator != ',') std::replace(line.begin(), line.end(), ',', '.');
+    const auto fields = fields_of(line, separator);
     if (fields.size() != order->size())
       return failure(place,
                      filled_in("has {} fields, the first line {}", fields.size(), order->size()),

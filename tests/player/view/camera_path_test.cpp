@@ -21,6 +21,13 @@ TEST(CameraPath, passes_its_keyframes_and_stands_still_outside_them) {
   EXPECT_FALSE(path.at(1.5).target);
 }
 
+TEST(CameraPath, is_read_as_spreadsheets_write_it) {
+  for (const std::string table :
+       {"\xEF\xBB\xBFtime,azimuth\r\n1,10.5\r\n", "\"time\",\"azimuth\"\n\"1\",\"10.5\"\n",
+        "time;azimuth\n1;10,5\n", "time\tazimuth\n1,0\t10,5\n"})
+    EXPECT_FLOAT_EQ(path_of(table).at(1).view.azimuth_deg, 10.5F) << table;
+}
+
 TEST(CameraPath, has_no_jolts) {
   const CameraPath path = path_of("time,azimuth\n0,0\n1,30\n3,-20\n4,0\n");
   const auto speed = [&](double t) {
