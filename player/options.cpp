@@ -1,9 +1,12 @@
 #include "player/options.h"
 
 #include <charconv>
+#include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "commandline/arguments.h"
+#include "files/files.h"
 #include "player/look_options.h"
 #include "player/order_options.h"
 #include "player/preview_options.h"
@@ -100,6 +103,20 @@ Result<void> check_plot(const std::filesystem::path& file) {
   if (file.empty() || file.extension() == ".svg" || file.extension() == ".png") return {};
   return failure("--plot " + file.string(), "is neither .svg nor .png",
                  "let the name end in one of them");
+}
+
+// Files to write are not one another's, nor the recording itself.
+Result<void> check_names(const Options& options) {
+  const std::filesystem::path pictures = options.pictures == "-" ? "" : options.pictures;
+  std::vector<std::filesystem::path> named{options.recording};
+  for (const auto& file : {pictures, options.sheet, options.plot}) {
+    if (file.empty()) continue;
+    for (const auto& other : named)
+      if (is_same_file(file, other))
+        return failure(file.string(), "is the name of two files", "name one of them otherwise");
+    named.push_back(file);
+  }
+  return {};
 }
 
 void add_job_options(Arguments& arguments, Options& options, Texts& texts, Argument follow) {
@@ -214,7 +231,8 @@ Result<void> understand(const Texts& texts, Options& options) {
         if (!texts.preview) return {};
         return take(read_preview(options, texts.look.samples), options.preview.emplace());
       })
-      .and_then([&] { return check_plot(options.plot); });
+      .and_then([&] { return check_plot(options.plot); })
+      .and_then([&] { return check_names(options); });
 }
 
 }  // namespace

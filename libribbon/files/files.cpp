@@ -19,10 +19,13 @@ bool is_taken(const std::filesystem::path& path) {
 }
 
 bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+  // Of a relative name whose first part is not there, weakly_canonical would leave it relative.
+  const auto whole = [](const std::filesystem::path& path) {
+    std::error_code code;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, code), code);
+  };
   std::error_code code;
-  return std::filesystem::equivalent(one, other, code) ||
-         std::filesystem::weakly_canonical(one, code) ==
-             std::filesystem::weakly_canonical(other, code);
+  return std::filesystem::equivalent(one, other, code) || whole(one) == whole(other);
 }
 
 Result<std::string> read_file(const std::filesystem::path& path) {

@@ -38,6 +38,7 @@ TEST(Files, what_would_be_replaced_is_known) {
   const auto file = temporary_file("taken") / "bytes.bin";
   EXPECT_FALSE(is_taken(file));
   EXPECT_TRUE(is_same_file(file, file.parent_path() / "." / "bytes.bin"));
+  EXPECT_TRUE(is_same_file("not-there.bin", "./not-there.bin"));
   ASSERT_TRUE(write_file(file, "x").has_value());
   EXPECT_TRUE(is_taken(file));
   EXPECT_FALSE(is_taken("/dev/null"));

@@ -191,6 +191,15 @@ TEST_F(RibbonPlay, charts_are_svg_or_png_as_the_name_says) {
   expect_refusal(run("knot.rbn --plot knot.rbn/knot.svg"), "knot.rbn");
 }
 
+TEST_F(RibbonPlay, no_two_files_have_one_name) {
+  const std::string recording = bytes("knot.rbn");
+  expect_refusal(run("knot.rbn --sheet a.png --plot ./a.png"), "./a.png: is the name of two files");
+  expect_refusal(run("knot.rbn -o a.png --frames 1 --sheet a.png --force"), "two files");
+  expect_refusal(run("knot.rbn --sheet knot.rbn --force"), "knot.rbn: is the name of two files");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
+  EXPECT_TRUE(bytes("knot.rbn") == recording);
+}
+
 TEST_F(RibbonPlay, charts_of_a_damaged_recording_have_gaps_and_say_so) {
   damage();
   const ToolRun plot = run("knot.rbn --plot knot.svg");
