@@ -1,5 +1,6 @@
 #include "player/view/view.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -60,6 +61,7 @@ Result<View> parse_view(const std::string& text) {
     if (name == text) return view;
   View view = three_quarter_view;
   std::string_view rest = text;
+  std::vector<std::string_view> names;
   do {
     const std::size_t comma = rest.find(',');
     const std::string_view setting = rest.substr(0, comma);
@@ -68,6 +70,9 @@ Result<View> parse_view(const std::string& text) {
     if (equals == std::string_view::npos) return unknown(text);
     const std::string_view name = setting.substr(0, equals);
     const std::string_view value = setting.substr(equals + 1);
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      return failure("view '" + text + "'", filled_in("sets {} twice", name), "write it once");
+    names.push_back(name);
     const auto set = name == "subject" ? set_subject(value, view) : set_number(name, value, view);
     if (!set) return tl::unexpected(set.error());
   } while (!rest.empty());

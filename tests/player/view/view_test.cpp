@@ -25,6 +25,12 @@ TEST(View, what_makes_no_view_is_refused_with_what_does) {
     EXPECT_THAT(refusal_of(parse_view(text)), HasSubstr("; write ")) << text;
 }
 
+TEST(View, a_setting_is_given_once) {
+  EXPECT_THAT(refusal_of(parse_view("azimuth=1,lens=60,azimuth=2")),
+              HasSubstr("sets azimuth twice; write it once"));
+  EXPECT_THAT(refusal_of(parse_view("subject=knot,subject=knot")), HasSubstr("subject twice"));
+}
+
 TEST(View, several_get_names_for_their_files) {
   const auto views = parse_views({"knot", "azimuth=10", "azimuth=20"}).value();
   ASSERT_EQ(views.size(), 3U);
