@@ -326,7 +326,8 @@ TEST_F(LongJob, memory_does_not_grow_with_the_number_of_frames) {
   };
   // But for the numbers and the place of each frame: a fifth of the 5760 bytes of its positions.
   constexpr double bytes_a_frame = 1000;
-  EXPECT_LT(peak(500), peak(50) + 450 * bytes_a_frame);
+  // Many frames, for what the system counts as a program's most memory wavers by half a megabyte.
+  EXPECT_LT(peak(2050), peak(50) + 2000 * bytes_a_frame);
 }
 
 TEST_F(LongJob, damage_is_told_and_the_rest_is_rendered) {
