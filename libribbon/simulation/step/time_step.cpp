@@ -208,8 +208,10 @@ const std::vector<ContactConstraint>& TimeStep::find_contacts(const GatedMotion&
                                                               const Matrix3Xd& target,
                                                               const Bodies& bodies) {
   const StageTimer timer(clock_, StepStage::repulsion);
-  return contacts_.find(motion.candidates(), bodies, distances_, motion.reach_m(),
-                        motion.free_positions(), target);
+  const auto& contacts = contacts_.find(motion.candidates(), bodies, distances_, motion.reach_m(),
+                                        motion.free_positions(), target);
+  loose_rows_.break_at(contacts);
+  return contacts;
 }
 
 // Corrected alone, edges would be pressed into contact, and stretched again by it; so both are
@@ -218,6 +220,7 @@ void TimeStep::correct_strain_and_contact(std::span<const ContactConstraint> con
                                           int most_sweeps, const Matrix3Xd& before,
                                           const Bodies& bodies, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
+  loose_rows_.shorten(cloth);
   activity_.reset();
   bool any = true;
   int sweeps = 0;
@@ -340,6 +343,8 @@ TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLength
       repulsion_{.friction = scene.friction},
       strain_correction_(scene.strain_correction),
       strain_constraints_(strain_constraints(scene, size, lengths.rounding_m)),
+      loose_rows_(size,
+                  aimed_strain(scene.strain_correction.strain, size.along_m(), lengths.rounding_m)),
       activity_(strain_constraints_.activity()),
       contacts_(lightness(size)),
       gate_(size, distances_),

@@ -21,6 +21,7 @@
 #include "simulation/step/stage_clock.h"
 #include "simulation/step/step_report.h"
 #include "simulation/truncation/contact_constraints.h"
+#include "simulation/truncation/row_chain.h"
 #include "simulation/truncation/strain_constraints.h"
 
 namespace ribbon {
@@ -119,6 +120,7 @@ class TimeStep {
   RepulsionSettings repulsion_;
   StrainCorrectionScene strain_correction_;  // of the gate
   StrainConstraints strain_constraints_;
+  RowChain loose_rows_;
   RowActivity activity_;
   ContactConstraints contacts_;
   Gate gate_;

@@ -83,6 +83,24 @@ TEST(GatedStep, tells_how_many_particles_were_truncated) {
   EXPECT_EQ(time_step.correct(before, planted.bodies, cloth).truncated, grid.particle_count());
 }
 
+// Its end is pulled as hard as all of it can bear. Sweeps alone would pass that on row by row: 60 a
+// step here.
+TEST(GatedStep, a_long_end_that_is_pulled_takes_few_sweeps) {
+  constexpr RibbonGrid long_grid{400, 3};
+  const RestSize long_size{long_grid, 399, 2};
+  OverFloor planted = ribbon_over_floor(long_grid, -5);
+  Cloth cloth{planted.positions, Matrix3Xd::Zero(3, long_grid.particle_count()), 1};
+  const Scene scene = scene_of_step();
+  TimeStep time_step(scene, long_size, contact_lengths(scene, long_size), 1);
+  constexpr int steps = 40;
+  for (int step = 0; step < steps; ++step) {
+    cloth.velocities.bottomRightCorner(3, long_grid.across).row(0).array() += 40;
+    drift(time_step, planted.bodies, cloth);
+    ASSERT_TRUE(time_step.is_within_limit(cloth)) << step;
+  }
+  EXPECT_LT(time_step.clock().sums().sweeps, 10 * steps);
+}
+
 // Both ends are pulled outward while all of it is pressed on the floor. Rounded by 0.01 m, what is
 // recorded differs by up to 3.5 % of an edge more.
 TEST(GatedStep, what_is_pulled_against_contact_stays_within_the_strain_limit_as_recorded) {
