@@ -1,7 +1,7 @@
 """What ribbon-convert writes stays free of intersections in Blender.
 
   blender -b --factory-startup -noaudio --python-exit-code 1 --python blender_tessellation.py -- \
-      RIBBON_CONVERT COUNT_INTERSECTIONS KNOT.rbn NAME FRAMES RATE FOLDER [formats]
+      RIBBON_CONVERT COUNT_INTERSECTIONS KNOT.rbn NAME RATE FOLDER [formats]
 
 Every frame of a tight knot is imported in every format; the triangles into which Blender itself
 divides the meshes go to CGAL, which counts the pairs that meet. There must be none, and every vertex
@@ -115,16 +115,16 @@ def begin_anywhere(obj):
 
 
 class Check:
-    def __init__(self, convert, count, recording, name, frames, rate, folder):
+    def __init__(self, convert, count, recording, name, rate, folder):
         self.convert = convert
         self.count = count
         self.recording = recording
         self.name = name
-        self.frames = int(frames)
         self.rate = float(rate)
         self.folder = pathlib.Path(folder)
         self.failed = 0
         self.recorded = numpy.load(self.export("knot.npy", []), mmap_mode="r")
+        self.frames = len(self.recorded)
         along = numpy.diff(self.recorded[0], axis=0)
         self.length = numpy.linalg.norm(along, axis=2).sum(axis=0).max()
 
@@ -179,10 +179,10 @@ class Check:
 
 def main():
     arguments = sys.argv[sys.argv.index("--") + 1 :]
-    check = Check(*arguments[:7])
+    check = Check(*arguments[:6])
     for name in EXPORTS:
         check.accept_default(name)
-    if arguments[7:] != ["formats"]:
+    if arguments[6:] != ["formats"]:
         check_options(check)
     if check.failed:
         raise SystemExit(f"{check.failed} comparisons went wrong")
