@@ -7,6 +7,7 @@
 
 #include "curve/space_curve.h"
 #include "obstacle/obstacle.h"
+#include "recording/records/checkpoint_record.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "simulation/fastening_processor.h"
 #include "verification/frame_verifier.h"
@@ -61,6 +62,17 @@ INSTANTIATE_TEST_SUITE_P(All, Sample, testing::ValuesIn(sample_scenes()), [](con
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
+
+TEST(Samples, have_checkpoints_of_less_than_190_kB_with_6400_particles) {
+  const Scene scene =
+      read_scene(fs::path(RIBBON_SAMPLES) / "overhand-hourglass-16x400.toml").value();
+  const auto curve = generate_space_curve(scene.curve, scene.ribbon).value();
+  const RibbonMesh ribbon = generate_ribbon_mesh(curve, scene.ribbon, scene.curve.axis);
+  const auto obstacle = read_obstacle(*scene.obstacle).value();
+  auto fastening = FasteningProcessor::create(scene, ribbon, obstacle).value();
+  for (int step = 0; step < 40; ++step) fastening.step();
+  EXPECT_LT(checkpoint_payload(1, 1, 40, fastening.state()).size(), 190'000U);
+}
 
 TEST(Samples, are_three_overhand_knots_in_two_granularities_one_in_a_third_and_one_hangs) {
   std::vector<std::string> names;

@@ -20,6 +20,9 @@ namespace {
 constexpr int level = 1;
 constexpr int shortest_match = 7;
 constexpr int match_table_log = 6;
+// Also the length of what shares a table of symbols: the bytes of a state, whose lowest are noise
+// and whose highest are nearly all alike, need one for each kind.
+constexpr int block_log = 14;
 
 // Above every window that this level uses; a file that asks for more memory is not one of ours.
 constexpr int largest_window_log = 23;
@@ -38,6 +41,7 @@ Compressor::Compressor() : context_(ZSTD_createCCtx()) {
   ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_contentSizeFlag, 0);
   ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_minMatch, shortest_match);
   ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_hashLog, match_table_log);
+  ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_windowLog, block_log);
 }
 
 std::string Compressor::compress(std::string_view content) {

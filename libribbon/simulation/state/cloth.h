@@ -22,6 +22,10 @@ struct Cloth {
   }
   [[nodiscard]] Eigen::Index particle_count() const { return velocities.cols(); }
 
+  // To the 24 bits of single precision, at any speed: finer than a step's motion is known, and what
+  // a checkpoint would spend on the other 29 is noise that nothing compresses.
+  void round_velocities();
+
   void visit_state(StateArchive& archive) {
     auto& [positions_now, velocities_now, mass_of_the_scene, lightness_of_the_size] = *this;
     archive.visit(positions_now);

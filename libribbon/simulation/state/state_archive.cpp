@@ -11,12 +11,16 @@ namespace {
 constexpr std::size_t stride = 3;
 constexpr std::size_t bytes_each = 8;
 
-// Small numbers of both signs to small ones without.
+constexpr std::uint64_t most_negative = std::uint64_t{1} << 63;  // its own negative
+
+// Small numbers of both signs to small ones without: the magnitude, and the sign as the lowest bit,
+// so that bits which are 0 in all numbers stay so in negative ones.
 std::uint64_t folded(std::uint64_t difference) {
-  return difference << 1 ^ (difference >> 63 != 0 ? ~std::uint64_t{0} : 0);
+  return difference >= most_negative ? (0 - difference) << 1 | 1 : difference << 1;
 }
 std::uint64_t unfolded(std::uint64_t number) {
-  return number >> 1 ^ ((number & 1) != 0 ? ~std::uint64_t{0} : 0);
+  if ((number & 1) == 0) return number >> 1;
+  return number == 1 ? most_negative : 0 - (number >> 1);
 }
 
 }  // namespace

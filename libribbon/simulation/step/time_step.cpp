@@ -27,6 +27,7 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
   StepReport report = contact_ == ContactMethod::paper
                           ? advance(fastening_force(hands, cloth), bodies, cloth)
                           : advance_within_limit(hands, bodies, cloth);
+  cloth.round_velocities();
   if (hands == nullptr) return report;
   follow_with(*hands, cloth);
   report.pull = hands->force_fraction();
