@@ -369,7 +369,7 @@ TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {
   EXPECT_EQ(
       refusal_of(open(std::string(file_signature) + make_record(RecordType::header, payload))),
       path_.string() +
-          ": was written in format version 7.0 by tests 1.0, this program reads version 5; use a "
+          ": was written in format version 7.0 by tests 1.0, this program reads version 6; use a "
           "newer program");
 }
 

@@ -77,7 +77,7 @@ class Header:
         fields = Fields(payload)
         self.recording_id = zlib.crc32(payload)
         self.major, self.minor, self.codec = fields.take("HHI")
-        if self.major != 5:
+        if self.major != 6:
             raise Damaged(f"this is version {self.major} of the format")
         self.along, self.across = fields.take("II")
         self.length_m, self.width_m, self.frames_per_second = fields.take("ddd")

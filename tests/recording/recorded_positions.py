@@ -1,5 +1,7 @@
 """Decodes frames by section 8 of libribbon/recording/FORMAT.md; part of read_recording.py."""
 
+import pathlib
+import struct
 
 import numpy as np
 
@@ -8,7 +10,6 @@ from zstd_frames import zstd_content
 PLAIN, QUANTISED = 0, 1
 LARGEST_NUMBER = 2**24
 BLOCK = 16
-MOST_LOW_BITS = 24
 F = np.float32
 WHOLE_FROM = F(1.5 * 2**23)
 
@@ -125,38 +126,25 @@ class PositionCodec:
         frame.motion[:, 1:-1, j + 1] = values - r
 
     def decode_intra_column(self, frame, j, residuals):
-        """Row by row, for each needs the one before it."""
-        kind = "i8" if self.step > 0 else "f4"
-        last = p = np.zeros(3, kind)
-        for i in range(self.along):
-            r = last if j == 0 else frame.values[:, 1 + i, j].astype(kind)
-            if self.step > 0:
-                value = uniform_values(r + p, np.zeros(3, bool), residuals[:, i])
-            else:
-                value = self.values_from(r, p, residuals[:, i])
-            frame.values[:, 1 + i, j + 1] = value
-            last = value.astype(kind)
-            p = last - r
+        d = np.cumsum(residuals, axis=1)
+        frame.numbers = np.cumsum(d, axis=1) if j == 0 else frame.numbers + d
+        frame.values[:, 1:-1, j + 1] = self.values_of(frame.numbers)
 
     def values_from(self, r, p, residuals):
         if self.step > 0:
             shifted = p + WHOLE_FROM
             c = shifted.view("i4").astype("i8") - int(WHOLE_FROM.view("i4"))
-            return uniform_values(r.astype("i8") + c, p < shifted - WHOLE_FROM, residuals)
+            upwards = p < shifted - WHOLE_FROM
+            return self.values_of(r.astype("i8") + c + np.where(upwards, residuals, -residuals))
         t = r + p
         t = np.where(np.isfinite(t), t, F(0))
-        numbers = wrapped(ordered(t.view("i4")).astype("i8") + offsets(residuals, False))
+        return self.values_of(ordered(t.view("i4")).astype("i8") + residuals)
+
+    def values_of(self, numbers):
+        numbers = wrapped(numbers)
+        if self.step > 0:
+            return np.clip(numbers, -LARGEST_NUMBER, LARGEST_NUMBER).astype("f4")
         return ordered(numbers).view("f4")
-
-
-def offsets(residuals, other_side):
-    half = (residuals + 1) // 2
-    return np.where((residuals % 2 == 1) != other_side, half, -half)
-
-
-def uniform_values(expected, other_side, residuals):
-    numbers = wrapped(expected + offsets(residuals, other_side))
-    return np.clip(numbers, -LARGEST_NUMBER, LARGEST_NUMBER).astype("f4")
 
 
 class Shifted:
@@ -200,43 +188,66 @@ def take_weights(content):
 
 # Section 8.5.
 
+FORMAT = pathlib.Path(__file__).parents[2] / "libribbon/recording/FORMAT.md"
 
-def take_run(content, size):
+
+def dictionaries():
+    """Of the four runs, with the trees as the document lists them."""
+    trees = []
+    for line in FORMAT.read_text().split("### 8.5")[1].splitlines():
+        if line.startswith("    # "):
+            trees.append(b"")
+        elif line.startswith("    "):
+            trees[-1] += bytes.fromhex(line)
+    start = bytes.fromhex("37A430EC01000000")
+    end = bytes.fromhex("103F" * 3) + struct.pack("<5I", 1, 4, 8, 0, 0)
+    return [start + tree + end for tree in trees]
+
+
+DICTIONARIES = dictionaries()
+LOW_BITS = np.array([0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 24])
+
+
+def take_run(content, kind, size):
     if size == 0:
-        return b""
+        return np.zeros(0, "u1")
     packed = content.varint()
     if packed == 0:
-        return content.bytes(size)
-    return zstd_content(b"\x28\xb5\x2f\xfd\x00" + content.bytes(packed), size)
+        run = content.bytes(size)
+    else:
+        frame = b"\x28\xb5\x2f\xfd\x00" + content.bytes(packed)
+        run = zstd_content(frame, size, DICTIONARIES[kind])
+    return np.frombuffer(run, "u1")
+
+
+def parts(run, bits):
+    """What a byte holds several of, unsigned."""
+    return (run[:, None] >> np.arange(0, 8, bits, dtype="u1") & np.uint8(2**bits - 1)).reshape(-1)
 
 
 def take_residuals(content, along, across):
     """By component, column and row."""
-    blocks = -(-along // BLOCK)
-    modes = np.frombuffer(take_run(content, 3 * across * blocks), "u1")
-    if modes.max() > 3 + MOST_LOW_BITS:
-        raise Damaged(f"there is no mode {modes.max()}")
-    residuals = np.zeros((len(modes), BLOCK), "i8")
+    count = 3 * across * -(-along // BLOCK)
+    modes = parts(take_run(content, 0, -(-count // 2)), 4)[:count]
+    residuals = np.zeros((count, BLOCK), "i8")
     for mode, in_a_byte in ((1, 4), (2, 2), (3, 1)):
         chosen = modes == mode if mode < 3 else modes >= 3
-        size = BLOCK // in_a_byte * np.count_nonzero(chosen)
-        data = np.frombuffer(take_run(content, size), "u1")
+        run = take_run(content, mode, BLOCK // in_a_byte * np.count_nonzero(chosen))
         bits = 8 // in_a_byte
-        symbols = data[:, None] >> np.arange(0, 8, bits, dtype="u1") & np.uint8(2**bits - 1)
+        symbols = parts(run, bits).astype("i8")
+        symbols -= (symbols >> (bits - 1)) << bits
         residuals[chosen] = symbols.reshape(-1, BLOCK)
-    add_low_bits(residuals, modes, content.rest())
+    add_low_bits(residuals, LOW_BITS[modes], content.rest())
     return residuals.reshape(3, across, -1)[:, :, :along]
 
 
-def add_low_bits(residuals, modes, data):
+def add_low_bits(residuals, counts, data):
     bits = np.unpackbits(np.frombuffer(data, "u1"), bitorder="little").astype("i8")
+    if len(bits) != BLOCK * int(counts.sum()):
+        raise Damaged("a frame's geometry has another length than it needs")
     at = 0
-    for k in np.flatnonzero(modes > 3):
-        count = int(modes[k]) - 3
+    for k in np.flatnonzero(counts):
+        count = int(counts[k])
         low = bits[at : at + BLOCK * count]
-        if len(low) < BLOCK * count:
-            break
         residuals[k] = (residuals[k] << count) + low.reshape(BLOCK, count) @ (1 << np.arange(count))
         at += BLOCK * count
-    if 8 * len(data) != BLOCK * int(np.maximum(modes.astype("i8") - 3, 0).sum()):
-        raise Damaged("a frame's geometry has another length than it needs")

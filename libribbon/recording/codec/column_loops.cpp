@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 
 #include "parallel/vector_loop.h"
 
@@ -21,24 +20,15 @@ using Floats = const float*;
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
-// Residuals 1, 3, 5, ... are 1, 2, 3, ... away on the nearer side, 2, 4, ... on the other. below:
-// -1 where the nearer side is below, else 0.
-[[gnu::always_inline]] inline std::int32_t offset_of(std::uint32_t residual, std::int32_t below) {
-  const auto half = static_cast<std::int32_t>((residual >> 1U) + (residual & 1U));
-  const std::int32_t flip = (static_cast<std::int32_t>(residual & 1U) - 1) ^ below;
-  return difference_of(half ^ flip, flip);
+// The negative where flip is -1; where it is 0 the number itself.
+[[gnu::always_inline]] inline std::int32_t flipped(std::int32_t number, std::int32_t flip) {
+  return difference_of(number ^ flip, flip);
 }
 
-[[gnu::always_inline]] inline std::uint32_t residual_of(std::int32_t offset, std::int32_t below) {
-  const std::int32_t other_side = difference_of(below, offset ^ below);
-  return static_cast<std::uint32_t>(sum_of(other_side, other_side) ^ (other_side >> 31));
-}
-
-// A prediction as a whole number of steps, and on which side of it the second nearest number is:
-// -1 below, else 0.
+// The whole number of steps that is nearest to a prediction.
 struct Nearest {
   std::int32_t number;
-  std::int32_t below;
+  std::int32_t flip;  // of residuals from there: -1 where they count downwards, else 0
 };
 
 [[gnu::always_inline]] inline Nearest nearest(float steps) {
@@ -49,7 +39,7 @@ struct Nearest {
   const float shifted = steps + whole_from;
   return {difference_of(Eigen::numext::bit_cast<std::int32_t>(shifted),
                         Eigen::numext::bit_cast<std::int32_t>(whole_from)),
-          steps < shifted - whole_from ? -1 : 0};
+          steps < shifted - whole_from ? 0 : -1};
 }
 
 // The ordinal of a value among all of single precision, and back.
@@ -61,56 +51,23 @@ struct Nearest {
   return Eigen::numext::bit_cast<float>(ordinal ^ ((ordinal >> 31) & 0x7FFFFFFF));
 }
 
-[[gnu::always_inline]] inline std::int32_t in_exact_range(std::int32_t number) {
+template <bool uniform>
+[[gnu::always_inline]] inline float value_of(std::int32_t number) {
+  if constexpr (!uniform) return value_at(number);
   number = number < largest_quantised ? number : largest_quantised;
-  return number > -largest_quantised ? number : -largest_quantised;
+  return static_cast<float>(number > -largest_quantised ? number : -largest_quantised);
+}
+template <bool uniform>
+[[gnu::always_inline]] inline std::int32_t number_of(float value) {
+  return uniform ? static_cast<std::int32_t>(value) : ordinal_of(value);
 }
 
-// What a number stands for in sums: itself, or the value whose ordinal it is.
-template <bool uniform>
-using Meaning = std::conditional_t<uniform, std::int32_t, float>;
-
-template <bool uniform>
-[[gnu::always_inline]] inline Meaning<uniform> meaning_of(std::int32_t number) {
-  if constexpr (uniform)
-    return number;
-  else
-    return value_at(number);
-}
-// The number that is nearest to a prediction.
-[[gnu::always_inline]] inline std::int32_t number_for(std::int32_t prediction) {
-  return prediction;
-}
-[[gnu::always_inline]] inline std::int32_t number_for(float prediction) {
+// The value nearest to a prediction.
+[[gnu::always_inline]] inline float finite(float prediction) {
   constexpr float largest = std::numeric_limits<float>::max();
   prediction = prediction >= -largest ? prediction : 0.0F;
-  prediction = prediction <= largest ? prediction : 0.0F;
-  return ordinal_of(prediction);
+  return prediction <= largest ? prediction : 0.0F;
 }
-
-// Makes the value of a row from its residual; returns its number.
-struct Decoding {
-  template <bool uniform>
-  [[gnu::always_inline]] static std::int32_t run(const PredictedColumn& column, int row,
-                                                 Nearest expected) {
-    std::int32_t number = sum_of(expected.number, offset_of(column.residuals[row], expected.below));
-    if constexpr (uniform) number = in_exact_range(number);
-    column.values[row] = static_cast<float>(meaning_of<uniform>(number));
-    return number;
-  }
-};
-
-// Makes the residual of a row from its value; returns its number.
-struct Encoding {
-  template <bool uniform>
-  [[gnu::always_inline]] static std::int32_t run(const PredictedColumn& column, int row,
-                                                 Nearest expected) {
-    const float value = column.values[row];
-    const std::int32_t number = uniform ? static_cast<std::int32_t>(value) : ordinal_of(value);
-    column.residuals[row] = residual_of(difference_of(number, expected.number), expected.below);
-    return number;
-  }
-};
 
 // What a row is predicted from. at: the row, as an offset.
 struct Neighbourhood {
@@ -141,16 +98,31 @@ struct Neighbourhood {
   }
 };
 
-// reference: the value there of the first frame referred to.
+// What number a row is expected to have. reference: the value there of the first frame referred to.
 template <bool uniform>
 [[gnu::always_inline]] inline Nearest expected(float reference, float predicted) {
-  if constexpr (uniform) {
-    const Nearest near = nearest(predicted);
-    return {sum_of(static_cast<std::int32_t>(reference), near.number), near.below};
-  } else {
-    return {number_for(reference + predicted), 0};
-  }
+  if constexpr (!uniform) return {ordinal_of(finite(reference + predicted)), 0};
+  const Nearest near = nearest(predicted);
+  return {sum_of(static_cast<std::int32_t>(reference), near.number), near.flip};
 }
+
+// Makes the value of a row from its residual.
+struct Decoding {
+  template <bool uniform>
+  [[gnu::always_inline]] static void run(const PredictedColumn& column, int row, Nearest expected) {
+    const std::int32_t residual = flipped(column.residuals[row], expected.flip);
+    column.values[row] = value_of<uniform>(sum_of(expected.number, residual));
+  }
+};
+
+// Makes the residual of a row from its value.
+struct Encoding {
+  template <bool uniform>
+  [[gnu::always_inline]] static void run(const PredictedColumn& column, int row, Nearest expected) {
+    const std::int32_t number = number_of<uniform>(column.values[row]);
+    column.residuals[row] = flipped(difference_of(number, expected.number), expected.flip);
+  }
+};
 
 template <class Work, bool uniform, bool is_first>
 void run(const PredictedColumn& column, const Weights& weights) {
@@ -179,30 +151,36 @@ void run(const PredictedColumn& column, const Weights& weights) {
 }
 
 // Every row lies as far from the one beside it, in the column before, as the row before from its
-// own; in the first column what is beside is the row before.
-template <class Work, bool uniform, bool is_first>
-void run_intra(const Triple<PredictedColumn>& columns) {
-  const Triple<PredictedColumn> at = columns;
-  Triple<Meaning<uniform>> last{};
-  Triple<Meaning<uniform>> step{};  // of the row before
-  for (int row = 0; row < at[0].rows; ++row)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto beside =
-          is_first ? last[c] : static_cast<Meaning<uniform>>(at[c].values[row - at[c].stride]);
-      const Nearest expected{number_for(beside + step[c]), 0};
-      last[c] = meaning_of<uniform>(Work::template run<uniform>(at[c], row, expected));
-      step[c] = last[c] - beside;
-    }
+// own; in the first column what is beside is the row before. `at` is walked down; numbers are those
+// of the column before, then of this one.
+template <bool uniform>
+void decode_intra(const PredictedColumn& at, std::int32_t* numbers) {
+  std::int32_t last = 0;
+  std::int32_t step = 0;
+  for (int row = 0; row < at.rows; ++row) {
+    step = sum_of(step, at.residuals[row]);
+    last = sum_of(at.is_first ? last : numbers[row], step);
+    numbers[row] = last;
+  }
+  vectorised([&]() RIBBON_INLINED {
+    const int rows = at.rows;
+    RIBBON_EACH_LANE
+    for (int row = 0; row < rows; ++row) at.values[row] = value_of<uniform>(numbers[row]);
+  });
 }
 
-template <class Work>
-void run_intra(const Triple<PredictedColumn>& columns) {
-  if (columns[0].uniform)
-    columns[0].is_first ? run_intra<Work, true, true>(columns)
-                        : run_intra<Work, true, false>(columns);
-  else
-    columns[0].is_first ? run_intra<Work, false, true>(columns)
-                        : run_intra<Work, false, false>(columns);
+template <bool uniform>
+void encode_intra(const PredictedColumn& at, std::int32_t* numbers) {
+  std::int32_t last = 0;
+  std::int32_t step = 0;
+  for (int row = 0; row < at.rows; ++row) {
+    const std::int32_t beside = at.is_first ? last : numbers[row];
+    last = number_of<uniform>(at.values[row]);
+    numbers[row] = last;
+    const std::int32_t next_step = difference_of(last, beside);
+    at.residuals[row] = difference_of(next_step, step);
+    step = next_step;
+  }
 }
 
 }  // namespace
@@ -215,12 +193,12 @@ void encode(const PredictedColumn& column, const Weights& weights) {
   run<Encoding>(column, weights);
 }
 
-void decode_intra(const Triple<PredictedColumn>& columns) {
-  run_intra<Decoding>(columns);
+void decode_intra(const PredictedColumn& column, std::int32_t* numbers) {
+  column.uniform ? decode_intra<true>(column, numbers) : decode_intra<false>(column, numbers);
 }
 
-void encode_intra(const Triple<PredictedColumn>& columns) {
-  run_intra<Encoding>(columns);
+void encode_intra(const PredictedColumn& column, std::int32_t* numbers) {
+  column.uniform ? encode_intra<true>(column, numbers) : encode_intra<false>(column, numbers);
 }
 
 void set_taps(const PredictedColumn& column, int first_row, Taps& taps) {

@@ -31,19 +31,19 @@ struct PredictedColumn {
   const float* older_motion = nullptr;
   float* values = nullptr;  // of this frame
   float* motion = nullptr;  // its values less past_values
-  // Of numbers from their prediction, never negative: 0 for the number nearest to it, 1 for the
-  // second nearest, ...
-  std::uint32_t* residuals = nullptr;
+  // Of numbers from their prediction: 0 for the number nearest to it, -1 for the second nearest, 1
+  // for the third, ...
+  std::int32_t* residuals = nullptr;
 };
 
 // Values and motion from residuals, or residuals from values; predicted from references.
 void decode(const PredictedColumn& column, const Weights& weights);
 void encode(const PredictedColumn& column, const Weights& weights);
 
-// Likewise without references, from what is known of this frame: row after row, so x, y and z go
-// side by side. Motion is left as it is.
-void decode_intra(const Triple<PredictedColumn>& columns);
-void encode_intra(const Triple<PredictedColumn>& columns);
+// Likewise without references, from the column before. Motion is left as it is. numbers: of a whole
+// column, those of the column before, unless it is the first; then those of this one.
+void decode_intra(const PredictedColumn& column, std::int32_t* numbers);
+void encode_intra(const PredictedColumn& column, std::int32_t* numbers);
 
 // What the weights are applied to, in their order, past before near, then the motion that they
 // should add up to: of sixteen rows side by side, 0 beyond the column's end.

@@ -89,12 +89,15 @@ Triple<PredictedColumn> FramePrediction::columns(int j, Residuals& residuals) co
 void FramePrediction::decode(Residuals& residuals) {
   const Weights first = weights.of_first_column();
   const Weights others = weights.of_others();
+  Triple<std::vector<std::int32_t>> numbers;
+  for (auto& column : numbers) column.resize(is_intra() ? layout_.grid().along : 0);
   for (int j = 0; j < layout_.grid().across; ++j) {
     const auto at = columns(j, residuals);
-    if (is_intra())
-      decode_intra(at);
-    else
-      for (const PredictedColumn& column : at) ribbon::decode(column, j == 0 ? first : others);
+    for (std::size_t c = 0; c < 3; ++c)
+      if (is_intra())
+        decode_intra(at[c], numbers[c].data());
+      else
+        ribbon::decode(at[c], j == 0 ? first : others);
     continue_over_ends(layout_, j, frame_->values);
     continue_over_ends(layout_, j, frame_->motion);
   }
@@ -105,12 +108,15 @@ void FramePrediction::decode(Residuals& residuals) {
 void FramePrediction::encode(Residuals& residuals) const {
   const Weights first = weights.of_first_column();
   const Weights others = weights.of_others();
+  Triple<std::vector<std::int32_t>> numbers;
+  for (auto& column : numbers) column.resize(is_intra() ? layout_.grid().along : 0);
   for (int j = 0; j < layout_.grid().across; ++j) {
     const auto at = columns(j, residuals);
-    if (is_intra())
-      encode_intra(at);
-    else
-      for (const PredictedColumn& column : at) ribbon::encode(column, j == 0 ? first : others);
+    for (std::size_t c = 0; c < 3; ++c)
+      if (is_intra())
+        encode_intra(at[c], numbers[c].data());
+      else
+        ribbon::encode(at[c], j == 0 ? first : others);
   }
 }
 

@@ -15,44 +15,54 @@ constexpr std::array<std::size_t, 4> packed_bytes = {0, block_rows / 4, block_ro
 // Low bits are read and written in words that reach beyond them.
 constexpr std::size_t word_bytes = sizeof(std::uint64_t);
 
-[[gnu::always_inline]] inline unsigned char mode_of(const std::uint32_t* block) {
-  std::uint32_t any = 0;
-  for (std::size_t k = 0; k < block_rows; ++k) any |= block[k];
-  const auto width = static_cast<int>(std::bit_width(any));
+[[gnu::always_inline]] inline unsigned char mode_of(const std::int32_t* block) {
+  std::int32_t any = 0;  // 0, -1, 1, -2, ... as 0, 1, 2, 3, ...
+  for (std::size_t k = 0; k < block_rows; ++k) any |= block[k] << 1 ^ block[k] >> 31;
+  const unsigned width = std::bit_width(static_cast<std::uint32_t>(any));
   if (width <= 4) return width == 0 ? zeros : width <= 2 ? quads : pairs;
-  return static_cast<unsigned char>(bytes + std::max(width - 8, 0));
+  const unsigned low = std::max(width, 8U) - 8;
+  return static_cast<unsigned char>(bytes + (low <= 8 ? low : 8 + std::bit_width((low - 9) | 1U)));
+}
+
+[[gnu::always_inline]] inline unsigned low_bits_of(unsigned mode) {
+  const unsigned low = mode - bytes;
+  return low <= 8 ? low : 8 + (2U << (low - 9));
 }
 
 // Symbols of so many bits, the first in the lowest bits of a byte.
 template <unsigned bits>
-[[gnu::always_inline]] inline void pack_block(const std::uint32_t* from, unsigned low,
+[[gnu::always_inline]] inline void pack_block(const std::int32_t* from, unsigned low,
                                               unsigned char* to) {
   constexpr unsigned in_a_byte = 8 / bits;
   for (unsigned byte = 0; byte < block_rows / in_a_byte; ++byte) {
-    std::uint32_t symbols = 0;
+    unsigned symbols = 0;
     for (unsigned k = 0; k < in_a_byte; ++k)
-      symbols |= from[byte * in_a_byte + k] >> low << bits * k;
+      symbols |= (static_cast<unsigned>(from[byte * in_a_byte + k] >> low) & ((1U << bits) - 1))
+                 << bits * k;
     to[byte] = static_cast<unsigned char>(symbols);
   }
 }
 
 template <unsigned bits>
-[[gnu::always_inline]] inline void unpack_block(const unsigned char* from, std::uint32_t* to) {
-  std::uint64_t symbols = 0;
-  std::memcpy(&symbols, from, block_rows * bits / 8);
-  RIBBON_EACH_LANE_OF_A_FEW
-  for (unsigned k = 0; k < block_rows; ++k)
-    to[k] = static_cast<std::uint32_t>(symbols >> bits * k) & ((1U << bits) - 1);
+[[gnu::always_inline]] inline void unpack_block(const unsigned char* from, std::int32_t* to) {
+  constexpr unsigned in_a_word = 32 / bits;
+  for (unsigned first = 0; first < block_rows; first += in_a_word) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, from + first * bits / 8, sizeof(word));
+    RIBBON_EACH_LANE_OF_A_FEW
+    for (unsigned k = 0; k < in_a_word; ++k)
+      to[first + k] = static_cast<std::int32_t>(word << (32 - bits - bits * k)) >> (32 - bits);
+  }
 }
 
 template <>
-[[gnu::always_inline]] inline void unpack_block<8>(const unsigned char* from, std::uint32_t* to) {
+[[gnu::always_inline]] inline void unpack_block<8>(const unsigned char* from, std::int32_t* to) {
   RIBBON_EACH_LANE_OF_A_FEW
-  for (std::size_t k = 0; k < block_rows; ++k) to[k] = from[k];
+  for (std::size_t k = 0; k < block_rows; ++k) to[k] = static_cast<signed char>(from[k]);
 }
 
 // `count` bits each, one directly beside the other, from the lowest bit of each byte on.
-[[gnu::always_inline]] inline void put_low_bits(const std::uint32_t* block, unsigned count,
+[[gnu::always_inline]] inline void put_low_bits(const std::int32_t* block, unsigned count,
                                                 unsigned char* to) {
   const std::uint32_t mask = (std::uint32_t{1} << count) - 1;
   std::memset(to, 0, block_rows * count / 8);
@@ -60,7 +70,7 @@ template <>
     std::uint64_t word = 0;
     unsigned char* at = to + k * count / 8;
     std::memcpy(&word, at, word_bytes);
-    word |= std::uint64_t{block[k] & mask} << k * count % 8;
+    word |= std::uint64_t{static_cast<std::uint32_t>(block[k]) & mask} << k * count % 8;
     std::memcpy(at, &word, word_bytes);
   }
 }
@@ -68,7 +78,7 @@ template <>
 // `rows` of them at a time, which a word holds.
 template <unsigned rows>
 [[gnu::always_inline]] inline void add_low_bits(const unsigned char* from, unsigned count,
-                                                std::uint32_t* to) {
+                                                std::int32_t* to) {
   const std::uint32_t mask = (std::uint32_t{1} << count) - 1;
   for (unsigned first = 0; first < block_rows; first += rows) {
     std::uint64_t word = 0;
@@ -77,7 +87,8 @@ template <unsigned rows>
     RIBBON_EACH_LANE_OF_A_FEW
     for (unsigned k = 0; k < rows; ++k)
       to[first + k] =
-          to[first + k] << count | (static_cast<std::uint32_t>(word >> k * count) & mask);
+          static_cast<std::int32_t>(static_cast<std::uint32_t>(to[first + k]) << count |
+                                    (static_cast<std::uint32_t>(word >> k * count) & mask));
   }
 }
 
@@ -107,7 +118,7 @@ template <class Visit>
     if (mode == pairs) at.pair += packed_bytes[pairs];
     if (mode < bytes) continue;
     at.byte += packed_bytes[bytes];
-    at.low += (mode - bytes) * block_rows / 8;
+    at.low += low_bits_of(mode) * block_rows / 8;
   }
 }
 
@@ -119,77 +130,92 @@ Residuals::Residuals(const RibbonGrid& grid)
       columns_(static_cast<std::size_t>(grid.across)),
       numbers_(3 * columns_ * column_length_) {}
 
-bool ResidualRuns::resize() {
+void ResidualRuns::resize() {
   std::array<std::size_t, bytes + 1> blocks{};
-  bool are_known = true;
   vectorised([&]() RIBBON_INLINED {
     std::uint32_t of_quads = 0;
     std::uint32_t of_pairs = 0;
     std::uint32_t of_bytes = 0;
     std::uint32_t low = 0;  // bits of one row
-    unsigned char highest = 0;
     for (const unsigned char mode : modes) {
-      highest = std::max(highest, mode);
       of_quads += mode == quads ? 1 : 0;
       of_pairs += mode == pairs ? 1 : 0;
       of_bytes += mode >= bytes ? 1 : 0;
-      low += mode >= bytes ? mode - bytes : 0;
+      low += mode >= bytes ? low_bits_of(mode) : 0;
     }
     blocks = {0, of_quads, of_pairs, of_bytes};
     low_bytes = std::size_t{low} * block_rows / 8;
-    are_known = highest <= bytes + most_low_bits;
   });
-  if (!are_known) return false;
   for (const PackingMode run : {quads, pairs, bytes})
     packed[run].resize(packed_bytes[run] * blocks[run]);
   low_bits.resize(low_bytes + word_bytes);
-  return true;
 }
 
 void ResidualPacker::append(const Residuals& residuals, std::string& to) {
-  const std::uint32_t* numbers = residuals.numbers().data();
-  runs_.modes.resize(residuals.block_count());
+  const std::int32_t* numbers = residuals.numbers().data();
+  std::vector<unsigned char>& modes = runs_.modes;
+  modes.resize(residuals.block_count());
   vectorised([&]() RIBBON_INLINED {
-    for (std::size_t block = 0; block < runs_.modes.size(); ++block)
-      runs_.modes[block] = mode_of(numbers + block * block_rows);
+    for (std::size_t block = 0; block < modes.size(); ++block)
+      modes[block] = mode_of(numbers + block * block_rows);
   });
   runs_.resize();
+  std::vector<unsigned char>& two_modes = runs_.packed[zeros];
+  two_modes.assign((modes.size() + 1) / 2, 0);
+  for (std::size_t block = 0; block < modes.size(); ++block)
+    two_modes[block / 2] |= static_cast<unsigned char>(modes[block] << 4 * (block % 2));
   vectorised([&]() RIBBON_INLINED {
     for_each_block(runs_, [&](unsigned mode, std::size_t first, const Places& at) RIBBON_INLINED {
-      const std::uint32_t* block = numbers + first;
+      const std::int32_t* block = numbers + first;
       if (mode == quads) pack_block<2>(block, 0, at.quad);
       if (mode == pairs) pack_block<4>(block, 0, at.pair);
-      if (mode >= bytes) pack_block<8>(block, mode - bytes, at.byte);
-      if (mode > bytes) put_low_bits(block, mode - bytes, at.low);
+      if (mode >= bytes) pack_block<8>(block, low_bits_of(mode), at.byte);
+      if (mode > bytes) put_low_bits(block, low_bits_of(mode), at.low);
     });
   });
-  compressor_.append(runs_.modes, to);
-  for (const auto& run : runs_.packed) compressor_.append(run, to);
+  for (std::size_t run = 0; run < runs_.packed.size(); ++run)
+    compressor_.append(run, runs_.packed[run], to);
   to.append(runs_.low_bits.begin(),
             runs_.low_bits.begin() + static_cast<std::ptrdiff_t>(runs_.low_bytes));
 }
 
 bool ResidualUnpacker::unpack(std::string_view from, Residuals& residuals) {
-  runs_.modes.resize(residuals.block_count());
-  if (!decompressor_.take(from, runs_.modes) || !runs_.resize()) return false;
-  for (auto& run : runs_.packed)
-    if (!decompressor_.take(from, run)) return false;
+  std::vector<unsigned char>& modes = runs_.modes;
+  std::vector<unsigned char>& two_modes = runs_.packed[zeros];
+  two_modes.resize((residuals.block_count() + 1) / 2);
+  if (!decompressor_.take(zeros, from, two_modes)) return false;
+  modes.resize(2 * two_modes.size());
+  vectorised([&]() RIBBON_INLINED {
+    const unsigned char* two = two_modes.data();
+    unsigned char* one = modes.data();
+    const std::size_t count = two_modes.size();
+    RIBBON_EACH_LANE
+    for (std::size_t k = 0; k < count; ++k) {
+      one[2 * k] = two[k] & 0xF;
+      one[2 * k + 1] = two[k] >> 4;
+    }
+  });
+  modes.resize(residuals.block_count());
+  runs_.resize();
+  for (const PackingMode run : {quads, pairs, bytes})
+    if (!decompressor_.take(run, from, runs_.packed[run])) return false;
   if (from.size() != runs_.low_bytes) return false;
   std::copy(from.begin(), from.end(), runs_.low_bits.begin());
-  std::uint32_t* numbers = residuals.numbers().data();
+  std::int32_t* numbers = residuals.numbers().data();
   vectorised([&]() RIBBON_INLINED {
     for_each_block(runs_, [&](unsigned mode, std::size_t first, const Places& at) RIBBON_INLINED {
-      std::uint32_t* block = numbers + first;
-      if (mode == zeros) std::fill_n(block, block_rows, 0U);
+      std::int32_t* block = numbers + first;
+      if (mode == zeros) std::fill_n(block, block_rows, 0);
       if (mode == quads) unpack_block<2>(at.quad, block);
       if (mode == pairs) unpack_block<4>(at.pair, block);
       if (mode >= bytes) unpack_block<8>(at.byte, block);
       if (mode > bytes) {
         constexpr unsigned most_of_four = 15;  // and 4 bits where they begin within a byte
-        if (mode - bytes <= most_of_four)
-          add_low_bits<4>(at.low, mode - bytes, block);
+        const unsigned count = low_bits_of(mode);
+        if (count <= most_of_four)
+          add_low_bits<4>(at.low, count, block);
         else
-          add_low_bits<2>(at.low, mode - bytes, block);
+          add_low_bits<2>(at.low, count, block);
       }
     });
   });

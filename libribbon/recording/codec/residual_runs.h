@@ -22,34 +22,34 @@ class Residuals {
  public:
   explicit Residuals(const RibbonGrid& grid);
 
-  [[nodiscard]] std::uint32_t* column(std::size_t c, int j) {
+  [[nodiscard]] std::int32_t* column(std::size_t c, int j) {
     return numbers_.data() + column_length_ * (c * columns_ + static_cast<std::size_t>(j));
   }
-  [[nodiscard]] const std::vector<std::uint32_t>& numbers() const { return numbers_; }
-  [[nodiscard]] std::vector<std::uint32_t>& numbers() { return numbers_; }
+  [[nodiscard]] const std::vector<std::int32_t>& numbers() const { return numbers_; }
+  [[nodiscard]] std::vector<std::int32_t>& numbers() { return numbers_; }
   [[nodiscard]] std::size_t block_count() const { return numbers_.size() / block_rows; }
 
  private:
   std::size_t column_length_;
   std::size_t columns_;  // of one component
-  std::vector<std::uint32_t> numbers_;
+  std::vector<std::int32_t> numbers_;
 };
 
 // How a block is packed: not at all, because all are 0; four or two in a byte; one in a byte
-// without its n lowest bits, which follow elsewhere: bytes + n.
+// without its lowest bits, which follow elsewhere: there are modes from `bytes` on for 0 to 8, 10,
+// 12, 16 and 24 of these, sixteen modes in all.
 enum PackingMode : std::uint8_t { zeros = 0, quads = 1, pairs = 2, bytes = 3 };
-inline constexpr std::size_t most_low_bits = 24;
 
 // What blocks become before entropy coding.
 struct ResidualRuns {
   std::vector<unsigned char> modes;
-  // Of quads, pairs and bytes: `packed[mode]`.
+  // Of quads, pairs and bytes: `packed[mode]`. Instead of zeros: the modes, two in a byte.
   std::array<std::vector<unsigned char>, 4> packed;
   std::vector<unsigned char> low_bits;  // and some bytes more, which are nobody's
   std::size_t low_bytes = 0;            // without these
 
-  // Makes room for what the modes ask for; false where one of them is not known.
-  bool resize();
+  // Makes room for what the modes ask for.
+  void resize();
 };
 
 // Keeps its memory between calls and nothing else.

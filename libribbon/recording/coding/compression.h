@@ -1,6 +1,7 @@
 // zstd, for everything in a recording that is not a plain number.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 
 struct ZSTD_CCtx_s;
 struct ZSTD_DCtx_s;
+struct ZSTD_DDict_s;
 
 namespace ribbon {
 
@@ -48,17 +50,25 @@ class Decompressor {
   std::string content_;
 };
 
-// Entropy coding of runs of byte symbols. Keeps its working memory between calls and nothing else.
+struct FreeDictionary {
+  void operator()(ZSTD_DDict_s* dictionary) const;
+};
+
+// Entropy coding of runs of byte symbols, of four kinds (FORMAT.md, section 8.5), with tables that
+// are known for each kind where no other is much better. Keeps its working memory between calls and
+// nothing else.
 class SymbolCompressor {
  public:
   SymbolCompressor();
 
   // Appends a run to `to`: of one symbol or more never more than they are themselves, and a number.
-  void append(std::span<const unsigned char> symbols, std::string& to);
+  void append(std::size_t kind, std::span<const unsigned char> symbols, std::string& to);
 
  private:
-  CompressionContext context_;
+  std::array<CompressionContext, 4> contexts_;  // of each kind
+  CompressionContext with_own_table_;
   std::string packed_;
+  std::string other_;
 };
 
 class SymbolDecompressor {
@@ -67,10 +77,11 @@ class SymbolDecompressor {
 
   // Takes a run of exactly as many symbols off the front of `from`; false where it does not begin
   // with such a run.
-  bool take(std::string_view& from, std::span<unsigned char> symbols);
+  bool take(std::size_t kind, std::string_view& from, std::span<unsigned char> symbols);
 
  private:
   DecompressionContext context_;
+  std::array<std::unique_ptr<ZSTD_DDict_s, FreeDictionary>, 4> dictionaries_;  // of each kind
   std::string packed_;
 };
 

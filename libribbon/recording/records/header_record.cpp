@@ -16,9 +16,9 @@ namespace ribbon {
 
 namespace {
 
-constexpr std::uint16_t major_version = 5;
+constexpr std::uint16_t major_version = 6;
 constexpr std::uint16_t minor_version = 0;
-constexpr std::uint32_t position_codec = 5;
+constexpr std::uint32_t position_codec = 6;
 constexpr std::int64_t most_particles = std::int64_t{1} << 24;
 // Columns have a border, so that many short ones take more memory than their particles.
 constexpr int most_columns = 1 << 20;

@@ -2,19 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <random>
 
 namespace ribbon::residual_runs_test {
 
-// Residuals whose size changes along the ribbon from all 0 to about `largest`.
+// Residuals of both signs whose size changes along the ribbon from all 0 to about `largest`.
 Residuals growing_residuals(const RibbonGrid& grid, double largest) {
   std::mt19937 random(3);
   Residuals residuals(grid);
   for (std::size_t c = 0; c < 3; ++c)
     for (int j = 0; j < grid.across; ++j)
       for (int i = 0; i < grid.along; ++i)
-        residuals.column(c, j)[i] = static_cast<std::uint32_t>(
-            largest * i / grid.along * (static_cast<double>(random()) / 4294967296.0));
+        residuals.column(c, j)[i] = static_cast<std::int32_t>(
+            largest * i / grid.along * (static_cast<double>(random()) / 2147483648.0 - 1));
   return residuals;
 }
 
@@ -40,23 +43,29 @@ TEST_P(ResidualRuns, residuals_come_back) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, ResidualRuns,
-                         testing::Values(0.0, 1.5, 3.0, 8.0, 40.0, 300.0, 1e5, 4294967295.0));
+                         testing::Values(0.0, 1.5, 2.0, 8.0, 40.0, 300.0, 1e5, 2147483647.0));
 
+// The least and the largest of so many bits in two's complement, and one beyond each.
 TEST(ResidualPacking, every_width_comes_back) {
-  for (int width = 0; width <= 32; ++width) {
-    Residuals residuals({64, 3});
-    const auto largest = static_cast<std::uint32_t>((std::uint64_t{1} << width) - 1);
-    for (std::size_t k = 0; k < residuals.numbers().size(); k += 3)
-      residuals.numbers()[k] = largest - static_cast<std::uint32_t>(width > 8 ? k % 17 : 0);
-    Residuals unpacked({64, 3});
-    ASSERT_TRUE(ResidualUnpacker().unpack(packed(residuals), unpacked));
-    EXPECT_EQ(unpacked.numbers(), residuals.numbers()) << width;
-  }
+  for (int width = 1; width <= 32; ++width)
+    for (const int beyond : {0, 1}) {
+      const std::int64_t half = std::int64_t{1} << (width - 1);
+      const auto least = static_cast<std::int32_t>(
+          std::max<std::int64_t>(-half - beyond, std::numeric_limits<std::int32_t>::min()));
+      const auto largest = static_cast<std::int32_t>(
+          std::min<std::int64_t>(half - 1 + beyond, std::numeric_limits<std::int32_t>::max()));
+      Residuals residuals({64, 3});
+      for (std::size_t k = 0; k < residuals.numbers().size(); k += 3)
+        residuals.numbers()[k] = k % 2 == 0 ? least : largest;
+      Residuals unpacked({64, 3});
+      ASSERT_TRUE(ResidualUnpacker().unpack(packed(residuals), unpacked));
+      EXPECT_EQ(unpacked.numbers(), residuals.numbers()) << width << " " << beyond;
+    }
 }
 
 TEST(ResidualPacking, a_single_large_residual_among_zeros_comes_back) {
   Residuals residuals({64, 16});
-  residuals.column(1, 7)[50] = 0xFFFFFFFF;
+  residuals.column(1, 7)[50] = std::numeric_limits<std::int32_t>::min();
   Residuals unpacked({64, 16});
   ASSERT_TRUE(ResidualUnpacker().unpack(packed(residuals), unpacked));
   EXPECT_EQ(unpacked.numbers(), residuals.numbers());
@@ -66,11 +75,14 @@ TEST(ResidualPacking, nothing_but_zeros_takes_next_to_nothing) {
   EXPECT_LT(packed(Residuals({400, 16})).size(), 30U);
 }
 
-TEST(ResidualPacking, a_mode_that_is_not_known_is_refused) {
-  // 0: the modes of the six blocks follow as they are.
-  Residuals unpacked({16, 2});
-  EXPECT_FALSE(ResidualUnpacker().unpack(std::string("\0\0\0\0\0\0\x1C", 7), unpacked));
-  EXPECT_TRUE(ResidualUnpacker().unpack(std::string("\0\0\0\0\0\0\0", 7), unpacked));
+// Three blocks in a byte and a half.
+TEST(ResidualPacking, what_is_left_of_the_last_byte_of_modes_means_nothing) {
+  Residuals unpacked({16, 3});
+  unpacked.numbers().assign(unpacked.numbers().size(), 7);
+  ASSERT_EQ(unpacked.block_count(), 9U);
+  EXPECT_TRUE(ResidualUnpacker().unpack(std::string("\0\0\0\0\0\xF0", 6), unpacked));
+  EXPECT_EQ(unpacked.numbers(), Residuals({16, 3}).numbers());
+  EXPECT_FALSE(ResidualUnpacker().unpack(std::string("\0\0\0\0\0\x0F", 6), unpacked));
 }
 
 }  // namespace ribbon::residual_runs_test

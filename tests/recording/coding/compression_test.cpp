@@ -45,7 +45,7 @@ TEST(Compression, a_decompressor_works_after_a_failure) {
 
 std::string coded(const std::vector<unsigned char>& symbols) {
   std::string bytes;
-  SymbolCompressor().append(symbols, bytes);
+  SymbolCompressor().append(2, symbols, bytes);
   return bytes;
 }
 
@@ -63,7 +63,7 @@ TEST(SymbolCoding, symbols_come_back) {
     const std::string bytes = coded(symbols) + "rest";
     std::string_view left = bytes;
     std::vector<unsigned char> taken(symbols.size());
-    ASSERT_TRUE(SymbolDecompressor().take(left, taken));
+    ASSERT_TRUE(SymbolDecompressor().take(2, left, taken));
     EXPECT_EQ(taken, symbols) << kinds;
     EXPECT_EQ(left, "rest");
   }
@@ -74,6 +74,42 @@ TEST(SymbolCoding, what_saves_less_than_a_sixteenth_is_left_as_it_is) {
   EXPECT_EQ(coded(even_symbols(200)).size(), 20'001U);
   EXPECT_EQ(coded(even_symbols(200)).front(), '\0');
   EXPECT_LT(coded(even_symbols(160)).size(), 20'000U * 15 / 16);
+}
+
+// Of all kinds of runs, and of those too short to be worth a table of their own.
+TEST(SymbolCoding, a_run_is_taken_as_the_kind_that_it_is) {
+  std::vector<unsigned char> symbols(300);
+  for (std::size_t k = 0; k < symbols.size(); ++k) symbols[k] = k % 5 == 0 ? 0x11 : 0;
+  for (std::size_t kind = 0; kind < 4; ++kind) {
+    std::string bytes;
+    SymbolCompressor().append(kind, symbols, bytes);
+    EXPECT_LT(bytes.size(), 160U) << kind;
+    std::string_view left = bytes;
+    std::vector<unsigned char> taken(symbols.size());
+    ASSERT_TRUE(SymbolDecompressor().take(kind, left, taken));
+    EXPECT_EQ(taken, symbols) << kind;
+  }
+}
+
+// In blocks of mode 1 all kinds of bytes occur; a table of its own would be a third of the run.
+TEST(SymbolCoding, tables_that_are_known_save_those_of_short_runs) {
+  std::mt19937 random(7);
+  std::vector<unsigned char> symbols(400);
+  for (unsigned char& symbol : symbols)
+    for (unsigned k = 0; k < 4; ++k) {
+      const std::uint32_t dice = random() % 16;
+      symbol |= static_cast<unsigned char>((dice < 10   ? 0
+                                            : dice < 13 ? 3
+                                            : dice < 15 ? 1
+                                                        : 2)
+                                           << 2 * k);
+    }
+  std::string known;
+  SymbolCompressor().append(1, symbols, known);
+  EXPECT_LT(known.size(), 380U);
+  std::string unknown;
+  SymbolCompressor().append(3, symbols, unknown);
+  EXPECT_GT(unknown.size(), known.size() + 15);
 }
 
 }  // namespace ribbon::compression_test

@@ -218,10 +218,10 @@ TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
   payload[2] = 4;
   EXPECT_EQ(
       refusal_of(parse_header_payload(payload)),
-      "was written in format version 2.4 by tests 1.0, this program reads version 5; use that "
+      "was written in format version 2.4 by tests 1.0, this program reads version 6; use that "
       "program, or record it again");
   EXPECT_EQ(refusal_of(parse_header_payload(payload.substr(0, 20))),
-            "was written in format version 2.4, this program reads version 5; record it again");
+            "was written in format version 2.4, this program reads version 6; record it again");
 }
 
 TEST(HeaderRecord, the_origin_comes_back) {
