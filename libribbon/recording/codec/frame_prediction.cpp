@@ -54,7 +54,7 @@ void FramePrediction::begin(std::span<const QuantisedFrame* const> references,
 
 void FramePrediction::set_motion() {
   for (std::size_t c = 0; c < 3; ++c) {
-    std::vector<float>& motion = frame_->motion[c];
+    Lines<float>& motion = frame_->motion[c];
     if (is_intra())
       std::fill(motion.begin(), motion.end(), 0.0F);
     else

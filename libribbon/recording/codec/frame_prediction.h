@@ -45,7 +45,7 @@ class FramePrediction {
   bool uniform_;
   std::array<const QuantisedFrame*, 2> references_{};
   QuantisedFrame* frame_ = nullptr;
-  std::vector<float> no_motion_;  // of frames that there are not
+  Lines<float> no_motion_;  // of frames that there are not
 };
 
 // Continues values in straight lines over the border of a column.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/ribbon_grid.h"
+#include "recording/codec/particle_columns.h"
 #include "recording/coding/compression.h"
 
 namespace ribbon {
@@ -25,14 +26,14 @@ class Residuals {
   [[nodiscard]] std::int32_t* column(std::size_t c, int j) {
     return numbers_.data() + column_length_ * (c * columns_ + static_cast<std::size_t>(j));
   }
-  [[nodiscard]] const std::vector<std::int32_t>& numbers() const { return numbers_; }
-  [[nodiscard]] std::vector<std::int32_t>& numbers() { return numbers_; }
+  [[nodiscard]] const Lines<std::int32_t>& numbers() const { return numbers_; }
+  [[nodiscard]] Lines<std::int32_t>& numbers() { return numbers_; }
   [[nodiscard]] std::size_t block_count() const { return numbers_.size() / block_rows; }
 
  private:
   std::size_t column_length_;
   std::size_t columns_;  // of one component
-  std::vector<std::int32_t> numbers_;
+  Lines<std::int32_t> numbers_;
 };
 
 // How a block is packed: not at all, because all are 0; four or two in a byte; one in a byte

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <set>
 
 namespace ribbon::particle_columns_test {
@@ -16,7 +17,13 @@ TEST_P(Columns, every_particle_and_every_neighbour_has_a_cell_of_its_own) {
       EXPECT_LT(columns.cell(i, j), columns.cells());
       EXPECT_TRUE(cells.insert(columns.cell(i, j)).second);
     }
-  EXPECT_EQ(cells.size(), columns.cells());
+}
+
+TEST_P(Columns, each_begins_where_a_cache_line_does) {
+  const ParticleColumns columns(GetParam());
+  const Lines<float> values(columns.cells());
+  for (int j = -1; j <= GetParam().across; ++j)
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(&values[columns.cell(0, j)]) % 64, 0U) << j;
 }
 
 TEST_P(Columns, neighbours_lie_at_constant_distances) {
