@@ -58,7 +58,7 @@ template <unsigned bits>
 template <>
 [[gnu::always_inline]] inline void unpack_block<8>(const unsigned char* from, std::int32_t* to) {
   RIBBON_EACH_LANE_OF_A_FEW
-  for (std::size_t k = 0; k < block_rows; ++k) to[k] = static_cast<signed char>(from[k]);
+  for (std::size_t k = 0; k < block_rows; ++k) to[k] = (from[k] ^ 0x80) - 0x80;
 }
 
 // `count` bits each, one directly beside the other, from the lowest bit of each byte on.
