@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include "parallel/vector_loop.h"
 
 namespace ribbon {
 
@@ -15,9 +18,16 @@ float in_levels(float square, float mean) {
 }
 
 std::bitset<tile_pixels> those_of(const std::array<float, tile_pixels>& worth, float least) {
+  constexpr std::size_t word_bits = 64;
   std::bitset<tile_pixels> pixels;
-  for (std::size_t pixel = 0; pixel < worth.size(); ++pixel)
-    pixels[pixel] = worth[pixel] > 0 && worth[pixel] >= least;
+  for (std::size_t end = tile_pixels; end > 0; end -= word_bits) {
+    std::uint64_t word = 0;
+    for (std::size_t bit = 0; bit < word_bits; ++bit) {
+      const float of_pixel = worth[end - word_bits + bit];
+      word |= static_cast<std::uint64_t>(of_pixel > 0 && of_pixel >= least) << bit;
+    }
+    pixels = pixels << word_bits | std::bitset<tile_pixels>(word);
+  }
   return pixels;
 }
 
@@ -26,61 +36,74 @@ std::bitset<tile_pixels> those_of(const std::array<float, tile_pixels>& worth, f
 void TileNoise::begin(int width, int height) {
   width_ = width;
   height_ = height;
-  pixels_.fill({});
+  for (Numbers* numbers : {&samples_, &mean_, &squared_error_, &variance_, &likely_error_})
+    numbers->fill(0);
 }
 
 void TileNoise::update(int column, int row, float samples, float luminance,
                        float squared_luminance) {
-  Pixel& pixel = pixels_[place_in_tile(column, row)];
-  const float first_half = pixel.mean;
-  pixel.samples = samples;
-  pixel.mean = luminance / samples;
-  const float half_difference = pixel.mean - first_half;
-  pixel.squared_error = in_levels(half_difference * half_difference, pixel.mean);
-  const float variance = std::max(0.0F, squared_luminance / samples - pixel.mean * pixel.mean);
-  pixel.variance = in_levels(variance / std::max(samples - 1, 1.0F), pixel.mean);
+  const std::size_t place = place_in_tile(column, row);
+  const float mean = luminance / samples;
+  const float half_difference = mean - mean_[place];
+  const float squared_error = in_levels(half_difference * half_difference, mean);
+  const float spread = std::max(0.0F, squared_luminance / samples - mean * mean);
+  const float variance = in_levels(spread / std::max(samples - 1, 1.0F), mean);
+  samples_[place] = samples;
+  mean_[place] = mean;
+  squared_error_[place] = squared_error;
+  variance_[place] = variance;
   // The halves tell more, but that those of few samples agree may be chance.
   constexpr float trust_in_halves = 0.8F;
-  pixel.likely_error =
-      trust_in_halves * pixel.squared_error + (1 - trust_in_halves) * pixel.variance;
+  likely_error_[place] = trust_in_halves * squared_error + (1 - trust_in_halves) * variance;
 }
 
 float TileNoise::error() const {
   float sum = 0;
-  for (const Pixel& pixel : pixels_) sum += pixel.squared_error;
+  for (const float squared_error : squared_error_) sum += squared_error;
   return std::sqrt(sum / static_cast<float>(width_ * height_));
 }
 
-// A pixel whose samples agree may have missed what its neighbours found.
-float TileNoise::mean_around(int column, int row, float Pixel::*number) const {
-  float sum = 0;
-  int count = 0;
-  for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height_ - 1); ++y)
-    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width_ - 1); ++x, ++count)
-      sum += pixels_[place_in_tile(x, y)].*number;
-  return sum / static_cast<float>(count);
-}
-
 // What a further sample of each pixel can take away; nothing where it may not have as many again.
-TileNoise::Worth TileNoise::worth(float Pixel::*squared_error, int most_samples) const {
-  Worth worth{};
-  for (int row = 0; row < height_; ++row)
-    for (int column = 0; column < width_; ++column) {
-      const std::size_t place = place_in_tile(column, row);
-      const float samples = pixels_[place].samples;
-      if (2 * samples <= static_cast<float>(most_samples))
-        worth[place] = mean_around(column, row, squared_error) / samples;
-    }
+// A pixel whose samples agree may have missed what its neighbours found: so the mean of those
+// around it counts.
+TileNoise::Numbers TileNoise::worth(const Numbers& squared_error, int most_samples) const {
+  constexpr std::size_t side = tile_side;
+  constexpr std::size_t pitch = side + 2;
+  std::array<float, pitch * pitch> bordered{};  // by zeros
+  for (std::size_t row = 0; row < side; ++row)
+    std::copy_n(squared_error.begin() + static_cast<std::ptrdiff_t>(row * side), side,
+                bordered.begin() + static_cast<std::ptrdiff_t>((row + 1) * pitch + 1));
+  Numbers worth{};
+  const auto most = static_cast<float>(most_samples);
+  for (int row = 0; row < height_; ++row) {
+    const int rows = std::min(row + 1, height_ - 1) - std::max(row - 1, 0) + 1;
+    const float* const above = &bordered[static_cast<std::size_t>(row) * pitch];
+    const float* const samples = &samples_[place_in_tile(0, row)];
+    float* const of_row = &worth[place_in_tile(0, row)];
+    vectorised([&]() RIBBON_INLINED {
+      RIBBON_EACH_LANE
+      for (int column = 0; column < tile_side; ++column) {
+        float sum = 0;
+        for (std::size_t y = 0; y < 3; ++y)
+          for (std::size_t x = 0; x < 3; ++x)
+            sum += above[y * pitch + x + static_cast<std::size_t>(column)];
+        const int last = std::min(column + 1, width_ - 1);
+        const int count = rows * (last - std::max(column - 1, 0) + 1);
+        const bool may_have_more = column < width_ && 2 * samples[column] <= most;
+        of_row[column] = may_have_more ? sum / static_cast<float>(count) / samples[column] : 0.0F;
+      }
+    });
+  }
   return worth;
 }
 
 std::bitset<tile_pixels> TileNoise::worth_doubling(float least_gain, int most_samples) const {
-  return those_of(worth(&Pixel::likely_error, most_samples), least_gain);
+  return those_of(worth(likely_error_, most_samples), least_gain);
 }
 
 std::bitset<tile_pixels> TileNoise::most_worth_doubling(int most_samples) const {
   constexpr float of_the_most = 0.25F;  // less would be more rounds for hardly fewer samples
-  const Worth worth = this->worth(&Pixel::variance, most_samples);
+  const Numbers worth = this->worth(variance_, most_samples);
   return those_of(worth, of_the_most * *std::max_element(worth.begin(), worth.end()));
 }
 

@@ -39,20 +39,16 @@ class TileNoise {
   [[nodiscard]] std::bitset<tile_pixels> most_worth_doubling(int most_samples) const;
 
  private:
-  using Worth = std::array<float, tile_pixels>;
-  struct Pixel {
-    float samples = 0;
-    float mean = 0;
-    float squared_error = 0;  // by the halves of its samples
-    float variance = 0;       // of the mean, if samples were independent
-    float likely_error = 0;   // squared, by both
-  };
-  [[nodiscard]] float mean_around(int column, int row, float Pixel::*number) const;
-  [[nodiscard]] Worth worth(float Pixel::*squared_error, int most_samples) const;
+  using Numbers = std::array<float, tile_pixels>;  // of the pixels; zero outside the picture
+  [[nodiscard]] Numbers worth(const Numbers& squared_error, int most_samples) const;
 
   int width_ = 0;
   int height_ = 0;
-  std::array<Pixel, tile_pixels> pixels_;
+  Numbers samples_{};
+  Numbers mean_{};
+  Numbers squared_error_{};  // by the halves of its samples
+  Numbers variance_{};       // of the mean, if samples were independent
+  Numbers likely_error_{};   // squared, by both
 };
 
 }  // namespace ribbon
