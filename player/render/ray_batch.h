@@ -78,4 +78,12 @@ struct LaneList {
   }
 };
 
+// Those of the first `count` lanes, at most batch_size, that have this mark; ascending. `marks`:
+// batch_size + register_lanes of them.
+void list_marked(const std::uint8_t* marks, std::uint8_t mark, std::size_t count, LaneList& list);
+inline void list_marked(const Lanes<Body>& bodies, Body body, std::size_t count, LaneList& list) {
+  list_marked(reinterpret_cast<const std::uint8_t*>(bodies.data()), static_cast<std::uint8_t>(body),
+              count, list);
+}
+
 }  // namespace ribbon

@@ -14,6 +14,7 @@
 
 #include "parallel/instruction_set.h"
 #include "parallel/parallel.h"
+#include "parallel/vector_loop.h"
 #include "player/render/thread_timer.h"
 
 namespace ribbon {
@@ -63,6 +64,13 @@ Scene new_scene(RTCDevice device, unsigned more_flags = RTC_SCENE_FLAG_NONE) {
 // Numbers of the geometries.
 constexpr unsigned ribbon_id = 0;
 constexpr unsigned obstacle_id = 1;
+
+// A body is one more than its number, in eight bits as in all.
+constexpr Body body_of(unsigned geometry) {
+  return static_cast<Body>(static_cast<std::uint8_t>(geometry + 1));
+}
+static_assert(body_of(ribbon_id) == Body::ribbon && body_of(obstacle_id) == Body::obstacle &&
+              body_of(RTC_INVALID_GEOMETRY_ID) == Body::none);
 
 // Embree reads corners where they lie, four numbers of each: what it has read is near the processor
 // when the place that was met is looked up there.
@@ -246,10 +254,11 @@ void RayScene::first_hits(const RayBatch& rays, Coherence coherence, HitBatch& h
                       geometries.data(),
                       {instances.data()}}};
   rtcIntersectNp(state_->scene.get(), &context, &stream, static_cast<unsigned>(rays.count));
-  for (std::size_t i = 0; i < rays.count; ++i)
-    hits.body[i] = geometries[i] == ribbon_id     ? Body::ribbon
-                   : geometries[i] == obstacle_id ? Body::obstacle
-                                                  : Body::none;
+  vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(rays.count);
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < end; ++i) hits.body[i] = body_of(geometries[i]);
+  });
 }
 
 void RayScene::unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>& free) const {
@@ -259,7 +268,11 @@ void RayScene::unblocked(const RayBatch& rays, Coherence coherence, Lanes<float>
   RTCRayNp stream = stream_of(rays, reach);
   rtcOccludedNp(state_->scene.get(), &context, &stream, static_cast<unsigned>(rays.count));
   // Embree marks a blocked ray by a negative length.
-  for (std::size_t i = 0; i < rays.count; ++i) free[i] = reach[i] < 0 ? 0.0F : 1.0F;
+  vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(rays.count);
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < end; ++i) free[i] = reach[i] < 0 ? 0.0F : 1.0F;
+  });
 }
 
 double RayScene::plain_seconds(const RayLog& log) const {

@@ -47,6 +47,12 @@ Eigen::Array4f four(const Color& color) {
   return {color[0], color[1], color[2], 0};
 }
 
+void copy(const VectorLanes& from, std::size_t count, VectorLanes& to) {
+  std::copy_n(from.x.begin(), count, to.x.begin());
+  std::copy_n(from.y.begin(), count, to.y.begin());
+  std::copy_n(from.z.begin(), count, to.z.begin());
+}
+
 Color full_light_on_ground(const Lighting& lighting) {
   return lighting.sun * std::max(0.0F, lighting.sun_direction.y()) +
          lighting.mean_sky(Eigen::Vector3f::UnitY());
@@ -55,7 +61,8 @@ Color full_light_on_ground(const Lighting& lighting) {
 }  // namespace
 
 void TilePainter::Samples::set(std::size_t first, const Samples& others, const LaneList& list) {
-  for (std::size_t i = 0; i < list.count; ++i) {
+  const std::size_t count = list.count;  // which does not change, as compilers cannot know
+  for (std::size_t i = 0; i < count; ++i) {
     place[first + i] = others.place[list.lanes[i]];
     number[first + i] = others.number[list.lanes[i]];
   }
@@ -72,12 +79,17 @@ void TilePainter::paint(int left, int top) {
   width_ = std::min(tile_side, s_.size.width - left);
   height_ = std::min(tile_side, s_.size.height - top);
   sums_.clear();
-  wanting_.reset();
+  const bool whole = width_ == tile_side && height_ == tile_side;
+  // Bit after bit takes longer than all at once.
+  if (whole)
+    wanting_.set();
+  else
+    wanting_.reset();
   for (int row = 0; row < height_; ++row)
     for (int column = 0; column < width_; ++column) {
       const std::size_t place = place_in_tile(column, row);
       backdrop_[place] = four(s_.backdrop.at(left_ + column, top_ + row));
-      wanting_.set(place);
+      if (!whole) wanting_.set(place);
     }
   if (!s_.quality.is_adaptive()) {
     if (s_.quality.samples == 1 && wanting_.all())
@@ -181,22 +193,28 @@ void TilePainter::finish_batch() {
 // The samples that see the backdrop are done; the others' surfaces are laid side by side, body by
 // body.
 void TilePainter::sort_hits() {
-  on_ribbon_.count = on_obstacle_.count = on_nothing_.count = 0;
-  for (std::size_t i = 0; i < rays_.count; ++i) {
-    on_ribbon_.add_if(i, hits_.body[i] == Body::ribbon);
-    on_obstacle_.add_if(i, hits_.body[i] == Body::obstacle);
-    on_nothing_.add_if(i, hits_.body[i] == Body::none);
-  }
+  list_marked(hits_.body, Body::ribbon, rays_.count, on_ribbon_);
+  list_marked(hits_.body, Body::obstacle, rays_.count, on_obstacle_);
+  list_marked(hits_.body, Body::none, rays_.count, on_nothing_);
   seen_.count = 0;
   seen_samples_.set(0, samples_, on_ribbon_);
   s_.scene.add_points(Body::ribbon, rays_, hits_, on_ribbon_, seen_);
   seen_samples_.set(seen_.count, samples_, on_obstacle_);
   s_.scene.add_points(Body::obstacle, rays_, hits_, on_obstacle_, seen_);
+  if (s_.scene.has_ground()) add_ground();
   for (std::size_t i = 0; i < on_nothing_.count; ++i) {
-    const std::size_t lane = on_nothing_.lanes[i];
-    if (s_.scene.has_ground() && add_ground(lane)) continue;
-    const std::size_t place = samples_.place[lane];
+    const std::size_t place = samples_.place[on_nothing_.lanes[i]];
     sums_.add_backdrop(place, backdrop_[place]);
+  }
+}
+
+// The samples that see the ground leave those that see nothing.
+void TilePainter::add_ground() {
+  const std::size_t count = on_nothing_.count;
+  on_nothing_.count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t lane = on_nothing_.lanes[i];
+    on_nothing_.add_if(lane, !add_ground(lane));
   }
 }
 
@@ -228,16 +246,21 @@ void TilePainter::look(Pattern pattern, const Samples& samples, std::size_t coun
   to_disc(u, v, count, disc_x_, disc_y_);
 }
 
-// Lays out the rays that go from the wanted surfaces towards_ a light.
-template <class Wanted>
-void TilePainter::send(const SurfaceBatch& surface, const Wanted& wanted) {
-  asked_for_.count = 0;
-  for (std::size_t i = 0; i < surface.count; ++i) {
-    set_lane(light_rays_.origin, asked_for_.count, lane_of(surface.start, i));
-    set_lane(light_rays_.direction, asked_for_.count, lane_of(towards_, i));
-    asked_for_.add_if(i, wanted(i));
+// Lays out the rays that go from the surfaces that are marked by 1 towards_ a light.
+void TilePainter::send(const SurfaceBatch& surface, const Lanes<std::uint8_t>& wanted) {
+  list_marked(wanted.data(), 1, surface.count, asked_for_);
+  const std::size_t count = asked_for_.count;
+  light_rays_.count = count;
+  if (count == surface.count) {
+    copy(surface.start, count, light_rays_.origin);
+    copy(towards_, count, light_rays_.direction);
+    return;
   }
-  light_rays_.count = asked_for_.count;
+  for (std::size_t r = 0; r < count; ++r) {
+    const std::size_t lane = asked_for_.lanes[r];
+    set_lane(light_rays_.origin, r, lane_of(surface.start, lane));
+    set_lane(light_rays_.direction, r, lane_of(towards_, lane));
+  }
 }
 
 // Light that the sun sends to each surface, as white cloth would show it.
@@ -248,11 +271,17 @@ void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface, con
          towards_);
   Lanes<float> cosines;
   products(surface.normal, towards_, surface.count, cosines);
-  send(surface, [&](std::size_t lane) { return cosines[lane] > 0; });
+  Lanes<std::uint8_t> wanted;
+  vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(surface.count);
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < end; ++i) wanted[i] = cosines[i] > 0 ? 1 : 0;
+  });
+  send(surface, wanted);
   s_.scene.rays().unblocked(light_rays_, Coherence::similar, free_);
   Lanes<float> shares;
   std::fill_n(shares.begin(), surface.count, 0.0F);
-  for (std::size_t r = 0; r < light_rays_.count; ++r) {
+  for (std::size_t r = 0, count = light_rays_.count; r < count; ++r) {
     const std::size_t i = asked_for_.lanes[r];
     shares[i] = cosines[i] * free_[r];
   }
@@ -273,11 +302,13 @@ void TilePainter::add_skylight(Pattern pattern, const SurfaceBatch& surface, con
   add_mean_sky(s_.lighting, surface.normal, surface.count, light);
   if (s_.quality.sky == SkyLight::open) return;
   look_at_sky(pattern, surface, samples);
-  send(surface, [&](std::size_t lane) { return asking_[samples.place[lane]]; });
+  Lanes<std::uint8_t> wanted;
+  for (std::size_t i = 0; i < surface.count; ++i) wanted[i] = asking_[samples.place[i]] ? 1 : 0;
+  send(surface, wanted);
   s_.scene.rays().unblocked(light_rays_, Coherence::mixed, free_);
   Lanes<float> shares;
   std::fill_n(shares.begin(), surface.count, 0.0F);
-  for (std::size_t r = 0; r < light_rays_.count; ++r)
+  for (std::size_t r = 0, count = light_rays_.count; r < count; ++r)
     shares[asked_for_.lanes[r]] = (1 - free_[r]) * (returned - 1);
   add_sky_shares(s_.lighting, shares, towards_, surface.count, light);
 }
@@ -286,14 +317,15 @@ void TilePainter::add_skylight(Pattern pattern, const SurfaceBatch& surface, con
 void TilePainter::add_bounced_skylight(VectorLanes& light) {
   add_mean_sky(s_.lighting, seen_.normal, seen_.count, light);
   look_at_sky(Pattern::sky, seen_, seen_samples_);
-  send(seen_, [](std::size_t) { return true; });
+  Lanes<std::uint8_t> wanted;
+  std::fill_n(wanted.begin(), seen_.count, std::uint8_t{1});
+  send(seen_, wanted);
   s_.scene.rays().first_hits(light_rays_, Coherence::mixed, hits_);
   bounce_.count = 0;
   bounce_of_.count = 0;
   for (const Body body : {Body::ribbon, Body::obstacle}) {
     LaneList& hit = body == Body::ribbon ? on_ribbon_ : on_obstacle_;
-    hit.count = 0;
-    for (std::size_t i = 0; i < seen_.count; ++i) hit.add_if(i, hits_.body[i] == body);
+    list_marked(hits_.body, body, seen_.count, hit);
     bounce_samples_.set(bounce_.count, seen_samples_, hit);
     s_.scene.add_points(body, light_rays_, hits_, hit, bounce_);
     for (std::size_t i = 0; i < hit.count; ++i) bounce_of_.add_if(hit.lanes[i], true);

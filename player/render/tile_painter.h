@@ -65,6 +65,7 @@ class TilePainter {
   [[nodiscard]] std::bitset<tile_pixels> worth_more() const;
   void finish_batch();
   void sort_hits();
+  void add_ground();
   bool add_ground(std::size_t lane);
   void add_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                     VectorLanes& light);
@@ -73,8 +74,7 @@ class TilePainter {
   void add_bounced_skylight(VectorLanes& light);
   void look(Pattern pattern, const Samples& samples, std::size_t count);
   void look_at_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples);
-  template <class Wanted>
-  void send(const SurfaceBatch& surface, const Wanted& wanted);
+  void send(const SurfaceBatch& surface, const Lanes<std::uint8_t>& wanted);
 
   // What is aligned for vectors comes first, so that little is left empty between.
   RayBatch rays_;
