@@ -7,6 +7,13 @@ namespace ribbon {
 
 namespace {
 
+[[gnu::always_inline]] inline float fourth_of(float same, std::size_t /*lane*/) {
+  return same;
+}
+[[gnu::always_inline]] inline float fourth_of(const Lanes<float>& numbers, std::size_t lane) {
+  return numbers[lane];
+}
+
 float& samples_of_body(Body body, SurfaceSums& sums) {
   if (body == Body::ribbon) return sums.albedo[3];
   return body == Body::obstacle ? sums.sky[3] : sums.direct[3];
@@ -21,19 +28,10 @@ void TileSums::clear() {
   if (is_adaptive_) squared_light_.fill(0);
 }
 
-void TileSums::add_backdrop(std::size_t place, const Eigen::Array4f& backdrop) {
-  shown_[place] += backdrop;
-  shown_[place][3] += 1;
-  if (smooth_sky_) surfaces_[place].direct += backdrop;
-  if (!is_adaptive_) return;
-  const float light = luminance({backdrop[0], backdrop[1], backdrop[2]});
-  squared_light_[place] += light * light;
-}
-
 void TileSums::add(const SeenBatch& seen) {
   VectorLanes direct;
   VectorLanes shown;
-  Lanes<float> squared_light;
+  Lanes<float> squared_light;  // only where it is asked for
   const std::size_t count = seen.surfaces.count;
   const LaneVector even_sky = lane_vector(Color::Constant(0.5F));
   vectorised([&]() RIBBON_INLINED {
@@ -50,26 +48,43 @@ void TileSums::add(const SeenBatch& seen) {
       if (is_adaptive_) squared_light[i] = luminance(all) * luminance(all);
     }
   });
+  if (is_single_) {
+    lay_together(shown, 1.0F, count);
+    for (std::size_t i = 0; i < count; ++i) shown_[seen.places[i]] = together_[i];
+    return;
+  }
   find_runs(seen);
-  add_runs(seen, shown, 1, [this](std::size_t place) { return &shown_[place]; });
-  if (is_adaptive_)
-    for (std::size_t i = 0; i < count; ++i) squared_light_[seen.places[i]] += squared_light[i];
+  if (is_adaptive_) {
+    add_runs(seen, shown, squared_light,
+             [this](std::size_t place, float samples, Eigen::Array4f sum) {
+               squared_light_[place] += sum[3];
+               sum[3] = samples;
+               shown_[place] += sum;
+             });
+  } else {
+    add_runs(seen, shown, 1.0F,
+             [this](std::size_t place, float, const Eigen::Array4f& sum) { shown_[place] += sum; });
+  }
   if (smooth_sky_) add_surfaces(seen, direct);
 }
 
 void TileSums::find_runs(const SeenBatch& seen) {
-  runs_.count = 0;
-  for (std::size_t i = 0; i < seen.surfaces.count; ++i)
-    runs_.add_if(i, i == 0 || seen.places[i] != seen.places[i - 1] ||
-                        seen.surfaces.body[i] != seen.surfaces.body[i - 1]);
+  const std::size_t count = seen.surfaces.count;
+  const auto& places = seen.places;
+  const auto& body = seen.surfaces.body;
+  Lanes<std::uint8_t> begins;
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t i = 1; i < count; ++i)
+      begins[i] = places[i] != places[i - 1] || body[i] != body[i - 1] ? 1 : 0;
+  });
+  begins[0] = 1;
+  list_marked(begins.data(), 1, count, runs_);
 }
 
-// Adds numbers of the lanes, and for each lane `fourth`, to the sums that sum_at(place of the
-// pixel) points to, if it does.
-template <class SumAt>
-void TileSums::add_runs(const SeenBatch& seen, const VectorLanes& numbers, float fourth,
-                        const SumAt& sum_at) {
-  const std::size_t count = seen.surfaces.count;
+// The numbers of each lane become those of together_, with `fourth` behind them.
+template <class Fourth>
+void TileSums::lay_together(const VectorLanes& numbers, const Fourth& fourth, std::size_t count) {
   float* const together = together_.front().data();
   vectorised([&]() RIBBON_INLINED {
     const std::size_t end = filled_up(count);
@@ -78,35 +93,48 @@ void TileSums::add_runs(const SeenBatch& seen, const VectorLanes& numbers, float
       together[4 * i] = numbers.x[i];
       together[4 * i + 1] = numbers.y[i];
       together[4 * i + 2] = numbers.z[i];
-      together[4 * i + 3] = fourth;
+      together[4 * i + 3] = fourth_of(fourth, i);
     }
   });
+}
+
+// Calls take(place of the pixel, number of lanes, sum of their numbers) for each run, where the
+// fourth number of each lane is `fourth`.
+template <class Fourth, class Take>
+void TileSums::add_runs(const SeenBatch& seen, const VectorLanes& numbers, const Fourth& fourth,
+                        const Take& take) {
+  lay_together(numbers, fourth, seen.surfaces.count);
+  runs_.lanes[runs_.count] = static_cast<std::uint16_t>(seen.surfaces.count);
   for (std::size_t r = 0; r < runs_.count; ++r) {
     const std::size_t begin = runs_.lanes[r];
-    const std::size_t end = r + 1 < runs_.count ? runs_.lanes[r + 1] : count;
-    Eigen::Array4f* const sum = sum_at(seen.places[begin]);
-    if (sum == nullptr) continue;
+    const std::size_t end = runs_.lanes[r + 1];
     Eigen::Array4f of_run = together_[begin];
     for (std::size_t i = begin + 1; i < end; ++i) of_run += together_[i];
-    *sum += of_run;
+    take(seen.places[begin], static_cast<float>(end - begin), of_run);
   }
 }
 
 void TileSums::add_surfaces(const SeenBatch& seen, const VectorLanes& direct) {
-  const auto at = [this](Eigen::Array4f SurfaceSums::*sum) {
-    return [this, sum](std::size_t place) { return &(surfaces_[place].*sum); };
+  constexpr float none = 0;
+  const auto add = [&](const VectorLanes& numbers, Eigen::Array4f SurfaceSums::*to) {
+    add_runs(seen, numbers, none, [this, to](std::size_t place, float, const Eigen::Array4f& sum) {
+      surfaces_[place].*to += sum;
+    });
   };
-  add_runs(seen, direct, 0, at(&SurfaceSums::direct));
-  add_runs(seen, seen.surfaces.albedo, 0, at(&SurfaceSums::albedo));
-  add_runs(seen, seen.surfaces.normal, 0, at(&SurfaceSums::normal));
-  add_runs(seen, seen.surfaces.position, 0, at(&SurfaceSums::position));
-  add_runs(seen, seen.skylight, 0, [&](std::size_t place) {
-    return seen.has_skylight[place] ? &surfaces_[place].sky : nullptr;
-  });
-  for (std::size_t i = 0; i < seen.surfaces.count; ++i) {
-    const std::size_t place = seen.places[i];
-    samples_of_body(seen.surfaces.body[i], surfaces_[place]) += 1;
-    surfaces_[place].normal[3] += seen.has_skylight[place] ? 1.0F : 0.0F;
+  add(direct, &SurfaceSums::direct);
+  add(seen.surfaces.albedo, &SurfaceSums::albedo);
+  add(seen.surfaces.normal, &SurfaceSums::normal);
+  add(seen.surfaces.position, &SurfaceSums::position);
+  add_runs(seen, seen.skylight, none,
+           [&](std::size_t place, float samples, const Eigen::Array4f& sum) {
+             if (!seen.has_skylight[place]) return;
+             surfaces_[place].sky += sum;
+             surfaces_[place].normal[3] += samples;
+           });
+  for (std::size_t r = 0; r < runs_.count; ++r) {
+    const std::size_t begin = runs_.lanes[r];
+    samples_of_body(seen.surfaces.body[begin], surfaces_[seen.places[begin]]) +=
+        static_cast<float>(runs_.lanes[r + 1] - begin);
   }
 }
 

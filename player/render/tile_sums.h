@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "player/render/lane_vector.h"
 #include "player/render/quality.h"
 #include "player/render/ray_batch.h"
 #include "player/render/surface_points.h"
@@ -41,10 +42,23 @@ struct SeenBatch {
 class TileSums {
  public:
   explicit TileSums(const Quality& quality)
-      : smooth_sky_(quality.smooth_sky), is_adaptive_(quality.is_adaptive()) {}
+      : smooth_sky_(quality.smooth_sky),
+        is_adaptive_(quality.is_adaptive()),
+        is_single_(quality.samples == 1 && !smooth_sky_ && !is_adaptive_) {}
 
   void clear();
-  void add_backdrop(std::size_t place, const Eigen::Array4f& backdrop);
+  void add_backdrop(std::size_t place, const Eigen::Array4f& backdrop) {
+    const Eigen::Array4f counted = backdrop + Eigen::Array4f(0, 0, 0, 1);
+    if (is_single_) {
+      shown_[place] = counted;
+      return;
+    }
+    shown_[place] += counted;
+    if (smooth_sky_) surfaces_[place].direct += backdrop;
+    if (!is_adaptive_) return;
+    const float light = luminance(LaneVector{backdrop[0], backdrop[1], backdrop[2]});
+    squared_light_[place] += light * light;
+  }
   void add(const SeenBatch& seen);
 
   // Of a pixel's light; the fourth number counts samples.
@@ -56,18 +70,21 @@ class TileSums {
 
  private:
   void find_runs(const SeenBatch& seen);
-  template <class SumAt>
-  void add_runs(const SeenBatch& seen, const VectorLanes& numbers, float fourth,
-                const SumAt& sum_at);
+  template <class Fourth>
+  void lay_together(const VectorLanes& numbers, const Fourth& fourth, std::size_t count);
+  template <class Fourth, class Take>
+  void add_runs(const SeenBatch& seen, const VectorLanes& numbers, const Fourth& fourth,
+                const Take& take);
   void add_surfaces(const SeenBatch& seen, const VectorLanes& direct);
 
   bool smooth_sky_;
   bool is_adaptive_;
+  bool is_single_;  // each pixel has one sample: nothing is added up
   std::array<Eigen::Array4f, tile_pixels> shown_;
   std::array<SurfaceSums, tile_pixels> surfaces_;
   std::array<float, tile_pixels> squared_light_;
   Lanes<Eigen::Array4f> together_;  // numbers of the lanes, those of each together
-  LaneList runs_;                   // the first lane of each run of one pixel and one body
+  LaneList runs_;  // the first lane of each run of one pixel and one body; then the end
 };
 
 }  // namespace ribbon
