@@ -56,13 +56,12 @@ void lay_side_by_side(const std::array<const float*, four>& from, Row* rows, std
   _mm_store_ps(rows[3].data() + first, d);
 }
 
-void gather_four(const std::vector<HitSurface::Corner>& corners,
+void gather_four(const HitSurface::Corner* corners,
                  const std::array<const HitSurface::Corners*, four>& met, std::size_t first,
                  Group& group) {
   std::array<const float*, four> from{};
   for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t l = 0; l < four; ++l)
-      from[l] = corners[static_cast<std::size_t>((*met[l])[c])].numbers.data();
+    for (std::size_t l = 0; l < four; ++l) from[l] = corners[(*met[l])[c]].numbers.data();
     Row* const rows = group.corners[c].data();
     lay_side_by_side(from, rows, first);
     for (const float*& numbers : from) numbers += four;
@@ -71,14 +70,14 @@ void gather_four(const std::vector<HitSurface::Corner>& corners,
 }
 
 // Lanes beyond the last repeat it.
-void gather(const std::vector<HitSurface::Corner>& corners,
-            const std::vector<HitSurface::Corners>& triangles, const RayBatch& rays,
-            const HitBatch& hits, const std::uint16_t* lanes, Group& group) {
-  for (std::size_t first = 0; first < group.count; first += four) {
+void gather(const HitSurface::Corner* corners, const HitSurface::Corners* triangles,
+            const RayBatch& rays, const HitBatch& hits, const std::uint16_t* lanes, Group& group) {
+  const std::size_t count = group.count;  // not asked for again after each number that is stored
+  for (std::size_t first = 0; first < count; first += four) {
     std::array<const HitSurface::Corners*, four> met{};
     for (std::size_t l = 0; l < four; ++l) {
       const std::size_t i = first + l;
-      const std::size_t lane = lanes[std::min(i, group.count - 1)];
+      const std::size_t lane = lanes[std::min(i, count - 1)];
       met[l] = &triangles[hits.triangle[lane]];
       group.weight_b[i] = hits.u[lane];
       group.weight_c[i] = hits.v[lane];
@@ -171,11 +170,11 @@ void HitSurface::move_to(const Surface& surface) {
 void HitSurface::find_points(const RayBatch& rays, const HitBatch& hits, const LaneList& list,
                              float clearance_m, SurfaceBatch& batch, LookBatch& looks) const {
   assert(batch.count + list.count <= batch_size);
-  Group group{};  // what fills up registers is a number, if none that means anything
+  Group group;
   group.spread = rays.spread / unit_m_;
   for (std::size_t first = 0; first < list.count; first += group_size) {
     group.count = std::min(group_size, list.count - first);
-    gather(corners_, triangles_, rays, hits, list.lanes.data() + first, group);
+    gather(corners_.data(), triangles_.data(), rays, hits, list.lanes.data() + first, group);
     interpolate(group, clearance_m, batch.count + first, batch, first, looks);
   }
 }
