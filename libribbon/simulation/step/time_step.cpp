@@ -138,6 +138,7 @@ StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies
   StepReport report = pass_gate(motion, cloth);
   for (int round = 0; round < strain_correction_.most_rounds && report.is_over_limit; ++round) {
     const auto& contacts = find_contacts(motion, cloth.positions, bodies);
+    shorten_loose_ends(cloth);
     correct_strain_and_contact(contacts, strain_correction_.most_sweeps, motion.free_positions(),
                                bodies, cloth);  // cf. section 5.5
     const int truncated = report.truncated;
@@ -215,13 +216,18 @@ const std::vector<ContactConstraint>& TimeStep::find_contacts(const GatedMotion&
   return contacts;
 }
 
+// What sweeps have not let go is more than they can pass on.
+void TimeStep::shorten_loose_ends(Cloth& cloth) {
+  const StageTimer timer(clock_, StepStage::strain_correction);
+  loose_rows_.shorten(cloth);
+}
+
 // Corrected alone, edges would be pressed into contact, and stretched again by it; so both are
 // satisfied in turn.
 void TimeStep::correct_strain_and_contact(std::span<const ContactConstraint> contacts,
                                           int most_sweeps, const Matrix3Xd& before,
                                           const Bodies& bodies, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
-  loose_rows_.shorten(cloth);
   activity_.reset();
   bool any = true;
   int sweeps = 0;
