@@ -138,7 +138,7 @@ StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies
   StepReport report = pass_gate(motion, cloth);
   for (int round = 0; round < strain_correction_.most_rounds && report.is_over_limit; ++round) {
     const auto& contacts = find_contacts(motion, cloth.positions, bodies);
-    shorten_loose_ends(cloth);
+    shorten_loose_ends(contacts, cloth);
     correct_strain_and_contact(contacts, strain_correction_.most_sweeps, motion.free_positions(),
                                bodies, cloth);  // cf. section 5.5
     const int truncated = report.truncated;
@@ -210,15 +210,14 @@ const std::vector<ContactConstraint>& TimeStep::find_contacts(const GatedMotion&
                                                               const Matrix3Xd& target,
                                                               const Bodies& bodies) {
   const StageTimer timer(clock_, StepStage::repulsion);
-  const auto& contacts = contacts_.find(motion.candidates(), bodies, distances_, motion.reach_m(),
-                                        motion.free_positions(), target);
-  loose_rows_.break_at(contacts);
-  return contacts;
+  return contacts_.find(motion.candidates(), bodies, distances_, motion.reach_m(),
+                        motion.free_positions(), target);
 }
 
 // What sweeps have not let go is more than they can pass on.
-void TimeStep::shorten_loose_ends(Cloth& cloth) {
+void TimeStep::shorten_loose_ends(std::span<const ContactConstraint> contacts, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
+  loose_rows_.break_at(contacts);
   loose_rows_.shorten(cloth);
 }
 

@@ -105,7 +105,7 @@ class TimeStep {
   const std::vector<ContactConstraint>& find_contacts(const GatedMotion& motion,
                                                       const Eigen::Matrix3Xd& target,
                                                       const Bodies& bodies);
-  void shorten_loose_ends(Cloth& cloth);
+  void shorten_loose_ends(std::span<const ContactConstraint> contacts, Cloth& cloth);
   void correct_strain_and_contact(std::span<const ContactConstraint> contacts, int most_sweeps,
                                   const Eigen::Matrix3Xd& before, const Bodies& bodies,
                                   Cloth& cloth);
