@@ -7,7 +7,7 @@
 #include "playback/frame_decoder.h"
 #include "playback/recording_contents.h"
 #include "playback/recording_start.h"
-#include "recording/writer/references.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 
@@ -53,11 +53,11 @@ Result<RecordingWriter> resume_recording(const std::filesystem::path& path) {
                        .frames = contents.frames_before_end(),
                        .indices = contents.indices(),
                        .not_indexed = not_indexed(contents),
-                       .recent = {}};
+                       .last = {}};
   FrameDecoder decoder(so_far.header);
-  for (const std::uint32_t reference : references_of(so_far.frames))
-    if (const QuantisedFrame* quantised = decoder.decode(contents, reference))
-      so_far.recent.push_back({reference, *quantised});
+  if (const auto reference = reference_of(so_far.frames))
+    if (const QuantisedFrame* quantised = decoder.decode(contents, *reference))
+      so_far.last = {*reference, *quantised};
   if (auto cut = target->cut(contents.end()); !cut) return tl::unexpected(std::move(cut.error()));
   return RecordingWriter(std::move(*target), std::move(so_far));
 }

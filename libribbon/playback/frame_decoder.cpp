@@ -1,8 +1,8 @@
 #include "playback/frame_decoder.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
-#include <utility>
 
 #include "recording/records/frame_record.h"
 
@@ -24,37 +24,28 @@ FrameDecoder::Slot* FrameDecoder::at_hand(std::uint32_t frame) {
   return nullptr;
 }
 
-// The frame and what it needs, in the order in which to decode them; nothing where one is lost or a
-// reference does not lie earlier in the file, so that there are no circles. With `all` also what is
-// at hand.
+// The frame and the chain of those that it needs, in the order in which to decode them; nothing
+// where one is lost or does not lie earlier in the file, so that there are no circles. With `all`
+// also what is at hand.
 std::optional<std::vector<std::uint32_t>> FrameDecoder::needed(RecordingContents& contents,
                                                                std::uint32_t frame, bool all) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> found;  // by offset in the file
-  std::vector<std::uint32_t> open = {frame};
-  std::unordered_set<std::uint32_t> seen = {frame};
-  while (!open.empty()) {
-    const std::uint32_t next = open.back();
-    open.pop_back();
-    const IndexedFrame* known = contents.find(next);
-    if (known == nullptr || undecodable_.contains(next)) return std::nullopt;
-    if (Slot* slot = all ? nullptr : at_hand(next)) {
+  std::vector<std::uint32_t> chain;
+  std::uint64_t offset = std::numeric_limits<std::uint64_t>::max();
+  for (std::optional<std::uint32_t> next = frame; next;) {
+    const IndexedFrame* known = contents.find(*next);
+    if (known == nullptr || known->offset >= offset || undecodable_.contains(*next))
+      return std::nullopt;
+    if (Slot* slot = all ? nullptr : at_hand(*next)) {
       slot->last_use = ++uses_;
-      continue;
+      break;
     }
-    const auto [offset, references] = std::pair(known->offset, known->references);
-    found.emplace_back(offset, next);
-    if (found.size() > most_needed + 1) return std::nullopt;
-    for (const std::uint32_t reference : references) {
-      const IndexedFrame* referred = contents.find(reference);  // from here on `known` may be gone
-      if (referred == nullptr || referred->offset >= offset) return std::nullopt;
-      if (seen.insert(reference).second) open.push_back(reference);
-    }
+    if (chain.size() > most_needed) return std::nullopt;
+    chain.push_back(*next);
+    offset = known->offset;
+    next = known->reference;
   }
-  std::sort(found.begin(), found.end());
-  std::vector<std::uint32_t> frames;
-  frames.reserve(found.size());
-  for (const auto& [offset, number] : found) frames.push_back(number);
-  return frames;
+  std::reverse(chain.begin(), chain.end());
+  return chain;
 }
 
 bool FrameDecoder::is_readable(RecordingContents& contents, std::uint32_t frame) {
@@ -106,16 +97,17 @@ bool FrameDecoder::decode_record(const RecordingContents& contents, const Indexe
   if (!payload) return false;
   const auto record = parse_frame_payload(*payload);
   if (!record || record->recording_id != contents.start().recording_id ||
-      record->frame != entry.frame || record->references != entry.references)
+      record->frame != entry.frame || record->reference != entry.reference)
     return false;
-  const auto references = frames_of(entry.references, [this](std::uint32_t reference) {
-    Slot* decoded = at_hand(reference);
-    if (decoded != nullptr) decoded->last_use = ++uses_;
-    return decoded == nullptr ? nullptr : &decoded->quantised;
-  });
-  // Where the contents were checked meanwhile, the frame may refer to others than before.
-  if (std::find(references.begin(), references.end(), nullptr) != references.end()) return false;
-  return decoder_.decode(record->encoding, record->geometry, references, slot.quantised);
+  Slot* reference = nullptr;
+  if (entry.reference) {
+    reference = at_hand(*entry.reference);
+    // Where the contents were checked meanwhile, the frame may refer to another than before.
+    if (reference == nullptr) return false;
+    reference->last_use = ++uses_;
+  }
+  return decoder_.decode(record->encoding, record->geometry,
+                         reference == nullptr ? nullptr : &reference->quantised, slot.quantised);
 }
 
 }  // namespace ribbon

@@ -175,7 +175,7 @@ const char* RecordingContents::take_frame(const WalkStep& step) {
       record->frame >= most_frames(step.offset) || find(record->frame) != nullptr)
     return foreign;
   table_.insert({record->frame, static_cast<std::uint32_t>(step.length), step.offset,
-                 record->references, record->numbers});
+                 record->reference, record->numbers});
   finished_ = false;
   ending_ = RunEnding::unknown;
   return nullptr;

@@ -5,16 +5,17 @@
 #include "fuzz/reference_frames.h"
 #include "recording/codec/position_decoder.h"
 #include "recording/codec/position_encoder.h"
-#include "recording/writer/references.h"
 
 namespace ribbon {
 namespace {
 
-void decode(const CodecParameters& parameters, int references, FrameEncoding encoding,
+void decode(const CodecParameters& parameters, bool is_predicted, FrameEncoding encoding,
             std::string_view geometry) {
-  const ReferenceFrames frames(parameters, references);
+  const QuantisedFrame before = reference_frame(parameters);
   QuantisedFrame decoded;
-  if (!PositionDecoder(parameters).decode(encoding, geometry, frames.pointers(), decoded)) return;
+  if (!PositionDecoder(parameters)
+           .decode(encoding, geometry, is_predicted ? &before : nullptr, decoded))
+    return;
   Eigen::Matrix3Xf positions;
   decoded.positions(positions);
   must(positions.cols() == parameters.grid.particle_count(), "a decoded frame has all particles");
@@ -31,8 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const int across = input.between(2, 33);
   const bool uniform = input.between(0, 3) > 0;
   const auto encoding = static_cast<FrameEncoding>(input.between(0, 1));
-  const int references = input.between(0, static_cast<int>(most_references));
+  const bool is_predicted = input.between(0, 1) > 0;
   const ExactCopy geometry(input.rest());
-  decode(parameters_for({along, across}, uniform), references, encoding, geometry.view());
+  decode(parameters_for({along, across}, uniform), is_predicted, encoding, geometry.view());
   return 0;
 }

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <vector>
 
 #include "recording/codec/codec_parameters.h"
 #include "recording/codec/position_encoder.h"
@@ -29,24 +28,12 @@ inline Eigen::Matrix3Xd wave(const RibbonGrid& grid, int turn) {
 
 inline constexpr double reference_bound_m = 1e-4;
 
-// The first frames of that wave, each an intra frame.
-class ReferenceFrames {
- public:
-  ReferenceFrames(const CodecParameters& parameters, int count) {
-    PositionEncoder encoder(parameters, reference_bound_m);
-    for (int turn = 0; turn < count; ++turn)
-      frames_.push_back(encoder.encode(wave(parameters.grid, turn), {}).value().frame);
-    for (const QuantisedFrame& frame : frames_) pointers_.push_back(&frame);
-  }
-
-  ReferenceFrames(const ReferenceFrames&) = delete;
-  ReferenceFrames& operator=(const ReferenceFrames&) = delete;
-
-  [[nodiscard]] const std::vector<const QuantisedFrame*>& pointers() const { return pointers_; }
-
- private:
-  std::vector<QuantisedFrame> frames_;
-  std::vector<const QuantisedFrame*> pointers_;
-};
+// The first frame of that wave, an intra frame.
+inline QuantisedFrame reference_frame(const CodecParameters& parameters) {
+  return PositionEncoder(parameters, reference_bound_m)
+      .encode(wave(parameters.grid, 0), nullptr)
+      .value()
+      .frame;
+}
 
 }  // namespace ribbon

@@ -6,7 +6,6 @@
 #include "fuzz/must.h"
 #include "recording/codec/position_decoder.h"
 #include "recording/codec/position_encoder.h"
-#include "recording/writer/references.h"
 
 namespace ribbon {
 namespace {
@@ -72,14 +71,10 @@ class Motion {
   Eigen::Matrix3Xd positions_;
 };
 
-std::vector<const QuantisedFrame*> take_references(const std::vector<QuantisedFrame>& frames,
-                                                   FuzzInput& input) {
-  std::vector<const QuantisedFrame*> references;
-  if (frames.empty()) return references;
-  const int count = static_cast<int>(frames.size());
-  for (int i = input.between(0, static_cast<int>(most_references)); i > 0; --i)
-    references.push_back(&frames[input.between(0, count - 1)]);
-  return references;
+// None, or one of the frames.
+const QuantisedFrame* take_reference(const std::vector<QuantisedFrame>& frames, FuzzInput& input) {
+  const int number = input.between(0, static_cast<int>(frames.size()));
+  return number == 0 ? nullptr : &frames[number - 1];
 }
 
 void check_bound(const Eigen::Matrix3Xf& decoded, const Eigen::Matrix3Xd& positions,
@@ -94,9 +89,9 @@ void check_bound(const Eigen::Matrix3Xf& decoded, const Eigen::Matrix3Xd& positi
 // A frame through the codec; what a decoder has of it is added to `frames`.
 void check_frame(const Task& task, const Eigen::Matrix3Xd& positions, PositionEncoder& encoder,
                  PositionDecoder& decoder, FuzzInput& input, std::vector<QuantisedFrame>& frames) {
-  const auto references = take_references(frames, input);
-  const auto encoded = encoder.encode(positions, references);
-  const auto again = PositionEncoder(task.parameters, task.bound_m).encode(positions, references);
+  const QuantisedFrame* reference = take_reference(frames, input);
+  const auto encoded = encoder.encode(positions, reference);
+  const auto again = PositionEncoder(task.parameters, task.bound_m).encode(positions, reference);
   must(encoded.has_value() == again.has_value(), "another encoder accepts the same frames");
   must(positions.allFinite() || !encoded, "what is no number is refused");
   if (!encoded) return;
@@ -104,7 +99,7 @@ void check_frame(const Task& task, const Eigen::Matrix3Xd& positions, PositionEn
        "the same frame gives the same bytes");
   const ExactCopy geometry(encoded->geometry);
   QuantisedFrame decoded;
-  must(decoder.decode(encoded->encoding, geometry.view(), references, decoded),
+  must(decoder.decode(encoded->encoding, geometry.view(), reference, decoded),
        "what was encoded can be decoded");
   Eigen::Matrix3Xf ours;
   Eigen::Matrix3Xf theirs;

@@ -8,7 +8,6 @@
 #include "fuzz/reference_frames.h"
 #include "recording/codec/position_encoder.h"
 #include "recording/writer/recording_writer.h"
-#include "recording/writer/references.h"
 #include "result/demanded.h"
 
 namespace ribbon {
@@ -31,20 +30,20 @@ void write(const std::filesystem::path& file, const std::string& content) {
 }
 
 // Frames as round_trip.cpp reads them: grid, bound, reach; then of each frame what changes and,
-// behind what that asks for, its references.
+// behind what that asks for, its reference.
 void write_round_trips(const std::filesystem::path& folder) {
   const std::string bend = bytes({1, 20});
   const std::string shake = bytes({8, 7, 12});
   const std::string move = bytes({2}) + bytes_of(0.001F);
-  const std::string three = bytes({3, 2, 1, 0});
-  const std::string wave = bend + bytes({0}) + move + bytes({1, 0}) + move + bytes({2, 1, 0});
+  const std::string three = bytes({3, 2});
+  const std::string wave = bend + bytes({0}) + move + bytes({1}) + move + bytes({2});
   write(folder / "smooth", bytes({38, 14, 5, 0}) + wave + move + three);
   write(folder / "exact", bytes({38, 14, 0, 0}) + wave + shake + three);
   write(folder / "noise", bytes({21, 5, 4, 0}) + wave + shake + three + shake + bytes({0}));
   write(folder / "narrow", bytes({60, 0, 5, 0}) + wave + move + three);
   write(folder / "fine", bytes({9, 9, 2, 0}) + wave + shake + three);
   const auto with_one = [](double value) {
-    return bytes({16, 0, 3, 0}) + bytes_of(value) + bytes({1, 0});
+    return bytes({16, 0, 3, 0}) + bytes_of(value) + bytes({1});
   };
   write(folder / "not_a_number", bytes({5, 5, 5, 0}) + bend + bytes({0}) + with_one(0.0 / 0.0));
   write(folder / "huge", bytes({5, 5, 5, 0}) + bend + bytes({0}) + with_one(1e300));
@@ -52,23 +51,23 @@ void write_round_trips(const std::filesystem::path& folder) {
   write(folder / "denormal", bytes({5, 5, 0, 0}) + bend + bytes({0}) + with_one(1e-310));
 }
 
-// A frame with `references` before it, as hostile_geometry.cpp reads it.
-std::string geometry(const RibbonGrid& grid, bool uniform, int references) {
+// A frame, as hostile_geometry.cpp reads it.
+std::string geometry(const RibbonGrid& grid, bool uniform, bool is_predicted) {
   const CodecParameters parameters = parameters_for(grid, uniform);
-  const ReferenceFrames before(parameters, references);
+  const QuantisedFrame before = reference_frame(parameters);
   const EncodedFrame encoded = PositionEncoder(parameters, reference_bound_m)
-                                   .encode(wave(grid, references), before.pointers())
+                                   .encode(wave(grid, 1), is_predicted ? &before : nullptr)
                                    .value();
   return bytes({grid.along - 2, grid.across - 2, uniform ? 1 : 0,
-                static_cast<int>(encoded.encoding), references}) +
+                static_cast<int>(encoded.encoding), is_predicted ? 1 : 0}) +
          encoded.geometry;
 }
 
 void write_geometries(const std::filesystem::path& folder) {
   for (const bool uniform : {false, true})
-    for (int references = 0; references <= static_cast<int>(most_references); ++references)
-      write(folder / ((uniform ? "quantised_" : "exact_") + std::to_string(references)),
-            geometry({17, 6}, uniform, references));
+    for (const bool is_predicted : {false, true})
+      write(folder / (std::string(uniform ? "quantised" : "exact") + (is_predicted ? "_1" : "_0")),
+            geometry({17, 6}, uniform, is_predicted));
 }
 
 RecordingHeader header_of(double max_error_m) {

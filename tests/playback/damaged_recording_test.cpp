@@ -20,7 +20,6 @@
 #include "recording/records/record_head.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
-#include "recording/writer/references.h"
 #include "result/refusal.h"
 
 namespace ribbon::damaged_recording_test {
@@ -315,10 +314,9 @@ TEST_F(DamagedRecording, geometry_that_is_not_valid_makes_its_group_unreadable) 
 // Nothing that a writer of ours writes, and whole by all checksums.
 TEST_F(DamagedRecording, frames_that_refer_to_later_ones_are_not_readable) {
   auto writer = RecordingWriter::create(path_, sample_header({3, 2}));
-  const std::vector<std::vector<std::uint32_t>> references = {{}, {2}, {1, 0}, {2}};
+  const std::vector<std::optional<std::uint32_t>> references = {{}, 2, 1, 2};
   for (std::uint32_t frame = 0; frame < references.size(); ++frame) {
-    FrameRecord record{.frame = frame};
-    for (const std::uint32_t reference : references[frame]) record.references.push_back(reference);
+    const FrameRecord record{.frame = frame, .reference = references[frame]};
     ASSERT_TRUE(writer->append_encoded(record).has_value());
   }
   ASSERT_TRUE(writer->finish().has_value());
@@ -339,12 +337,10 @@ TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
     QuantisedFrame last;
     for (std::uint32_t frame = 0; frame < 258; ++frame) {
       if (frame == 256) first_index = writer->bytes_written();
-      std::vector<const QuantisedFrame*> needed;
       FrameRecord record{.frame = frame, .numbers = sample_numbers(static_cast<int>(frame))};
-      if (frame % 16 != 1) needed.push_back(&last);
-      if (frame == 0) needed.clear();
-      if (!needed.empty()) record.references.push_back(frame - 1);
-      auto encoded = encoder.encode(positions(static_cast<int>(frame)), needed);
+      if (frame > 0 && frame % 16 != 1) record.reference = frame - 1;
+      auto encoded =
+          encoder.encode(positions(static_cast<int>(frame)), record.reference ? &last : nullptr);
       record.encoding = encoded->encoding;
       record.geometry = encoded->geometry;
       ASSERT_TRUE(writer->append_encoded(record).has_value());
@@ -365,11 +361,11 @@ TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
 
 TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {
   std::string payload = header_payload(sample_header({3, 2}));
-  payload[0] = 7;
+  payload[0] = 8;
   EXPECT_EQ(
       refusal_of(open(std::string(file_signature) + make_record(RecordType::header, payload))),
       path_.string() +
-          ": was written in format version 7.0 by tests 1.0, this program reads version 6; use a "
+          ": was written in format version 8.0 by tests 1.0, this program reads version 7; use a "
           "newer program");
 }
 

@@ -19,7 +19,7 @@ std::filesystem::path golden(const std::string& version) {
   return std::filesystem::path(RIBBON_GOLDEN_RECORDINGS) / ("v" + version + ".rbn");
 }
 
-const std::string this_version = "6.0";
+const std::string this_version = "7.0";
 constexpr int frames = 40;
 constexpr RibbonGrid golden_grid{48, 6};
 
@@ -181,7 +181,7 @@ TEST_P(GoldenVersions, every_bit_of_its_positions_is_known) {
   EXPECT_EQ(checksum(bytes), 0xEEB48FBBU);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("6.0"), [](const auto& version) {
+INSTANTIATE_TEST_SUITE_P(Versions, GoldenVersions, testing::Values("7.0"), [](const auto& version) {
   return "v" + version.param.substr(0, 1) + "_" + version.param.substr(2);
 });
 

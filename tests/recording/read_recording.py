@@ -40,6 +40,11 @@ class Fields(Content):
     def block(self):
         return zstd_content(self.string())
 
+    def matrix(self, form, rows):
+        """Columns x rows."""
+        count = self.take("I")
+        return np.frombuffer(self.block(), form).reshape(count, rows)
+
 
 def records(data):
     """(offset, type, payload) of each record that is whole (section 2)."""
@@ -77,31 +82,26 @@ class Header:
         fields = Fields(payload)
         self.recording_id = zlib.crc32(payload)
         self.major, self.minor, self.codec = fields.take("HHI")
-        if self.major != 6:
+        if self.major != 7:
             raise Damaged(f"this is version {self.major} of the format")
         self.along, self.across = fields.take("II")
         self.length_m, self.width_m, self.frames_per_second = fields.take("ddd")
         self.max_position_error_m, self.quantisation_step_m = fields.take("dd")
         self.scene_name, self.writer, self.scene_text = (fields.text() for _ in range(3))
-        self.uv = np.frombuffer(fields.block(), "<f4").reshape(-1, 2)
+        self.uv = fields.matrix("<f4", 2)
         self.obstacle = self.take_obstacle(fields) if fields.take("B") == 1 else None
         self.stated_gap_m = fields.take("d")
         self.centre_axis = fields.take("6d") if fields.take("B") == 1 else None
         self.origin = self.take_origin(fields) if fields.take("B") == 1 else None
         edges, self.strain_limit = fields.take("Bd")
         self.limited_edges = {name for bit, name in enumerate(EDGES) if edges >> bit & 1}
-        points = fields.take("I")
-        self.input_curve = self.take_points(fields, points) if points else np.zeros((0, 3), "<f4")
+        self.input_curve = fields.matrix("<f4", 3)
         self.stages = [fields.text() for _ in range(fields.take("I"))]
         self.marks = [(fields.text(), fields.take("d")) for _ in range(fields.take("I"))]
         has_part = fields.take("B") == 1
         self.knot_between = (*fields.take("dd"), fields.text()) if has_part else None
-        has_rows = fields.take("B") == 1
-        self.row_widths_m = (
-            np.frombuffer(fields.block(), "<f4").astype(float)
-            if has_rows
-            else np.full(self.along, self.width_m)
-        )
+        rows = fields.matrix("<f4", 1)[:, 0].astype(float)
+        self.row_widths_m = rows if len(rows) > 0 else np.full(self.along, self.width_m)
 
     @property
     def particles(self):
@@ -109,15 +109,7 @@ class Header:
 
     @staticmethod
     def take_obstacle(fields):
-        name = fields.text()
-        vertices, triangles = fields.take("II")
-        positions = Header.take_points(fields, vertices)
-        corners = np.frombuffer(fields.block(), "<u4").reshape(triangles, 3)
-        return name, positions, corners
-
-    @staticmethod
-    def take_points(fields, count):
-        return np.frombuffer(fields.block(), "<f4").reshape(count, 3)
+        return fields.text(), fields.matrix("<f4", 3), fields.matrix("<u4", 3)
 
     @staticmethod
     def take_origin(fields):
@@ -164,13 +156,13 @@ class Frame:
     def __init__(self, payload):
         fields = Fields(payload)
         self.recording_id, self.frame, geometry_at = fields.take("IIH")
-        self.encoding, references, flags = fields.take("BBI")
+        self.encoding, flags = fields.take("HI")
         self.time_s, self.worst_strain = fields.take("dd")
         self.penetrating_edges, self.recovery_iterations = fields.take("II")
-        self.references = [fields.take("I") for _ in range(references)]
+        self.reference = fields.take("I") if flags & 4 else None
         self.tightness = fields.take("5f") if flags & 1 else None
         self.stage = fields.take("B") if flags & 2 else 0
-        if references > 2 or not fields.at <= geometry_at <= len(payload):
+        if not fields.at <= geometry_at <= len(payload):
             raise Damaged(f"frame {self.frame} contradicts itself")
         self.geometry = payload[geometry_at:]
 
@@ -182,7 +174,7 @@ class Frame:
             self.penetrating_edges,
             self.recovery_iterations,
             self.frame,
-            self.references,
+            self.reference,
             self.tightness,
             self.stage,
         )
@@ -204,7 +196,7 @@ class Index:
         fields = Fields(payload)
         self.recording_id, self.previous = fields.take("IQ")
         frames = fields.take("I")
-        forms = ["f8", "f8", "u4", "u4", "u4", "u8", "u4", "u1", *["u4"] * 2, "u1", *["f4"] * 5, "u1"]
+        forms = ["f8", "f8", "u4", "u4", "u4", "u8", "u4", "u4", "u1", *["f4"] * 5, "u1"]
         rows = list(zip(*columns(fields.block(), frames, forms)))
         others = fields.take("I")
         self.others = list(zip(*columns(fields.block(), others, ["u4", "u4", "u8", "u8"])))
@@ -218,9 +210,9 @@ class Index:
             frame = (frame + row[4] + 1) % 2**32
             begin = end + row[5]
             end = begin + row[6]
-            references = [(frame - distance) % 2**32 for distance in row[8 : 8 + row[7]]]
-            tightness = row[11:16] if row[10] else None
-            yield begin, row[6], (*row[:4], frame, references, tightness, row[16])
+            reference = (frame - row[7]) % 2**32 if row[7] else None
+            tightness = row[9:14] if row[8] else None
+            yield begin, row[6], (*row[:4], frame, reference, tightness, row[14])
 
 
 class Recording:
@@ -292,7 +284,7 @@ class Recording:
         whole = frame.numbers()
         same = whole[:6] == numbers[:6] and (whole[6] and tuple(whole[6])) == numbers[6]
         same = same and whole[7] == numbers[7]
-        head = RECORD_HEAD_BYTES + 40 + 4 * len(frame.references) + (20 if frame.tightness else 0)
+        head = RECORD_HEAD_BYTES + 40 + (20 if frame.tightness else 0)
         if not same or self.offsets[frame.frame] != begin or size < head + len(frame.geometry):
             raise Damaged(f"an index is wrong about frame {frame.frame}")
 
@@ -317,17 +309,20 @@ class Recording:
 
     def readable(self, number):
         """Is the frame there, and are all that it needs?"""
-        return number in self.frames and all(map(self.readable, self.frames[number].references))
+        if number not in self.frames:
+            return False
+        reference = self.frames[number].reference
+        return reference is None or self.readable(reference)
 
     def positions(self, number):
         """Coordinates of a frame, 3 x particles, f32."""
-        return self.codec.coordinates(self.frame(number))
+        return self.frame(number).coordinates()
 
     def frame(self, number):
         if number not in self.decoded:
             frame = self.frames[number]
-            references = [self.frame(reference) for reference in frame.references]
-            self.decoded[number] = self.codec.decode(frame.encoding, frame.geometry, references)
+            reference = None if frame.reference is None else self.frame(frame.reference)
+            self.decoded[number] = self.codec.decode(frame.encoding, frame.geometry, reference)
         return self.decoded[number]
 
 
@@ -349,7 +344,7 @@ def main():
         positions = recording.positions(number)
         strain = f"{100 * header.largest_strain(positions):.4g} %"
         print(
-            f"frame {number}: {frame.time_s:g} s, from {frame.references}, "
+            f"frame {number}: {frame.time_s:g} s, from {frame.reference}, "
             f"centre {positions.mean(axis=1)}, strain {strain}"
         )
 

@@ -7,8 +7,9 @@ import numpy as np
 
 from zstd_frames import zstd_content
 
-PLAIN, QUANTISED = 0, 1
+EXACT, QUANTISED = 0, 1
 LARGEST_NUMBER = 2**24
+LARGEST_ORDINAL = np.int32(0x7F7FFFFF)
 BLOCK = 16
 F = np.float32
 WHOLE_FROM = F(1.5 * 2**23)
@@ -31,37 +32,23 @@ class Content:
         self.at += count
         return self.data[self.at - count : self.at]
 
-    def varint(self):
-        value = shift = 0
-        while True:
-            byte = self.bytes(1)[0]
-            value |= (byte & 0x7F) << shift
-            shift += 7
-            if value >= 2**32 or shift > 28 and byte >= 0x80:
-                raise Damaged("a number is larger than 32 bits")
-            if byte < 0x80:
-                return value
-
     def rest(self):
         return self.bytes(len(self.data) - self.at)
 
 
-def zigzag(number):
-    return (number >> 1) ^ -(number & 1)
-
-
 class Frame:
-    """A decoded frame: values and motion by component, row and column, with one cell more on each side;
-    or only the coordinates."""
+    """A decoded frame: its step, values and motion by component, row and column, with one cell more on
+    each side."""
 
-    def __init__(self, along=0, across=0, coordinates=None):
-        self.coordinates = coordinates
+    def __init__(self, step, along, across):
+        self.step = step
         self.values = np.zeros((3, along + 2, across + 2), "f4")
         self.motion = np.zeros_like(self.values)
 
-    @property
-    def plain(self):
-        return self.coordinates is not None
+    def coordinates(self):
+        """3 x particles, f32."""
+        values = self.values[:, 1:-1, 1:-1]
+        return (values * self.step if self.step > 0 else values).reshape(3, -1)
 
 
 class PositionCodec:
@@ -69,82 +56,77 @@ class PositionCodec:
         self.along, self.across = header.along, header.across
         self.step = F(header.quantisation_step_m)
 
-    def coordinates(self, frame):
-        """3 x particles, f32."""
-        if frame.plain:
-            return frame.coordinates
-        values = frame.values[:, 1:-1, 1:-1]
-        return (values * self.step if self.step > 0 else values).reshape(3, -1)
-
-    def decode(self, encoding, geometry, references):
-        if encoding == PLAIN:
-            content = zstd_content(geometry, 12 * self.along * self.across)
-            return Frame(coordinates=np.frombuffer(content, "<f4").reshape(3, -1))
-        if encoding != QUANTISED:
-            raise Damaged(f"encoding {encoding} is not known")
-        counting = []
-        for reference in references:
-            if reference.plain:
-                break
-            counting.append(reference)
-        with np.errstate(over="ignore", invalid="ignore"):
-            return self.decode_quantised(Content(geometry), counting)
-
-    def decode_quantised(self, content, references):
+    def decode(self, encoding, geometry, reference):
         """Section 8.3."""
-        frame = Frame(self.along, self.across)
-        if references:
-            weights = take_weights(content)
+        if encoding not in (EXACT, QUANTISED) or encoding == QUANTISED and not self.step > 0:
+            raise Damaged(f"encoding {encoding} is not known")
+        frame = Frame(self.step if encoding == QUANTISED else F(0), self.along, self.across)
+        if reference is not None and reference.step != frame.step:
+            reference = None
+        content = Content(geometry)
+        with np.errstate(over="ignore", invalid="ignore"):
+            self.decode_content(frame, content, reference)
+        return frame
+
+    def decode_content(self, frame, content, reference):
+        if reference is not None:
+            weights = np.frombuffer(content.bytes(36), "<i2").reshape(2, 9).astype("f4") * F(2**-13)
         residuals = take_residuals(content, self.along, self.across)
         for j in range(self.across):
-            if references:
-                self.decode_column(frame, j, residuals[:, j], weights[min(j, 1)], references)
+            if reference is not None:
+                self.decode_column(frame, j, residuals[:, j], weights[min(j, 1)], reference)
             else:
                 self.decode_intra_column(frame, j, residuals[:, j])
             continue_over_ends(frame.values[:, :, j + 1])
             continue_over_ends(frame.motion[:, :, j + 1])
         continue_over_ends(frame.motion.swapaxes(1, 2)[:, :, 1:-1])
-        return frame
 
     # Section 8.4.
 
-    def decode_column(self, frame, j, residuals, weights, references):
-        w, n = weights
-        first = references[0]
-        v, m = Shifted(first.values, j), Shifted(first.motion, j)
-        o = Shifted(references[1].motion if len(references) > 1 else np.zeros_like(first.motion), j)
+    def decode_column(self, frame, j, residuals, w, reference):
+        v, m, q = (Shifted(field, j) for field in (reference.values, reference.motion, frame.motion))
         line = (w[0] * m(0, 0) + w[1] * m(-1, 0)) + w[2] * m(1, 0)
         sides = w[3] * m(0, -1) + w[4] * m(0, 1)
         bend = (v(-1, 0) + v(1, 0)) - (v(0, 0) + v(0, 0))
-        p = (line + sides) + (w[5] * o(0, 0) + w[6] * bend)
-        if j > 0:
-            q = Shifted(frame.motion, j)
-            p = p + ((n[0] * q(-1, -1) + n[1] * q(0, -1)) + n[2] * q(1, -1))
+        near = (w[6] * q(-1, -1) + w[7] * q(0, -1)) + w[8] * q(1, -1)
+        p = ((line + sides) + w[5] * bend) + near
         r = v(0, 0)
-        values = self.values_from(r, p, residuals)
+        values = self.values_from(frame.step, r, p, residuals)
         frame.values[:, 1:-1, j + 1] = values
         frame.motion[:, 1:-1, j + 1] = values - r
 
     def decode_intra_column(self, frame, j, residuals):
         d = np.cumsum(residuals, axis=1)
-        frame.numbers = np.cumsum(d, axis=1) if j == 0 else frame.numbers + d
-        frame.values[:, 1:-1, j + 1] = self.values_of(frame.numbers)
+        if j > 0:
+            beside = self.numbers_of(frame.step, frame.values[:, 1:-1, j])
+            frame.values[:, 1:-1, j + 1] = self.values_of(frame.step, beside + d)
+            return
+        last = np.zeros(3, "i8")
+        for i in range(self.along):
+            value = self.values_of(frame.step, last + d[:, i])
+            frame.values[:, i + 1, 1] = value
+            last = self.numbers_of(frame.step, value)
 
-    def values_from(self, r, p, residuals):
-        if self.step > 0:
+    def values_from(self, step, r, p, residuals):
+        if step > 0:
             shifted = p + WHOLE_FROM
             c = shifted.view("i4").astype("i8") - int(WHOLE_FROM.view("i4"))
             upwards = p < shifted - WHOLE_FROM
-            return self.values_of(r.astype("i8") + c + np.where(upwards, residuals, -residuals))
+            return self.values_of(step, r.astype("i8") + c + np.where(upwards, residuals, -residuals))
         t = r + p
         t = np.where(np.isfinite(t), t, F(0))
-        return self.values_of(ordered(t.view("i4")).astype("i8") + residuals)
+        return self.values_of(step, self.numbers_of(step, t) + residuals)
 
-    def values_of(self, numbers):
+    @staticmethod
+    def numbers_of(step, values):
+        return (values if step > 0 else ordered(values.view("i4"))).astype("i8")
+
+    @staticmethod
+    def values_of(step, numbers):
         numbers = wrapped(numbers)
-        if self.step > 0:
+        if step > 0:
             return np.clip(numbers, -LARGEST_NUMBER, LARGEST_NUMBER).astype("f4")
-        return ordered(numbers).view("f4")
+        return ordered(np.clip(numbers, ~LARGEST_ORDINAL, LARGEST_ORDINAL)).view("f4")
 
 
 class Shifted:
@@ -172,27 +154,13 @@ def ordered(bits):
     return np.where(bits < 0, bits ^ np.int32(0x7FFFFFFF), bits)
 
 
-def take_weights(content):
-    """Those of column 0 and those of all others, each w and n."""
-    shift = content.bytes(1)[0]
-    if shift > 30:
-        raise Damaged("weights are shifted too far")
-
-    def take(count):
-        return [F(zigzag(content.varint())) * F(2.0**-shift) for _ in range(count)]
-
-    first = take(7)
-    others = take(7)
-    return (first, []), (others, take(3))
-
-
 # Section 8.5.
 
 FORMAT = pathlib.Path(__file__).parents[2] / "libribbon/recording/FORMAT.md"
 
 
 def dictionaries():
-    """Of the four runs, with the trees as the document lists them."""
+    """Of the three runs, with the trees as the document lists them."""
     trees = []
     for line in FORMAT.read_text().split("### 8.5")[1].splitlines():
         if line.startswith("    # "):
@@ -205,18 +173,17 @@ def dictionaries():
 
 
 DICTIONARIES = dictionaries()
-LOW_BITS = np.array([0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 24])
+PLANES = np.array([0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 13, 19, 28])
 
 
 def take_run(content, kind, size):
     if size == 0:
         return np.zeros(0, "u1")
-    packed = content.varint()
+    (packed,) = struct.unpack("<I", content.bytes(4))
     if packed == 0:
         run = content.bytes(size)
     else:
-        frame = b"\x28\xb5\x2f\xfd\x00" + content.bytes(packed)
-        run = zstd_content(frame, size, DICTIONARIES[kind])
+        run = zstd_content(b"\x28\xb5\x2f\xfd" + content.bytes(packed), size, DICTIONARIES[kind])
     return np.frombuffer(run, "u1")
 
 
@@ -230,24 +197,22 @@ def take_residuals(content, along, across):
     count = 3 * across * -(-along // BLOCK)
     modes = parts(take_run(content, 0, -(-count // 2)), 4)[:count]
     residuals = np.zeros((count, BLOCK), "i8")
-    for mode, in_a_byte in ((1, 4), (2, 2), (3, 1)):
-        chosen = modes == mode if mode < 3 else modes >= 3
-        run = take_run(content, mode, BLOCK // in_a_byte * np.count_nonzero(chosen))
-        bits = 8 // in_a_byte
+    for mode, bits in ((1, 2), (2, 4)):
+        chosen = modes == mode if mode < 2 else modes >= 2
+        run = take_run(content, mode, BLOCK * bits // 8 * np.count_nonzero(chosen))
         symbols = parts(run, bits).astype("i8")
         symbols -= (symbols >> (bits - 1)) << bits
         residuals[chosen] = symbols.reshape(-1, BLOCK)
-    add_low_bits(residuals, LOW_BITS[modes], content.rest())
+    add_planes(residuals, PLANES[modes], content.rest())
     return residuals.reshape(3, across, -1)[:, :, :along]
 
 
-def add_low_bits(residuals, counts, data):
-    bits = np.unpackbits(np.frombuffer(data, "u1"), bitorder="little").astype("i8")
-    if len(bits) != BLOCK * int(counts.sum()):
+def add_planes(residuals, counts, data):
+    if len(data) != 2 * int(counts.sum()):
         raise Damaged("a frame's geometry has another length than it needs")
+    planes = np.unpackbits(np.frombuffer(data, "u1"), bitorder="little").reshape(-1, BLOCK)
     at = 0
     for k in np.flatnonzero(counts):
-        count = int(counts[k])
-        low = bits[at : at + BLOCK * count]
-        residuals[k] = (residuals[k] << count) + low.reshape(BLOCK, count) @ (1 << np.arange(count))
-        at += BLOCK * count
+        for plane in planes[at : at + counts[k]]:
+            residuals[k] = 2 * residuals[k] + plane
+        at += counts[k]

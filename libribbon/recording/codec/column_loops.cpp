@@ -10,8 +10,6 @@ namespace ribbon {
 
 namespace {
 
-using Floats = const float*;
-
 // In whole numbers modulo 2^32.
 [[gnu::always_inline]] inline std::int32_t sum_of(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
@@ -25,202 +23,170 @@ using Floats = const float*;
   return difference_of(number ^ flip, flip);
 }
 
-// The whole number of steps that is nearest to a prediction.
-struct Nearest {
-  std::int32_t number;
-  std::int32_t flip;  // of residuals from there: -1 where they count downwards, else 0
-};
-
-[[gnu::always_inline]] inline Nearest nearest(float steps) {
-  // Single precision has no fractions between 2^23 and twice that, in whose middle this lies. A
-  // prediction so far off that the sum lies elsewhere leads to another number: to the same one
-  // everywhere, for it is finite.
-  constexpr float whole_from = 0x1.8p23F;
-  const float shifted = steps + whole_from;
-  return {difference_of(Eigen::numext::bit_cast<std::int32_t>(shifted),
-                        Eigen::numext::bit_cast<std::int32_t>(whole_from)),
-          steps < shifted - whole_from ? 0 : -1};
-}
-
-// The ordinal of a value among all of single precision, and back.
-[[gnu::always_inline]] inline std::int32_t ordinal_of(float value) {
-  const auto bits = Eigen::numext::bit_cast<std::int32_t>(value);
+// The bits of a value as its ordinal among all of single precision, and back.
+[[gnu::always_inline]] inline std::int32_t ordered(std::int32_t bits) {
   return bits ^ ((bits >> 31) & 0x7FFFFFFF);
-}
-[[gnu::always_inline]] inline float value_at(std::int32_t ordinal) {
-  return Eigen::numext::bit_cast<float>(ordinal ^ ((ordinal >> 31) & 0x7FFFFFFF));
 }
 
 template <bool uniform>
 [[gnu::always_inline]] inline float value_of(std::int32_t number) {
-  if constexpr (!uniform) return value_at(number);
-  number = number < largest_quantised ? number : largest_quantised;
-  return static_cast<float>(number > -largest_quantised ? number : -largest_quantised);
+  constexpr std::int32_t largest = uniform ? largest_quantised : 0x7F7FFFFF;
+  constexpr std::int32_t least = uniform ? -largest : ~largest;
+  number = number < largest ? number : largest;
+  number = number > least ? number : least;
+  return uniform ? static_cast<float>(number) : Eigen::numext::bit_cast<float>(ordered(number));
 }
 template <bool uniform>
 [[gnu::always_inline]] inline std::int32_t number_of(float value) {
-  return uniform ? static_cast<std::int32_t>(value) : ordinal_of(value);
+  return uniform ? static_cast<std::int32_t>(value)
+                 : ordered(Eigen::numext::bit_cast<std::int32_t>(value));
 }
 
-// The value nearest to a prediction.
-[[gnu::always_inline]] inline float finite(float prediction) {
-  constexpr float largest = std::numeric_limits<float>::max();
-  prediction = prediction >= -largest ? prediction : 0.0F;
-  return prediction <= largest ? prediction : 0.0F;
-}
-
-// What a row is predicted from. at: the row, as an offset.
-struct Neighbourhood {
-  Floats values, motion, older, beside;
-  std::ptrdiff_t stride;
-
-  explicit Neighbourhood(const PredictedColumn& column)
-      : values(column.past_values),
-        motion(column.past_motion),
-        older(column.older_motion),
-        beside(column.motion - column.stride),
-        stride(column.stride) {}
-
-  // How far the middle between the neighbours along the ribbon is away, twice.
-  [[gnu::always_inline]] [[nodiscard]] float bend(std::ptrdiff_t at) const {
-    return (values[at - 1] + values[at + 1]) - (values[at] + values[at]);
-  }
-
-  [[gnu::always_inline]] [[nodiscard]] float from_past(const std::array<float, past_taps>& w,
-                                                       std::ptrdiff_t at) const {
-    const float line = (w[0] * motion[at] + w[1] * motion[at - 1]) + w[2] * motion[at + 1];
-    const float sides = w[3] * motion[at - stride] + w[4] * motion[at + stride];
-    return (line + sides) + (w[5] * older[at] + w[6] * bend(at));
-  }
-  [[gnu::always_inline]] [[nodiscard]] float from_beside(const std::array<float, near_taps>& w,
-                                                         std::ptrdiff_t at) const {
-    return (w[0] * beside[at - 1] + w[1] * beside[at]) + w[2] * beside[at + 1];
-  }
+// What number a row is expected to have.
+struct Expected {
+  std::int32_t number;
+  std::int32_t flip;  // of residuals from there: -1 where they count downwards, else 0
 };
 
-// What number a row is expected to have. reference: the value there of the first frame referred to.
+// past: the value there of the reference.
 template <bool uniform>
-[[gnu::always_inline]] inline Nearest expected(float reference, float predicted) {
-  if constexpr (!uniform) return {ordinal_of(finite(reference + predicted)), 0};
-  const Nearest near = nearest(predicted);
-  return {sum_of(static_cast<std::int32_t>(reference), near.number), near.flip};
+[[gnu::always_inline]] inline Expected expected(float past, float motion) {
+  if constexpr (!uniform) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    float value = past + motion;
+    value = value >= -largest ? value : 0.0F;
+    value = value <= largest ? value : 0.0F;
+    return {number_of<false>(value), 0};
+  }
+  // Single precision has no fractions between 2^23 and twice that, in whose middle this lies. A
+  // prediction so far off that the sum lies elsewhere leads to another number: to the same one
+  // everywhere, for it is finite.
+  constexpr float whole_from = 0x1.8p23F;
+  const float shifted = motion + whole_from;
+  const std::int32_t steps = difference_of(Eigen::numext::bit_cast<std::int32_t>(shifted),
+                                           Eigen::numext::bit_cast<std::int32_t>(whole_from));
+  return {sum_of(number_of<true>(past), steps), motion < shifted - whole_from ? 0 : -1};
 }
 
-// Makes the value of a row from its residual.
+// How far the middle between the neighbours of a row along the ribbon is away, twice.
+[[gnu::always_inline]] inline float bend(const float* values, std::ptrdiff_t row) {
+  return (values[row - 1] + values[row + 1]) - (values[row] + values[row]);
+}
+
+[[gnu::always_inline]] inline float predicted_motion(const PredictedColumn& column,
+                                                     const Weights& w, std::ptrdiff_t row) {
+  const float* m = column.past_motion + row;
+  const float* q = column.motion + row - column.stride;
+  const float line = (w[0] * m[0] + w[1] * m[-1]) + w[2] * m[1];
+  const float sides = w[3] * m[-column.stride] + w[4] * m[column.stride];
+  const float near = (w[6] * q[-1] + w[7] * q[0]) + w[8] * q[1];
+  return ((line + sides) + w[5] * bend(column.past_values, row)) + near;
+}
+
+// The number that a row of an intra frame is expected to be as far away from as the row before is
+// from its own: that of the row beside it, of the row before in the first column.
+const float* beside(const PredictedColumn& column) {
+  if (!column.is_first) return column.values - column.stride;
+  column.values[-1] = 0;
+  return column.values - 1;
+}
+
+// Makes values from residuals.
 struct Decoding {
   template <bool uniform>
-  [[gnu::always_inline]] static void run(const PredictedColumn& column, int row, Nearest expected) {
+  [[gnu::always_inline]] static void run(const PredictedColumn& column, int row,
+                                         Expected expected) {
     const std::int32_t residual = flipped(column.residuals[row], expected.flip);
     column.values[row] = value_of<uniform>(sum_of(expected.number, residual));
   }
-};
 
-// Makes the residual of a row from its value.
-struct Encoding {
   template <bool uniform>
-  [[gnu::always_inline]] static void run(const PredictedColumn& column, int row, Nearest expected) {
-    const std::int32_t number = number_of<uniform>(column.values[row]);
-    column.residuals[row] = flipped(difference_of(number, expected.number), expected.flip);
+  static void run_intra(const PredictedColumn& column) {
+    std::int32_t distance = 0;
+    for (int row = 0; row < column.rows; ++row)
+      column.residuals[row] = distance = sum_of(distance, column.residuals[row]);
+    const float* from = beside(column);
+    const PredictedColumn to = column;
+    const auto place = [=](int row) RIBBON_INLINED {
+      to.values[row] = value_of<uniform>(sum_of(number_of<uniform>(from[row]), to.residuals[row]));
+    };
+    if (column.is_first) {
+      for (int row = 0; row < to.rows; ++row) place(row);
+      return;
+    }
+    vectorised([&]() RIBBON_INLINED {
+      RIBBON_EACH_LANE
+      for (int row = 0; row < to.rows; ++row) place(row);
+    });
   }
 };
 
-template <class Work, bool uniform, bool is_first>
+// Makes residuals from values.
+struct Encoding {
+  template <bool uniform>
+  [[gnu::always_inline]] static void run(const PredictedColumn& column, int row,
+                                         Expected expected) {
+    const std::int32_t number = number_of<uniform>(column.values[row]);
+    column.residuals[row] = flipped(difference_of(number, expected.number), expected.flip);
+  }
+
+  template <bool uniform>
+  static void run_intra(const PredictedColumn& column) {
+    const float* from = beside(column);
+    std::int32_t last = 0;
+    for (int row = 0; row < column.rows; ++row) {
+      const std::int32_t distance =
+          difference_of(number_of<uniform>(column.values[row]), number_of<uniform>(from[row]));
+      column.residuals[row] = difference_of(distance, last);
+      last = distance;
+    }
+  }
+};
+
+template <class Work, bool uniform>
 void run(const PredictedColumn& column, const Weights& weights) {
+  if (column.past_values == nullptr) return Work::template run_intra<uniform>(column);
   vectorised([&]() RIBBON_INLINED {
-    const Neighbourhood around(column);
     const Weights w = weights;
     const PredictedColumn at = column;
     RIBBON_EACH_LANE
     for (int row = 0; row < at.rows; ++row) {
-      float predicted = around.from_past(w.past, row);
-      if constexpr (!is_first) predicted += around.from_beside(w.near, row);
-      Work::template run<uniform>(at, row, expected<uniform>(around.values[row], predicted));
-      at.motion[row] = at.values[row] - around.values[row];
+      const float past = at.past_values[row];
+      Work::template run<uniform>(at, row, expected<uniform>(past, predicted_motion(at, w, row)));
+      at.motion[row] = at.values[row] - past;
     }
   });
-}
-
-template <class Work>
-void run(const PredictedColumn& column, const Weights& weights) {
-  if (column.uniform)
-    column.is_first ? run<Work, true, true>(column, weights)
-                    : run<Work, true, false>(column, weights);
-  else
-    column.is_first ? run<Work, false, true>(column, weights)
-                    : run<Work, false, false>(column, weights);
-}
-
-// Every row lies as far from the one beside it, in the column before, as the row before from its
-// own; in the first column what is beside is the row before. `at` is walked down; numbers are those
-// of the column before, then of this one.
-template <bool uniform>
-void decode_intra(const PredictedColumn& at, std::int32_t* numbers) {
-  std::int32_t last = 0;
-  std::int32_t step = 0;
-  for (int row = 0; row < at.rows; ++row) {
-    step = sum_of(step, at.residuals[row]);
-    last = sum_of(at.is_first ? last : numbers[row], step);
-    numbers[row] = last;
-  }
-  vectorised([&]() RIBBON_INLINED {
-    const int rows = at.rows;
-    RIBBON_EACH_LANE
-    for (int row = 0; row < rows; ++row) at.values[row] = value_of<uniform>(numbers[row]);
-  });
-}
-
-template <bool uniform>
-void encode_intra(const PredictedColumn& at, std::int32_t* numbers) {
-  std::int32_t last = 0;
-  std::int32_t step = 0;
-  for (int row = 0; row < at.rows; ++row) {
-    const std::int32_t beside = at.is_first ? last : numbers[row];
-    last = number_of<uniform>(at.values[row]);
-    numbers[row] = last;
-    const std::int32_t next_step = difference_of(last, beside);
-    at.residuals[row] = difference_of(next_step, step);
-    step = next_step;
-  }
 }
 
 }  // namespace
 
 void decode(const PredictedColumn& column, const Weights& weights) {
-  run<Decoding>(column, weights);
+  column.uniform ? run<Decoding, true>(column, weights) : run<Decoding, false>(column, weights);
 }
 
 void encode(const PredictedColumn& column, const Weights& weights) {
-  run<Encoding>(column, weights);
-}
-
-void decode_intra(const PredictedColumn& column, std::int32_t* numbers) {
-  column.uniform ? decode_intra<true>(column, numbers) : decode_intra<false>(column, numbers);
-}
-
-void encode_intra(const PredictedColumn& column, std::int32_t* numbers) {
-  column.uniform ? encode_intra<true>(column, numbers) : encode_intra<false>(column, numbers);
+  column.uniform ? run<Encoding, true>(column, weights) : run<Encoding, false>(column, weights);
 }
 
 void set_taps(const PredictedColumn& column, int first_row, Taps& taps) {
-  vectorised([&]() RIBBON_INLINED {
-    const Neighbourhood around(column);
-    const int rows = std::min(tap_rows, column.rows - first_row);
-    for (auto& tap : taps) tap.fill(0);
-    for (int k = 0; k < rows; ++k) {
-      const std::ptrdiff_t at = first_row + k;
-      const std::array<float, past_taps> past{around.motion[at],
-                                              around.motion[at - 1],
-                                              around.motion[at + 1],
-                                              around.motion[at - around.stride],
-                                              around.motion[at + around.stride],
-                                              around.older[at],
-                                              around.bend(at)};
-      for (std::size_t tap = 0; tap < past_taps; ++tap) taps[tap][k] = past[tap];
-      for (std::size_t tap = 0; tap < near_taps && !column.is_first; ++tap)
-        taps[past_taps + tap][k] = around.beside[at - 1 + static_cast<std::ptrdiff_t>(tap)];
-      taps[most_taps][k] = column.motion[at];
-    }
-  });
+  const auto moved = [&](std::ptrdiff_t at) { return column.values[at] - column.past_values[at]; };
+  for (auto& tap : taps) tap.fill(0);
+  for (int k = 0; k < std::min(tap_rows, column.rows - first_row); ++k) {
+    const std::ptrdiff_t row = first_row + k;
+    const std::ptrdiff_t before = row - column.stride;
+    const float* m = column.past_motion + row;
+    const std::array<float, most_taps + 1> tap{m[0],
+                                               m[-1],
+                                               m[1],
+                                               m[-column.stride],
+                                               m[column.stride],
+                                               bend(column.past_values, row),
+                                               moved(before - 1),
+                                               moved(before),
+                                               moved(before + 1),
+                                               moved(row)};
+    for (std::size_t t = 0; t < tap.size(); ++t) taps[t][k] = tap[t];
+  }
 }
 
 }  // namespace ribbon

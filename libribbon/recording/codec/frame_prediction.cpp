@@ -1,7 +1,6 @@
 #include "recording/codec/frame_prediction.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "parallel/vector_loop.h"
 
@@ -18,7 +17,6 @@ void continue_beyond(const float* near, const float* far, int rows, float* to) {
   for (int i = 0; i < rows; ++i) to[i] = line(near[i], far[i]);
 }
 
-// Over the border of all columns.
 void continue_over_sides(const ParticleColumns& columns, CellValues& values) {
   const int last = columns.grid().across - 1;
   const int rows = columns.grid().along;
@@ -40,84 +38,45 @@ void continue_over_ends(const ParticleColumns& columns, int j, CellValues& value
   }
 }
 
-void FramePrediction::begin(std::span<const QuantisedFrame* const> references,
-                            QuantisedFrame& frame) {
-  references_ = {};
-  std::copy_n(references.begin(), std::min(references.size(), references_.size()),
-              references_.begin());
+void FramePrediction::begin(const QuantisedFrame* reference, QuantisedFrame& frame) {
+  reference_ = reference;
   frame_ = &frame;
   for (std::size_t c = 0; c < 3; ++c) {
     frame.values[c].resize(layout_.cells());
     frame.motion[c].resize(layout_.cells());
+    // An intra frame has not moved, nor has what would be the column before the first.
+    const auto still = is_intra() ? layout_.cells() : layout_.cell(0, 0);
+    std::fill_n(frame.motion[c].begin(), still, 0.0F);
   }
-}
-
-void FramePrediction::set_motion() {
-  for (std::size_t c = 0; c < 3; ++c) {
-    Lines<float>& motion = frame_->motion[c];
-    if (is_intra())
-      std::fill(motion.begin(), motion.end(), 0.0F);
-    else
-      std::transform(frame_->values[c].begin(), frame_->values[c].end(),
-                     references_[0]->values[c].begin(), motion.begin(), std::minus<>());
-  }
-  // As a decoder does it: the difference of continued values may be rounded otherwise.
-  for (int j = 0; j < layout_.grid().across; ++j) continue_over_ends(layout_, j, frame_->motion);
-  continue_over_sides(layout_, frame_->motion);
 }
 
 Triple<PredictedColumn> FramePrediction::columns(int j, Residuals& residuals) const {
   const std::size_t cell = layout_.cell(0, j);
   Triple<PredictedColumn> columns;
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (std::size_t c = 0; c < 3; ++c)
     columns[c] = {.rows = layout_.grid().along,
                   .stride = static_cast<std::ptrdiff_t>(layout_.stride()),
                   .is_first = j == 0,
-                  .uniform = uniform_,
+                  .uniform = is_uniform(),
+                  .past_values = is_intra() ? nullptr : &reference_->values[c][cell],
+                  .past_motion = is_intra() ? nullptr : &reference_->motion[c][cell],
                   .values = &frame_->values[c][cell],
                   .motion = &frame_->motion[c][cell],
                   .residuals = residuals.column(c, j)};
-    if (is_intra()) continue;
-    columns[c].past_values = &references_[0]->values[c][cell];
-    columns[c].past_motion = &references_[0]->motion[c][cell];
-    columns[c].older_motion =
-        references_[1] != nullptr ? &references_[1]->motion[c][cell] : &no_motion_[cell];
-  }
   return columns;
 }
 
-void FramePrediction::decode(Residuals& residuals) {
-  const Weights first = weights.of_first_column();
-  const Weights others = weights.of_others();
-  Triple<std::vector<std::int32_t>> numbers;
-  for (auto& column : numbers) column.resize(is_intra() ? layout_.grid().along : 0);
+void FramePrediction::code(Residuals& residuals,
+                           void (*column)(const PredictedColumn&, const Weights&)) {
   for (int j = 0; j < layout_.grid().across; ++j) {
-    const auto at = columns(j, residuals);
-    for (std::size_t c = 0; c < 3; ++c)
-      if (is_intra())
-        decode_intra(at[c], numbers[c].data());
-      else
-        ribbon::decode(at[c], j == 0 ? first : others);
+    Weights of_column;
+    for (std::size_t tap = 0; tap < most_taps; ++tap)
+      of_column[tap] = static_cast<float>(weights[j == 0 ? 0 : 1][tap]) * weight_unit;
+    for (const PredictedColumn& component : columns(j, residuals)) column(component, of_column);
     continue_over_ends(layout_, j, frame_->values);
     continue_over_ends(layout_, j, frame_->motion);
   }
-  if (is_intra()) return set_motion();
   continue_over_sides(layout_, frame_->motion);
-}
-
-void FramePrediction::encode(Residuals& residuals) const {
-  const Weights first = weights.of_first_column();
-  const Weights others = weights.of_others();
-  Triple<std::vector<std::int32_t>> numbers;
-  for (auto& column : numbers) column.resize(is_intra() ? layout_.grid().along : 0);
-  for (int j = 0; j < layout_.grid().across; ++j) {
-    const auto at = columns(j, residuals);
-    for (std::size_t c = 0; c < 3; ++c)
-      if (is_intra())
-        encode_intra(at[c], numbers[c].data());
-      else
-        ribbon::encode(at[c], j == 0 ? first : others);
-  }
 }
 
 }  // namespace ribbon

@@ -1,83 +1,53 @@
 #include "recording/codec/position_encoder.h"
 
+#include <limits>
 #include <utility>
 
 #include "recording/codec/fit_weights.h"
 #include "recording/coding/bytes.h"
-#include "recording/coding/varint.h"
 
 namespace ribbon {
 
 namespace {
 
-void put_weights(RecordedWeights weights, std::string& bytes) {
-  put<std::uint8_t>(bytes, static_cast<std::uint8_t>(weights.shift));
-  weights.for_each([&](std::int32_t number) { put_varint(bytes, zigzag(number)); });
+void put_weights(const RecordedWeights& weights, std::string& bytes) {
+  for (const auto& of_column : weights)
+    for (const std::int16_t number : of_column) put<std::int16_t>(bytes, number);
 }
 
-// Of fewer than 2^51 steps; without a call where the processor has no instruction for it.
-double nearest(double steps) {
-  constexpr double units_begin = 0x1.8p52;  // numbers so large are 1 apart
-  return (steps + units_begin) - units_begin;
+// Whole numbers of steps, those in the middle to the even one, as double precision rounds where
+// numbers are 1 apart; without a call where the processor has no instruction for it.
+Eigen::Matrix3Xf steps(const Eigen::Matrix3Xd& positions, double step_m) {
+  constexpr double whole_from = 0x1.8p52;
+  return ((positions.array() * (1 / step_m) + whole_from) - whole_from).matrix().cast<float>();
 }
 
 }  // namespace
 
-void PositionEncoder::set_column(const Eigen::Matrix3Xd& positions, int j,
-                                 QuantisedFrame& frame) const {
-  const ParticleColumns& columns = frame_prediction_.layout();
-  const double over_step = 1 / static_cast<double>(parameters_.step_m);
-  const double* position = positions.col(parameters_.grid.particle(0, j)).data();
-  for (int i = 0; i < parameters_.grid.along;
-       ++i, position += std::ptrdiff_t{3} * parameters_.grid.across)
-    for (std::size_t c = 0; c < 3; ++c)
-      frame.values[c][columns.cell(i, j)] = static_cast<float>(
-          parameters_.step_m > 0 ? nearest(position[c] * over_step) : position[c]);
-  continue_over_ends(columns, j, frame.values);
-}
-
-std::optional<QuantisedFrame> PositionEncoder::quantised(const Eigen::Matrix3Xd& positions) const {
+// Nothing where they are too far out to be rounded so within the bound.
+std::optional<QuantisedFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions,
+                                                       float step_m) const {
+  constexpr double largest = std::numeric_limits<float>::max();
+  const double reach_m =
+      step_m > 0 ? (largest_quantised - 1) * static_cast<double>(step_m) : largest;
+  if (positions.cwiseAbs().maxCoeff() > reach_m) return std::nullopt;
+  const Eigen::Matrix3Xf values = step_m > 0 ? steps(positions, step_m) : positions.cast<float>();
+  const Eigen::Matrix3Xf decoded = values * (step_m > 0 ? step_m : 1);
+  const double error_m = (decoded.cast<double>() - positions).cwiseAbs().maxCoeff();
+  if (error_m > (max_error_m_ > 0 ? max_error_m_ : largest)) return std::nullopt;
   QuantisedFrame frame;
   frame.grid = parameters_.grid;
-  frame.step_m = parameters_.step_m;
-  if (parameters_.step_m > 0 &&
-      !(positions.cwiseAbs().maxCoeff() <
-        (largest_quantised - 1) * static_cast<double>(parameters_.step_m)))
-    return std::nullopt;
-  const ParticleColumns& columns = frame_prediction_.layout();
-  for (auto& component : frame.values) component.resize(columns.cells());
-  for (int j = 0; j < columns.grid().across; ++j) set_column(positions, j, frame);
-  return frame;
-}
-
-bool PositionEncoder::within_bound(const QuantisedFrame& frame,
-                                   const Eigen::Matrix3Xd& positions) const {
-  Eigen::Matrix3Xf decoded;
-  frame.positions(decoded);
-  if (!decoded.allFinite()) return false;
-  if (max_error_m_ == 0) return decoded == positions.cast<float>();
-  return (decoded.cast<double>() - positions).cwiseAbs().maxCoeff() <= max_error_m_;
-}
-
-std::string PositionEncoder::quantised_geometry(QuantisedFrame& frame,
-                                                std::span<const QuantisedFrame* const> references) {
-  frame_prediction_.begin(references, frame);
-  frame_prediction_.set_motion();
-  std::string bytes;
-  if (!frame_prediction_.is_intra()) {
-    frame_prediction_.weights = fit_weights(frame_prediction_, residuals_);
-    put_weights(frame_prediction_.weights, bytes);
+  frame.step_m = step_m;
+  const ParticleColumns& columns = prediction_.layout();
+  for (std::size_t c = 0; c < 3; ++c) {
+    frame.values[c].resize(columns.cells());
+    for (int i = 0; i < frame.grid.along; ++i)
+      for (int j = 0; j < frame.grid.across; ++j)
+        frame.values[c][columns.cell(i, j)] =
+            values(static_cast<Eigen::Index>(c), frame.grid.particle(i, j));
   }
-  frame_prediction_.encode(residuals_);
-  packer_.append(residuals_, bytes);
-  return bytes;
-}
-
-std::string PositionEncoder::plain_geometry(const QuantisedFrame& frame) {
-  std::string content;
-  for (const float coordinate : frame.plain_positions.transpose().reshaped())
-    put<float>(content, coordinate);
-  return compressor_.compress(content);
+  for (int j = 0; j < frame.grid.across; ++j) continue_over_ends(columns, j, frame.values);
+  return frame;
 }
 
 Result<QuantisedFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& positions) const {
@@ -90,13 +60,9 @@ Result<QuantisedFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& position
                          std::to_string(grid.column(particle)) +
                          " across has a position that is not finite",
                      "the simulation has become unstable: choose a smaller time step");
-  auto frame = quantised(positions);
-  if (frame && within_bound(*frame, positions)) return *std::move(frame);
-  QuantisedFrame plain;
-  plain.grid = grid;
-  plain.plain = true;
-  plain.plain_positions = positions.cast<float>();
-  if (within_bound(plain, positions)) return plain;
+  auto frame = rounded(positions, parameters_.step_m);
+  if (!frame && parameters_.step_m > 0) frame = rounded(positions, 0);
+  if (frame) return *std::move(frame);
   return failure("",
                  "positions as large as " + std::to_string(positions.cwiseAbs().maxCoeff()) +
                      " m cannot be recorded in single precision within max_position_error",
@@ -104,18 +70,24 @@ Result<QuantisedFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& position
 }
 
 EncodedFrame PositionEncoder::encode_rounded(QuantisedFrame frame,
-                                             std::span<const QuantisedFrame* const> references) {
-  const FrameEncoding encoding = frame.plain ? FrameEncoding::plain : FrameEncoding::quantised;
-  std::string geometry =
-      frame.plain ? plain_geometry(frame) : quantised_geometry(frame, usable(references));
-  return {encoding, std::move(geometry), std::move(frame)};
+                                             const QuantisedFrame* reference) {
+  prediction_.begin(usable(reference, frame), frame);
+  std::string geometry;
+  if (!prediction_.is_intra()) {
+    prediction_.weights = fit_weights(prediction_, residuals_);
+    put_weights(prediction_.weights, geometry);
+  }
+  prediction_.encode(residuals_);
+  packer_.append(residuals_, geometry);
+  return {frame.step_m > 0 ? FrameEncoding::quantised : FrameEncoding::exact, std::move(geometry),
+          std::move(frame)};
 }
 
 Result<EncodedFrame> PositionEncoder::encode(const Eigen::Matrix3Xd& positions,
-                                             std::span<const QuantisedFrame* const> references) {
+                                             const QuantisedFrame* reference) {
   auto frame = rounded(positions);
   if (!frame) return tl::unexpected(std::move(frame.error()));
-  return encode_rounded(*std::move(frame), references);
+  return encode_rounded(*std::move(frame), reference);
 }
 
 }  // namespace ribbon

@@ -3,14 +3,12 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "recording/codec/codec_parameters.h"
 #include "recording/codec/frame_prediction.h"
 #include "recording/codec/quantised_frame.h"
 #include "recording/codec/residual_runs.h"
-#include "recording/coding/compression.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -29,7 +27,7 @@ class PositionEncoder {
   PositionEncoder(const CodecParameters& parameters, double max_error_m)
       : parameters_(parameters),
         max_error_m_(max_error_m),
-        frame_prediction_(parameters),
+        prediction_(parameters.grid),
         residuals_(parameters.grid) {}
 
   // What a decoder will make of positions (3 x particles in metres), however they are encoded.
@@ -38,29 +36,20 @@ class PositionEncoder {
   // coarse for the bound.
   [[nodiscard]] Result<QuantisedFrame> rounded(const Eigen::Matrix3Xd& positions) const;
 
-  // Positions, rounded and encoded. references: decoded frames, in the order in which the decoder
-  // will get them, the nearest first; plain ones, those after one, and any after the second are no
-  // help. Fails where rounded() does.
-  Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions,
-                              std::span<const QuantisedFrame* const> references);
+  // Positions, rounded and encoded. reference: a decoded frame, which the decoder will get as well,
+  // or none; one that is rounded otherwise is no help. Fails where rounded() does.
+  Result<EncodedFrame> encode(const Eigen::Matrix3Xd& positions, const QuantisedFrame* reference);
 
-  // A rounded or a decoded frame: it decodes to the same bits. Plain ones stay plain.
-  EncodedFrame encode_rounded(QuantisedFrame frame,
-                              std::span<const QuantisedFrame* const> references);
+  // A rounded or a decoded frame: it decodes to the same bits.
+  EncodedFrame encode_rounded(QuantisedFrame frame, const QuantisedFrame* reference);
 
  private:
-  void set_column(const Eigen::Matrix3Xd& positions, int j, QuantisedFrame& frame) const;
-  [[nodiscard]] std::optional<QuantisedFrame> quantised(const Eigen::Matrix3Xd& positions) const;
-  [[nodiscard]] bool within_bound(const QuantisedFrame& frame,
-                                  const Eigen::Matrix3Xd& positions) const;
-  std::string quantised_geometry(QuantisedFrame& frame,
-                                 std::span<const QuantisedFrame* const> references);
-  std::string plain_geometry(const QuantisedFrame& frame);
+  [[nodiscard]] std::optional<QuantisedFrame> rounded(const Eigen::Matrix3Xd& positions,
+                                                      float step_m) const;
 
   CodecParameters parameters_;
   double max_error_m_;
-  Compressor compressor_;
-  FramePrediction frame_prediction_;
+  FramePrediction prediction_;
   ResidualPacker packer_;
   Residuals residuals_;
 };

@@ -4,17 +4,16 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <span>
 
 #include "geometry/ribbon_grid.h"
 #include "recording/codec/particle_columns.h"
 
 namespace ribbon {
 
-// How a frame's record holds its positions.
-enum class FrameEncoding : std::uint32_t { plain = 0, quantised = 1 };
+// How a frame's record holds its positions: in single precision, or in quantisation steps.
+enum class FrameEncoding : std::uint8_t { exact = 0, quantised = 1 };
 
-// What other frames are predicted from, unless it is plain.
+// What another one may be predicted from.
 struct QuantisedFrame {
   RibbonGrid grid;
   float step_m = 0;  // 0: exact single precision
@@ -25,16 +24,14 @@ struct QuantisedFrame {
   // Likewise, continued there as well: values less those of the frame that it was predicted from; 0
   // for an intra frame.
   CellValues motion;
-  bool plain = false;
-  Eigen::Matrix3Xf plain_positions;  // of a plain frame, which has no values
 
   // Resized to 3 x particles, metres.
   void positions(Eigen::Matrix3Xf& positions) const;
-
-  [[nodiscard]] bool is_finite() const;
 };
 
-// Those of the references that can be used: all before the first plain one.
-std::span<const QuantisedFrame* const> usable(std::span<const QuantisedFrame* const> references);
+// The reference, unless it is rounded otherwise than the frame: then it is no help.
+inline const QuantisedFrame* usable(const QuantisedFrame* reference, const QuantisedFrame& frame) {
+  return reference != nullptr && reference->step_m == frame.step_m ? reference : nullptr;
+}
 
 }  // namespace ribbon

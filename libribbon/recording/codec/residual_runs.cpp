@@ -10,23 +10,34 @@ namespace ribbon {
 
 namespace {
 
-constexpr std::array<std::size_t, 4> packed_bytes = {0, block_rows / 4, block_rows / 2, block_rows};
+// How a block is packed: not at all, because all are 0; in two bits each; or in four and some low
+// planes: there are modes from `fours` on for 0 to 10, 13, 19 and 28 of these, sixteen modes in
+// all.
+enum Mode : unsigned { zeros = 0, twos = 1, fours = 2 };
 
-// Low bits are read and written in words that reach beyond them.
-constexpr std::size_t word_bytes = sizeof(std::uint64_t);
+// Kinds of symbols, as SymbolCompressor knows them.
+enum Kind : std::size_t { pairs_of_modes = 0, quads = 1, pairs = 2 };
+
+constexpr std::size_t quads_of_block = block_rows / 4;
+constexpr std::size_t pairs_of_block = block_rows / 2;
+
+using Sixteen = std::int32_t __attribute__((vector_size(sizeof(std::int32_t) * block_rows)));
+
+[[gnu::always_inline]] inline unsigned planes_of(unsigned mode) {
+  const unsigned k = mode - fours;
+  return mode <= fours ? 0 : k <= 10 ? k : k == 11 ? 13 : k == 12 ? 19 : 28;
+}
 
 [[gnu::always_inline]] inline unsigned char mode_of(const std::int32_t* block) {
   std::int32_t any = 0;  // 0, -1, 1, -2, ... as 0, 1, 2, 3, ...
   for (std::size_t k = 0; k < block_rows; ++k) any |= block[k] << 1 ^ block[k] >> 31;
   const unsigned width = std::bit_width(static_cast<std::uint32_t>(any));
-  if (width <= 4) return width == 0 ? zeros : width <= 2 ? quads : pairs;
-  const unsigned low = std::max(width, 8U) - 8;
-  return static_cast<unsigned char>(bytes + (low <= 8 ? low : 8 + std::bit_width((low - 9) | 1U)));
-}
-
-[[gnu::always_inline]] inline unsigned low_bits_of(unsigned mode) {
-  const unsigned low = mode - bytes;
-  return low <= 8 ? low : 8 + (2U << (low - 9));
+  if (width <= 2) return width == 0 ? zeros : twos;
+  const unsigned low = std::max(width, 4U) - 4;
+  return static_cast<unsigned char>(fours + (low <= 10   ? low
+                                             : low <= 13 ? 11
+                                             : low <= 19 ? 12
+                                                         : 13));
 }
 
 // Symbols of so many bits, the first in the lowest bits of a byte.
@@ -55,100 +66,62 @@ template <unsigned bits>
   }
 }
 
-template <>
-[[gnu::always_inline]] inline void unpack_block<8>(const unsigned char* from, std::int32_t* to) {
-  RIBBON_EACH_LANE_OF_A_FEW
-  for (std::size_t k = 0; k < block_rows; ++k) to[k] = (from[k] ^ 0x80) - 0x80;
-}
-
-// `count` bits each, one directly beside the other, from the lowest bit of each byte on.
-[[gnu::always_inline]] inline void put_low_bits(const std::int32_t* block, unsigned count,
-                                                unsigned char* to) {
-  const std::uint32_t mask = (std::uint32_t{1} << count) - 1;
-  std::memset(to, 0, block_rows * count / 8);
-  for (std::size_t k = 0; k < block_rows; ++k) {
-    std::uint64_t word = 0;
-    unsigned char* at = to + k * count / 8;
-    std::memcpy(&word, at, word_bytes);
-    word |= std::uint64_t{static_cast<std::uint32_t>(block[k]) & mask} << k * count % 8;
-    std::memcpy(at, &word, word_bytes);
+// Low planes, the highest first.
+[[gnu::always_inline]] inline void put_planes(const std::int32_t* block, unsigned count,
+                                              std::uint16_t* to) {
+  while (count-- > 0) {
+    unsigned plane = 0;
+    for (unsigned k = 0; k < block_rows; ++k)
+      plane |= (static_cast<unsigned>(block[k]) >> count & 1) << k;
+    *to++ = static_cast<std::uint16_t>(plane);
   }
 }
 
-// `rows` of them at a time, which a word holds.
-template <unsigned rows>
-[[gnu::always_inline]] inline void add_low_bits(const unsigned char* from, unsigned count,
-                                                std::int32_t* to) {
-  const std::uint32_t mask = (std::uint32_t{1} << count) - 1;
-  for (unsigned first = 0; first < block_rows; first += rows) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, from + first * count / 8, word_bytes);
-    word >>= first * count % 8;
-    RIBBON_EACH_LANE_OF_A_FEW
-    for (unsigned k = 0; k < rows; ++k)
-      to[first + k] =
-          static_cast<std::int32_t>(static_cast<std::uint32_t>(to[first + k]) << count |
-                                    (static_cast<std::uint32_t>(word >> k * count) & mask));
-  }
+[[gnu::always_inline]] inline void add_planes(const std::uint16_t* from, unsigned count,
+                                              std::int32_t* block) {
+  constexpr Sixteen lane = {1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                            1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+  Sixteen numbers;
+  std::memcpy(&numbers, block, sizeof(numbers));
+  for (; count > 0; --count, ++from) numbers = numbers + numbers - ((lane & *from) != 0);
+  std::memcpy(block, &numbers, sizeof(numbers));
 }
 
-// Where the next block's bytes are, in each run.
-struct Places {
-  unsigned char* quad;
-  unsigned char* pair;
-  unsigned char* byte;
-  unsigned char* low;
-
-  explicit Places(ResidualRuns& runs)
-      : quad(runs.packed[quads].data()),
-        pair(runs.packed[pairs].data()),
-        byte(runs.packed[bytes].data()),
-        low(runs.low_bits.data()) {}
-};
-
-// Visits all blocks with their place in each run: visit(mode, number of the block, places); what a
-// block takes is then behind them.
+// Visits all blocks: visit(mode, number of the first residual, where the block's symbols and planes
+// begin).
 template <class Visit>
 [[gnu::always_inline]] inline void for_each_block(ResidualRuns& runs, const Visit& visit) {
-  Places at(runs);
+  unsigned char* quad = runs.packed[quads].data();
+  unsigned char* pair = runs.packed[pairs].data();
+  std::uint16_t* plane = runs.planes.data();
   for (std::size_t block = 0; block < runs.modes.size(); ++block) {
     const unsigned mode = runs.modes[block];
-    visit(mode, block * block_rows, at);
-    if (mode == quads) at.quad += packed_bytes[quads];
-    if (mode == pairs) at.pair += packed_bytes[pairs];
-    if (mode < bytes) continue;
-    at.byte += packed_bytes[bytes];
-    at.low += low_bits_of(mode) * block_rows / 8;
+    visit(mode, block * block_rows, mode == twos ? quad : pair, plane);
+    if (mode == twos) quad += quads_of_block;
+    if (mode < fours) continue;
+    pair += pairs_of_block;
+    plane += planes_of(mode);
   }
 }
 
 }  // namespace
 
-Residuals::Residuals(const RibbonGrid& grid)
-    : column_length_((static_cast<std::size_t>(grid.along) + block_rows - 1) / block_rows *
-                     block_rows),
-      columns_(static_cast<std::size_t>(grid.across)),
-      numbers_(3 * columns_ * column_length_) {}
-
 void ResidualRuns::resize() {
-  std::array<std::size_t, bytes + 1> blocks{};
+  std::array<std::size_t, 3> sizes{};
   vectorised([&]() RIBBON_INLINED {
-    std::uint32_t of_quads = 0;
-    std::uint32_t of_pairs = 0;
-    std::uint32_t of_bytes = 0;
-    std::uint32_t low = 0;  // bits of one row
+    std::uint32_t of_twos = 0;
+    std::uint32_t of_fours = 0;
+    std::uint32_t low = 0;
     for (const unsigned char mode : modes) {
-      of_quads += mode == quads ? 1 : 0;
-      of_pairs += mode == pairs ? 1 : 0;
-      of_bytes += mode >= bytes ? 1 : 0;
-      low += mode >= bytes ? low_bits_of(mode) : 0;
+      of_twos += mode == twos ? 1 : 0;
+      of_fours += mode >= fours ? 1 : 0;
+      low += planes_of(mode);
     }
-    blocks = {0, of_quads, of_pairs, of_bytes};
-    low_bytes = std::size_t{low} * block_rows / 8;
+    sizes = {of_twos * quads_of_block, of_fours * pairs_of_block, low};
   });
-  for (const PackingMode run : {quads, pairs, bytes})
-    packed[run].resize(packed_bytes[run] * blocks[run]);
-  low_bits.resize(low_bytes + word_bytes);
+  packed[quads].resize(sizes[0]);
+  packed[pairs].resize(sizes[1]);
+  planes.resize(sizes[2]);
 }
 
 void ResidualPacker::append(const Residuals& residuals, std::string& to) {
@@ -160,30 +133,29 @@ void ResidualPacker::append(const Residuals& residuals, std::string& to) {
       modes[block] = mode_of(numbers + block * block_rows);
   });
   runs_.resize();
-  std::vector<unsigned char>& two_modes = runs_.packed[zeros];
+  std::vector<unsigned char>& two_modes = runs_.packed[pairs_of_modes];
   two_modes.assign((modes.size() + 1) / 2, 0);
   for (std::size_t block = 0; block < modes.size(); ++block)
     two_modes[block / 2] |= static_cast<unsigned char>(modes[block] << 4 * (block % 2));
   vectorised([&]() RIBBON_INLINED {
-    for_each_block(runs_, [&](unsigned mode, std::size_t first, const Places& at) RIBBON_INLINED {
-      const std::int32_t* block = numbers + first;
-      if (mode == quads) pack_block<2>(block, 0, at.quad);
-      if (mode == pairs) pack_block<4>(block, 0, at.pair);
-      if (mode >= bytes) pack_block<8>(block, low_bits_of(mode), at.byte);
-      if (mode > bytes) put_low_bits(block, low_bits_of(mode), at.low);
+    for_each_block(runs_, [&](unsigned mode, std::size_t first, unsigned char* symbols,
+                              std::uint16_t* planes) RIBBON_INLINED {
+      if (mode == twos) pack_block<2>(numbers + first, 0, symbols);
+      if (mode < fours) return;
+      pack_block<4>(numbers + first, planes_of(mode), symbols);
+      put_planes(numbers + first, planes_of(mode), planes);
     });
   });
-  for (std::size_t run = 0; run < runs_.packed.size(); ++run)
-    compressor_.append(run, runs_.packed[run], to);
-  to.append(runs_.low_bits.begin(),
-            runs_.low_bits.begin() + static_cast<std::ptrdiff_t>(runs_.low_bytes));
+  for (std::size_t kind = 0; kind < symbol_kinds; ++kind)
+    compressor_.append(kind, runs_.packed[kind], to);
+  to.append(reinterpret_cast<const char*>(runs_.planes.data()), 2 * runs_.planes.size());
 }
 
-bool ResidualUnpacker::unpack(std::string_view from, Residuals& residuals) {
+bool ResidualUnpacker::unpack(ByteTaker& taker, Residuals& residuals) {
   std::vector<unsigned char>& modes = runs_.modes;
-  std::vector<unsigned char>& two_modes = runs_.packed[zeros];
+  std::vector<unsigned char>& two_modes = runs_.packed[pairs_of_modes];
   two_modes.resize((residuals.block_count() + 1) / 2);
-  if (!decompressor_.take(zeros, from, two_modes)) return false;
+  if (!decompressor_.take(pairs_of_modes, taker, two_modes)) return false;
   modes.resize(2 * two_modes.size());
   vectorised([&]() RIBBON_INLINED {
     const unsigned char* two = two_modes.data();
@@ -197,26 +169,20 @@ bool ResidualUnpacker::unpack(std::string_view from, Residuals& residuals) {
   });
   modes.resize(residuals.block_count());
   runs_.resize();
-  for (const PackingMode run : {quads, pairs, bytes})
-    if (!decompressor_.take(run, from, runs_.packed[run])) return false;
-  if (from.size() != runs_.low_bytes) return false;
-  std::copy(from.begin(), from.end(), runs_.low_bits.begin());
+  for (const Kind kind : {quads, pairs})
+    if (!decompressor_.take(kind, taker, runs_.packed[kind])) return false;
+  if (!taker.complete() || taker.rest().size() != 2 * runs_.planes.size()) return false;
+  std::copy(taker.rest().begin(), taker.rest().end(), reinterpret_cast<char*>(runs_.planes.data()));
   std::int32_t* numbers = residuals.numbers().data();
   vectorised([&]() RIBBON_INLINED {
-    for_each_block(runs_, [&](unsigned mode, std::size_t first, const Places& at) RIBBON_INLINED {
+    for_each_block(runs_, [&](unsigned mode, std::size_t first, const unsigned char* symbols,
+                              const std::uint16_t* planes) RIBBON_INLINED {
       std::int32_t* block = numbers + first;
       if (mode == zeros) std::fill_n(block, block_rows, 0);
-      if (mode == quads) unpack_block<2>(at.quad, block);
-      if (mode == pairs) unpack_block<4>(at.pair, block);
-      if (mode >= bytes) unpack_block<8>(at.byte, block);
-      if (mode > bytes) {
-        constexpr unsigned most_of_four = 15;  // and 4 bits where they begin within a byte
-        const unsigned count = low_bits_of(mode);
-        if (count <= most_of_four)
-          add_low_bits<4>(at.low, count, block);
-        else
-          add_low_bits<2>(at.low, count, block);
-      }
+      if (mode == twos) unpack_block<2>(symbols, block);
+      if (mode < fours) return;
+      unpack_block<4>(symbols, block);
+      if (mode > fours) add_planes(planes, planes_of(mode), block);
     });
   });
   return true;

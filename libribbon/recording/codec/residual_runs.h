@@ -21,7 +21,10 @@ inline constexpr std::size_t block_rows = 16;
 // up is 0 wherever residuals are packed.
 class Residuals {
  public:
-  explicit Residuals(const RibbonGrid& grid);
+  explicit Residuals(const RibbonGrid& grid)
+      : column_length_((grid.along + block_rows - 1) / block_rows * block_rows),
+        columns_(grid.across),
+        numbers_(3 * columns_ * column_length_) {}
 
   [[nodiscard]] std::int32_t* column(std::size_t c, int j) {
     return numbers_.data() + column_length_ * (c * columns_ + static_cast<std::size_t>(j));
@@ -36,18 +39,14 @@ class Residuals {
   Lines<std::int32_t> numbers_;
 };
 
-// How a block is packed: not at all, because all are 0; four or two in a byte; one in a byte
-// without its lowest bits, which follow elsewhere: there are modes from `bytes` on for 0 to 8, 10,
-// 12, 16 and 24 of these, sixteen modes in all.
-enum PackingMode : std::uint8_t { zeros = 0, quads = 1, pairs = 2, bytes = 3 };
-
 // What blocks become before entropy coding.
 struct ResidualRuns {
-  std::vector<unsigned char> modes;
-  // Of quads, pairs and bytes: `packed[mode]`. Instead of zeros: the modes, two in a byte.
-  std::array<std::vector<unsigned char>, 4> packed;
-  std::vector<unsigned char> low_bits;  // and some bytes more, which are nobody's
-  std::size_t low_bytes = 0;            // without these
+  std::vector<unsigned char> modes;  // of blocks
+  // The modes, two in a byte; residuals of small ones, four in a byte; of larger ones, two in a
+  // byte, without their lowest bits, which are the low planes: a bit of each of a block's
+  // residuals.
+  std::array<std::vector<unsigned char>, symbol_kinds> packed;
+  std::vector<std::uint16_t> planes;
 
   // Makes room for what the modes ask for.
   void resize();
@@ -66,8 +65,8 @@ class ResidualPacker {
 
 class ResidualUnpacker {
  public:
-  // False where `from` does not hold exactly the residuals of a frame.
-  bool unpack(std::string_view from, Residuals& residuals);
+  // False where the rest is not exactly the residuals of a frame.
+  bool unpack(ByteTaker& taker, Residuals& residuals);
 
  private:
   SymbolDecompressor decompressor_;

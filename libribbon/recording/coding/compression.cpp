@@ -1,15 +1,10 @@
 #include "recording/coding/compression.h"
 
-#define ZSTD_STATIC_LINKING_ONLY  // for ZSTD_c_literalCompressionMode; zstd is linked statically
+#define ZSTD_STATIC_LINKING_ONLY  // for formats and literals; zstd is linked statically
 #include <zstd.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cstdint>
-#include <cstring>
-
-#include "recording/coding/varint.h"
 
 namespace ribbon {
 
@@ -82,10 +77,6 @@ std::optional<std::string_view> Decompressor::decompress(std::string_view bytes,
 
 namespace {
 
-// Every zstd frame here begins with these bytes (no content size, no checksum, no dictionary's
-// name), so they are not recorded.
-constexpr std::string_view frame_start{"\x28\xB5\x2F\xFD\x00", 5};
-
 // Fixed, so that equal runs give equal bytes however long they are.
 constexpr int window_log = 17;
 
@@ -96,59 +87,29 @@ constexpr std::size_t least_share_saved = 16;
 // zstd prefers a table that it has to a better one for runs that are no longer.
 constexpr std::size_t short_run = 1024;
 
+// The context that has no table.
+constexpr std::size_t knows_none = symbol_kinds;
+
 using namespace std::string_view_literals;
 
 // A zstd dictionary for each kind of run (FORMAT.md, section 8.5) is these three parts: trees tell
 // the symbols' lengths, as zstd writes them. They were made of ribbons of 8 x 400 particles.
 constexpr std::string_view dictionary_start = "\x37\xA4\x30\xEC\x01\0\0\0"sv;
-constexpr std::array<std::string_view, 4> trees = {
-    "\x18\x10\xD8\x41\x0A\x69\x0D\x0C\xC3\x30\x0C\xC3\x30\x0C\x03\x8E\x74\x57\x08\xAC\xDA\xE4"
-    "\x2D\xBE\x77"sv,
-    "\x41\x10\xA0\x44\x93\x34\x06\x40\x0C\x69\x85\xF2\x70\xE1\x25\x81\x8D\x1B\xC8\x89\x07\x0C"
-    "\xEB\xA2\x5F\x07\x73\x14\x45\xD1\x17\x5B\x42\x94\x2F\x64\xC1\x30\xE6\x40\xBB\x7A\x18\x60"
-    "\x5F\x46\x2A\x62\x0D\x90\x75\xF1\x79\x60\x25\x81\x69\x67\x74\x6B\xAC\x65\x54\x59\x5B\x0A"sv,
-    "\x4A\x10\x88\x55\x9B\x74\xD4\x20\x37\xDA\x96\xC4\x07\xF4\x20\xB2\xF4\x6D\x49\x34\xD6\x46"
-    "\xF0\x31\xE4\xFB\x4C\x3C\x87\x34\x87\x71\xD9\x04\x00\x00\x00\x00\x00\x00\x54\x45\xE0\x1D"
-    "\x52\x2B\x9F\xC0\xB0\x29\xB8\xF4\x7D\xC8\x52\xFB\x6B\xA3\x0F\xD0\xF8\x44\xDA\xD2\x8B\x3B"
-    "\x9F\xEC\x2D\x7C\x84\xA7\xDB\x4E\x01"sv,
-    "\x3E\x10\xB0\x34\x49\x3A\x72\xEF\x4D\x08\x21\xA4\xB5\xD6\xAC\xB5\x66\xFF\xFF\xFF\xFF\xFF"
-    "\x5B\xC4\x16\xB1\x09\x82\x20\x08\x82\x20\x08\x82\x20\x08\x82\x20\x88\x63\x6C\x11\x5B\xC4"
-    "\x16\x31\x8F\x8F\x8F\x1F\x59\x6B\xAD\xB5\xAD\xB5\x46\x08\x21\x64\x6F\x29\x53"sv};
+constexpr std::array<std::string_view, symbol_kinds> trees = {
+    "\x2B\x10\xC8\x92\x24\xAD\x01\xFF\xFF\xFF\xFF\xFF\xFF\x9F\xBF\x02\xFC\xFF\x37\xA0\xDF\x5A"
+    "\xAB\xF8\x7C\xDB\x6C\x74\x00\x59\xDB\xB0\xE0\x6F\x1B\x81\x33\xA0\x6F\xE5\x51\xE6\x26\x01"sv,
+    "\x3F\x10\xA0\x44\x93\x34\x06\x40\x0C\x55\x84\xB7\xE8\xEA\x18\x03\x69\x0D\x74\x87\x01\xC3"
+    "\xBA\xF8\x0C\xC3\x30\x0C\xC3\x1D\xF8\xB4\x3E\x0E\x59\x90\x41\x07\xDA\xD5\xC3\x00\xFB\x82"
+    "\x52\x11\x6B\x80\xAC\x8B\xCF\x03\x2B\x21\xEA\x9F\xD1\xAD\xB1\x96\x51\x65\x6D\x29"sv,
+    "\x4E\x10\x78\x47\xD4\x74\x44\x11\x41\x6D\x57\x5A\x2D\xF6\xA9\x5D\xF2\xCD\x20\x7F\xDE\x00"
+    "\xD5\x60\xD6\x0A\x0E\x56\x41\xA9\x03\xEB\x8F\x19\x6B\x4B\x85\x27\x9B\xC8\x26\x2C\x07\x8A"
+    "\x7B\x3C\x29\x6C\xBA\x47\xFE\x0E\xB3\xC8\x02\xEE\xDF\xF1\x61\x40\x6A\x6B\xB1\xAE\xDF\x8D"
+    "\x16\x86\x53\xFD\xB6\x57\xC2\x65\x79\x63\xD8\x9D\x02"sv};
 constexpr std::string_view dictionary_end =
     "\x10\x3F\x10\x3F\x10\x3F\x01\0\0\0\x04\0\0\0\x08\0\0\0\0\0\0\0\0\0\0\0"sv;
 
 std::string dictionary(std::string_view tree) {
   return std::string(dictionary_start).append(tree).append(dictionary_end);
-}
-
-}  // namespace
-
-void FreeDictionary::operator()(ZSTD_DDict_s* dictionary) const {
-  ZSTD_freeDDict(dictionary);
-}
-
-namespace {
-
-CompressionContext symbol_context() {
-  CompressionContext owned(ZSTD_createCCtx());
-  ZSTD_CCtx* context = owned.get();
-  // Entropy coding alone: this level looks for no repetitions, which it takes for a reason not to
-  // code literals either, unless told.
-  ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, ZSTD_minCLevel());
-  ZSTD_CCtx_setParameter(context, ZSTD_c_literalCompressionMode, ZSTD_ps_enable);
-  ZSTD_CCtx_setParameter(context, ZSTD_c_windowLog, window_log);
-  ZSTD_CCtx_setParameter(context, ZSTD_c_contentSizeFlag, 0);
-  ZSTD_CCtx_setParameter(context, ZSTD_c_dictIDFlag, 0);
-  return owned;
-}
-
-// Without frame_start.
-void compress(ZSTD_CCtx* context, std::span<const unsigned char> symbols, std::string& packed) {
-  packed.resize(ZSTD_compressBound(symbols.size()));
-  packed.resize(
-      ZSTD_compress2(context, packed.data(), packed.size(), symbols.data(), symbols.size()));
-  assert(packed.starts_with(frame_start));
-  packed.erase(0, frame_start.size());
 }
 
 bool saves_enough(std::size_t size, std::size_t other) {
@@ -157,32 +118,53 @@ bool saves_enough(std::size_t size, std::size_t other) {
 
 }  // namespace
 
-SymbolCompressor::SymbolCompressor() : with_own_table_(symbol_context()) {
-  for (std::size_t kind = 0; kind < trees.size(); ++kind) {
-    contexts_[kind] = symbol_context();
+void SymbolDecompressor::FreeDictionary::operator()(ZSTD_DDict_s* dictionary) const {
+  ZSTD_freeDDict(dictionary);
+}
+
+SymbolCompressor::SymbolCompressor() {
+  for (CompressionContext& owned : contexts_) {
+    ZSTD_CCtx* context = ZSTD_createCCtx();
+    owned.reset(context);
+    // Entropy coding alone: this level looks for no repetitions, which it takes for a reason not to
+    // code literals either, unless told.
+    ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, ZSTD_minCLevel());
+    ZSTD_CCtx_setParameter(context, ZSTD_c_literalCompressionMode, ZSTD_ps_enable);
+    ZSTD_CCtx_setParameter(context, ZSTD_c_windowLog, window_log);
+    ZSTD_CCtx_setParameter(context, ZSTD_c_format, ZSTD_f_zstd1_magicless);
+    ZSTD_CCtx_setParameter(context, ZSTD_c_contentSizeFlag, 0);
+    ZSTD_CCtx_setParameter(context, ZSTD_c_dictIDFlag, 0);
+  }
+  for (std::size_t kind = 0; kind < symbol_kinds; ++kind) {
     const std::string known = dictionary(trees[kind]);
     ZSTD_CCtx_loadDictionary_advanced(contexts_[kind].get(), known.data(), known.size(),
                                       ZSTD_dlm_byCopy, ZSTD_dct_fullDict);
   }
 }
 
+// The run by the context of its kind, or by the one that knows none, in packed_.
+std::string_view SymbolCompressor::packed(std::size_t kind, std::span<const unsigned char> run) {
+  std::string& to = packed_[kind == knows_none ? 1 : 0];
+  to.resize(ZSTD_compressBound(run.size()));
+  return {to.data(),
+          ZSTD_compress2(contexts_[kind].get(), to.data(), to.size(), run.data(), run.size())};
+}
+
 void SymbolCompressor::append(std::size_t kind, std::span<const unsigned char> symbols,
                               std::string& to) {
   if (symbols.empty()) return;
-  compress(contexts_[kind].get(), symbols, packed_);
-  if (symbols.size() <= short_run) {
-    compress(with_own_table_.get(), symbols, other_);
-    if (saves_enough(other_.size(), packed_.size())) packed_.swap(other_);
-  }
-  const bool is_worth_it = saves_enough(packed_.size(), symbols.size());
-  put_varint(to, is_worth_it ? static_cast<std::uint32_t>(packed_.size()) : 0);
-  if (is_worth_it)
-    to.append(packed_);
-  else
-    to.append(symbols.begin(), symbols.end());
+  std::string_view chosen = packed(kind, symbols);
+  if (symbols.size() <= short_run)
+    if (const std::string_view other = packed(knows_none, symbols);
+        saves_enough(other.size(), chosen.size()))
+      chosen = other;
+  if (saves_enough(chosen.size(), symbols.size())) return put_string(to, chosen);
+  put<std::uint32_t>(to, 0);
+  to.append(symbols.begin(), symbols.end());
 }
 
 SymbolDecompressor::SymbolDecompressor() : context_(ZSTD_createDCtx()) {
+  ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_format, ZSTD_f_zstd1_magicless);
   for (std::size_t kind = 0; kind < trees.size(); ++kind) {
     const std::string known = dictionary(trees[kind]);
     dictionaries_[kind].reset(ZSTD_createDDict_advanced(known.data(), known.size(), ZSTD_dlm_byCopy,
@@ -190,23 +172,17 @@ SymbolDecompressor::SymbolDecompressor() : context_(ZSTD_createDCtx()) {
   }
 }
 
-bool SymbolDecompressor::take(std::size_t kind, std::string_view& from,
-                              std::span<unsigned char> symbols) {
+bool SymbolDecompressor::take(std::size_t kind, ByteTaker& from, std::span<unsigned char> symbols) {
   if (symbols.empty()) return true;
-  const auto size = take_varint(from);
-  if (!size) return false;
-  const std::size_t taken = *size == 0 ? symbols.size() : *size;
-  if (taken > from.size()) return false;
-  const std::string_view run = from.substr(0, taken);
-  from.remove_prefix(taken);
-  if (*size == 0) {
-    std::memcpy(symbols.data(), run.data(), run.size());
+  const auto size = from.take<std::uint32_t>();
+  const std::string_view run = from.take_bytes(size == 0 ? symbols.size() : size);
+  if (!from.complete()) return false;
+  if (size == 0) {
+    std::copy(run.begin(), run.end(), symbols.begin());
     return true;
   }
-  packed_.assign(frame_start).append(run);
-  if (ZSTD_findFrameCompressedSize(packed_.data(), packed_.size()) != packed_.size()) return false;
-  return ZSTD_decompress_usingDDict(context_.get(), symbols.data(), symbols.size(), packed_.data(),
-                                    packed_.size(), dictionaries_[kind].get()) == symbols.size();
+  return ZSTD_decompress_usingDDict(context_.get(), symbols.data(), symbols.size(), run.data(),
+                                    run.size(), dictionaries_[kind].get()) == symbols.size();
 }
 
 }  // namespace ribbon

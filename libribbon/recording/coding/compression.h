@@ -8,7 +8,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "recording/coding/bytes.h"
 
 struct ZSTD_CCtx_s;
 struct ZSTD_DCtx_s;
@@ -50,13 +51,11 @@ class Decompressor {
   std::string content_;
 };
 
-struct FreeDictionary {
-  void operator()(ZSTD_DDict_s* dictionary) const;
-};
+// Entropy coding of runs of byte symbols: there are so many kinds (FORMAT.md, section 8.5), each
+// with a table that is known beforehand, which is taken where no other is much better.
+inline constexpr std::size_t symbol_kinds = 3;
 
-// Entropy coding of runs of byte symbols, of four kinds (FORMAT.md, section 8.5), with tables that
-// are known for each kind where no other is much better. Keeps its working memory between calls and
-// nothing else.
+// Keeps its working memory between calls and nothing else.
 class SymbolCompressor {
  public:
   SymbolCompressor();
@@ -65,10 +64,10 @@ class SymbolCompressor {
   void append(std::size_t kind, std::span<const unsigned char> symbols, std::string& to);
 
  private:
-  std::array<CompressionContext, 4> contexts_;  // of each kind
-  CompressionContext with_own_table_;
-  std::string packed_;
-  std::string other_;
+  std::string_view packed(std::size_t kind, std::span<const unsigned char> run);
+
+  std::array<CompressionContext, symbol_kinds + 1> contexts_;  // the last without a table
+  std::array<std::string, 2> packed_;
 };
 
 class SymbolDecompressor {
@@ -77,12 +76,14 @@ class SymbolDecompressor {
 
   // Takes a run of exactly as many symbols off the front of `from`; false where it does not begin
   // with such a run.
-  bool take(std::size_t kind, std::string_view& from, std::span<unsigned char> symbols);
+  bool take(std::size_t kind, ByteTaker& from, std::span<unsigned char> symbols);
 
  private:
+  struct FreeDictionary {
+    void operator()(ZSTD_DDict_s* dictionary) const;
+  };
   DecompressionContext context_;
-  std::array<std::unique_ptr<ZSTD_DDict_s, FreeDictionary>, 4> dictionaries_;  // of each kind
-  std::string packed_;
+  std::array<std::unique_ptr<ZSTD_DDict_s, FreeDictionary>, symbol_kinds> dictionaries_;
 };
 
 }  // namespace ribbon

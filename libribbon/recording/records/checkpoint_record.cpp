@@ -37,7 +37,11 @@ std::optional<CheckpointFields> parse_checkpoint_fields(std::string_view payload
   fields.recording_id = taker.take<std::uint32_t>();
   fields.frame = taker.take<std::uint32_t>();
   fields.steps = taker.take<std::uint64_t>();
-  if (payload.size() < fields_bytes) return std::nullopt;
+  fields.state_bytes = taker.take<std::uint64_t>();
+  fields.state_checksum = taker.take<std::uint32_t>();
+  fields.state_at = taker.take<std::uint32_t>();
+  if (!taker.complete() || fields.state_at < fields_bytes || fields.state_at > payload.size())
+    return std::nullopt;
   return fields;
 }
 
@@ -45,18 +49,13 @@ std::optional<Checkpoint> parse_checkpoint_payload(std::string_view payload,
                                                    std::uint32_t recording_id,
                                                    const RibbonGrid& grid) {
   const auto fields = parse_checkpoint_fields(payload);
-  if (!fields || fields->recording_id != recording_id) return std::nullopt;
-  ByteTaker taker(payload.substr(16));
-  const auto state_bytes = taker.take<std::uint64_t>();
-  const auto state_checksum = taker.take<std::uint32_t>();
-  const auto state_at = taker.take<std::uint32_t>();
-  if (state_bytes > largest_state_bytes(grid) || state_at < fields_bytes ||
-      state_at > payload.size())
+  if (!fields || fields->recording_id != recording_id ||
+      fields->state_bytes > largest_state_bytes(grid))
     return std::nullopt;
   Decompressor decompressor;
-  const auto state =
-      decompressor.decompress(payload.substr(state_at), static_cast<std::size_t>(state_bytes));
-  if (!state || state->size() != state_bytes || checksum(*state) != state_checksum)
+  const auto state = decompressor.decompress(payload.substr(fields->state_at),
+                                             static_cast<std::size_t>(fields->state_bytes));
+  if (!state || state->size() != fields->state_bytes || checksum(*state) != fields->state_checksum)
     return std::nullopt;
   return Checkpoint{fields->frame, fields->steps, std::string(*state)};
 }

@@ -23,6 +23,9 @@ struct CheckpointFields {
   std::uint32_t recording_id = 0;
   std::uint32_t frame = 0;  // from 0
   std::uint64_t steps = 0;  // simulation steps done
+  std::uint64_t state_bytes = 0;
+  std::uint32_t state_checksum = 0;
+  std::uint32_t state_at = 0;  // where in the payload the compressed state begins
 };
 std::optional<CheckpointFields> parse_checkpoint_fields(std::string_view payload);
 

@@ -2,45 +2,16 @@
 
 #include <algorithm>
 
-#include "recording/coding/block.h"
 #include "recording/coding/bytes.h"
+#include "recording/coding/table.h"
 
 namespace ribbon {
 
 namespace {
 
-constexpr std::size_t row_bytes = 28;
-
-std::string table(const std::vector<IndexLocation>& indices) {
-  std::string bytes;
-  bytes.reserve(indices.size() * row_bytes);
-  for (const IndexLocation& index : indices) put<std::uint64_t>(bytes, index.offset);
-  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.record_bytes);
-  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.lowest_frame);
-  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.highest_frame);
-  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.frames);
-  for (const IndexLocation& index : indices) put<std::uint32_t>(bytes, index.others);
-  return bytes;
-}
-
-void parse_table(std::string_view bytes, std::vector<IndexLocation>& indices) {
-  ByteTaker taker(bytes);
-  for (IndexLocation& index : indices) index.offset = taker.take<std::uint64_t>();
-  for (IndexLocation& index : indices) index.record_bytes = taker.take<std::uint32_t>();
-  for (IndexLocation& index : indices) index.lowest_frame = taker.take<std::uint32_t>();
-  for (IndexLocation& index : indices) index.highest_frame = taker.take<std::uint32_t>();
-  for (IndexLocation& index : indices) index.frames = taker.take<std::uint32_t>();
-  for (IndexLocation& index : indices) index.others = taker.take<std::uint32_t>();
-}
-
-bool lies_before(const IndexLocation& index, std::uint64_t offset) {
-  return index.offset <= offset && index.record_bytes >= record_head_bytes &&
-         index.record_bytes <= offset - index.offset && index.lowest_frame <= index.highest_frame;
-}
-
-bool has_frames_within(const IndexLocation& index, std::uint32_t frames) {
-  return index.frames == 0 || index.highest_frame < frames;
-}
+constexpr std::tuple index_columns{&IndexLocation::offset,       &IndexLocation::record_bytes,
+                                   &IndexLocation::lowest_frame, &IndexLocation::highest_frame,
+                                   &IndexLocation::frames,       &IndexLocation::others};
 
 }  // namespace
 
@@ -65,7 +36,7 @@ std::string directory_payload(std::uint32_t recording_id, const Directory& direc
   put<std::uint8_t>(bytes, static_cast<std::uint8_t>(directory.ending));
   for (int i = 0; i < 3; ++i) put<std::uint8_t>(bytes, 0);
   put<std::uint32_t>(bytes, static_cast<std::uint32_t>(directory.indices.size()));
-  put_block(bytes, table(directory.indices));
+  put_table(bytes, directory.indices, index_columns);
   return bytes;
 }
 
@@ -82,17 +53,15 @@ std::optional<Directory> parse_directory_payload(std::string_view payload,
   taker.take_bytes(3);
   const auto count = taker.take<std::uint32_t>();
   if (!taker.complete() || id != recording_id || directory.frames > most_frames(offset) ||
-      count > offset / record_head_bytes)
+      count > offset / record_head_bytes ||
+      !take_table(taker, count, directory.indices, index_columns))
     return std::nullopt;
-  const auto content = take_table(taker, count, row_bytes);
-  if (!content) return std::nullopt;
-  directory.indices.resize(count);
-  parse_table(*content, directory.indices);
-  const bool valid = std::all_of(
-      directory.indices.begin(), directory.indices.end(), [&](const IndexLocation& index) {
-        return lies_before(index, offset) && has_frames_within(index, directory.frames);
-      });
-  return valid ? std::optional(std::move(directory)) : std::nullopt;
+  for (const IndexLocation& index : directory.indices)
+    if (!lies_before(offset, index.offset, index.record_bytes) ||
+        index.lowest_frame > index.highest_frame ||
+        (index.frames > 0 && index.highest_frame >= directory.frames))
+      return std::nullopt;
+  return directory;
 }
 
 std::string footer_payload(std::uint32_t recording_id, std::uint64_t directory_offset) {

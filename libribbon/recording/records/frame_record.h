@@ -9,18 +9,17 @@
 
 #include "recording/codec/quantised_frame.h"
 #include "recording/records/recording.h"
-#include "recording/records/reference_list.h"
 
 namespace ribbon {
 
-// Before references and tightness.
+// Before reference and tightness.
 inline constexpr std::size_t frame_fields_bytes = 40;
 
 struct FrameRecord {
   std::uint32_t recording_id = 0;
   std::uint32_t frame = 0;  // from 0
   FrameEncoding encoding{};
-  ReferenceList references = {};
+  std::optional<std::uint32_t> reference = std::nullopt;  // number of a frame
   FrameNumbers numbers = {};
   std::string_view geometry = {};  // borrowed
 
@@ -29,8 +28,8 @@ struct FrameRecord {
 
 std::string frame_payload(const FrameRecord& record);
 
-// Borrows the geometry from `payload`. Nothing where the payload is too short, the encoding is
-// unknown or the references are too many.
+// Borrows the geometry from `payload`. Nothing where the payload is too short or the encoding
+// is unknown.
 std::optional<FrameRecord> parse_frame_payload(std::string_view payload);
 
 }  // namespace ribbon

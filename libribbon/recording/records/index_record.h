@@ -27,11 +27,11 @@ inline std::uint64_t most_frames(std::uint64_t bytes) {
 }
 
 struct IndexedFrame {
-  std::uint32_t frame = 0;         // from 0
-  std::uint32_t record_bytes = 0;  // head and payload
-  std::uint64_t offset = 0;        // of the record in the file
-  ReferenceList references;
-  FrameNumbers numbers;
+  std::uint32_t frame = 0;                                // from 0
+  std::uint32_t record_bytes = 0;                         // head and payload
+  std::uint64_t offset = 0;                               // of the record in the file
+  std::optional<std::uint32_t> reference = std::nullopt;  // number of a frame
+  FrameNumbers numbers = {};
 
   bool operator==(const IndexedFrame&) const = default;
 };

@@ -29,6 +29,11 @@ struct RecordHead {
   std::uint32_t payload_checksum = 0;
 };
 
+// May a record of so many bytes lie at `offset`, wholly before `limit`?
+inline bool lies_before(std::uint64_t limit, std::uint64_t offset, std::uint64_t record_bytes) {
+  return offset <= limit && record_bytes >= record_head_bytes && record_bytes <= limit - offset;
+}
+
 // A whole record: head and payload.
 std::string make_record(RecordType type, std::string_view payload);
 

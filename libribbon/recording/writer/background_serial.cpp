@@ -10,9 +10,8 @@ BackgroundWriter::BackgroundWriter(RecordingWriter writer)
 
 BackgroundWriter::~BackgroundWriter() = default;
 
-void BackgroundWriter::add(Task task, Clock::time_point called) {
+void BackgroundWriter::add(Task task) {
   if (problem_) note(task(writer_));
-  figures_.blocked_s += std::chrono::duration<double>(Clock::now() - called).count();
 }
 
 void BackgroundWriter::end() {}

@@ -19,16 +19,13 @@ BackgroundWriter::~BackgroundWriter() {
   end();
 }
 
-void BackgroundWriter::add(Task task, Clock::time_point called) {
+void BackgroundWriter::add(Task task) {
   {
     const std::lock_guard lock(mutex_);
     queue_.push_back(std::move(task));
     figures_.longest_queue = std::max(figures_.longest_queue, queue_.size());
   }
   changed_.notify_one();
-  const double blocked_s = std::chrono::duration<double>(Clock::now() - called).count();
-  const std::lock_guard lock(mutex_);
-  figures_.blocked_s += blocked_s;
 }
 
 // The next task, once there is one; nothing when it is time to sync, or when all is done.

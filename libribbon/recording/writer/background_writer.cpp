@@ -12,21 +12,17 @@ void BackgroundWriter::note(Result<void> outcome) {
 }
 
 void BackgroundWriter::append(const FrameNumbers& numbers, const Eigen::Matrix3Xd& positions) {
-  const auto called = Clock::now();
-  add([numbers, positions](RecordingWriter& writer) { return writer.append(numbers, positions); },
-      called);
+  add([numbers, positions](RecordingWriter& writer) { return writer.append(numbers, positions); });
 }
 
 void BackgroundWriter::append_checkpoint(std::uint64_t steps, std::string state) {
-  const auto called = Clock::now();
-  add([steps, state = std::move(state)](
-          RecordingWriter& writer) { return writer.append_checkpoint(steps, state); },
-      called);
+  add([steps, state = std::move(state)](RecordingWriter& writer) {
+    return writer.append_checkpoint(steps, state);
+  });
 }
 
 void BackgroundWriter::append_session(const SessionNote& note) {
-  const auto called = Clock::now();
-  add([note](RecordingWriter& writer) { return writer.append_session(note); }, called);
+  add([note](RecordingWriter& writer) { return writer.append_session(note); });
 }
 
 Result<void> BackgroundWriter::problem() const {

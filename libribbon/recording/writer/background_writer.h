@@ -19,7 +19,6 @@ namespace ribbon {
 
 // What writing beside the simulation has taken so far.
 struct BackgroundFigures {
-  double blocked_s = 0;           // the simulation's wall time in calls, but for finish()
   WriterFigures writer;           // wall time of the writing thread
   std::size_t longest_queue = 0;  // frames that waited at the same time, at most
 };
@@ -54,7 +53,7 @@ class BackgroundWriter {
   using Clock = std::chrono::steady_clock;
   using Task = std::function<Result<void>(RecordingWriter&)>;
 
-  void add(Task task, Clock::time_point called);
+  void add(Task task);
   std::optional<Task> next(std::optional<Clock::time_point> sync_at);
   void run();
   void note(Result<void> outcome);

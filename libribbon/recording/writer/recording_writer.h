@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,11 +13,19 @@
 #include "recording/records/frame_record.h"
 #include "recording/records/record_head.h"
 #include "recording/records/recording.h"
-#include "recording/writer/index_builder.h"
 #include "recording/writer/record_file.h"
 #include "result/result.h"
 
 namespace ribbon {
+
+// Frames come in groups of so many, the first of which is a key frame. Longer groups are smaller
+// and slower to seek in.
+inline constexpr std::uint32_t group_frames = 20;
+
+// What a frame is predicted from: the one before it in its group. Numbers are from 0.
+inline std::optional<std::uint32_t> reference_of(std::uint32_t frame) {
+  return frame % group_frames == 0 ? std::nullopt : std::optional(frame - 1);
+}
 
 // A frame as it will be decoded.
 struct DecodedFrame {
@@ -24,14 +33,15 @@ struct DecodedFrame {
   QuantisedFrame quantised;
 };
 
-// What a writer must know of a recording to go on with it.
+// What a writer must know of a recording to go on with it, and keeps up to date.
 struct RecordedSoFar {
   RecordingHeader header;
   std::uint32_t recording_id = 0;
   std::uint32_t frames = 0;                 // one more than the highest frame number
   std::vector<IndexLocation> indices = {};  // the index records that are there
   Index not_indexed = {};                   // what lies in the file and in none of them
-  std::vector<DecodedFrame> recent = {};    // those that the next frame may be predicted from
+  // What the next frame may be predicted from, where it is at hand.
+  std::optional<DecodedFrame> last = std::nullopt;
 };
 
 // Wall time that a writer has taken so far.
@@ -62,7 +72,7 @@ class RecordingWriter {
   // The next frame as it was decoded from a recording with the same quantisation step.
   Result<void> append(const FrameNumbers& numbers, QuantisedFrame quantised);
 
-  // A frame of any number that was encoded by others; its references were appended before. The
+  // A frame of any number that was encoded by others; its reference was appended before. The
   // recording id is that of this recording whatever `frame` says.
   Result<void> append_encoded(FrameRecord frame);
 
@@ -80,31 +90,23 @@ class RecordingWriter {
   // still complete: readers then scan.
   Result<void> finish(RunEnding ending = RunEnding::unknown);
 
-  [[nodiscard]] const RecordingHeader& header() const { return header_; }
-  [[nodiscard]] std::uint32_t recording_id() const { return recording_id_; }
+  [[nodiscard]] const RecordingHeader& header() const { return so_far_.header; }
+  [[nodiscard]] std::uint32_t recording_id() const { return so_far_.recording_id; }
   [[nodiscard]] std::uint64_t bytes_written() const { return file_.size(); }  // the file's size
   // Since the recording began, lost ones included.
-  [[nodiscard]] std::uint32_t frames_written() const { return frames_; }
+  [[nodiscard]] std::uint32_t frames_written() const { return so_far_.frames; }
   [[nodiscard]] WriterFigures figures() const { return figures_; }
 
  private:
   Result<void> write(std::string_view records);
   Result<void> write_index();
   Result<void> write_other(RecordType type, std::uint32_t frame, std::string_view payload);
-  Result<QuantisedFrame> rounded(const Eigen::Matrix3Xd& positions);
-  [[nodiscard]] const QuantisedFrame* recent(std::uint32_t frame) const;
-  EncodedFrame encode(QuantisedFrame quantised, ReferenceList& references);
-  void remember(QuantisedFrame quantised);
 
   RecordFile file_;
-  RecordingHeader header_;
-  std::uint32_t recording_id_ = 0;
-  std::uint32_t frames_ = 0;         // one more than the highest frame number
+  RecordedSoFar so_far_;
   std::uint32_t last_frame_ = 0;     // appended last
   std::uint32_t synced_frames_ = 0;  // how many are known to be on the disk
-  IndexBuilder index_;
   PositionEncoder encoder_;
-  std::vector<DecodedFrame> recent_;  // what the next frame may be predicted from
   WriterFigures figures_;
 };
 

@@ -11,7 +11,7 @@
 
 #include "geometry/ribbon_grid.h"
 #include "recording/records/recording.h"
-#include "recording/writer/references.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 

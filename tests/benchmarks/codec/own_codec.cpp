@@ -5,7 +5,7 @@
 
 #include "recording/codec/position_decoder.h"
 #include "recording/codec/position_encoder.h"
-#include "recording/writer/references.h"
+#include "recording/writer/recording_writer.h"
 
 namespace ribbon {
 
@@ -36,9 +36,10 @@ class OwnCodec : public FrameCodec {
   std::size_t encode() override {
     std::size_t bytes = 0;
     for (std::uint32_t frame = 0; frame < encoded_.size(); ++frame) {
-      const auto references = frames_of(
-          references_of(frame), [this](std::uint32_t other) { return &encoded_[other].frame; });
-      encoded_[frame] = encoder_.encode(positions_[frame], references).value();
+      const auto reference = reference_of(frame);
+      encoded_[frame] =
+          encoder_.encode(positions_[frame], reference ? &encoded_[*reference].frame : nullptr)
+              .value();
       bytes += encoded_[frame].geometry.size();
     }
     return bytes;
@@ -46,10 +47,10 @@ class OwnCodec : public FrameCodec {
 
   void decode() override {
     for (std::uint32_t frame = 0; frame < encoded_.size(); ++frame) {
-      const auto references = frames_of(
-          references_of(frame), [this](std::uint32_t other) { return &decoded_frames_[other]; });
+      const auto reference = reference_of(frame);
       [[maybe_unused]] const bool is_valid = decoder_.decode(
-          encoded_[frame].encoding, encoded_[frame].geometry, references, decoded_frames_[frame]);
+          encoded_[frame].encoding, encoded_[frame].geometry,
+          reference ? &decoded_frames_[*reference] : nullptr, decoded_frames_[frame]);
       assert(is_valid);
       decoded_frames_[frame].positions(decoded_positions_[frame]);
     }

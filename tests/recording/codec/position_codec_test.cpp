@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -13,7 +12,7 @@
 #include "recording/codec/position_decoder.h"
 #include "recording/codec/position_encoder.h"
 #include "recording/sample_recording.h"
-#include "recording/writer/references.h"
+#include "recording/writer/recording_writer.h"
 #include "result/refusal.h"
 
 namespace ribbon::position_codec_test {
@@ -24,7 +23,7 @@ CodecParameters parameters(const RibbonGrid& grid, double max_error_m, double re
   return {grid, quantisation_step_m(max_error_m, reach_m)};
 }
 
-// Encodes and decodes frames as the live profile does.
+// Encodes and decodes frames as a writer does.
 class RoundTrip {
  public:
   RoundTrip(const CodecParameters& codec, double max_error_m)
@@ -32,15 +31,15 @@ class RoundTrip {
 
   // Every coordinate must keep the bound. Returns the geometry.
   EncodedFrame take(const Eigen::Matrix3Xd& truth) {
-    const auto references = frames_of(references_of(static_cast<std::uint32_t>(decoded_.size())),
-                                      [this](std::uint32_t k) { return &decoded_[k]; });
-    auto encoded = encoder_.encode(truth, references);
+    const auto before = reference_of(static_cast<std::uint32_t>(decoded_.size()));
+    const QuantisedFrame* reference = before ? &decoded_[*before] : nullptr;
+    auto encoded = encoder_.encode(truth, reference);
     if (!encoded) {
       ADD_FAILURE() << encoded.error().sentence();
       return {};
     }
     QuantisedFrame frame;
-    EXPECT_TRUE(decoder_.decode(encoded->encoding, encoded->geometry, references, frame));
+    EXPECT_TRUE(decoder_.decode(encoded->encoding, encoded->geometry, reference, frame));
     Eigen::Matrix3Xf positions;
     frame.positions(positions);
     EXPECT_LE((positions.cast<double>() - truth).cwiseAbs().maxCoeff(), max_error_m_)
@@ -170,14 +169,14 @@ TEST(PositionCodec, far_from_the_origin_rounding_counts_towards_the_bound) {
   EXPECT_EQ(round_trip(codec, bound_m, frames)[0], FrameEncoding::quantised);
 }
 
-TEST(PositionCodec, frames_beyond_the_reach_of_quantised_positions_are_plain) {
+TEST(PositionCodec, frames_beyond_the_reach_of_quantised_positions_are_exact) {
   std::vector<Eigen::Matrix3Xd> frames = sample_frames(5);
   for (std::size_t frame = 1; frame < 3; ++frame) frames[frame].array() += 1000;
   const auto encodings = round_trip(parameters(sample_grid, 3.2e-5, 1), 3.2e-5, frames);
   ASSERT_EQ(encodings.size(), 5U);
   EXPECT_EQ(encodings[0], FrameEncoding::quantised);
-  EXPECT_EQ(encodings[1], FrameEncoding::plain);
-  EXPECT_EQ(encodings[2], FrameEncoding::plain);
+  EXPECT_EQ(encodings[1], FrameEncoding::exact);
+  EXPECT_EQ(encodings[2], FrameEncoding::exact);
   EXPECT_EQ(encodings[3], FrameEncoding::quantised);
 }
 
@@ -201,9 +200,9 @@ TEST(PositionCodec, what_single_precision_cannot_hold_is_refused) {
   PositionEncoder encoder(parameters(sample_grid, bound_m, 1), bound_m);
   Eigen::Matrix3Xd positions = sample_positions(0);
   positions.array() += 10'000;
-  EXPECT_THAT(refusal_of(encoder.encode(positions, {})), HasSubstr("max_position_error"));
+  EXPECT_THAT(refusal_of(encoder.encode(positions, nullptr)), HasSubstr("max_position_error"));
   positions.setConstant(1e300);
-  EXPECT_FALSE(encoder.encode(positions, {}).has_value());
+  EXPECT_FALSE(encoder.encode(positions, nullptr).has_value());
 }
 
 TEST(PositionCodec, a_position_that_is_not_finite_is_refused_by_name) {
@@ -212,7 +211,7 @@ TEST(PositionCodec, a_position_that_is_not_finite_is_refused_by_name) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Eigen::Matrix3Xd positions = sample_positions(1);
     positions(2, 6 * 17 + 4) = bad;
-    EXPECT_THAT(refusal_of(encoder.encode(positions, {})),
+    EXPECT_THAT(refusal_of(encoder.encode(positions, nullptr)),
                 HasSubstr("particle 17 along, 4 across"));
   }
 }
@@ -224,20 +223,16 @@ TEST(PositionCodec, what_was_coded_before_does_not_matter) {
     PositionEncoder encoder(codec, bound_m);
     PositionDecoder decoder(codec);
     std::vector<EncodedFrame> frames;
-    std::vector<std::array<const QuantisedFrame*, 2>> references;
+    std::vector<const QuantisedFrame*> references;
     frames.reserve(12);
     for (unsigned seed = 0; seed < 12; ++seed) {
-      const bool first = seed < 2;
-      references.push_back(
-          {first ? nullptr : &frames[seed - 1].frame, first ? nullptr : &frames[seed - 2].frame});
+      references.push_back(seed < 2 ? nullptr : &frames[seed - 1].frame);
       frames.push_back(
-          std::move(*encoder.encode(noise(grid.particle_count(), 1, seed),
-                                    std::span(references.back()).first(first ? 0 : 2))));
+          std::move(*encoder.encode(noise(grid.particle_count(), 1, seed), references.back())));
     }
     for (std::size_t k : {11U, 2U, 7U, 0U, 3U, 9U, 1U}) {
       QuantisedFrame decoded;
-      const auto used = std::span(references[k]).first(k < 2 ? 0 : 2);
-      ASSERT_TRUE(decoder.decode(frames[k].encoding, frames[k].geometry, used, decoded));
+      ASSERT_TRUE(decoder.decode(frames[k].encoding, frames[k].geometry, references[k], decoded));
       Eigen::Matrix3Xf positions;
       Eigen::Matrix3Xf expected;
       decoded.positions(positions);
@@ -245,7 +240,7 @@ TEST(PositionCodec, what_was_coded_before_does_not_matter) {
       EXPECT_EQ(positions, expected) << grid.along << " x " << grid.across << ", frame " << k;
       const auto again =
           PositionEncoder(codec, bound_m)
-              .encode(noise(grid.particle_count(), 1, static_cast<unsigned>(k)), used);
+              .encode(noise(grid.particle_count(), 1, static_cast<unsigned>(k)), references[k]);
       EXPECT_EQ(again->geometry, frames[k].geometry);
     }
   }
@@ -259,19 +254,18 @@ TEST(PositionCodec, damaged_geometry_does_no_harm) {
   const EncodedFrame key = trip.take(noise(15, 1, 1));
   const EncodedFrame delta = trip.take(noise(15, 1, 2));
   PositionDecoder decoder(codec);
-  const QuantisedFrame* reference = &key.frame;
   QuantisedFrame decoded;
   Eigen::Matrix3Xf positions;
   for (const bool predicted : {false, true}) {
     const EncodedFrame& frame = predicted ? delta : key;
-    const std::span references(&reference, predicted ? 1 : 0);
+    const QuantisedFrame* reference = predicted ? &key.frame : nullptr;
     for (std::size_t at = 0; at < frame.geometry.size(); ++at) {
       for (int bit = 0; bit < 8; ++bit)
-        if (decoder.decode(frame.encoding, flipped(frame.geometry, at, 1 << bit), references,
+        if (decoder.decode(frame.encoding, flipped(frame.geometry, at, 1 << bit), reference,
                            decoded))
           decoded.positions(positions);
       ASSERT_FALSE(
-          decoder.decode(frame.encoding, frame.geometry.substr(0, at), references, decoded));
+          decoder.decode(frame.encoding, frame.geometry.substr(0, at), reference, decoded));
     }
   }
 }

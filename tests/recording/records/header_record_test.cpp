@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
-#include "recording/coding/block.h"
 #include "recording/coding/bytes.h"
+#include "recording/coding/compression.h"
 #include "recording/sample_recording.h"
 #include "result/refusal.h"
 
@@ -82,16 +82,25 @@ RecordingHeader without_curve() {
   return header;
 }
 
-// What stands last in the header of a sample: the count of the marks, then a byte each for the part
-// and the widths of rows. Before it the count of the stages, before that the curve, which is a
-// count where there is none, and before that the limit of strain: a byte and a number.
+// So many columns of a matrix, each of so many numbers.
+std::string columns(std::uint32_t count, const std::string& numbers) {
+  std::string bytes;
+  put<std::uint32_t>(bytes, count);
+  put_string(bytes, Compressor().compress(numbers));
+  return bytes;
+}
+
+// What stands last in the header of a sample: the count of the marks, a byte for the part, and no
+// widths of rows. Before it the count of the stages, before that the curve, and before that the
+// limit of strain: a byte and a number.
 constexpr std::size_t count_bytes = 4;
 constexpr std::size_t limit_bytes = 9;
-constexpr std::size_t marks_bytes = count_bytes + 2;
+const std::size_t no_columns_bytes = columns(0, "").size();
+const std::size_t marks_bytes = count_bytes + 1 + no_columns_bytes;
 
 TEST(HeaderRecord, bits_of_edges_that_later_versions_limit_are_ignored) {
   std::string payload = header_payload(without_curve());
-  payload[payload.size() - marks_bytes - 2 * count_bytes - limit_bytes] = '\xFB';
+  payload[payload.size() - marks_bytes - count_bytes - no_columns_bytes - limit_bytes] = '\xFB';
   EXPECT_EQ(parse_header_payload(payload)->limited_edges, sample_header().limited_edges);
 }
 
@@ -105,7 +114,7 @@ TEST(HeaderRecord, a_recording_need_not_tell_its_curve) {
 bool is_taken_with_curve_points(std::uint32_t count) {
   const std::string with_curve = header_payload(sample_header());
   const std::size_t count_at =
-      header_payload(without_curve()).size() - marks_bytes - 2 * count_bytes;
+      header_payload(without_curve()).size() - marks_bytes - count_bytes - no_columns_bytes;
   std::string bytes;
   put<std::uint32_t>(bytes, count);
   return parse_header_payload(std::string(with_curve).replace(count_at, count_bytes, bytes))
@@ -120,11 +129,12 @@ TEST(HeaderRecord, curve_points_that_are_not_there_are_refused) {
 
 TEST(HeaderRecord, a_curve_of_a_single_point_is_none) {
   std::string payload = header_payload(without_curve());
-  payload.resize(payload.size() - marks_bytes - 2 * count_bytes);
-  put<std::uint32_t>(payload, 1);
-  put_block(payload, std::string(3 * sizeof(float), '\0'));
-  payload += std::string(count_bytes + marks_bytes, '\0');
-  EXPECT_FALSE(parse_header_payload(payload).has_value());
+  const std::string rest = payload.substr(payload.size() - marks_bytes - count_bytes);
+  payload.resize(payload.size() - rest.size() - no_columns_bytes);
+  for (const std::uint32_t points : {2U, 1U}) {
+    const std::string curve = columns(points, std::string(points * 3 * sizeof(float), '\0'));
+    EXPECT_EQ(parse_header_payload(payload + curve + rest).has_value(), points == 2);
+  }
 }
 
 TEST(HeaderRecord, stages_come_back_but_not_more_than_a_byte_counts) {
@@ -201,14 +211,13 @@ TEST(HeaderRecord, row_widths_that_are_none_or_not_of_the_ribbon_are_refused) {
 TEST(HeaderRecord, more_or_fewer_row_widths_than_rows_are_refused) {
   const RecordingHeader header = with_row_widths();
   std::string before = header_payload(sample_header());
-  before.back() = '\1';
+  before.resize(before.size() - no_columns_bytes);
   for (const int surplus : {-1, 0, 1}) {
     std::string widths;
     for (int row = 0; row < header.grid.along + surplus; ++row)
       put<float>(widths, static_cast<float>(header.ribbon_width_m));
-    std::string payload = before;
-    put_block(payload, widths);
-    EXPECT_EQ(parse_header_payload(payload).has_value(), surplus == 0) << surplus;
+    const auto count = static_cast<std::uint32_t>(header.grid.along + surplus);
+    EXPECT_EQ(parse_header_payload(before + columns(count, widths)).has_value(), surplus == 0);
   }
 }
 
@@ -218,10 +227,10 @@ TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
   payload[2] = 4;
   EXPECT_EQ(
       refusal_of(parse_header_payload(payload)),
-      "was written in format version 2.4 by tests 1.0, this program reads version 6; use that "
+      "was written in format version 2.4 by tests 1.0, this program reads version 7; use that "
       "program, or record it again");
   EXPECT_EQ(refusal_of(parse_header_payload(payload.substr(0, 20))),
-            "was written in format version 2.4, this program reads version 6; record it again");
+            "was written in format version 2.4, this program reads version 7; record it again");
 }
 
 TEST(HeaderRecord, the_origin_comes_back) {

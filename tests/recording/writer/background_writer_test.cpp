@@ -34,7 +34,6 @@ TEST(BackgroundWriter, it_writes_what_a_writer_in_the_foreground_does) {
     ASSERT_TRUE(background.finish(RunEnding::tight).has_value());
     EXPECT_EQ(background.bytes_written(), std::filesystem::file_size(path));
     const BackgroundFigures figures = background.figures();
-    EXPECT_GT(figures.blocked_s, 0);
     EXPECT_GT(figures.writer.encoding_s, 0);
     EXPECT_GT(figures.writer.writing_s, 0);
     EXPECT_GT(figures.writer.syncing_s, 0);

@@ -153,22 +153,27 @@ TEST(RecordingWriter, a_state_that_no_reader_would_take_is_refused) {
   EXPECT_TRUE(writer->append_checkpoint(1, std::string(240 * 4096 + (1 << 20), 'x')));
 }
 
+TEST(RecordingWriter, a_frame_is_predicted_from_the_one_before_it_in_its_group) {
+  EXPECT_EQ(reference_of(group_frames + 7), group_frames + 6);
+  EXPECT_EQ(reference_of(0), std::nullopt);
+  EXPECT_EQ(reference_of(1), 0U);
+  EXPECT_EQ(reference_of(group_frames), std::nullopt);
+}
+
 TEST(RecordingWriter, frames_encoded_by_others_may_come_in_any_order) {
   const auto path = temporary_file("any order.rbn");
   const RecordingHeader header = sample_header();
   PositionEncoder encoder(codec_parameters(header), header.max_position_error_m);
   std::vector<QuantisedFrame> frames(5);
-  const std::vector<std::vector<std::uint32_t>> references = {{}, {0, 2}, {0, 4}, {2, 4}, {0}};
+  const std::vector<std::optional<std::uint32_t>> references = {{}, 2, 4, 2, 0};
   {
     auto writer = RecordingWriter::create(path, header);
     for (const std::uint32_t frame : {0U, 4U, 2U, 1U, 3U}) {
-      std::vector<const QuantisedFrame*> needed;
-      FrameRecord record{.frame = frame, .numbers = sample_numbers(static_cast<int>(frame))};
-      for (const std::uint32_t reference : references[frame]) {
-        record.references.push_back(reference);
-        needed.push_back(&frames[reference]);
-      }
-      auto encoded = encoder.encode(sample_positions(static_cast<int>(frame)), needed);
+      FrameRecord record{.frame = frame,
+                         .reference = references[frame],
+                         .numbers = sample_numbers(static_cast<int>(frame))};
+      auto encoded = encoder.encode(sample_positions(static_cast<int>(frame)),
+                                    record.reference ? &frames[*record.reference] : nullptr);
       record.encoding = encoded->encoding;
       record.geometry = encoded->geometry;
       ASSERT_TRUE(writer->append_encoded(record).has_value());

@@ -1,14 +1,8 @@
-#include "recording/coding/block.h"
-
-#include "recording/coding/compression.h"
+#include "recording/coding/table.h"
 
 namespace ribbon {
 
-void put_block(std::string& bytes, std::string_view content) {
-  put_string(bytes, Compressor().compress(content));
-}
-
-std::optional<std::string> take_table(ByteTaker& taker, std::size_t rows, std::size_t row_bytes) {
+std::optional<std::string> take_columns(ByteTaker& taker, std::size_t rows, std::size_t row_bytes) {
   constexpr std::size_t largest_row_bytes = 1024;
   const auto compressed = taker.take_bytes(taker.take<std::uint32_t>());
   Decompressor decompressor;
