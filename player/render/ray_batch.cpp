@@ -28,17 +28,18 @@ void list_one_by_one(const std::uint8_t* marks, std::uint8_t mark, std::size_t c
   constexpr __mmask16 all = 0xFFFF;  // GCC warns of what the form without it leaves undefined
   const __m512i step = _mm512_set1_epi32(16);
   __m512i numbers = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  list.count = 0;
+  std::size_t listed_count = 0;  // not read anew after each store
   for (std::size_t first = 0; first < count; first += 16) {
     const __m128i some = _mm_loadu_si128(reinterpret_cast<const __m128i*>(marks + first));
     __mmask16 listed = _mm_cmpeq_epi8_mask(some, wanted);
     if (count - first < 16) listed &= static_cast<__mmask16>((1U << (count - first)) - 1);
     _mm256_storeu_si256(
-        reinterpret_cast<__m256i*>(list.lanes.data() + list.count),
+        reinterpret_cast<__m256i*>(list.lanes.data() + listed_count),
         _mm512_maskz_cvtepi32_epi16(all, _mm512_maskz_compress_epi32(listed, numbers)));
-    list.count += static_cast<std::size_t>(__builtin_popcount(listed));
+    listed_count += static_cast<std::size_t>(__builtin_popcount(listed));
     numbers = _mm512_add_epi32(numbers, step);
   }
+  list.count = listed_count;
 }
 #endif
 

@@ -112,26 +112,25 @@ void fill(const RayBatch& rays, std::size_t begin, RTCRay16& packet, Valid& vali
   std::fill_n(packet.flags, packet_size, 0U);
 }
 
-// What is the same of all rays. Embree only reads it, but does not say so.
-struct SameOfAll {
-  Lanes<float> zero{};
-  Lanes<unsigned> zero_bits{};
-  Lanes<unsigned> all_bits = [] {
-    Lanes<unsigned> bits;
-    bits.fill(~0U);
-    return bits;
-  }();
-};
-
 // The rays as they lie, from their origin to without end; `reach` is filled and becomes shorter.
+// Where a stream has no numbers Embree takes those of any ray: from its beginning, at no time, with
+// no mask and no flags.
 RTCRayNp stream_of(const RayBatch& rays, Lanes<float>& reach) {
-  static SameOfAll same;
   std::fill_n(reach.begin(), rays.count, std::numeric_limits<float>::infinity());
+  // Embree only reads them, but does not say so.
   const auto numbers = [](const Lanes<float>& lanes) { return const_cast<float*>(lanes.data()); };
-  return {numbers(rays.origin.x),    numbers(rays.origin.y),    numbers(rays.origin.z),
-          same.zero.data(),          numbers(rays.direction.x), numbers(rays.direction.y),
-          numbers(rays.direction.z), same.zero.data(),          reach.data(),
-          same.all_bits.data(),      same.zero_bits.data(),     same.zero_bits.data()};
+  return {numbers(rays.origin.x),
+          numbers(rays.origin.y),
+          numbers(rays.origin.z),
+          nullptr,
+          numbers(rays.direction.x),
+          numbers(rays.direction.y),
+          numbers(rays.direction.z),
+          nullptr,
+          reach.data(),
+          nullptr,
+          nullptr,
+          nullptr};
 }
 
 RTCIntersectContext new_context(Coherence coherence) {
@@ -239,20 +238,17 @@ void RayScene::set_ribbon(const HitSurface& ribbon) {
 void RayScene::first_hits(const RayBatch& rays, Coherence coherence, HitBatch& hits) const {
   if (log_ != nullptr) log_->add(first_hit_question(coherence), rays);
   RTCIntersectContext context = new_context(coherence);
-  VectorLanes normals;
   Lanes<unsigned> geometries;
-  Lanes<unsigned> instances;
   std::fill_n(geometries.begin(), rays.count, RTC_INVALID_GEOMETRY_ID);
-  std::fill_n(instances.begin(), rays.count, RTC_INVALID_GEOMETRY_ID);
   RTCRayHitNp stream{stream_of(rays, hits.distance),
-                     {normals.x.data(),
-                      normals.y.data(),
-                      normals.z.data(),
+                     {nullptr,  // nobody asks for facets' normals
+                      nullptr,
+                      nullptr,
                       hits.u.data(),
                       hits.v.data(),
                       hits.triangle.data(),
                       geometries.data(),
-                      {instances.data()}}};
+                      {nullptr}}};
   rtcIntersectNp(state_->scene.get(), &context, &stream, static_cast<unsigned>(rays.count));
   vectorised([&]() RIBBON_INLINED {
     const std::size_t end = filled_up(rays.count);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "parallel/vector_loop.h"
+#include "player/render/lane_vector.h"
 
 namespace ribbon {
 
@@ -12,9 +13,9 @@ namespace {
 
 // Of light, in squared 8-bit levels where the picture shows `mean`; sRGB is near enough to a square
 // root here.
-float in_levels(float square, float mean) {
+[[gnu::always_inline]] inline float in_levels(float square, float mean) {
   constexpr float darkest = 0.002F;
-  return 127.5F * 127.5F * square / std::max(mean, darkest);
+  return 127.5F * 127.5F * square / (mean < darkest ? darkest : mean);
 }
 
 std::bitset<tile_pixels> those_of(const std::array<float, tile_pixels>& worth, float least) {
@@ -40,21 +41,31 @@ void TileNoise::begin(int width, int height) {
     numbers->fill(0);
 }
 
-void TileNoise::update(int column, int row, float samples, float luminance,
-                       float squared_luminance) {
-  const std::size_t place = place_in_tile(column, row);
-  const float mean = luminance / samples;
-  const float half_difference = mean - mean_[place];
-  const float squared_error = in_levels(half_difference * half_difference, mean);
-  const float spread = std::max(0.0F, squared_luminance / samples - mean * mean);
-  const float variance = in_levels(spread / std::max(samples - 1, 1.0F), mean);
-  samples_[place] = samples;
-  mean_[place] = mean;
-  squared_error_[place] = squared_error;
-  variance_[place] = variance;
+void TileNoise::update(const std::array<Eigen::Array4f, tile_pixels>& light,
+                       const std::array<float, tile_pixels>& squared_light) {
   // The halves tell more, but that those of few samples agree may be chance.
   constexpr float trust_in_halves = 0.8F;
-  likely_error_[place] = trust_in_halves * squared_error + (1 - trust_in_halves) * variance;
+  const float* const numbers = light.front().data();
+  vectorised([&]() RIBBON_INLINED {
+    RIBBON_EACH_LANE
+    for (std::size_t place = 0; place < tile_pixels; ++place) {
+      const float samples = numbers[4 * place + 3];
+      const float mean =
+          luminance({numbers[4 * place], numbers[4 * place + 1], numbers[4 * place + 2]}) / samples;
+      const float half_difference = mean - mean_[place];
+      const float squared_error = in_levels(half_difference * half_difference, mean);
+      const float spread = squared_light[place] / samples - mean * mean;
+      const float variance =
+          in_levels((spread < 0 ? 0 : spread) / (samples < 2 ? 1 : samples - 1), mean);
+      const float likely_error = trust_in_halves * squared_error + (1 - trust_in_halves) * variance;
+      const bool has_more = samples != samples_[place];
+      samples_[place] = samples;
+      mean_[place] = has_more ? mean : mean_[place];
+      squared_error_[place] = has_more ? squared_error : squared_error_[place];
+      variance_[place] = has_more ? variance : variance_[place];
+      likely_error_[place] = has_more ? likely_error : likely_error_[place];
+    }
+  });
 }
 
 float TileNoise::error() const {

@@ -1,6 +1,7 @@
 // How noisy a tile still is, and where more samples help most.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <bitset>
 #include <cstddef>
@@ -25,9 +26,10 @@ class TileNoise {
  public:
   // A tile of which so many columns and rows lie in the picture; no samples yet.
   void begin(int width, int height);
-  // A pixel has its first samples, or twice as many as before: how many there are, the sums of
-  // their luminance and of its square.
-  void update(int column, int row, float samples, float luminance, float squared_luminance);
+  // Some pixels have their first samples, or twice as many as before: sums over all samples of each
+  // pixel, of their light, whose fourth number counts them, and of its luminance's square.
+  void update(const std::array<Eigen::Array4f, tile_pixels>& light,
+              const std::array<float, tile_pixels>& squared_light);
 
   // Estimated error of the tile, in 8-bit levels: root of the mean square over its pixels. Wants
   // every pixel to have been updated twice.

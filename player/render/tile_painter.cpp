@@ -11,34 +11,14 @@ namespace ribbon {
 
 namespace {
 
-// The places of a tile in small blocks, whose rays travel together.
-constexpr std::array<std::uint16_t, tile_pixels> block_order = [] {
-  constexpr int block_side = 4;
-  std::array<std::uint16_t, tile_pixels> order{};
-  std::size_t count = 0;
-  for (int top = 0; top < tile_side; top += block_side)
-    for (int left = 0; left < tile_side; left += block_side)
-      for (int row = top; row < top + block_side; ++row)
-        for (int column = left; column < left + block_side; ++column)
-          order[count++] = static_cast<std::uint16_t>(place_in_tile(column, row));
-  return order;
-}();
-
-// The same as numbers of a column and a row of the tile.
-constexpr auto block_columns = [] {
-  std::array<float, tile_pixels> columns{};
-  for (std::size_t i = 0; i < tile_pixels; ++i)
-    columns[i] = static_cast<float>(block_order[i] % tile_side);
-  return columns;
-}();
-constexpr auto block_rows = [] {
-  std::array<float, tile_pixels> rows{};
-  for (std::size_t i = 0; i < tile_pixels; ++i) {
-    const int row = block_order[i] / tile_side;
-    rows[i] = static_cast<float>(row);
-  }
-  return rows;
-}();
+// Pixels of a tile are gone through in small blocks, whose rays travel together: pixel `number` of
+// that order has this place in the tile.
+[[gnu::always_inline]] constexpr std::uint32_t place_in_blocks(std::uint32_t number) {
+  static_assert(tile_side == 16, "four blocks of four");
+  const std::uint32_t column = (number & 3U) | (number >> 2U & 12U);
+  const std::uint32_t row = (number >> 2U & 3U) | (number >> 4U & 12U);
+  return row * tile_side + column;
+}
 
 // Light from all sides mixes what it comes from: a pattern there would only be noise.
 constexpr float bounce_spread = 0.5F;
@@ -92,21 +72,19 @@ void TilePainter::paint(int left, int top) {
       if (!whole) wanting_.set(place);
     }
   if (!s_.quality.is_adaptive()) {
-    if (s_.quality.samples == 1 && wanting_.all())
-      sample_all_once();
-    else
-      sample_wanting(s_.quality.samples);
+    sample_evenly(0, s_.quality.samples);
     return;
   }
   noise_.begin(width_, height_);
   const int first = s_.quality.samples / 2;
-  sample_wanting(first);
-  estimate_noise();
-  do {
+  sample_evenly(0, first);
+  noise_.update(sums_.shown(), sums_.squared_light());
+  sample_evenly(first, first);
+  noise_.update(sums_.shown(), sums_.squared_light());
+  for (wanting_ = worth_more(); wanting_.any(); wanting_ = worth_more()) {
     sample_wanting(first);
-    estimate_noise();
-    wanting_ = worth_more();
-  } while (wanting_.any());
+    noise_.update(sums_.shown(), sums_.squared_light());
+  }
 }
 
 // The pixels that are to get twice the samples that they have.
@@ -118,35 +96,70 @@ std::bitset<tile_pixels> TilePainter::worth_more() const {
   return noise_.most_worth_doubling(quality.most_samples);
 }
 
-// What sample_wanting(1) does, all at a time.
-void TilePainter::sample_all_once() {
-  static_assert(batch_size == tile_pixels);
-  const Eigen::Vector2f& offset = s_.rays.offset(0);
-  vectorised([&]() RIBBON_INLINED {
-    const auto left = static_cast<float>(left_);
-    const auto top = static_cast<float>(top_);
-    RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < batch_size; ++i) {
-      place_x_[i] = offset.x() + (left + block_columns[i]);
-      place_y_[i] = offset.y() + (top + block_rows[i]);
-      samples_.place[i] = block_order[i];
-      samples_.number[i] = 0;
-    }
-  });
+// All pixels, which have `taken` samples, get `more`.
+void TilePainter::sample_evenly(int taken, int more) {
+  const auto each = static_cast<std::uint32_t>(more);
+  if (wanting_.all() && register_lanes % each == 0)
+    sample_whole_tile(static_cast<std::uint32_t>(taken), each);
+  else
+    sample_wanting(more);
+}
+
+// Each register holds all new samples of some pixels.
+void TilePainter::sample_whole_tile(std::uint32_t taken, std::uint32_t each) {
+  const std::uint32_t pixels_at_once = register_lanes / each;
+  std::array<std::uint32_t, register_lanes> pixels;  // from the register's first pixel
+  std::array<std::uint32_t, register_lanes> numbers;
+  std::array<float, register_lanes> offsets_x;
+  std::array<float, register_lanes> offsets_y;
+  for (std::uint32_t lane = 0; lane < register_lanes; ++lane) {
+    pixels[lane] = lane / each;
+    numbers[lane] = taken + lane % each;
+    offsets_x[lane] = s_.rays.offset(numbers[lane]).x();
+    offsets_y[lane] = s_.rays.offset(numbers[lane]).y();
+  }
   asking_.fill(true);
-  sample_count_ = batch_size;
-  finish_batch();
+  const auto pixels_a_batch = static_cast<std::uint32_t>(batch_size / each);
+  for (std::uint32_t begin = 0; begin < tile_pixels; begin += pixels_a_batch) {
+    vectorised([&]() RIBBON_INLINED {
+      const auto left = static_cast<float>(left_);
+      const auto top = static_cast<float>(top_);
+      std::uint32_t first_pixel = begin;
+      for (std::size_t first = 0; first < batch_size; first += register_lanes) {
+        float* const place_x = &place_x_[first];
+        float* const place_y = &place_y_[first];
+        std::uint32_t* const places = &samples_.place[first];
+        std::uint32_t* const sample_numbers = &samples_.number[first];
+        RIBBON_EACH_LANE
+        RIBBON_EACH_LANE_OF_A_FEW
+        for (std::size_t lane = 0; lane < register_lanes; ++lane) {
+          const std::uint32_t place = place_in_blocks(first_pixel + pixels[lane]);
+          const auto column = static_cast<float>(static_cast<int>(place % tile_side));
+          const auto row = static_cast<float>(static_cast<int>(place / tile_side));
+          place_x[lane] = offsets_x[lane] + (left + column);
+          place_y[lane] = offsets_y[lane] + (top + row);
+          places[lane] = place;
+          sample_numbers[lane] = numbers[lane];
+        }
+        first_pixel += pixels_at_once;
+      }
+    });
+    sample_count_ = batch_size;
+    finish_batch();
+  }
 }
 
 void TilePainter::sample_wanting(int first_samples) {
-  for (const std::size_t place : block_order)
+  for (std::uint32_t number = 0; number < tile_pixels; ++number) {
+    const std::size_t place = place_in_blocks(number);
     if (wanting_[place]) sample_again(place, first_samples);
+  }
   finish_batch();
 }
 
 // Its first samples, or as many again.
 void TilePainter::sample_again(std::size_t place, int first_samples) {
-  const float samples = sums_.shown(place)[3];
+  const float samples = sums_.shown()[place][3];
   const auto taken = static_cast<std::uint32_t>(samples);
   const std::uint32_t end = taken == 0 ? static_cast<std::uint32_t>(first_samples) : 2 * taken;
   // Smoothing does the rest where there is a surface to smooth.
@@ -154,25 +167,24 @@ void TilePainter::sample_again(std::size_t place, int first_samples) {
                    !sums_.surface(place).saw_one_surface(samples);
   const auto x = static_cast<float>(left_ + static_cast<int>(place % tile_side));
   const auto y = static_cast<float>(top_ + static_cast<int>(place / tile_side));
-  for (std::uint32_t number = taken; number < end; ++number) {
-    const Eigen::Vector2f& offset = s_.rays.offset(number);
-    place_x_[sample_count_] = offset.x() + x;
-    place_y_[sample_count_] = offset.y() + y;
-    samples_.place[sample_count_] = static_cast<std::uint32_t>(place);
-    samples_.number[sample_count_] = number;
-    if (++sample_count_ == batch_size) finish_batch();
-  }
-}
-
-void TilePainter::estimate_noise() {
-  for (int row = 0; row < height_; ++row)
-    for (int column = 0; column < width_; ++column) {
-      const std::size_t place = place_in_tile(column, row);
-      if (!wanting_[place]) continue;
-      const Eigen::Array4f& light = sums_.shown(place);
-      noise_.update(column, row, light[3], luminance({light[0], light[1], light[2]}),
-                    sums_.squared_light(place));
+  for (std::uint32_t number = taken; number < end;) {
+    const std::size_t room = batch_size - sample_count_;
+    const std::size_t count = std::min<std::size_t>(end - number, room);
+    float* const place_x = &place_x_[sample_count_];
+    float* const place_y = &place_y_[sample_count_];
+    std::uint32_t* const places = &samples_.place[sample_count_];
+    std::uint32_t* const numbers = &samples_.number[sample_count_];
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector2f& offset = s_.rays.offset(number + i);
+      place_x[i] = offset.x() + x;
+      place_y[i] = offset.y() + y;
+      places[i] = static_cast<std::uint32_t>(place);
+      numbers[i] = number + static_cast<std::uint32_t>(i);
     }
+    number += static_cast<std::uint32_t>(count);
+    sample_count_ += count;
+    if (sample_count_ == batch_size) finish_batch();
+  }
 }
 
 void TilePainter::finish_batch() {

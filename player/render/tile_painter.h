@@ -40,7 +40,7 @@ class TilePainter {
 
   // Sums over the samples of a pixel: of its light; the fourth number counts them.
   [[nodiscard]] const Eigen::Array4f& shown(int column, int row) const {
-    return sums_.shown(place_in_tile(column, row));
+    return sums_.shown()[place_in_tile(column, row)];
   }
   [[nodiscard]] const SurfaceSums& surface(int column, int row) const {
     return sums_.surface(place_in_tile(column, row));
@@ -58,10 +58,10 @@ class TilePainter {
     // Lanes from `first` on become those of `others` that are listed.
     void set(std::size_t first, const Samples& others, const LaneList& list);
   };
-  void sample_all_once();
+  void sample_evenly(int taken, int more);
+  void sample_whole_tile(std::uint32_t taken, std::uint32_t each);
   void sample_wanting(int first_samples);
   void sample_again(std::size_t place, int first_samples);
-  void estimate_noise();
   [[nodiscard]] std::bitset<tile_pixels> worth_more() const;
   void finish_batch();
   void sort_hits();

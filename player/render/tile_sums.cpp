@@ -49,23 +49,28 @@ void TileSums::add(const SeenBatch& seen) {
     }
   });
   if (is_single_) {
-    lay_together(shown, 1.0F, count);
-    for (std::size_t i = 0; i < count; ++i) shown_[seen.places[i]] = together_[i];
+    lay_together(shown, 1.0F, count, together_[of_shown]);
+    for (std::size_t i = 0; i < count; ++i) shown_[seen.places[i]] = together_[of_shown][i];
     return;
   }
   find_runs(seen);
-  if (is_adaptive_) {
-    add_runs(seen, shown, squared_light,
-             [this](std::size_t place, float samples, Eigen::Array4f sum) {
-               squared_light_[place] += sum[3];
-               sum[3] = samples;
-               shown_[place] += sum;
-             });
+  if (is_adaptive_)
+    lay_together(shown, squared_light, count, together_[of_shown]);
+  else
+    lay_together(shown, 1.0F, count, together_[of_shown]);
+  if (smooth_sky_) {
+    const auto lay = [&](Summed what, const VectorLanes& numbers) {
+      lay_together(numbers, 0.0F, count, together_[what]);
+    };
+    lay(of_direct, direct);
+    lay(of_albedo, seen.surfaces.albedo);
+    lay(of_sky, seen.skylight);
+    lay(of_normal, seen.surfaces.normal);
+    lay(of_position, seen.surfaces.position);
+    add_runs<summed_count>(seen);
   } else {
-    add_runs(seen, shown, 1.0F,
-             [this](std::size_t place, float, const Eigen::Array4f& sum) { shown_[place] += sum; });
+    add_runs<1>(seen);
   }
-  if (smooth_sky_) add_surfaces(seen, direct);
 }
 
 void TileSums::find_runs(const SeenBatch& seen) {
@@ -76,65 +81,59 @@ void TileSums::find_runs(const SeenBatch& seen) {
   vectorised([&]() RIBBON_INLINED {
     RIBBON_EACH_LANE
     for (std::size_t i = 1; i < count; ++i)
-      begins[i] = places[i] != places[i - 1] || body[i] != body[i - 1] ? 1 : 0;
+      begins[i] = (places[i] != places[i - 1]) | (body[i] != body[i - 1]) ? 1 : 0;
   });
   begins[0] = 1;
   list_marked(begins.data(), 1, count, runs_);
 }
 
-// The numbers of each lane become those of together_, with `fourth` behind them.
+// The numbers of each lane become those of `together`, with `fourth` behind them.
 template <class Fourth>
-void TileSums::lay_together(const VectorLanes& numbers, const Fourth& fourth, std::size_t count) {
-  float* const together = together_.front().data();
+void TileSums::lay_together(const VectorLanes& numbers, const Fourth& fourth, std::size_t count,
+                            Lanes<Eigen::Array4f>& together) {
+  float* const to = together.front().data();
   vectorised([&]() RIBBON_INLINED {
     const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
     for (std::size_t i = 0; i < end; ++i) {
-      together[4 * i] = numbers.x[i];
-      together[4 * i + 1] = numbers.y[i];
-      together[4 * i + 2] = numbers.z[i];
-      together[4 * i + 3] = fourth_of(fourth, i);
+      to[4 * i] = numbers.x[i];
+      to[4 * i + 1] = numbers.y[i];
+      to[4 * i + 2] = numbers.z[i];
+      to[4 * i + 3] = fourth_of(fourth, i);
     }
   });
 }
 
-// Calls take(place of the pixel, number of lanes, sum of their numbers) for each run, where the
-// fourth number of each lane is `fourth`.
-template <class Fourth, class Take>
-void TileSums::add_runs(const SeenBatch& seen, const VectorLanes& numbers, const Fourth& fourth,
-                        const Take& take) {
-  lay_together(numbers, fourth, seen.surfaces.count);
+// Adds the first `kinds` of what is summed, all in one round: where runs end nobody can foretell.
+template <std::size_t kinds>
+void TileSums::add_runs(const SeenBatch& seen) {
   runs_.lanes[runs_.count] = static_cast<std::uint16_t>(seen.surfaces.count);
   for (std::size_t r = 0; r < runs_.count; ++r) {
     const std::size_t begin = runs_.lanes[r];
     const std::size_t end = runs_.lanes[r + 1];
-    Eigen::Array4f of_run = together_[begin];
-    for (std::size_t i = begin + 1; i < end; ++i) of_run += together_[i];
-    take(seen.places[begin], static_cast<float>(end - begin), of_run);
-  }
-}
-
-void TileSums::add_surfaces(const SeenBatch& seen, const VectorLanes& direct) {
-  constexpr float none = 0;
-  const auto add = [&](const VectorLanes& numbers, Eigen::Array4f SurfaceSums::*to) {
-    add_runs(seen, numbers, none, [this, to](std::size_t place, float, const Eigen::Array4f& sum) {
-      surfaces_[place].*to += sum;
-    });
-  };
-  add(direct, &SurfaceSums::direct);
-  add(seen.surfaces.albedo, &SurfaceSums::albedo);
-  add(seen.surfaces.normal, &SurfaceSums::normal);
-  add(seen.surfaces.position, &SurfaceSums::position);
-  add_runs(seen, seen.skylight, none,
-           [&](std::size_t place, float samples, const Eigen::Array4f& sum) {
-             if (!seen.has_skylight[place]) return;
-             surfaces_[place].sky += sum;
-             surfaces_[place].normal[3] += samples;
-           });
-  for (std::size_t r = 0; r < runs_.count; ++r) {
-    const std::size_t begin = runs_.lanes[r];
-    samples_of_body(seen.surfaces.body[begin], surfaces_[seen.places[begin]]) +=
-        static_cast<float>(runs_.lanes[r + 1] - begin);
+    std::array<Eigen::Array4f, kinds> sums;
+    for (std::size_t k = 0; k < kinds; ++k) sums[k] = together_[k][begin];
+    for (std::size_t i = begin + 1; i < end; ++i)
+      for (std::size_t k = 0; k < kinds; ++k) sums[k] += together_[k][i];
+    const auto samples = static_cast<float>(end - begin);
+    const std::size_t place = seen.places[begin];
+    if (is_adaptive_) {
+      squared_light_[place] += sums[of_shown][3];
+      sums[of_shown][3] = samples;
+    }
+    shown_[place] += sums[of_shown];
+    if constexpr (kinds == summed_count) {
+      SurfaceSums& of_pixel = surfaces_[place];
+      of_pixel.direct += sums[of_direct];
+      of_pixel.albedo += sums[of_albedo];
+      of_pixel.normal += sums[of_normal];
+      of_pixel.position += sums[of_position];
+      if (seen.has_skylight[place]) {
+        of_pixel.sky += sums[of_sky];
+        of_pixel.normal[3] += samples;
+      }
+      samples_of_body(seen.surfaces.body[begin], of_pixel) += samples;
+    }
   }
 }
 

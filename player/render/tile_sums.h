@@ -62,20 +62,32 @@ class TileSums {
   void add(const SeenBatch& seen);
 
   // Of a pixel's light; the fourth number counts samples.
-  [[nodiscard]] const Eigen::Array4f& shown(std::size_t place) const { return shown_[place]; }
+  [[nodiscard]] const std::array<Eigen::Array4f, tile_pixels>& shown() const { return shown_; }
   // Only where the sky is to be smoothed.
   [[nodiscard]] const SurfaceSums& surface(std::size_t place) const { return surfaces_[place]; }
   // Of the luminance; only where pixels may get more samples than others.
-  [[nodiscard]] float squared_light(std::size_t place) const { return squared_light_[place]; }
+  [[nodiscard]] const std::array<float, tile_pixels>& squared_light() const {
+    return squared_light_;
+  }
 
  private:
+  // What is added up: the first always, the others where the sky is to be smoothed.
+  enum Summed : std::size_t {
+    of_shown,
+    of_direct,
+    of_albedo,
+    of_sky,
+    of_normal,
+    of_position,
+    summed_count
+  };
+
   void find_runs(const SeenBatch& seen);
   template <class Fourth>
-  void lay_together(const VectorLanes& numbers, const Fourth& fourth, std::size_t count);
-  template <class Fourth, class Take>
-  void add_runs(const SeenBatch& seen, const VectorLanes& numbers, const Fourth& fourth,
-                const Take& take);
-  void add_surfaces(const SeenBatch& seen, const VectorLanes& direct);
+  static void lay_together(const VectorLanes& numbers, const Fourth& fourth, std::size_t count,
+                           Lanes<Eigen::Array4f>& together);
+  template <std::size_t kinds>
+  void add_runs(const SeenBatch& seen);
 
   bool smooth_sky_;
   bool is_adaptive_;
@@ -83,7 +95,8 @@ class TileSums {
   std::array<Eigen::Array4f, tile_pixels> shown_;
   std::array<SurfaceSums, tile_pixels> surfaces_;
   std::array<float, tile_pixels> squared_light_;
-  Lanes<Eigen::Array4f> together_;  // numbers of the lanes, those of each together
+  std::array<Lanes<Eigen::Array4f>, summed_count>
+      together_;   // numbers of the lanes, those of each together
   LaneList runs_;  // the first lane of each run of one pixel and one body; then the end
 };
 
