@@ -192,11 +192,10 @@ class PlainPackets {
 struct RayScene::State {
   explicit State(RibbonTree ribbon_tree) : tree(ribbon_tree) {
     if (!device) throw std::runtime_error("Embree cannot be started");
-    // Embree refits in dynamic scenes alone. Compact leaves hold numbers of vertices instead of
-    // copies of them, which take longer to renew than to look up for so few rays.
-    scene = new_scene(device.get(), tree == RibbonTree::refitted
-                                        ? RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_COMPACT
-                                        : RTC_SCENE_FLAG_NONE);
+    // Embree refits in dynamic scenes alone. Compact leaves, which hold numbers of vertices instead
+    // of copies of them, would be renewed sooner, but rays lose more than that.
+    scene = new_scene(device.get(),
+                      tree == RibbonTree::refitted ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
     rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);  // that of joining them
     rtcCommitScene(scene.get());
   }
