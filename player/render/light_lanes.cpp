@@ -35,16 +35,6 @@ void add_to(VectorLanes& lanes, std::size_t lane, const Color& light) {
   lanes.z[lane] += light[2];
 }
 
-void add_shares(const Lanes<float>& shares, const Color& light, std::size_t count,
-                VectorLanes& lanes) {
-  const LaneVector all = lane_vector(light);
-  vectorised([&]() RIBBON_INLINED {
-    const std::size_t end = filled_up(count);
-    RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < end; ++i) set_lane(lanes, i, lane_of(lanes, i) + shares[i] * all);
-  });
-}
-
 void add_sky_shares(const Lighting& lighting, const Lanes<float>& shares,
                     const VectorLanes& directions, std::size_t count, VectorLanes& lanes) {
   if (lighting.environment) {

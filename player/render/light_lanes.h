@@ -11,11 +11,7 @@ void clear(VectorLanes& lanes, std::size_t count);
 
 void add_to(VectorLanes& lanes, std::size_t lane, const Color& light);
 
-// Adds to each of `count` lanes its share of a light.
-void add_shares(const Lanes<float>& shares, const Color& light, std::size_t count,
-                VectorLanes& lanes);
-
-// The same of the light of the sky in the lane's direction.
+// Adds to each of `count` lanes its share of the light of the sky in the lane's direction.
 void add_sky_shares(const Lighting& lighting, const Lanes<float>& shares,
                     const VectorLanes& directions, std::size_t count, VectorLanes& lanes);
 

@@ -192,9 +192,8 @@ void TilePainter::finish_batch() {
   sample_count_ = 0;
   s_.scene.rays().first_hits(rays_, Coherence::similar, hits_);
   sort_hits();
-  clear(sunlight_, seen_.count);
+  find_sunlight(Pattern::sun, seen_, seen_samples_, sunlight_);
   clear(skylight_, seen_.count);
-  add_sunlight(Pattern::sun, seen_, seen_samples_, sunlight_);
   if (s_.quality.sky == SkyLight::bounced)
     add_bounced_skylight(skylight_);
   else
@@ -275,9 +274,18 @@ void TilePainter::send(const SurfaceBatch& surface, const Lanes<std::uint8_t>& w
   }
 }
 
+// Of each surface 1 where it sent a ray that is free_, else 0; valid until the next call.
+const Lanes<float>& TilePainter::of_surfaces(std::size_t count) {
+  if (light_rays_.count == count) return free_;
+  std::fill_n(free_of_surfaces_.begin(), count, 0.0F);
+  for (std::size_t r = 0, end = light_rays_.count; r < end; ++r)
+    free_of_surfaces_[asked_for_.lanes[r]] = free_[r];
+  return free_of_surfaces_;
+}
+
 // Light that the sun sends to each surface, as white cloth would show it.
-void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
-                               VectorLanes& light) {
+void TilePainter::find_sunlight(Pattern pattern, const SurfaceBatch& surface,
+                                const Samples& samples, VectorLanes& light) {
   look(pattern, samples, surface.count);
   to_sun(s_.lighting.sun_direction, s_.lighting.sun_radius, disc_x_, disc_y_, surface.count,
          towards_);
@@ -291,13 +299,14 @@ void TilePainter::add_sunlight(Pattern pattern, const SurfaceBatch& surface, con
   });
   send(surface, wanted);
   s_.scene.rays().unblocked(light_rays_, Coherence::similar, free_);
-  Lanes<float> shares;
-  std::fill_n(shares.begin(), surface.count, 0.0F);
-  for (std::size_t r = 0, count = light_rays_.count; r < count; ++r) {
-    const std::size_t i = asked_for_.lanes[r];
-    shares[i] = cosines[i] * free_[r];
-  }
-  add_shares(shares, s_.lighting.sun, surface.count, light);
+  const Lanes<float>& arrives = of_surfaces(surface.count);
+  const LaneVector sun = lane_vector(s_.lighting.sun);
+  vectorised([&]() RIBBON_INLINED {
+    const std::size_t end = filled_up(surface.count);
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < end; ++i)
+      set_lane(light, i, (arrives[i] > 0 ? cosines[i] : 0.0F) * sun);
+  });
 }
 
 // Of each surface one direction of the sky, as likely as its light counts.
@@ -347,8 +356,7 @@ void TilePainter::add_bounced_skylight(VectorLanes& light) {
   for (std::size_t i = 0; i < bounce_.count; ++i) shares[bounce_of_.lanes[i]] = -1;
   add_sky_shares(s_.lighting, shares, light_rays_.direction, seen_.count, light);
   VectorLanes received;
-  clear(received, bounce_.count);
-  add_sunlight(Pattern::sun_on_bounce, bounce_, bounce_samples_, received);
+  find_sunlight(Pattern::sun_on_bounce, bounce_, bounce_samples_, received);
   add_skylight(Pattern::sky_on_bounce, bounce_, bounce_samples_, 0, received);
   for (std::size_t i = 0; i < bounce_.count; ++i)
     add_to(light, bounce_of_.lanes[i], received.at(i).array() * bounce_.albedo.at(i).array());

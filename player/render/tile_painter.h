@@ -67,13 +67,14 @@ class TilePainter {
   void sort_hits();
   void add_ground();
   bool add_ground(std::size_t lane);
-  void add_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
-                    VectorLanes& light);
+  void find_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
+                     VectorLanes& light);
   void add_skylight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                     float returned, VectorLanes& light);
   void add_bounced_skylight(VectorLanes& light);
   void look(Pattern pattern, const Samples& samples, std::size_t count);
   void look_at_sky(Pattern pattern, const SurfaceBatch& surface, const Samples& samples);
+  [[nodiscard]] const Lanes<float>& of_surfaces(std::size_t count);
   void send(const SurfaceBatch& surface, const Lanes<std::uint8_t>& wanted);
 
   // What is aligned for vectors comes first, so that little is left empty between.
@@ -111,6 +112,7 @@ class TilePainter {
   Lanes<float> disc_x_;
   Lanes<float> disc_y_;
   Lanes<float> free_;
+  Lanes<float> free_of_surfaces_;
 };
 
 }  // namespace ribbon
