@@ -18,6 +18,11 @@ namespace {
   return 127.5F * 127.5F * square / (mean < darkest ? darkest : mean);
 }
 
+// How many of a row of `count` lie beside one or are it.
+int neighbours(int number, int count) {
+  return std::min(number + 1, count - 1) - std::max(number - 1, 0) + 1;
+}
+
 std::bitset<tile_pixels> those_of(const std::array<float, tile_pixels>& worth, float least) {
   constexpr std::size_t word_bits = 64;
   std::bitset<tile_pixels> pixels;
@@ -84,27 +89,30 @@ TileNoise::Numbers TileNoise::worth(const Numbers& squared_error, int most_sampl
   for (std::size_t row = 0; row < side; ++row)
     std::copy_n(squared_error.begin() + static_cast<std::ptrdiff_t>(row * side), side,
                 bordered.begin() + static_cast<std::ptrdiff_t>((row + 1) * pitch + 1));
+  std::array<float, side> columns{};  // of those around one pixel
+  for (int column = 0; column < tile_side; ++column)
+    columns[static_cast<std::size_t>(column)] = static_cast<float>(neighbours(column, width_));
   Numbers worth{};
   const auto most = static_cast<float>(most_samples);
-  for (int row = 0; row < height_; ++row) {
-    const int rows = std::min(row + 1, height_ - 1) - std::max(row - 1, 0) + 1;
-    const float* const above = &bordered[static_cast<std::size_t>(row) * pitch];
-    const float* const samples = &samples_[place_in_tile(0, row)];
-    float* const of_row = &worth[place_in_tile(0, row)];
-    vectorised([&]() RIBBON_INLINED {
+  vectorised([&]() RIBBON_INLINED {
+    for (int row = 0; row < height_; ++row) {
+      const auto rows = static_cast<float>(neighbours(row, height_));
+      const float* const above = &bordered[static_cast<std::size_t>(row) * pitch];
+      const float* const beside = above + pitch;
+      const float* const below = beside + pitch;
+      const float* const samples = &samples_[place_in_tile(0, row)];
+      float* const of_row = &worth[place_in_tile(0, row)];
       RIBBON_EACH_LANE
-      for (int column = 0; column < tile_side; ++column) {
-        float sum = 0;
-        for (std::size_t y = 0; y < 3; ++y)
-          for (std::size_t x = 0; x < 3; ++x)
-            sum += above[y * pitch + x + static_cast<std::size_t>(column)];
-        const int last = std::min(column + 1, width_ - 1);
-        const int count = rows * (last - std::max(column - 1, 0) + 1);
-        const bool may_have_more = column < width_ && 2 * samples[column] <= most;
-        of_row[column] = may_have_more ? sum / static_cast<float>(count) / samples[column] : 0.0F;
+      RIBBON_EACH_LANE_OF_A_FEW
+      for (std::size_t c = 0; c < side; ++c) {
+        const float sum = above[c] + above[c + 1] + above[c + 2] + beside[c] + beside[c + 1] +
+                          beside[c + 2] + below[c] + below[c + 1] + below[c + 2];
+        const float gain = sum / (rows * columns[c]) / samples[c];
+        const float doubled = samples[c] > 0 ? 2 * samples[c] : most + 1;
+        of_row[c] = doubled <= most ? gain : 0.0F;
       }
-    });
-  }
+    }
+  });
   return worth;
 }
 

@@ -293,19 +293,24 @@ void TilePainter::find_sunlight(Pattern pattern, const SurfaceBatch& surface,
   products(surface.normal, towards_, surface.count, cosines);
   Lanes<std::uint8_t> wanted;
   vectorised([&]() RIBBON_INLINED {
+    // Bytes that are stored may lie anywhere, as compilers see it.
+    const float* const cosine = cosines.data();
+    std::uint8_t* const marks = wanted.data();
     const std::size_t end = filled_up(surface.count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < end; ++i) wanted[i] = cosines[i] > 0 ? 1 : 0;
+    for (std::size_t i = 0; i < end; ++i) marks[i] = cosine[i] > 0 ? 1 : 0;
   });
   send(surface, wanted);
   s_.scene.rays().unblocked(light_rays_, Coherence::similar, free_);
-  const Lanes<float>& arrives = of_surfaces(surface.count);
+  const float* const arrives = of_surfaces(surface.count).data();
   const LaneVector sun = lane_vector(s_.lighting.sun);
   vectorised([&]() RIBBON_INLINED {
     const std::size_t end = filled_up(surface.count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < end; ++i)
-      set_lane(light, i, (arrives[i] > 0 ? cosines[i] : 0.0F) * sun);
+    for (std::size_t i = 0; i < end; ++i) {
+      const float facing = cosines[i] > 0 ? cosines[i] : 0.0F;
+      set_lane(light, i, facing * arrives[i] * sun);
+    }
   });
 }
 

@@ -31,21 +31,25 @@ void TileSums::clear() {
 void TileSums::add(const SeenBatch& seen) {
   VectorLanes direct;
   VectorLanes shown;
-  Lanes<float> squared_light;  // only where it is asked for
+  Lanes<float> squared_light;
   const std::size_t count = seen.surfaces.count;
-  const LaneVector even_sky = lane_vector(Color::Constant(0.5F));
+  // What smoothing takes away is no noise that takes samples.
+  const float sky_counts = smooth_sky_ ? 0.0F : 1.0F;
+  const float even_sky = 0.5F - 0.5F * sky_counts;
   vectorised([&]() RIBBON_INLINED {
     const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
     for (std::size_t i = 0; i < end; ++i) {
       const LaneVector albedo = lane_of(seen.surfaces.albedo, i);
       const LaneVector returned = albedo * lane_of(seen.sunlight, i);
-      // What smoothing takes away is no noise that takes samples.
-      const LaneVector sky = smooth_sky_ ? even_sky : lane_of(seen.skylight, i);
+      const LaneVector skylight = lane_of(seen.skylight, i);
+      const LaneVector sky = {even_sky + sky_counts * skylight.x,
+                              even_sky + sky_counts * skylight.y,
+                              even_sky + sky_counts * skylight.z};
       const LaneVector all = returned + albedo * sky;
       set_lane(shown, i, all);
-      if (smooth_sky_) set_lane(direct, i, returned);
-      if (is_adaptive_) squared_light[i] = luminance(all) * luminance(all);
+      set_lane(direct, i, returned);
+      squared_light[i] = luminance(all) * luminance(all);
     }
   });
   if (is_single_) {
@@ -75,13 +79,16 @@ void TileSums::add(const SeenBatch& seen) {
 
 void TileSums::find_runs(const SeenBatch& seen) {
   const std::size_t count = seen.surfaces.count;
-  const auto& places = seen.places;
-  const auto& body = seen.surfaces.body;
   Lanes<std::uint8_t> begins;
   vectorised([&]() RIBBON_INLINED {
+    // Bytes that are stored may lie anywhere, as compilers see it.
+    const std::uint32_t* const places = seen.places.data();
+    const Body* const body = seen.surfaces.body.data();
+    std::uint8_t* const marks = begins.data();
+    const std::size_t end = count;
     RIBBON_EACH_LANE
-    for (std::size_t i = 1; i < count; ++i)
-      begins[i] = (places[i] != places[i - 1]) | (body[i] != body[i - 1]) ? 1 : 0;
+    for (std::size_t i = 1; i < end; ++i)
+      marks[i] = (places[i] != places[i - 1]) | (body[i] != body[i - 1]) ? 1 : 0;
   });
   begins[0] = 1;
   list_marked(begins.data(), 1, count, runs_);
