@@ -6,16 +6,16 @@
 
 namespace ribbon {
 
-const std::vector<ContactConstraint>& ContactConstraints::find(
-    const ContactCandidates& /*candidates*/, const Bodies& /*bodies*/,
-    const PairDistances& /*distances*/, double /*reach_m*/,
-    const Eigen::Matrix3Xd& /*free_positions*/, const Eigen::Matrix3Xd& /*target*/) {
-  return found_;
-}
+void ContactConstraints::find(const ContactCandidates& /*candidates*/, const Bodies& /*bodies*/,
+                              const PairDistances& /*distances*/, double /*reach_m*/,
+                              const Eigen::Matrix3Xd& /*free_positions*/,
+                              const Eigen::Matrix3Xd& /*target*/) {}
 
-bool keep_apart(std::span<const ContactConstraint> /*constraints*/, double /*friction*/,
-                const Eigen::Matrix3Xd& /*before*/, const Bodies& /*bodies*/,
-                RowActivity& /*activity*/, Cloth& /*cloth*/) {
+void ContactConstraints::begin_sweeps() {}
+
+bool ContactConstraints::keep_apart(double /*friction*/, const Eigen::Matrix3Xd& /*before*/,
+                                    const Bodies& /*bodies*/, SweepActivity& /*activity*/,
+                                    Cloth& /*cloth*/) {
   return false;
 }
 

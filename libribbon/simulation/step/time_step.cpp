@@ -122,13 +122,13 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
   GatedMotion motion(gate_, cloth.positions, duration_s, bodies, clock_);
   expected_ = cloth.positions + duration_s * cloth.velocities;
   motion.detect(expected_);  // section 5.4
-  const auto& contacts = find_contacts(motion, expected_, bodies);
+  find_contacts(motion, expected_, bodies);
   hold_force(force, cloth);
   for (int part = 0; part < parts; ++part) {
     if (repulsion_.friction > 0) before_substep_ = cloth.positions;
     integrate_substep(cloth);  // section 5.3
     const bool is_last = part + 1 == parts;
-    correct_strain_and_contact(contacts, is_last ? most_sweeps_before_gate : sweeps_in_substep,
+    correct_strain_and_contact(is_last ? most_sweeps_before_gate : sweeps_in_substep,
                                before_substep_, bodies, cloth);  // cf. sections 5.4.2 and 5.5
   }
   return correct_with_gate(motion, bodies, cloth);
@@ -137,10 +137,10 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
 StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth) {
   StepReport report = pass_gate(motion, cloth);
   for (int round = 0; round < strain_correction_.most_rounds && report.is_over_limit; ++round) {
-    const auto& contacts = find_contacts(motion, cloth.positions, bodies);
-    shorten_loose_ends(contacts, cloth);
-    correct_strain_and_contact(contacts, strain_correction_.most_sweeps, motion.free_positions(),
-                               bodies, cloth);  // cf. section 5.5
+    find_contacts(motion, cloth.positions, bodies);
+    shorten_loose_ends(cloth);
+    correct_strain_and_contact(strain_correction_.most_sweeps, motion.free_positions(), bodies,
+                               cloth);  // cf. section 5.5
     const int truncated = report.truncated;
     report = pass_gate(motion, cloth);
     report.truncated = std::max(report.truncated, truncated);  // for section 5.6
@@ -206,32 +206,31 @@ void TimeStep::correct_strain(Cloth& cloth) {
   if (rounds > 0) cloth.velocities += (cloth.positions - before) / step_s_;
 }
 
-const std::vector<ContactConstraint>& TimeStep::find_contacts(const GatedMotion& motion,
-                                                              const Matrix3Xd& target,
-                                                              const Bodies& bodies) {
+void TimeStep::find_contacts(const GatedMotion& motion, const Matrix3Xd& target,
+                             const Bodies& bodies) {
   const StageTimer timer(clock_, StepStage::repulsion);
-  return contacts_.find(motion.candidates(), bodies, distances_, motion.reach_m(),
-                        motion.free_positions(), target);
+  contacts_.find(motion.candidates(), bodies, distances_, motion.reach_m(), motion.free_positions(),
+                 target);
 }
 
 // What sweeps have not let go is more than they can pass on.
-void TimeStep::shorten_loose_ends(std::span<const ContactConstraint> contacts, Cloth& cloth) {
+void TimeStep::shorten_loose_ends(Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
-  loose_rows_.break_at(contacts);
+  loose_rows_.break_at(contacts_.found());
   loose_rows_.shorten(cloth);
 }
 
 // Corrected alone, edges would be pressed into contact, and stretched again by it; so both are
 // satisfied in turn.
-void TimeStep::correct_strain_and_contact(std::span<const ContactConstraint> contacts,
-                                          int most_sweeps, const Matrix3Xd& before,
+void TimeStep::correct_strain_and_contact(int most_sweeps, const Matrix3Xd& before,
                                           const Bodies& bodies, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::strain_correction);
   activity_.reset();
+  contacts_.begin_sweeps();
   bool any = true;
   int sweeps = 0;
   for (; sweeps < most_sweeps && any; ++sweeps) {
-    any = keep_apart(contacts, repulsion_.friction, before, bodies, activity_, cloth);
+    any = contacts_.keep_apart(repulsion_.friction, before, bodies, activity_, cloth);
     any = strain_constraints_.tighten(activity_, cloth) || any;
   }
   clock_.count_sweeps(sweeps);
@@ -291,8 +290,8 @@ StepReport TimeStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth& clo
   if (contact_ == ContactMethod::paper) return correct_as_published(before, bodies, cloth);
   GatedMotion motion(gate_, before, step_s_, bodies, clock_);
   motion.detect(cloth.positions);
-  correct_strain_and_contact(find_contacts(motion, cloth.positions, bodies),
-                             strain_correction_.most_sweeps, before, bodies, cloth);
+  find_contacts(motion, cloth.positions, bodies);
+  correct_strain_and_contact(strain_correction_.most_sweeps, before, bodies, cloth);
   return correct_with_gate(motion, bodies, cloth);
 }
 

@@ -102,13 +102,11 @@ class TimeStep {
   bool repel(const std::vector<FeaturePair>& pairs, const Eigen::Matrix3Xd& before,
              const Bodies& bodies, Cloth& cloth);
   void correct_strain(Cloth& cloth);
-  const std::vector<ContactConstraint>& find_contacts(const GatedMotion& motion,
-                                                      const Eigen::Matrix3Xd& target,
-                                                      const Bodies& bodies);
-  void shorten_loose_ends(std::span<const ContactConstraint> contacts, Cloth& cloth);
-  void correct_strain_and_contact(std::span<const ContactConstraint> contacts, int most_sweeps,
-                                  const Eigen::Matrix3Xd& before, const Bodies& bodies,
-                                  Cloth& cloth);
+  void find_contacts(const GatedMotion& motion, const Eigen::Matrix3Xd& target,
+                     const Bodies& bodies);
+  void shorten_loose_ends(Cloth& cloth);
+  void correct_strain_and_contact(int most_sweeps, const Eigen::Matrix3Xd& before,
+                                  const Bodies& bodies, Cloth& cloth);
   StepReport pass_gate(GatedMotion& motion, Cloth& cloth);
   int truncate(GatedMotion& motion, Cloth& cloth);
   StepReport recover(Bodies& bodies, Cloth& cloth);
@@ -122,7 +120,7 @@ class TimeStep {
   StrainCorrectionScene strain_correction_;  // of the gate
   StrainConstraints strain_constraints_;
   RowChain loose_rows_;
-  RowActivity activity_;
+  SweepActivity activity_;
   ContactConstraints contacts_;
   Gate gate_;
   PublishedStrainCorrection published_correction_;

@@ -1,6 +1,7 @@
 #include "simulation/truncation/contact_constraints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "geometry/vectors.h"
@@ -20,6 +21,8 @@ constexpr double clear_of_truncation = 1.2;
 // Of what lacks to the activation distance: layers that were pressed together move apart gently.
 constexpr double opening = 0.2;
 constexpr double negligible_violation = 0.03;  // of a distance
+// Of a distance: more than rounding can take from how far something is and has travelled.
+constexpr double doubtful = 1e-6;
 
 // Where the closest points leave no direction, or nothing could move, one of distance 0, which is
 // always kept.
@@ -50,19 +53,22 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Bodies& bodies,
 
 }  // namespace
 
-const std::vector<ContactConstraint>& ContactConstraints::find(
-    const ContactCandidates& candidates, const Bodies& bodies, const PairDistances& distances,
-    double reach_m, const Matrix3Xd& free_positions, const Matrix3Xd& target) {
+void ContactConstraints::find(const ContactCandidates& candidates, const Bodies& bodies,
+                              const PairDistances& distances, double reach_m,
+                              const Matrix3Xd& free_positions, const Matrix3Xd& target) {
   const VertexPositions vertices = bodies.vertices(free_positions);
   displacement_ = target - free_positions;
   const std::vector<std::size_t>& near =
       approaching_.find(candidates, free_positions, displacement_, reach_m);
   found_.resize(near.size());
+  watches_.resize(near.size());
   parallel_ranges(near.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
       found_[i] = constraint_of(candidates.pairs[near[i]], bodies, vertices, distances, lightness_);
+      for (int k = 0; k < 4; ++k)
+        watches_[i].vertices[k] = std::min(found_[i].vertices[k], bodies.grid.particle_count());
+    }
   });
-  return found_;
 }
 
 namespace {
@@ -76,13 +82,6 @@ Vector3d between(const ContactConstraint& constraint, const Bodies& bodies, cons
     if (bodies.is_particle(constraint.vertices[k]))
       sum += constraint.weights[k] * of(constraint.vertices[k]);
   return sum;
-}
-
-bool is_resting(const ContactConstraint& constraint, const Bodies& bodies,
-                const RowActivity& activity) {
-  return std::all_of(constraint.vertices.begin(), constraint.vertices.end(), [&](int vertex) {
-    return !bodies.is_particle(vertex) || activity.is_resting(bodies.grid.row(vertex));
-  });
 }
 
 // How far a pair is to move apart, and what its velocity is to change by.
@@ -110,29 +109,37 @@ Response response(const ContactConstraint& constraint, double violation_m, doubl
 
 }  // namespace
 
-bool keep_apart(std::span<const ContactConstraint> constraints, double friction,
-                const Matrix3Xd& before, const Bodies& bodies, RowActivity& activity,
-                Cloth& cloth) {
+void ContactConstraints::begin_sweeps() {
+  for (Watch& watch : watches_) watch.kept_until_m = -1;
+}
+
+bool ContactConstraints::keep_apart(double friction, const Matrix3Xd& before, const Bodies& bodies,
+                                    SweepActivity& activity, Cloth& cloth) {
   const VertexPositions vertices = bodies.vertices(cloth.positions);
   bool any = false;
   activity.begin(contact_task);
-  for (const ContactConstraint& constraint : constraints) {
-    if (is_resting(constraint, bodies, activity)) continue;
+  const ContactConstraint* next = found_.data();
+  for (Watch& watch : watches_) {
+    const ContactConstraint& constraint = *next++;
+    const double travelled_m = activity.travelled_m(watch.vertices);
+    if (travelled_m <= watch.kept_until_m) continue;
     double distance_m = 0;
     for (int k = 0; k < 4; ++k)
       distance_m +=
           constraint.weights[k] * dot(constraint.normal, vertices[constraint.vertices[k]]);
     const double violation_m = constraint.distance_m - distance_m;
+    watch.kept_until_m = travelled_m - violation_m - doubtful * constraint.distance_m;
     if (violation_m <= 0) continue;
     any = any || violation_m > negligible_violation * constraint.distance_m;
     const auto [moved, accelerated] =
         response(constraint, violation_m, friction, before, bodies, cloth);
+    const double moved_m = length_of(moved);
     for (int k = 0; k < 4; ++k) {
       if (constraint.corrections[k] == 0) continue;
       const int particle = constraint.vertices[k];
       cloth.positions.col(particle) += constraint.corrections[k] * moved;
       cloth.velocities.col(particle) += constraint.corrections[k] * accelerated;
-      activity.move(bodies.grid.row(particle));
+      activity.move(particle, std::abs(constraint.corrections[k]) * moved_m);
     }
   }
   return any;

@@ -10,7 +10,7 @@
 #include "simulation/contact/pair_distances.h"
 #include "simulation/state/cloth.h"
 #include "simulation/truncation/contact_candidates.h"
-#include "simulation/truncation/row_activity.h"
+#include "simulation/truncation/sweep_activity.h"
 
 namespace ribbon {
 
@@ -24,7 +24,7 @@ struct ContactConstraint {
   double distance_m = 0;
 };
 
-// Keeps its memory.
+// And their sweeps. Keeps its memory.
 class ContactConstraints {
  public:
   // As Cloth has it.
@@ -34,26 +34,36 @@ class ContactConstraints {
   // nothing intersects, and `target` (3 x particles each): along the line between its closest
   // points in the free ones, contact shall not begin, or, where it has begun, open by a fifth of
   // what lacks.
-  const std::vector<ContactConstraint>& find(const ContactCandidates& candidates,
-                                             const Bodies& bodies, const PairDistances& distances,
-                                             double reach_m, const Eigen::Matrix3Xd& free_positions,
-                                             const Eigen::Matrix3Xd& target);
+  void find(const ContactCandidates& candidates, const Bodies& bodies,
+            const PairDistances& distances, double reach_m, const Eigen::Matrix3Xd& free_positions,
+            const Eigen::Matrix3Xd& target);
+  [[nodiscard]] const std::vector<ContactConstraint>& found() const { return found_; }
+
+  // None of the constraints has been looked at, and activity has been reset.
+  void begin_sweeps();
+
+  // One sweep: moves apart, in order and by momentum conservation, the pairs that do not keep their
+  // distance, and takes from them the speed at which they approach, so that kinetic energy never
+  // grows. What moves is told to `activity`, and pairs that kept their distance by more than their
+  // vertices have moved since are passed over. With `friction` (Coulomb's coefficient, >= 0;
+  // friction.h) what the contact points have slid over each other since `before` (3 x particles)
+  // and the speed at which they slide are reduced likewise. Was any distance violated by more than
+  // 3 % of it?
+  bool keep_apart(double friction, const Eigen::Matrix3Xd& before, const Bodies& bodies,
+                  SweepActivity& activity, Cloth& cloth);
 
  private:
+  // All that a sweep reads of most constraints.
+  struct Watch {
+    std::array<int, 4> vertices{};  // as SweepActivity numbers them
+    double kept_until_m = 0;        // until these have travelled so far together
+  };
+
   Eigen::ArrayXd lightness_;
   Eigen::Matrix3Xd displacement_;
   ApproachingPairs approaching_;
   std::vector<ContactConstraint> found_;
+  std::vector<Watch> watches_;  // of these
 };
-
-// One sweep: moves apart, in order and by momentum conservation, the pairs that do not keep their
-// distance, and takes from them the speed at which they approach, so that kinetic energy never
-// grows; their rows become active, and those whose rows all rest are passed over. With `friction`
-// (Coulomb's coefficient, >= 0; friction.h) what the contact points have slid over each other since
-// `before` (3 x particles) and the speed at which they slide are reduced likewise. Was any distance
-// violated by more than 3 % of it?
-bool keep_apart(std::span<const ContactConstraint> constraints, double friction,
-                const Eigen::Matrix3Xd& before, const Bodies& bodies, RowActivity& activity,
-                Cloth& cloth);
 
 }  // namespace ribbon

@@ -18,9 +18,14 @@ constexpr double over_relaxation = 1.5;
 constexpr double least_aim = 0.02;
 constexpr double recordable_strain = 0.99 * paper_strain_limit;
 
+struct Tightened {
+  double excess = 0;  // of the rest length, that there was
+  double by_m = 0;    // that each end has moved
+};
+
 // Moves the two ends of an edge that is too long or too short, and takes from them the speed at
-// which it becomes more so. By how much of its rest length was it?
-double tighten_edge(double limit, double rest_m, int a, int b, Cloth& cloth) {
+// which it becomes more so.
+Tightened tighten_edge(double limit, double rest_m, int a, int b, Cloth& cloth) {
   const Eigen::Vector3d apart = cloth.positions.col(b) - cloth.positions.col(a);
   const double length_m = length_of(apart);
   const double excess_m =
@@ -37,13 +42,13 @@ double tighten_edge(double limit, double rest_m, int a, int b, Cloth& cloth) {
     cloth.velocities.col(a) += 0.5 * worsening * correction;
     cloth.velocities.col(b) -= 0.5 * worsening * correction;
   }
-  return std::abs(excess_m) / rest_m;
+  return {std::abs(excess_m) / rest_m, 0.5 * std::abs(corrected_m)};
 }
 
 // Was any of them beyond its limit by more than is negligible?
 template <class RestLengths>
 bool tighten_all(const SpringFamily& family, double limit, const RestLengths& rest_m,
-                 const RibbonGrid& grid, RowActivity& activity, Cloth& cloth) {
+                 const RibbonGrid& grid, SweepActivity& activity, Cloth& cloth) {
   double worst = 0;
   for (int row = 0; row + family.rows < grid.along; ++row) {
     const int other_row = row + family.rows;
@@ -55,9 +60,10 @@ bool tighten_all(const SpringFamily& family, double limit, const RestLengths& re
       // A collapsed edge has no direction to grow in; its neighbours give it one.
       if ((squared >= shortest_m * shortest_m && squared <= longest_m * longest_m) || squared == 0)
         return;
-      worst = std::max(worst, tighten_edge(limit, rest_m(a), a, b, cloth));
-      activity.move(row);
-      activity.move(other_row);
+      const auto [excess, by_m] = tighten_edge(limit, rest_m(a), a, b, cloth);
+      worst = std::max(worst, excess);
+      activity.move(a, by_m);
+      activity.move(b, by_m);
     });
   }
   return worst > negligible_excess;
@@ -68,7 +74,7 @@ bool tighten_all(const SpringFamily& family, double limit, const RestLengths& re
 StrainConstraints::StrainConstraints(const RibbonGrid& grid, std::vector<LimitedFamily> families)
     : grid_(grid), families_(std::move(families)) {}
 
-bool StrainConstraints::tighten(RowActivity& activity, Cloth& cloth) const {
+bool StrainConstraints::tighten(SweepActivity& activity, Cloth& cloth) const {
   bool any = false;
   for (std::size_t i = 0; i < families_.size(); ++i) {
     activity.begin(first_family_task + i);

@@ -8,7 +8,7 @@
 
 #include "ribbon_mesh/springs.h"
 #include "simulation/state/cloth.h"
-#include "simulation/truncation/row_activity.h"
+#include "simulation/truncation/sweep_activity.h"
 
 namespace ribbon {
 
@@ -35,11 +35,11 @@ class StrainConstraints {
   // equal parts (over-relaxed, up to its rest length), and lose the speed at which it gets further
   // beyond, so that kinetic energy never grows; one family after the other; rows that rest are
   // passed over. Was any beyond it by more than 0.4 % of its length?
-  bool tighten(RowActivity& activity, Cloth& cloth) const;
+  bool tighten(SweepActivity& activity, Cloth& cloth) const;
 
-  // Of the rows at the beginning of some sweeps.
-  [[nodiscard]] RowActivity activity() const {
-    return {grid_.along, first_family_task + families_.size()};
+  // At the beginning of some sweeps.
+  [[nodiscard]] SweepActivity activity() const {
+    return {grid_, first_family_task + families_.size()};
   }
 
   [[nodiscard]] StrainExcess excess(const Eigen::Matrix3Xd& positions) const;

@@ -10,7 +10,7 @@ namespace ribbon::strain_constraints_test {
 using Eigen::Matrix3Xd;
 
 // Of a ribbon at rest.
-bool tighten(const StrainConstraints& constraints, RowActivity& activity, Matrix3Xd& positions) {
+bool tighten(const StrainConstraints& constraints, SweepActivity& activity, Matrix3Xd& positions) {
   Cloth cloth{positions, Matrix3Xd::Zero(3, positions.cols()), 1};
   const bool any = constraints.tighten(activity, cloth);
   positions = cloth.positions;
@@ -19,7 +19,7 @@ bool tighten(const StrainConstraints& constraints, RowActivity& activity, Matrix
 
 TEST(StrainConstraints, brings_a_long_edge_back_about_its_middle) {
   const StrainConstraints constraints({2, 1}, {{{1, 0, 1}, 0.1}});
-  RowActivity activity = constraints.activity();
+  SweepActivity activity = constraints.activity();
   Matrix3Xd x(3, 2);
   x << 0, 0, 0, 2, 0, 0;
   EXPECT_DOUBLE_EQ(constraints.excess(x).beyond_limit, 1 - 0.1);
@@ -35,7 +35,7 @@ TEST(StrainConstraints, brings_a_long_edge_back_about_its_middle) {
 
 TEST(StrainConstraints, brings_a_short_edge_back) {
   const StrainConstraints constraints({2, 1}, {{{1, 0, 1}, 0.1}});
-  RowActivity activity = constraints.activity();
+  SweepActivity activity = constraints.activity();
   Matrix3Xd x(3, 2);
   x << 0, 0.5, 0, 0, 0, 0;
   EXPECT_TRUE(tighten(constraints, activity, x));
@@ -44,7 +44,7 @@ TEST(StrainConstraints, brings_a_short_edge_back) {
 
 TEST(StrainConstraints, leaves_alone_what_is_within_it) {
   const StrainConstraints constraints({3, 1}, {{{1, 0, 1}, 0.1}});
-  RowActivity activity = constraints.activity();
+  SweepActivity activity = constraints.activity();
   Matrix3Xd x(3, 3);
   x << 0, 1.09, 2, 0, 0, 0, 0, 0, 0;
   const Matrix3Xd before = x;
@@ -58,7 +58,7 @@ TEST(StrainConstraints, take_the_speed_that_worsens_and_no_other) {
   Cloth cloth{Matrix3Xd::Zero(3, 2), Matrix3Xd::Zero(3, 2), 1};
   cloth.positions(0, 1) = 1.5;
   cloth.velocities << -1, 2, 5, 7, 0, 0;
-  RowActivity activity = constraints.activity();
+  SweepActivity activity = constraints.activity();
   constraints.tighten(activity, cloth);
   EXPECT_TRUE(cloth.velocities.isApprox((Matrix3Xd(3, 2) << 0.5, 0.5, 5, 7, 0, 0).finished()));
   cloth.positions(0, 1) = cloth.positions(0, 0) + 1.5;
@@ -79,7 +79,7 @@ TEST(StrainConstraints, hold_up_to_what_a_step_may_leave) {
 
 TEST(StrainConstraints, repeated_sweeps_share_one_long_edge_among_its_neighbours) {
   const StrainConstraints constraints({10, 1}, {{{1, 0, 1}, 0.1}});
-  RowActivity activity = constraints.activity();
+  SweepActivity activity = constraints.activity();
   Matrix3Xd x = Matrix3Xd::Zero(3, 10);
   for (int i = 0; i < 10; ++i) x(0, i) = i < 5 ? i : i + 0.6;
   int sweeps = 0;
@@ -92,7 +92,7 @@ TEST(StrainConstraints, repeated_sweeps_share_one_long_edge_among_its_neighbours
 // 0.05; one and a half of that is taken back, but not beyond the rest length.
 TEST(StrainConstraints, holds_each_kind_of_edge_to_its_own_limit) {
   const StrainConstraints constraints({2, 2}, {{{1, 0, 1}, 0.2}, {{0, 1, 1}, 0.05}});
-  RowActivity activity = constraints.activity();
+  SweepActivity activity = constraints.activity();
   Matrix3Xd x(3, 4);
   x << 0, 1.2, 0, 1.2, 0, 0, 1.3, 1.3, 0, 0, 0, 0;
   EXPECT_NEAR(constraints.excess(x).beyond_limit, 0.15, 1e-12);
@@ -129,10 +129,10 @@ TEST(StrainConstraints, sweeps_to_the_same_bits_whether_it_looks_at_resting_rows
     if (grid.row(p) % 20 < 4) x(0, p) += kick(random);
   }
   Matrix3Xd all = x;
-  RowActivity activity = constraints.activity();
+  SweepActivity activity = constraints.activity();
   int resting = 0;
   for (int sweep = 0; sweep < 15; ++sweep) {
-    RowActivity none = constraints.activity();
+    SweepActivity none = constraints.activity();
     const bool any = tighten(constraints, none, all);
     ASSERT_EQ(tighten(constraints, activity, x), any);
     ASSERT_EQ(x, all) << sweep;
@@ -159,7 +159,7 @@ TEST(StrainConstraints, aims_at_two_percent_where_rounding_leaves_no_room) {
 
 TEST(StrainConstraints, an_edge_without_length_has_no_direction_and_stays) {
   const StrainConstraints constraints({2, 1}, {{{1, 0, 1}, 0.1}});
-  RowActivity activity = constraints.activity();
+  SweepActivity activity = constraints.activity();
   Matrix3Xd x = Matrix3Xd::Zero(3, 2);
   EXPECT_FALSE(tighten(constraints, activity, x));
   EXPECT_TRUE(x.allFinite());
