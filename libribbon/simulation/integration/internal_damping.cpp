@@ -38,8 +38,7 @@ enum class Rows { alike, differing };
 // As the innermost loop needs a family.
 template <std::size_t ends, Rows rows>
 struct Loop {
-  std::array<Index, ends> offsets{};  // from a dashpot's first particle, in the arrays
-  std::array<double, ends> weights{};
+  std::array<Index, ends> offsets{};   // from a dashpot's first particle, in the arrays
   std::array<double, ends> lighter{};  // of rows that differ: the weights times their lightness
   double slowed = 0;  // the fraction of the speed that is lost, over sum(w^2 lightness)
   std::array<const double*, 3> positions{};
@@ -48,15 +47,16 @@ struct Loop {
   // The dashpot of the particle at `first`, or those of several from there on.
   template <class Lanes>
   [[gnu::always_inline]] void damp(Index first) const {
+    constexpr std::array<double, ends> weights = DashpotFamily::weights<ends>();
     std::array<Lanes, 3> apart{};
     std::array<Lanes, 3> parting{};
     Lanes value{};
     for (std::size_t k = 0; k < ends; ++k)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         std::memcpy(&value, positions[axis] + first + offsets[k], sizeof(value));
-        apart[axis] += weights[k] * value;
+        apart[axis] = k == 0 ? weights[k] * value : apart[axis] + weights[k] * value;
         std::memcpy(&value, velocities[axis] + first + offsets[k], sizeof(value));
-        parting[axis] += weights[k] * value;
+        parting[axis] = k == 0 ? weights[k] * value : parting[axis] + weights[k] * value;
       }
     const Lanes squared = apart[0] * apart[0] + apart[1] * apart[1] + apart[2] * apart[2];
     const Lanes along = apart[0] * parting[0] + apart[1] * parting[1] + apart[2] * parting[2];
@@ -66,7 +66,10 @@ struct Loop {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         double* velocity = velocities[axis] + first + offsets[k];
         std::memcpy(&value, velocity, sizeof(value));
-        value -= (rows == Rows::alike ? weights[k] : lighter[k]) * lost * apart[axis];
+        if constexpr (rows == Rows::alike)
+          value -= weights[k] * (lost * apart[axis]);
+        else
+          value -= lighter[k] * lost * apart[axis];
         std::memcpy(velocity, &value, sizeof(value));
       }
   }
@@ -110,10 +113,7 @@ double fraction_lost(double rate_per_s, double h) {
 template <std::size_t ends, Rows rows, class Offset>
 [[gnu::always_inline]] inline Loop<ends, rows> loop_of(const Task& task, const Offset& offset_of) {
   Loop<ends, rows> loop;
-  for (std::size_t k = 0; k < ends; ++k) {
-    loop.offsets[k] = offset_of(task.family.ends[k]);
-    loop.weights[k] = task.family.ends[k].weight;
-  }
+  for (std::size_t k = 0; k < ends; ++k) loop.offsets[k] = offset_of(task.family.ends[k]);
   loop.slowed = fraction_lost(task.family.rate_per_s, task.h) / task.family.squared_weights;
   for (int axis = 0; axis < 3; ++axis) {
     loop.positions[axis] = task.positions.col(axis).data();
@@ -127,9 +127,9 @@ template <std::size_t ends>
 void take_row(const Task& task, int row, Loop<ends, Rows::differing>& loop) {
   double squared = 0;
   for (std::size_t k = 0; k < ends; ++k) {
-    const DashpotFamily::End& end = task.family.ends[k];
-    loop.lighter[k] = end.weight * task.lightness[row + end.rows];
-    squared += end.weight * loop.lighter[k];
+    const double weight = DashpotFamily::weights<ends>()[k];
+    loop.lighter[k] = weight * task.lightness[row + task.family.ends[k].rows];
+    squared += weight * loop.lighter[k];
   }
   const double faster = std::sqrt(squared / task.family.squared_weights);
   loop.slowed = fraction_lost(faster * task.family.rate_per_s, task.h) / squared;
@@ -215,7 +215,7 @@ void for_each_turned(const RibbonGrid& grid, int first_row, int rows, Here& here
 
 DashpotFamily beside(const SpringFamily& springs) {
   return DashpotFamily(
-      {{0, std::max(0, -springs.columns), -1}, {springs.rows, std::max(0, springs.columns), 1}});
+      {{0, std::max(0, -springs.columns)}, {springs.rows, std::max(0, springs.columns)}});
 }
 
 }  // namespace
@@ -224,8 +224,8 @@ DashpotFamily::DashpotFamily(std::vector<End> of_ends) : ends(std::move(of_ends)
   for (const End& end : ends) {
     rows = std::max(rows, end.rows);
     columns = std::max(columns, end.columns);
-    squared_weights += end.weight * end.weight;
   }
+  squared_weights = ends.size() == 2 ? 2 : ends.size() == 3 ? 1.5 : 1;
   const auto share_a_row = [](const End& a, const End& b) { return a.rows == b.rows; };
   are_apart_in_a_row = std::adjacent_find(ends.begin(), ends.end(), share_a_row) == ends.end();
 }
@@ -243,9 +243,9 @@ InternalDamping::InternalDamping(const SpringNetwork& network, double particle_m
   for (const SpringKind* kind : network.kinds())
     for (const SpringFamily& springs : kind->families) add(beside(springs), kind->stiffness);
   const double bend = network.bend.stiffness;
-  add(DashpotFamily({{0, 0, 0.5}, {1, 0, -1}, {2, 0, 0.5}}), bend);
-  add(DashpotFamily({{0, 0, 0.5}, {0, 1, -1}, {0, 2, 0.5}}), bend);
-  add(DashpotFamily({{0, 0, 0.5}, {0, 1, -0.5}, {1, 0, -0.5}, {1, 1, 0.5}}), bend);
+  add(DashpotFamily({{0, 0}, {1, 0}, {2, 0}}), bend);
+  add(DashpotFamily({{0, 0}, {0, 1}, {0, 2}}), bend);
+  add(DashpotFamily({{0, 0}, {0, 1}, {1, 0}, {1, 1}}), bend);
   for (Lot& lot : lots_) {
     lot.positions.setZero(Index{rows_in_lot} * grid_.across, 3);
     lot.velocities.setZero(Index{rows_in_lot} * grid_.across, 3);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "ribbon_mesh/springs.h"
@@ -14,16 +16,24 @@ struct DashpotFamily {
   struct End {
     int rows = 0;
     int columns = 0;
-    double weight = 0;
   };
 
-  // ends: two to four, from the first row on, rows and columns >= 0, weights that sum to 0.
+  // ends: two to four, from the first row on, rows and columns >= 0.
   explicit DashpotFamily(std::vector<End> ends);
+
+  // Of the ends of each dashpot, by how many there are: they tell the one point from the other.
+  template <std::size_t ends>
+  static constexpr std::array<double, ends> weights() {
+    static_assert(ends >= 2 && ends <= 4);
+    if constexpr (ends == 2) return {-1, 1};
+    if constexpr (ends == 3) return {0.5, -1, 0.5};
+    if constexpr (ends == 4) return {0.5, -0.5, -0.5, 0.5};
+  }
 
   std::vector<End> ends;
   int rows = 0;  // that it reaches
   int columns = 0;
-  double squared_weights = 0;  // their sum
+  double squared_weights = 0;  // of the ends: their sum
   // Have those at neighbouring particles of a row no particle in common?
   bool are_apart_in_a_row = false;
   double rate_per_s = 0;  // at which it slows
