@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstring>
 #include <limits>
 
 namespace ribbon {
@@ -82,6 +83,12 @@ struct PackedBox {
     return {rounded(box.start.low, -margin, origin, -1), rounded(box.start.high, margin, origin, 1),
             rounded(box.end.low, -margin, origin, -1), rounded(box.end.high, margin, origin, 1)};
   }
+  // Likewise, of a box that stays where it is.
+  static PackedBox around(const Box& still, double margin, const Eigen::Vector3d& origin) {
+    const Lanes low = rounded(still.low, -margin, origin, -1);
+    const Lanes high = rounded(still.high, margin, origin, 1);
+    return {low, high, low, high};
+  }
   void include(const PackedBox& box) {
     start_low = start_low.min(box.start_low);
     start_high = start_high.max(box.start_high);
@@ -97,11 +104,17 @@ struct PackedBox {
   }
 
  private:
+  using Doubles [[gnu::vector_size(4 * sizeof(double))]] = double;
+  using Floats [[gnu::vector_size(4 * sizeof(float))]] = float;
+
   // Farther out by more than the conversion and the origin's subtraction can be wrong.
   static Lanes rounded(const Eigen::Vector3d& bound, double margin, const Eigen::Vector3d& origin,
                        float outwards) {
-    const auto lane = [&](int k) { return static_cast<float>(bound[k] + margin - origin[k]); };
-    const Lanes lanes(lane(0), lane(1), lane(2), 0);
+    const auto lane = [&](int k) { return bound[k] + margin - origin[k]; };
+    const Doubles exact{lane(0), lane(1), lane(2), 0};
+    const Floats single = __builtin_convertvector(exact, Floats);
+    Lanes lanes;
+    std::memcpy(lanes.data(), &single, sizeof(single));
     return lanes + 2 * outwards * std::numeric_limits<float>::epsilon() * lanes.abs();
   }
 };

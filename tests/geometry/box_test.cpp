@@ -76,6 +76,15 @@ TEST(PackedBox, touching_boxes_meet_wherever_they_lie) {
   }
 }
 
+TEST(PackedBox, of_a_box_that_stays_is_that_of_one_that_moves_nowhere) {
+  const Box still{{-1.1, 0.2, 3.3}, {0.7, 0.3, 4.1}};
+  const PackedBox packed = PackedBox::around(still, 0.01, {5, 6, 7});
+  const PackedBox moving = PackedBox::around(MovingBox{still, still}, 0.01, {5, 6, 7});
+  for (const auto lanes :
+       {&PackedBox::start_low, &PackedBox::start_high, &PackedBox::end_low, &PackedBox::end_high})
+    EXPECT_TRUE(((packed.*lanes) == (moving.*lanes)).all());
+}
+
 // Packing may bring boxes together, by some rounding, but never apart.
 TEST(PackedBox, misses_no_meeting_and_adds_only_what_nearly_touches) {
   std::mt19937 random(5);

@@ -227,11 +227,6 @@ void RibbonBvh::join_blocks(std::span<const int> rows) {
   });
 }
 
-// Grown by half the reach, about the first particle, near which the others are.
-PackedBox RibbonBvh::packed(const MovingBox& range) const {
-  return PackedBox::around(range, reach_m_ / 2, origin_);
-}
-
 void RibbonBvh::take_range(int particle, const MovingBox& range) {
   vertices_[particle] = packed(range);
   const Vector3d start = middle(range.start);
@@ -515,7 +510,7 @@ const std::vector<RibbonBvh::PatchAndNode>& RibbonBvh::leaves_with(const Triangl
                                                    std::vector<PatchAndNode>& found) {
     if (!is_looked_at(pair.patch)) return;
     const PackedBox& box = boxes_[pair.patch];
-    const PackedBox other = packed(bvh.box(pair.node));
+    const PackedBox other = packed(bvh.box(pair.node).start);  // it never moves
     if (!box.meets(other)) return;
     const Patch& patch = at(pair.patch);
     const bool node_is_leaf = bvh.is_leaf(pair.node);
@@ -532,8 +527,7 @@ const std::vector<RibbonBvh::PatchAndNode>& RibbonBvh::leaves_with(const Triangl
 ObstacleTriangle RibbonBvh::boxed(const CollisionSurface& obstacle,
                                   const Eigen::Matrix3Xd& vertices, int triangle) const {
   const auto box_of_corner = [&](int corner) {
-    const Box at = Box::around(vertices.col(obstacle.triangles(corner, triangle)));
-    return packed({at, at});
+    return packed(Box::around(vertices.col(obstacle.triangles(corner, triangle))));
   };
   return {obstacle,
           grid_.particle_count(),

@@ -153,7 +153,11 @@ class RibbonBvh {
   [[nodiscard]] ObstacleTriangle boxed(const CollisionSurface& obstacle,
                                        const Eigen::Matrix3Xd& vertices, int triangle) const;
 
-  [[nodiscard]] PackedBox packed(const MovingBox& range) const;
+  // Grown by half the reach, about the first particle, near which the others are.
+  template <class AnyBox>
+  [[nodiscard]] PackedBox packed(const AnyBox& box) const {
+    return PackedBox::around(box, reach_m_ / 2, origin_);
+  }
   void take_range(int particle, const MovingBox& range);
   void measure_edges(std::span<const MovingBox> ranges);
   [[nodiscard]] Tangents tangents_of_block(int block_row, int block_column) const;
