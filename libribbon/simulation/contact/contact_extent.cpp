@@ -25,26 +25,45 @@ bool touch(const FeaturePair& pair, const PairDistances& distances,
          touching * distances.activation_m(pair);
 }
 
+// What the rows are found to touch, by all cores at a time: in whatever order pairs are looked at,
+// the same rows touch in the end. (By the compilers' own functions: libc++ has no std::atomic_ref.)
+class TouchedRows {
+ public:
+  explicit TouchedRows(int rows) : touched_(rows, Touches::nothing) {}
+
+  // Is it not yet known that the row touches so much?
+  [[nodiscard]] bool is_news(int row, Touches what) const {
+    Touches known = Touches::nothing;
+    __atomic_load(&touched_[row], &known, __ATOMIC_RELAXED);
+    return known < what;
+  }
+  void set(int row, Touches what) { __atomic_store(&touched_[row], &what, __ATOMIC_RELAXED); }
+  [[nodiscard]] const std::vector<Touches>& all() const { return touched_; }
+
+ private:
+  std::vector<Touches> touched_;
+};
+
 // Most pairs of a knot tell nothing new about their rows: distances take time, and so do lists.
 std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& distances,
                                   const Matrix3Xd& positions) {
   const VertexPositions vertices = bodies.vertices(positions);
-  std::vector<Touches> rows(bodies.grid.along, Touches::nothing);
-  const auto row_of = [&](int particle) -> Touches& { return rows[bodies.grid.row(particle)]; };
+  TouchedRows rows(bodies.grid.along);
   const auto look_for = [&](Touches what) {
     const auto is_wanted = [&rows, what](const RibbonBvh::Rows& part) {
-      return std::any_of(rows.begin() + part.first, rows.begin() + part.last + 1,
-                         [what](Touches row) { return row < what; });
+      for (int row = part.first; row <= part.last; ++row)
+        if (rows.is_news(row, what)) return true;
+      return false;
     };
     const auto take = [&, what](std::span<const FeaturePair> pairs) {
       for (const FeaturePair& pair : pairs) {
         const auto is_news = [&](int vertex) {
-          return bodies.is_particle(vertex) && row_of(vertex) < what;
+          return bodies.is_particle(vertex) && rows.is_news(bodies.grid.row(vertex), what);
         };
         if (std::none_of(pair.vertices.begin(), pair.vertices.end(), is_news)) continue;
         if (!touch(pair, distances, vertices)) continue;
         for (const int vertex : pair.vertices)
-          if (is_news(vertex)) row_of(vertex) = what;
+          if (is_news(vertex)) rows.set(bodies.grid.row(vertex), what);
       }
     };
     if (what == Touches::ribbon)
@@ -57,7 +76,7 @@ std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& distances
                           touching * distances.largest_activation_m());
   look_for(Touches::ribbon);
   look_for(Touches::obstacle);
-  return rows;
+  return rows.all();
 }
 
 }  // namespace

@@ -465,8 +465,7 @@ class RibbonBvh::RecentBlocks {
 template <class List>
 void RibbonBvh::list_in_parts(std::size_t count, const List& list,
                               std::vector<FeaturePair>& found) {
-  constexpr std::size_t grain = 64;
-  const std::size_t parts = (count + grain - 1) / grain;
+  const std::size_t parts = parts_of(count);
   parts_.resize(std::max(parts_.size(), parts));
   parallel_ranges(count, grain, [&](std::size_t begin, std::size_t end) {
     std::vector<FeaturePair>& part = parts_[begin / grain];

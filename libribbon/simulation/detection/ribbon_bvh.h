@@ -10,6 +10,7 @@
 
 #include "geometry/box.h"
 #include "geometry/ribbon_grid.h"
+#include "parallel/parallel.h"
 #include "simulation/detection/block_features.h"
 #include "simulation/detection/bvh_walk.h"
 #include "simulation/detection/feature_pairs.h"
@@ -54,28 +55,32 @@ class RibbonBvh {
   };
 
   // Takes the same pairs in parts that lie in few rows, but leaves out parts in whose rows nobody
-  // is interested any more: is_wanted(rows), take(pairs).
+  // is interested any more: is_wanted(rows), take(pairs). Both are called on all cores at a time,
+  // in any order.
   template <class IsWanted, class Take>
   void visit_within(const IsWanted& is_wanted, const Take& take) {
-    for (const PatchPair& pair : leaves_within()) {
-      if (!is_wanted(rows_of(pair.a)) && !is_wanted(rows_of(pair.b))) continue;
-      visited_.clear();
-      list(pair, features_of(pair.a), features_of(pair.b), visited_);
-      take(visited_);
-    }
+    const std::vector<PatchPair>& leaves = leaves_within();
+    visit_in_parts(leaves.size(), take, [&](std::size_t i, std::vector<FeaturePair>& visited) {
+      const PatchPair& pair = leaves[i];
+      if (is_wanted(rows_of(pair.a)) || is_wanted(rows_of(pair.b)))
+        list(pair, features_of(pair.a), features_of(pair.b), visited);
+    });
   }
   template <class IsWanted, class Take>
   void visit_with(const CollisionSurface& obstacle, const TriangleBvh& bvh,
                   const Eigen::Matrix3Xd& vertices, const IsWanted& is_wanted, const Take& take) {
-    for (const PatchAndNode& pair : leaves_with(bvh)) {
-      if (!is_wanted(rows_of(pair.patch))) continue;
-      visited_.clear();
-      features_of(pair.patch).list_with(boxed(obstacle, vertices, pair.node), visited_);
-      take(visited_);
-    }
+    const std::vector<PatchAndNode>& leaves = leaves_with(bvh);
+    visit_in_parts(leaves.size(), take, [&](std::size_t i, std::vector<FeaturePair>& visited) {
+      const PatchAndNode& pair = leaves[i];
+      if (is_wanted(rows_of(pair.patch)))
+        features_of(pair.patch).list_with(boxed(obstacle, vertices, pair.node), visited);
+    });
   }
 
  private:
+  static constexpr std::size_t grain = 64;  // pairs of leaves in a part of what is listed
+  static constexpr std::size_t parts_of(std::size_t count) { return (count + grain - 1) / grain; }
+
   // Blocks [first_row, end_row) x [first_column, end_column).
   struct Patch {
     int first_row = 0;
@@ -186,6 +191,19 @@ class RibbonBvh {
   }
   template <class List>
   void list_in_parts(std::size_t count, const List& list, std::vector<FeaturePair>& found);
+  // Takes what list(i, visited) lists for each i < count.
+  template <class List, class Take>
+  void visit_in_parts(std::size_t count, const Take& take, const List& list) {
+    parts_.resize(std::max(parts_.size(), parts_of(count)));
+    parallel_ranges(count, grain, [&](std::size_t begin, std::size_t end) {
+      std::vector<FeaturePair>& visited = parts_[begin / grain];
+      for (std::size_t i = begin; i < end; ++i) {
+        visited.clear();
+        list(i, visited);
+        take(visited);
+      }
+    });
+  }
 
   class RecentBlocks;
 
@@ -216,8 +234,7 @@ class RibbonBvh {
   std::vector<char> has_changed_;  // scratch, for rows and for blocks
   BvhWalk<PatchPair, PatchPair> walk_within_;
   BvhWalk<PatchAndNode, PatchAndNode> walk_with_;
-  std::vector<std::vector<FeaturePair>> parts_;  // of what is being listed
-  std::vector<FeaturePair> visited_;
+  std::vector<std::vector<FeaturePair>> parts_;  // of what is being listed or visited
 };
 
 }  // namespace ribbon

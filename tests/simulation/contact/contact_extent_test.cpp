@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "parallel/parallel.h"
 #include "simulation/contact/contact_lengths.h"
 #include "simulation/published/planted_penetrations.h"
 
@@ -50,6 +51,22 @@ TEST(ContactExtent, counts_the_rows_in_between_as_knotted_but_not_as_touching) {
   const ContactExtent extent = extent_alone(positions);
   EXPECT_NEAR(extent.share, 5.0 / 21, 1e-12);
   EXPECT_DOUBLE_EQ(extent.knotted_m, 16);
+}
+
+// Many parts of the ribbon are looked at, in whatever order.
+TEST(ContactExtent, of_a_long_fold_is_the_same_with_any_number_of_threads) {
+  constexpr RibbonGrid long_grid{401, 9};
+  constexpr RestSize long_size{long_grid, 400, 8};
+  const PairDistances apart(long_size, contact_lengths(1, 0, 0));
+  const Matrix3Xd positions = folded_ribbon(long_grid, 0.25);
+  Bodies bodies = ribbon_alone(long_grid);
+  for (const int threads : {1, 2, 0}) {
+    set_thread_limit(threads);
+    const ContactExtent extent = contact_extent(bodies, long_size, apart, positions);
+    EXPECT_EQ(extent.share, 1) << threads;
+    EXPECT_DOUBLE_EQ(extent.knotted_m, 400) << threads;
+  }
+  set_thread_limit(0);
 }
 
 }  // namespace ribbon::contact_extent_test
