@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes the codec and the readers of recordings, scenes and drawings for longer than run.sh does.
+# Fuzzes the codec and the readers of recordings, scenes, drawings and meshes for longer than run.sh does.
 #   tests/fuzz.sh [SECONDS]      for each target, 600 unless said otherwise
 #   tests/fuzz.sh --corpus       writes tests/fuzz/corpus anew, when the format has changed
 # Stops at the first finding, whose input is then kept in out/fuzz, as is what makes a target go new
@@ -9,7 +9,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
-targets=(round_trip hostile_geometry recording_file scene_text drawing_file)
+targets=(round_trip hostile_geometry recording_file scene_text drawing_file mesh_file)
 build sanitize -- "${targets[@]/#/fuzz_}" fuzz_corpus
 programs=$root/build/sanitize/tests/fuzz
 corpus=$root/tests/fuzz/corpus

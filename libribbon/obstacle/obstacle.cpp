@@ -4,8 +4,15 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
 #include <utility>
+
+#include "obstacle/isolated.h"
 
 namespace ribbon {
 
@@ -56,6 +63,60 @@ TriangleMesh merged(const aiScene& file) {
   return result;
 }
 
+// As the other process hands it over: the number of vertices, their coordinates, the corners.
+std::string bytes_of(const TriangleMesh& mesh) {
+  const std::int64_t vertices = mesh.vertices.cols();
+  std::string bytes(reinterpret_cast<const char*>(&vertices), sizeof(vertices));
+  bytes.append(reinterpret_cast<const char*>(mesh.vertices.data()),
+               sizeof(float) * mesh.vertices.size());
+  bytes.append(reinterpret_cast<const char*>(mesh.triangles.data()),
+               sizeof(int) * mesh.triangles.size());
+  return bytes;
+}
+
+// Nothing where it is none: what made it may have been astray.
+std::optional<TriangleMesh> mesh_of(std::string_view bytes) {
+  std::int64_t vertices = 0;
+  if (bytes.size() < sizeof(vertices)) return std::nullopt;
+  std::memcpy(&vertices, bytes.data(), sizeof(vertices));
+  bytes.remove_prefix(sizeof(vertices));
+  constexpr std::size_t vertex_bytes = 3 * sizeof(float);
+  constexpr std::size_t triangle_bytes = 3 * sizeof(int);
+  if (vertices < 0 || static_cast<std::size_t>(vertices) > bytes.size() / vertex_bytes)
+    return std::nullopt;
+  TriangleMesh mesh;
+  mesh.vertices.resize(3, vertices);
+  const std::size_t of_vertices = vertex_bytes * static_cast<std::size_t>(vertices);
+  std::copy_n(bytes.data(), of_vertices, reinterpret_cast<char*>(mesh.vertices.data()));
+  bytes.remove_prefix(of_vertices);
+  mesh.triangles.resize(3, static_cast<Eigen::Index>(bytes.size() / triangle_bytes));
+  std::copy_n(bytes.data(), triangle_bytes * mesh.triangles.cols(),
+              reinterpret_cast<char*>(mesh.triangles.data()));
+  const auto corners = mesh.triangles.array();
+  if (!((corners >= 0) && (corners < static_cast<int>(vertices))).all()) return std::nullopt;
+  return mesh;
+}
+
+// Nothing, not even a count, where assimp cannot read it.
+std::string imported(const std::filesystem::path& path) {
+  Assimp::Importer importer;
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, static_cast<int>(dropped_components));
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* file = importer.ReadFile(path.string(), steps);
+  return file == nullptr ? std::string() : bytes_of(merged(*file));
+}
+
+// Damaged files make some of assimp's readers crash or run for ever.
+std::optional<TriangleMesh> read_mesh(const std::filesystem::path& path) {
+  constexpr std::uintmax_t bytes_a_second = 200'000;
+  std::error_code code;
+  const std::uintmax_t size = std::filesystem::file_size(path, code);
+  const auto most_s = static_cast<unsigned>(1 + (code ? 0 : size / bytes_a_second));
+  const auto bytes = isolated([&] { return imported(path); }, most_s);
+  return bytes ? mesh_of(*bytes) : std::nullopt;
+}
+
 std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
     for (const int corner : mesh.triangles.col(t))
@@ -64,9 +125,9 @@ std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
 }
 
 // Why assimp could not read a file that is there. What it says itself is for programmers.
-tl::unexpected<Error> not_read(const NamedFile& file, const Assimp::Importer& importer) {
+tl::unexpected<Error> not_read(const NamedFile& file) {
   const std::string ending = file.path.extension().string();
-  if (!importer.IsExtensionSupported(ending))
+  if (!Assimp::Importer().IsExtensionSupported(ending))
     return failure(file, "is no kind of mesh file that can be read",
                    "export the object as .obj, .ply, .stl, .glb or .fbx");
   return failure(file,
@@ -79,13 +140,9 @@ tl::unexpected<Error> not_read(const NamedFile& file, const Assimp::Importer& im
 
 Result<TriangleMesh> read_obstacle(const ObstacleScene& scene) {
   if (auto there = check_readable(scene.file); !there) return tl::unexpected(there.error());
-  Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, static_cast<int>(dropped_components));
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* file = importer.ReadFile(scene.file.path.string(), steps);
-  if (file == nullptr) return not_read(scene.file, importer);
-  TriangleMesh mesh = merged(*file);
+  auto read = read_mesh(scene.file.path);
+  if (!read) return not_read(scene.file);
+  TriangleMesh mesh = *std::move(read);
   mesh.name = scene.file.path.stem().string();
   if (mesh.triangles.cols() == 0)
     return failure(scene.file, "gives no triangles", "export the object with its faces");

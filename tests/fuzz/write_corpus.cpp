@@ -70,6 +70,17 @@ void write_geometries(const std::filesystem::path& folder) {
             geometry({17, 6}, uniform, is_predicted));
 }
 
+void write_meshes(const std::filesystem::path& folder) {
+  write(folder / "polygons",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+  write(folder / "facets",
+        "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+        "endloop\nendfacet\nendsolid s\n");
+  write(folder / "faces", "o a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf -1 -2 -3\n");
+}
+
 RecordingHeader header_of(double max_error_m) {
   RecordingHeader header;
   header.scene_name = "fuzz";
@@ -133,5 +144,6 @@ int main(int argc, char** argv) {
   ribbon::write_round_trips(folder / "round_trip");
   ribbon::write_geometries(folder / "hostile_geometry");
   ribbon::write_recordings(folder / "recording_file");
+  ribbon::write_meshes(folder / "mesh_file");
   return 0;
 }

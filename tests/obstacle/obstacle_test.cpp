@@ -79,6 +79,22 @@ TEST(Obstacle, what_cannot_be_read_is_told_with_its_place_in_the_scene) {
   EXPECT_EQ(read_obstacle(scene_of("/no/such/mesh.obj")).error().place, "/no/such/mesh.obj");
 }
 
+// What fuzzing found: the first makes assimp 5.2 read at the end of the file for ever, the second
+// makes it abort.
+TEST(Obstacle, files_on_which_their_reader_hangs_or_crashes_are_refused_with_a_sentence) {
+  const std::string cut =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_hea";
+  const std::string without_y =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\npro\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n1 1 0\n0 1 0\x14"
+      "4 0 1 2 3\n";
+  for (const std::string& text : {cut, without_y})
+    EXPECT_THAT(refusal_of(read_obstacle(scene_of(written("broken.ply", text)))),
+                testing::HasSubstr("gives no triangles: it is damaged"));
+}
+
 TEST(Obstacle, triangles_without_area_duplicates_and_inverted_ones_are_kept) {
   const auto file = written("bad.obj",
                             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.5 0 0\nv 7 7 7\n"
