@@ -1,8 +1,9 @@
-// benchmark_recording [--bounds B...] [--every N] [--long N] [--scratch FOLDER] [--json FILE]
-// RECORDING...: what a recording takes at several bounds on its error, beside other codecs on the
-// same frames, and how long it takes to open one and to jump in it. The frames of the RECORDINGs
-// are the truth, so these should be exact (bound 0). Exit code 1 when our own codec does not keep
-// a bound, 2 when something could not be read or written. docs/recording.md shows the figures.
+// benchmark_recording [--bounds B...] [--every N] [--long N] [--alone] [--scratch FOLDER] [--json
+// FILE] RECORDING...: what a recording takes at several bounds on its error, beside other codecs on
+// the same frames, and how long it takes to open one and to jump in it. The frames of the
+// RECORDINGs are the truth, so these should be exact (bound 0). Exit code 1 when our own codec does
+// not keep a bound, 2 when something could not be read or written. docs/recording.md shows the
+// figures.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -28,6 +29,7 @@ struct Options {
   std::vector<double> bounds = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 0};
   int every = 2;
   int long_frames = 50'000;
+  bool alone = false;
   std::filesystem::path scratch = std::filesystem::temp_directory_path();
 };
 
@@ -41,6 +43,7 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 1'000'000));
   app.add_option("--long", options.long_frames, "frames of the long file that is opened")
       ->check(CLI::Range(1, 10'000'000));
+  app.add_flag("--alone", options.alone, "measure no other codec, and no files");
   app.add_option("--scratch", options.scratch, "where files are written that are measured")
       ->check(CLI::ExistingDirectory);
 }
@@ -104,7 +107,7 @@ bool compare_codecs(const RecordedMotion& motion, const Options& options, Json& 
       "\n| codec | bound | bits | encode, GB/s | decode, GB/s | worst error / bound |\n"
       "|---|---|---|---|---|---|");
   const auto blocks = blocks_of(motion.frames, options.every);
-  const std::vector<CodecRow> peers = peer_rows();
+  const std::vector<CodecRow> peers = options.alone ? std::vector<CodecRow>() : peer_rows();
   bool keeps_bounds = true;
   for (const double bound : options.bounds) {
     const CodecTask task{motion.header.grid, motion.header, bound * motion.header.ribbon_length_m,
@@ -147,14 +150,15 @@ Result<Findings> run(const Options& options) {
                 header.grid.along, motion->frames.size());
     Json figures = {{"name", header.scene_name}, {"frames", motion->frames.size()}};
     if (!compare_codecs(*motion, options, figures["codecs"])) code = ExitCode::answer_is_no;
-    if (auto done = measure_files(*motion, options, figures["files"]); !done)
+    report["recordings"].push_back(figures);
+    if (options.alone) continue;
+    if (auto done = measure_files(*motion, options, report["recordings"].back()["files"]); !done)
       return tl::unexpected(done.error());
     if (path == options.recordings.front())
       if (auto done =
               measure_file(*motion, long_bound, options.long_frames, options, report["long"]);
           !done)
         return tl::unexpected(done.error());
-    report["recordings"].push_back(std::move(figures));
   }
   return Findings{std::move(report), code};
 }
