@@ -1,5 +1,5 @@
-// Whatever the bytes of an obstacle's file, it becomes triangles that can be used or is refused with
-// a sentence, even where assimp, which reads it, crashes or hangs.
+// Whatever the bytes of an obstacle's file, it becomes triangles that can be used or is refused
+// with a sentence, even where assimp, which reads it, crashes or hangs.
 #include <unistd.h>
 
 #include <filesystem>
