@@ -109,10 +109,11 @@ std::string imported(const std::filesystem::path& path) {
 
 // Damaged files make some of assimp's readers crash or run for ever.
 std::optional<TriangleMesh> read_mesh(const std::filesystem::path& path) {
+  constexpr std::uintmax_t least_s = 5;  // also for files beside it, as buffers of a .gltf
   constexpr std::uintmax_t bytes_a_second = 200'000;
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(path, code);
-  const auto most_s = static_cast<unsigned>(1 + (code ? 0 : size / bytes_a_second));
+  const auto most_s = static_cast<unsigned>(least_s + (code ? 0 : size / bytes_a_second));
   const auto bytes = isolated([&] { return imported(path); }, most_s);
   return bytes ? mesh_of(*bytes) : std::nullopt;
 }
