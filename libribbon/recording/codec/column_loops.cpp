@@ -169,24 +169,25 @@ void encode(const PredictedColumn& column, const Weights& weights) {
 }
 
 void set_taps(const PredictedColumn& column, int first_row, Taps& taps) {
-  const auto moved = [&](std::ptrdiff_t at) { return column.values[at] - column.past_values[at]; };
-  for (auto& tap : taps) tap.fill(0);
-  for (int k = 0; k < std::min(tap_rows, column.rows - first_row); ++k) {
-    const std::ptrdiff_t row = first_row + k;
-    const std::ptrdiff_t before = row - column.stride;
-    const float* m = column.past_motion + row;
-    const std::array<float, most_taps + 1> tap{m[0],
-                                               m[-1],
-                                               m[1],
-                                               m[-column.stride],
-                                               m[column.stride],
-                                               bend(column.past_values, row),
-                                               moved(before - 1),
-                                               moved(before),
-                                               moved(before + 1),
-                                               moved(row)};
-    for (std::size_t t = 0; t < tap.size(); ++t) taps[t][k] = tap[t];
-  }
+  const int rows = std::min(tap_rows, column.rows - first_row);
+  if (rows < tap_rows) taps = {};
+  const std::ptrdiff_t side = column.stride;
+  vectorised([&]() RIBBON_INLINED {
+    auto lanes = taps.begin();
+    const auto set = [&](auto at) RIBBON_INLINED {
+      RIBBON_EACH_LANE
+      for (int k = 0; k < rows; ++k) (*lanes)[k] = at(std::ptrdiff_t{first_row} + k);
+      ++lanes;
+    };
+    const float* m = column.past_motion;
+    for (const std::ptrdiff_t away : std::array<std::ptrdiff_t, 5>{0, -1, 1, -side, side})
+      set([=](std::ptrdiff_t row) RIBBON_INLINED { return m[row + away]; });
+    const float* past = column.past_values;
+    const float* now = column.values;
+    set([=](std::ptrdiff_t row) RIBBON_INLINED { return bend(past, row); });
+    for (const std::ptrdiff_t away : {-side - 1, -side, -side + 1, std::ptrdiff_t{0}})
+      set([=](std::ptrdiff_t row) RIBBON_INLINED { return now[row + away] - past[row + away]; });
+  });
 }
 
 }  // namespace ribbon
