@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 #include "parallel/instruction_set.h"
@@ -218,6 +219,11 @@ DashpotFamily beside(const SpringFamily& springs) {
       {{0, std::max(0, -springs.columns)}, {springs.rows, std::max(0, springs.columns)}});
 }
 
+template <std::size_t size>
+double squared_norm(const std::array<double, size>& numbers) {
+  return std::inner_product(numbers.begin(), numbers.end(), numbers.begin(), 0.0);
+}
+
 }  // namespace
 
 DashpotFamily::DashpotFamily(std::vector<End> of_ends) : ends(std::move(of_ends)) {
@@ -225,7 +231,9 @@ DashpotFamily::DashpotFamily(std::vector<End> of_ends) : ends(std::move(of_ends)
     rows = std::max(rows, end.rows);
     columns = std::max(columns, end.columns);
   }
-  squared_weights = ends.size() == 2 ? 2 : ends.size() == 3 ? 1.5 : 1;
+  squared_weights = ends.size() == 2   ? squared_norm(weights<2>())
+                    : ends.size() == 3 ? squared_norm(weights<3>())
+                                       : squared_norm(weights<4>());
   const auto share_a_row = [](const End& a, const End& b) { return a.rows == b.rows; };
   are_apart_in_a_row = std::adjacent_find(ends.begin(), ends.end(), share_a_row) == ends.end();
 }
