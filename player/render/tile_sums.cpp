@@ -88,7 +88,7 @@ void TileSums::find_runs(const SeenBatch& seen) {
     const std::size_t end = count;
     RIBBON_EACH_LANE
     for (std::size_t i = 1; i < end; ++i)
-      marks[i] = (places[i] != places[i - 1]) | (body[i] != body[i - 1]) ? 1 : 0;
+      marks[i] = ((places[i] != places[i - 1]) | (body[i] != body[i - 1])) ? 1 : 0;
   });
   begins[0] = 1;
   list_marked(begins.data(), 1, count, runs_);
