@@ -23,9 +23,11 @@ constexpr float pattern_begin = 0.13F;
 // What stands below is a part of loops over many looks: nothing that a compiler would have to call,
 // and no choice between two ways to go on.
 
-// As std::floor.
+// As std::floor, of numbers up to 2^22. Lanes that mean nothing may hold any others, which are no
+// whole number that fits.
 [[gnu::always_inline]] inline float rounded_down(float number) {
-  const auto whole = static_cast<float>(static_cast<int>(number));
+  constexpr float whole_from = 0x1.8p23F;
+  const float whole = (number + whole_from) - whole_from;
   return number < whole ? whole - 1 : whole;
 }
 

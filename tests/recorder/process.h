@@ -43,6 +43,13 @@ inline pid_t spawned(std::vector<std::string> words,
   return answer == 0 ? process : -1;
 }
 
+// Does it run no more? It can still be waited for.
+inline bool has_ended(pid_t process) {
+  siginfo_t ended{};
+  return ::waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+         ended.si_pid == process;
+}
+
 // How a process came to its end.
 struct Ended {
   int exit_code = -2;      // -1: by a signal; -2: there was none

@@ -204,7 +204,7 @@ TEST_F(LongJob, an_interruption_asks_for_another_try) {
   write_sample_recording(recording_, 200);
   const pid_t tool = spawned({RIBBON_PLAY, recording_, "--size", "640x480", "--samples", "4",
                               "--quiet", "-o", folder_ / "a/{frame:03}.png"});
-  while (!fs::exists(folder_ / "a/001.png"))
+  while (!fs::exists(folder_ / "a/001.png") && !has_ended(tool))
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   ::kill(tool, SIGTERM);
   EXPECT_EQ(waited_for(tool), 3);
