@@ -83,6 +83,18 @@ Result<void> is_no_recording(const std::filesystem::path& scene) {
                  "(.toml)");
 }
 
+// What is written takes the place of no file of the scene, not even by --force.
+Result<Scene> read_scene_apart(const RecorderOptions& options) {
+  return read_scene(options.input, options.settings).and_then([&](Scene scene) -> Result<Scene> {
+    for (const auto& file : files_of(scene))
+      for (const auto& output : {options.recording, options.diagram, options.statistics})
+        if (!output.empty() && is_same_file(output, file))
+          return failure(output.string(), "is a file of the scene, which would be lost",
+                         "name another file to write");
+    return scene;
+  });
+}
+
 Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
                                               const RunObserver& observer) {
   constexpr const char* program = "ribbon-record " RIBBON_VERSION;
@@ -95,7 +107,7 @@ Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
   if (options.task == RecorderTask::branch)
     return branch(options.input, options.from_frame, recording, observer, options.limit);
   if (auto other = is_no_recording(options.input); !other) return tl::unexpected(other.error());
-  const auto scene = read_scene(options.input, options.settings);
+  const auto scene = read_scene_apart(options);
   if (!scene) return tl::unexpected(scene.error());
   auto statistics = record(*scene, recording, observer, options.limit);
   if (!statistics) return tl::unexpected(statistics.error());
@@ -115,7 +127,7 @@ bool is_interrupted(const std::optional<RunStatistics>& run, const Watch& watch)
 }
 
 Result<ExitCode> do_crossings(const RecorderOptions& options) {
-  const auto text = read_scene(options.input, options.settings).and_then([&](const Scene& scene) {
+  const auto text = read_scene_apart(options).and_then([&](const Scene& scene) {
     return show_crossings(scene, options.diagram, options.force ? Overwrite::yes : Overwrite::no);
   });
   if (!text) return tl::unexpected(text.error());
@@ -124,11 +136,10 @@ Result<ExitCode> do_crossings(const RecorderOptions& options) {
 }
 
 Result<ExitCode> do_draw(const RecorderOptions& options) {
-  const auto scene = options.input.empty()
-                         ? Result<std::optional<Scene>>()
-                         : read_scene(options.input, options.settings).map([](Scene read) {
-                             return std::optional(std::move(read));
-                           });
+  const auto scene = options.input.empty() ? Result<std::optional<Scene>>()
+                                           : read_scene_apart(options).map([](Scene read) {
+                                               return std::optional(std::move(read));
+                                             });
   const auto text = scene.and_then([&](const std::optional<Scene>& begun) {
     return write_sketch_page(begun, options.recording,
                              options.force ? Overwrite::yes : Overwrite::no);

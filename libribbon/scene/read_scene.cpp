@@ -479,6 +479,15 @@ Result<Scene> scene_of(const Document& document) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> files_of(const Scene& scene) {
+  std::vector<std::filesystem::path> files{scene.file};
+  if (const auto* svg = std::get_if<DrawnSvg>(&scene.curve.drawing))
+    files.push_back(svg->file.path);
+  if (scene.ribbon.outline) files.push_back(scene.ribbon.outline->file.path);
+  if (scene.obstacle) files.push_back(scene.obstacle->file.path);
+  return files;
+}
+
 Result<Scene> read_scene(const std::filesystem::path& file,
                          const std::vector<std::string>& settings) {
   return read_file(file).and_then(

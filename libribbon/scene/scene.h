@@ -218,6 +218,9 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
+// The scene's own file and those that it names.
+std::vector<std::filesystem::path> files_of(const Scene& scene);
+
 // Reads and checks a scene file in which settings have been changed, one after the other
 // (with_setting()). Relative file names in it are taken from its own folder. Fails with file, line
 // and column when a key is unknown, has the wrong type or an impossible value.

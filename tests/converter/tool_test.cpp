@@ -135,6 +135,15 @@ TEST_F(Tool, numbers_of_files_can_begin_anywhere_and_leave_none_out) {
   EXPECT_THAT(names("zero"), ElementsAre("0000.fbx"));
 }
 
+TEST_F(Tool, the_recording_itself_is_never_replaced) {
+  const std::string whole = bytes("knot.rbn");
+  std::filesystem::create_symlink("knot.rbn", folder_ / "link.rbn");
+  for (const std::string words :
+       {"knot.rbn -o ./knot.rbn --frames 1:3", "link.rbn -o knot.rbn", "knot.rbn -o link.rbn"})
+    expect_refusal(run(words + " --force"), "is the recording that is converted");
+  EXPECT_TRUE(bytes("knot.rbn") == whole);
+}
+
 TEST_F(Tool, nothing_is_overwritten_unasked) {
   for (const std::string output : {"'a.{frame}.obj'", "b.pc2", "'c.{frame}.fbx'"}) {
     ASSERT_EQ(run("knot.rbn -o " + output).exit_code, 0);

@@ -75,6 +75,32 @@ TEST_F(RibbonRecord, figures_take_no_other_files_place) {
   EXPECT_EQ(nlohmann::json::parse(bytes("run.json"))["frames"], 7);
 }
 
+TEST_F(RibbonRecord, nothing_takes_the_place_of_a_file_of_the_scene) {
+  const std::string drawing = line_to("300");
+  ASSERT_TRUE(write_file(folder_ / "line.svg", drawing).has_value());
+  const std::string mesh = read_file(write_square_post(folder_)).value();
+  const std::string scene =
+      drawn_in_a_file(small_scene_text()) + "\n[obstacle]\nmesh = 'post.obj'\n";
+  ASSERT_TRUE(write_file(folder_ / "drawn.toml", scene).has_value());
+  fs::create_symlink("drawn.toml", folder_ / "link.rbn");
+  for (const std::string words :
+       {"-o drawn.toml", "-o ./line.svg", "-o post.obj", "-o link.rbn", "--crossings line.svg",
+        "--draw -o drawn.toml", "-o new.rbn --stats post.obj"})
+    expect_refusal(run("drawn.toml --force " + words),
+                   "is a file of the scene, which would be lost");
+  EXPECT_TRUE(bytes("drawn.toml") == scene);
+  EXPECT_TRUE(bytes("line.svg") == drawing);
+  EXPECT_TRUE(bytes("post.obj") == mesh);
+  EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
+}
+
+TEST_F(RibbonRecord, a_disk_without_any_room_leaves_nothing_in_the_way) {
+  const ToolRun limited = run("small.toml -o knot.rbn", "ulimit -f 0;");
+  EXPECT_NE(limited.exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "knot.rbn"));
+  EXPECT_EQ(run("small.toml -o knot.rbn").exit_code, 0);
+}
+
 TEST_F(RibbonRecord, a_run_that_goes_on_tells_of_lost_frames) {
   write_small_scene_lasting("4");
   ASSERT_EQ(run("long.toml -o knot.rbn --quiet --frames 100").exit_code, 0);
