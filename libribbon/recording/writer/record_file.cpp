@@ -83,6 +83,11 @@ Result<void> RecordFile::cut(std::uint64_t size) {
   return {};
 }
 
+void RecordFile::remove_if_empty() {
+  std::error_code code;
+  if (size_ == 0 && std::filesystem::is_regular_file(path_, code)) ::unlink(path_.c_str());
+}
+
 Result<void> RecordFile::sync() {
   if (!is_on_disk(::fdatasync(file_.number()))) return may_be_lost(last_error_text());
   if (!std::exchange(name_is_safe_, true)) sync_folder_of(path_);

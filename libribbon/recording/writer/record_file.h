@@ -36,6 +36,9 @@ class RecordFile {
   // Cuts off what lies behind `size` bytes, which must be a record's end.
   Result<void> cut(std::uint64_t size);
 
+  // Takes back a file in which nothing is, so that its name is free again. Pipes and devices stay.
+  void remove_if_empty();
+
   // Waits until everything appended is on the disk.
   Result<void> sync();
 

@@ -92,8 +92,9 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& pat
   RecordingWriter writer(std::move(*file), {.header = header, .recording_id = checksum(payload)});
   auto written =
       writer.write(std::string(file_signature) + make_record(RecordType::header, payload));
-  if (!written) return tl::unexpected(std::move(written.error()));
-  return writer;
+  if (written) return writer;
+  writer.file_.remove_if_empty();
+  return tl::unexpected(std::move(written.error()));
 }
 
 Result<void> RecordingWriter::append(const FrameNumbers& numbers,
