@@ -35,16 +35,18 @@ void KnotCertifier::follow(int index, const Eigen::Matrix3Xf& positions, bool ce
 
 void KnotCertifier::certify() {
   KnotCertificate certificate = witness_.certificate();
-  if (certified_ < 0)
-    result_.certificate = certificate.text();
-  else if (certificate != certificate_)
-    result_.changes.push_back(
-        {certified_ + 1, followed_ + 1, certificate_.text(), certificate.text()});
-  certificate_ = std::move(certificate);
+  if (certified_ < 0) result_.certificate = certificate.text();
   certified_ = followed_;
   ++result_.certified_frames;
-  if (!certificate_.is_known()) ++result_.uncertain_frames;
-  if (!expected_.empty() && !is_called(certificate_, expected_)) ++result_.unexpected_frames;
+  if (!expected_.empty() && !is_called(certificate, expected_)) ++result_.unexpected_frames;
+  if (!certificate.is_known()) {
+    ++result_.uncertain_frames;
+    return;
+  }
+  if (known_ && certificate != known_->certificate)
+    result_.changes.push_back(
+        {known_->index + 1, followed_ + 1, known_->certificate.text(), certificate.text()});
+  known_ = {followed_, std::move(certificate)};
 }
 
 CertifiedKnot KnotCertifier::finish() {

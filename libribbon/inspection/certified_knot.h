@@ -12,7 +12,8 @@
 
 namespace ribbon {
 
-// The certificates of the two frames differ, as texts say. Frames are numbered from 1.
+// The certificates of the two frames, both known, differ, as texts say. What lies between them is
+// not known. Frames are numbered from 1.
 struct CertificateChange {
   int frame_before = 0;
   int frame_after = 0;
@@ -45,15 +46,20 @@ class KnotCertifier {
   CertifiedKnot finish();
 
  private:
+  struct Known {
+    int index;
+    KnotCertificate certificate;
+  };
+
   void certify();
 
   RibbonGrid grid_;
   std::optional<RibbonPart> part_;
   KnotWitness witness_;
   std::string expected_;
-  int followed_ = -1;            // index of the frame followed last
-  int certified_ = -1;           // and of the one certified last,
-  KnotCertificate certificate_;  // with its certificate
+  int followed_ = -1;           // index of the frame followed last
+  int certified_ = -1;          // and of the one certified last
+  std::optional<Known> known_;  // the last of which knot and twist are known
   CertifiedKnot result_;
 };
 

@@ -94,9 +94,11 @@ std::string strain_text(const Verification& verification) {
 
 std::string changes_text(const CertifiedKnot& knot) {
   std::string text;
-  const std::string certified = counted(knot.certified_frames, "frame") + " certified";
+  const int known = knot.certified_frames - knot.uncertain_frames;
+  const std::string certified = counted(known, "frame") + " certified";
   if (knot.uncertain_frames > 0)
     text += report_line("", "not known in " + counted(knot.uncertain_frames, "frame"));
+  if (known == 0) return text;
   const auto& changes = knot.changes;
   if (changes.empty()) return text + report_line("", "the same in all of " + certified);
   text += report_line("", "CHANGED " + counted(std::ssize(changes), "time") + "; " + certified);

@@ -62,6 +62,18 @@ TEST(Verify, only_the_frames_asked_for_are_checked_and_certified) {
   EXPECT_EQ(verify_file(path, {4}).knot.certified_frames, 1);
 }
 
+TEST(Verify, a_knot_that_is_not_known_has_not_changed) {
+  const RecordingHeader header = header_with_post();
+  KnotCertifier knot(header.grid, {}, {}, "");
+  const Eigen::Matrix3Xf loop = looped_ribbon(header, {}).cast<float>();
+  knot.follow(0, loop, true);
+  knot.follow(1, Eigen::Matrix3Xf::Zero(3, loop.cols()), true);
+  const CertifiedKnot certified = knot.finish();
+  EXPECT_EQ(certified.certified_frames, 2);
+  EXPECT_EQ(certified.uncertain_frames, 1);
+  EXPECT_TRUE(certified.changes.empty());
+}
+
 TEST(Verify, intersecting_frames_are_counted_and_the_worst_is_named) {
   const RecordingHeader header = sample_header();
   std::vector<Eigen::Matrix3Xd> frames(7, sample_positions(0));

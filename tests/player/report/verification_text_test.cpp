@@ -139,6 +139,16 @@ TEST(VerificationText, equal_certificates_that_know_nothing_prove_nothing) {
   EXPECT_THAT(text, HasSubstr("WRONG: the knot cannot be certified"));
 }
 
+TEST(VerificationText, what_is_not_known_is_not_the_same) {
+  Verification verification = all_in_order();
+  verification.knot.certified_frames = 5;
+  verification.knot.uncertain_frames = 3;
+  EXPECT_THAT(verification_text("knot.rbn", verification),
+              HasSubstr("the same in all of 2 frames certified"));
+  verification.knot.uncertain_frames = 5;
+  EXPECT_THAT(verification_text("knot.rbn", verification), Not(HasSubstr("the same")));
+}
+
 TEST(VerificationText, parts_are_told_below_the_whole) {
   Verification verification = all_in_order();
   verification.parts = {{{2, 6}, "reef knot", verification.knot}, {{0, 4}, "", verification.knot}};
