@@ -132,8 +132,10 @@ TEST(HeaderRecord, a_curve_of_a_single_point_is_none) {
   const std::string rest = payload.substr(payload.size() - marks_bytes - count_bytes);
   payload.resize(payload.size() - rest.size() - no_columns_bytes);
   for (const std::uint32_t points : {2U, 1U}) {
-    const std::string curve = columns(points, std::string(points * 3 * sizeof(float), '\0'));
-    EXPECT_EQ(parse_header_payload(payload + curve + rest).has_value(), points == 2);
+    const std::size_t numbers = std::size_t{3} * points;
+    std::string curve = columns(points, std::string(numbers * sizeof(float), '\0'));
+    EXPECT_EQ(parse_header_payload(payload.append(curve).append(rest)).has_value(), points == 2);
+    payload.resize(payload.size() - curve.size() - rest.size());
   }
 }
 
