@@ -11,18 +11,16 @@ mkdir -p "$work"
 
 has_browsers || { echo "SKIPPED: nobody has seen whether pages play" >&2; exit 77; }
 
-# make NAME SCENE SETTING...
+# make NAME SCENE OPTION...   What an older recorder made is made anew.
 make() {
-  local settings=() setting
-  for setting in "${@:3}"; do settings+=(--set "$setting"); done
-  [[ -f $work/$1.rbn ]] || "$build/recorder/ribbon-record" --quiet "$root/samples/$2" -o "$work/$1.rbn" "${settings[@]}"
+  [[ $work/$1.rbn -nt $build/recorder/ribbon-record ]] ||
+    "$build/recorder/ribbon-record" --quiet --force "$root/samples/$2" -o "$work/$1.rbn" "${@:3}"
 }
 
 build=$1
-make knot overhand-hourglass-8x400.toml ribbon.along=200 ribbon.across=4
-make other overhand-cylinder-8x400.toml ribbon.along=100 ribbon.across=3 time.duration=2
-[[ -f $work/fine.rbn ]] || "$build/recorder/ribbon-record" --quiet "$root/samples/overhand-hourglass-8x400.toml" \
-  --set ribbon.across=16 -o "$work/fine.rbn" --frames 100
+make knot overhand-hourglass-8x400.toml --set ribbon.along=200 --set ribbon.across=4
+make other overhand-cylinder-8x400.toml --set ribbon.along=100 --set ribbon.across=3 --set time.duration=2
+make fine overhand-hourglass-8x400.toml --set ribbon.across=16 --frames 100
 if ! "$build/player/ribbon-play" "$work/knot.rbn" -o "$work/knot.html" --force 2>"$work/errors.txt"; then
   cat "$work/errors.txt" >&2
   grep -q "without Emscripten" "$work/errors.txt" || exit 1

@@ -94,6 +94,12 @@ TEST_F(RibbonRecord, nothing_takes_the_place_of_a_file_of_the_scene) {
   EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
 }
 
+TEST_F(RibbonRecord, a_folder_is_no_place_for_a_recording) {
+  fs::create_directory(folder_ / "knots");
+  for (const std::string words : {"-o knots", "-o knots/ --force"})
+    expect_refusal(run("small.toml " + words), ": is a folder; name a file after -o");
+}
+
 TEST_F(RibbonRecord, a_disk_without_any_room_leaves_nothing_in_the_way) {
   const ToolRun limited = run("small.toml -o knot.rbn", "ulimit -f 0;");
   EXPECT_NE(limited.exit_code, 0);
