@@ -12,7 +12,7 @@ namespace ribbon {
 namespace {
 
 // So many groups of rows are enough to fit nine weights.
-constexpr int most_groups = 400;
+constexpr int most_groups = 200;
 
 constexpr std::size_t terms = most_taps + 1;
 
