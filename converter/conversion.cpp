@@ -32,8 +32,6 @@ Result<ConversionReport> convert(const ConversionRequest& request) {
   if (!job) return tl::unexpected(job.error());
   const auto files = planned_files(request, *job);
   if (!files) return tl::unexpected(files.error());
-  if (auto apart = check_apart(*files, request.recording); !apart)
-    return tl::unexpected(apart.error());
   if (!request.force && !request.resume)
     if (auto free = check_places(*files); !free) return tl::unexpected(free.error());
   const std::shared_ptr<const SolidRibbon> solid = job->model.solid;

@@ -16,14 +16,6 @@ tl::unexpected<Error> taken(const std::filesystem::path& file) {
 
 }  // namespace
 
-Result<void> check_apart(const PlannedFiles& files, const std::filesystem::path& recording) {
-  for (const std::filesystem::path& file : files.own)
-    if (is_same_file(file, recording))
-      return failure(file.string(), "is the recording that is converted, which would be lost",
-                     "name another file after -o");
-  return {};
-}
-
 int existing_count(const std::vector<std::filesystem::path>& files) {
   return static_cast<int>(std::count_if(files.begin(), files.end(), is_taken));
 }

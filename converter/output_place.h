@@ -22,9 +22,6 @@ struct PlannedFiles {
   std::filesystem::path log;  // of a sequence while it is unfinished; empty: there is none
 };
 
-// Fails where one of the files is the recording itself.
-Result<void> check_apart(const PlannedFiles& files, const std::filesystem::path& recording);
-
 // How many of `files` exist.
 int existing_count(const std::vector<std::filesystem::path>& files);
 

@@ -1,6 +1,8 @@
 #include "converter/planned_files.h"
 
+#include <filesystem>
 #include <set>
+#include <system_error>
 
 #include "converter/companions.h"
 #include "converter/motion_format.h"
@@ -40,6 +42,12 @@ Result<PlannedFiles> planned_files(const ConversionRequest& request, const Conve
     files = files_of_sequence(*names);
     folders = names->folders();
   }
+  // The recording is there, so what is not there is another file.
+  std::error_code code;
+  for (const std::filesystem::path& file : files.own)
+    if (std::filesystem::equivalent(file, request.recording, code))
+      return failure(file.string(), "is the recording that is converted, which would be lost",
+                     "name another file after -o");
   for (const std::filesystem::path& folder : folders)
     for (const Companion& companion : companions_of(request, job))
       files.shared.push_back({.file = folder / companion.name, .content = companion.content});

@@ -7,7 +7,8 @@
 
 namespace ribbon {
 
-// Frames come in their order. Fails when the output has no good place for their numbers.
+// Frames come in their order. Fails when the output has no good place for their numbers, or
+// is the recording itself.
 Result<PlannedFiles> planned_files(const ConversionRequest& request, const ConversionJob& job);
 
 }  // namespace ribbon

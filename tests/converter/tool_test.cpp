@@ -140,7 +140,8 @@ TEST_F(Tool, the_recording_itself_is_never_replaced) {
   std::filesystem::create_symlink("knot.rbn", folder_ / "link.rbn");
   for (const std::string words :
        {"knot.rbn -o ./knot.rbn --frames 1:3", "link.rbn -o knot.rbn", "knot.rbn -o link.rbn"})
-    expect_refusal(run(words + " --force"), "is the recording that is converted");
+    for (const std::string how : {" --force", " --dry-run"})
+      expect_refusal(run(words + how), "is the recording that is converted");
   EXPECT_TRUE(bytes("knot.rbn") == whole);
 }
 
