@@ -31,6 +31,8 @@ struct Quality {
 
   // Whether some pixels may get more samples than others.
   [[nodiscard]] bool is_adaptive() const { return noise > 0 || least_gain > 0; }
+  // How many all pixels get before anything is concluded from them.
+  [[nodiscard]] int first_samples() const { return is_adaptive() ? samples / 2 : samples; }
 };
 
 // Draft for speed, standard for dailies, final for a film. Nothing for other names.

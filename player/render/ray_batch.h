@@ -78,12 +78,32 @@ struct LaneList {
   }
 };
 
-// Those of the first `count` lanes, at most batch_size, that have this mark; ascending. `marks`:
-// batch_size + register_lanes of them.
-void list_marked(const std::uint8_t* marks, std::uint8_t mark, std::size_t count, LaneList& list);
-inline void list_marked(const Lanes<Body>& bodies, Body body, std::size_t count, LaneList& list) {
+// Lanes that a mark chooses, ascending.
+struct MarkedLanes : LaneList {
+  // Of each register's lanes, the first of them the lowest bit.
+  std::array<std::uint16_t, batch_size / register_lanes> masks;
+};
+
+// Those of the first `count` lanes, at most batch_size, that have this mark. `marks`: batch_size +
+// register_lanes of them.
+void list_marked(const std::uint8_t* marks, std::uint8_t mark, std::size_t count,
+                 MarkedLanes& list);
+inline void list_marked(const Lanes<Body>& bodies, Body body, std::size_t count,
+                        MarkedLanes& list) {
   list_marked(reinterpret_cast<const std::uint8_t*>(bodies.data()), static_cast<std::uint8_t>(body),
               count, list);
 }
+
+// Numbers of the marked lanes, side by side; behind them a register's lanes may change.
+void move_together(const Lanes<float>& numbers, const MarkedLanes& marked, float* to);
+void move_together(const Lanes<std::uint32_t>& numbers, const MarkedLanes& marked,
+                   std::uint32_t* to);
+inline void move_together(const VectorLanes& vectors, const MarkedLanes& marked, VectorLanes& to) {
+  move_together(vectors.x, marked, to.x.data());
+  move_together(vectors.y, marked, to.y.data());
+  move_together(vectors.z, marked, to.z.data());
+}
+// And back: numbers that lie side by side go to the marked lanes, 0 to the others up to the last.
+void move_apart(const Lanes<float>& numbers, const MarkedLanes& marked, Lanes<float>& to);
 
 }  // namespace ribbon

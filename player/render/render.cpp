@@ -130,24 +130,28 @@ std::size_t index_of(int x, int y, PictureSize size) {
   return static_cast<std::size_t>(y) * size.width + x;
 }
 
-void set_planes(Planes& planes, std::size_t pixel, const Eigen::Array4f& value) {
+// The first three numbers.
+void set_planes(Planes& planes, std::size_t pixel, const auto& value) {
   for (int channel = 0; channel < 3; ++channel) planes[channel][pixel] = value[channel];
 }
 
-void fill_pixel(float samples, const SurfaceSums& sums, std::size_t pixel, PixelPlanes& planes) {
-  set_planes(planes.direct, pixel, sums.direct / samples);
+// first_samples: those that tell of normals and positions.
+void fill_pixel(const Eigen::Array4f& shown, const SurfaceSums& sums, int first_samples,
+                std::size_t pixel, PixelPlanes& planes) {
+  const float samples = shown[3];
+  set_planes(planes.direct, pixel, sums.direct(shown) / samples);
   set_planes(planes.albedo, pixel, sums.albedo / samples);
   // Samples that saw the backdrop know nothing of it.
   set_planes(planes.sky, pixel, sums.sky / std::max(sums.normal[3], 1.0F));
-  set_planes(planes.position, pixel, sums.position / samples);
+  set_planes(planes.position, pixel, sums.position / static_cast<float>(first_samples));
   const float length = sums.normal.matrix().head<3>().norm();
   set_planes(planes.normal, pixel, sums.normal / std::max(length, 1e-20F));
   planes.evenness[pixel] = sums.saw_one_surface(samples) ? sums.normal[3] : 0;
 }
 
 void leave_pixel(const Color& backdrop, std::size_t pixel, PixelPlanes& planes) {
-  set_planes(planes.direct, pixel, {backdrop[0], backdrop[1], backdrop[2], 0});
-  set_planes(planes.albedo, pixel, Eigen::Array4f::Zero());
+  set_planes(planes.direct, pixel, backdrop);
+  set_planes(planes.albedo, pixel, Color(0, 0, 0));
   planes.evenness[pixel] = 0;
 }
 
@@ -191,7 +195,7 @@ Rendered Renderer::render(const RenderScene& scene, const Camera& camera, Pictur
   PixelPlanes& planes = *planes_;
   painter.paint(
       [&](int x, int y, const Eigen::Array4f& shown, const SurfaceSums& surface) {
-        fill_pixel(shown[3], surface, index_of(x, y, size), planes);
+        fill_pixel(shown, surface, settings_.quality.first_samples(), index_of(x, y, size), planes);
       },
       [&](int x, int y, const Color& backdrop) {
         leave_pixel(backdrop, index_of(x, y, size), planes);

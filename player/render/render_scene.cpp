@@ -16,6 +16,13 @@ float reach(const Eigen::Matrix3Xf& points) {
   return points.cols() == 0 ? 0.0F : points.cwiseAbs().maxCoeff();
 }
 
+void fill(VectorLanes& lanes, std::size_t first, std::size_t count, const Color& color) {
+  const auto from = static_cast<std::ptrdiff_t>(first);
+  std::fill_n(lanes.x.begin() + from, count, color[0]);
+  std::fill_n(lanes.y.begin() + from, count, color[1]);
+  std::fill_n(lanes.z.begin() + from, count, color[2]);
+}
+
 }  // namespace
 
 RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages, RibbonTree tree)
@@ -59,7 +66,7 @@ void RenderScene::color_ribbon(const std::vector<float>& places, const ColorMap&
   map_ = map;
 }
 
-void RenderScene::set_ribbon_colors(const HitBatch& hits, const LaneList& list, LookBatch& looks,
+void RenderScene::set_ribbon_colors(const HitBatch& hits, const MarkedLanes& list, LookBatch& looks,
                                     SurfaceBatch& batch) const {
   if (map_) {
     for (std::size_t i = 0; i < list.count; ++i)
@@ -88,7 +95,7 @@ bool RenderScene::add_ground(const RayBatch& rays, std::size_t lane, SurfaceBatc
 }
 
 void RenderScene::add_points(Body body, const RayBatch& rays, const HitBatch& hits,
-                             const LaneList& list, SurfaceBatch& batch) const {
+                             const MarkedLanes& list, SurfaceBatch& batch) const {
   if (list.count == 0) return;
   LookBatch looks;
   const HitSurface& surface = body == Body::ribbon ? hit_ribbon_ : hit_obstacle_;
@@ -96,8 +103,7 @@ void RenderScene::add_points(Body body, const RayBatch& rays, const HitBatch& hi
   if (body == Body::ribbon)
     set_ribbon_colors(hits, list, looks, batch);
   else
-    for (std::size_t i = 0; i < list.count; ++i)
-      batch.albedo.set(batch.count + i, obstacle_color.matrix());
+    fill(batch.albedo, batch.count, list.count, obstacle_color);
   std::fill_n(batch.body.begin() + static_cast<std::ptrdiff_t>(batch.count), list.count, body);
   batch.count += list.count;
 }

@@ -45,11 +45,11 @@ class RenderScene {
   // leads to none. Its albedo is left open.
   bool add_ground(const RayBatch& rays, std::size_t lane, SurfaceBatch& batch) const;
   // Adds what the listed rays met, which must be `body`, ribbon or obstacle, to `batch`.
-  void add_points(Body body, const RayBatch& rays, const HitBatch& hits, const LaneList& list,
+  void add_points(Body body, const RayBatch& rays, const HitBatch& hits, const MarkedLanes& list,
                   SurfaceBatch& batch) const;
 
  private:
-  void set_ribbon_colors(const HitBatch& hits, const LaneList& list, LookBatch& looks,
+  void set_ribbon_colors(const HitBatch& hits, const MarkedLanes& list, LookBatch& looks,
                          SurfaceBatch& batch) const;
 
   RibbonGrid grid_;

@@ -18,24 +18,33 @@ namespace {
 constexpr std::size_t group_size = 64;
 using Row = std::array<float, group_size>;
 
-struct Vectors {
-  Row x, y, z;
-};
-
 // Numbers are copied four at a time, of four lanes at a time.
 constexpr std::size_t four = 4;
 static_assert(group_size % register_lanes == 0 && register_lanes % four == 0);
 
-// What rays met, not yet interpolated.
+// What the listed rays met, side by side.
+struct alignas(64) Met {
+  Lanes<std::uint32_t> triangle;
+  Lanes<float> weight_b;  // of the second corner
+  Lanes<float> weight_c;  // and of the third
+  Lanes<float> distance;
+  VectorLanes direction;
+
+  Met(const RayBatch& rays, const HitBatch& hits, const MarkedLanes& list) {
+    move_together(hits.triangle, list, triangle.data());
+    move_together(hits.u, list, weight_b.data());
+    move_together(hits.v, list, weight_c.data());
+    move_together(hits.distance, list, distance.data());
+    move_together(rays.direction, list, direction);
+  }
+};
+
+// The corners of a group of them.
 struct alignas(64) Group {
   // As they lie in a corner: its position, its normal, its place in the texture.
   using Corner = std::array<Row, 2 * four>;
   std::array<Corner, 3> corners;
-  Row weight_b;  // of the second corner
-  Row weight_c;  // and of the third
-  Row distance;
-  Vectors direction;
-  float spread = 0;  // of the rays, in units of the texture
+  std::size_t first = 0;
   std::size_t count = 0;
 };
 
@@ -70,21 +79,14 @@ void gather_four(const HitSurface::Corner* corners,
 }
 
 // Lanes beyond the last repeat it.
-void gather(const HitSurface::Corner* corners, const HitSurface::Corners* triangles,
-            const RayBatch& rays, const HitBatch& hits, const std::uint16_t* lanes, Group& group) {
-  const std::size_t count = group.count;  // not asked for again after each number that is stored
-  for (std::size_t first = 0; first < count; first += four) {
-    std::array<const HitSurface::Corners*, four> met{};
-    for (std::size_t l = 0; l < four; ++l) {
-      const std::size_t i = first + l;
-      const std::size_t lane = lanes[std::min(i, count - 1)];
-      met[l] = &triangles[hits.triangle[lane]];
-      group.weight_b[i] = hits.u[lane];
-      group.weight_c[i] = hits.v[lane];
-      group.distance[i] = hits.distance[lane];
-      set_lane(group.direction, i, lane_of(rays.direction, lane));
-    }
-    gather_four(corners, met, first, group);
+void gather(const HitSurface::Corner* corners, const HitSurface::Corners* triangles, const Met& met,
+            Group& group) {
+  const std::uint32_t* const triangle = &met.triangle[group.first];
+  const std::size_t last = group.count - 1;
+  for (std::size_t first = 0; first <= last; first += four) {
+    std::array<const HitSurface::Corners*, four> of{};
+    for (std::size_t l = 0; l < four; ++l) of[l] = &triangles[triangle[std::min(first + l, last)]];
+    gather_four(corners, of, first, group);
   }
 }
 
@@ -108,8 +110,11 @@ void gather(const HitSurface::Corner* corners, const HitSurface::Corners* triang
   return (above < 0 ? -weight * above : 0.0F) * normal;
 }
 
-void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceBatch& batch,
-                 std::size_t look, LookBatch& looks) {
+// spread: of the rays, in units of the texture.
+void interpolate(const Met& met, const Group& group, float clearance_m, float spread,
+                 SurfaceBatch& batch, LookBatch& looks) {
+  const std::size_t look = group.first;
+  const std::size_t to = batch.count + group.first;
   const Group::Corner& a = group.corners[0];
   const Group::Corner& b = group.corners[1];
   const Group::Corner& c = group.corners[2];
@@ -117,8 +122,8 @@ void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceB
     const std::size_t end = filled_up(group.count);
     RIBBON_EACH_LANE
     for (std::size_t i = 0; i < end; ++i) {
-      const float wb = group.weight_b[i];
-      const float wc = group.weight_c[i];
+      const float wb = met.weight_b[look + i];
+      const float wc = met.weight_c[look + i];
       const float wa = 1 - wb - wc;
       const auto mean = [&](LaneVector at_a, LaneVector at_b, LaneVector at_c)
                             RIBBON_INLINED { return wa * at_a + wb * at_b + wc * at_c; };
@@ -126,7 +131,7 @@ void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceB
       const LaneVector corner_b = vector_of(b.data(), i);
       const LaneVector corner_c = vector_of(c.data(), i);
       const LaneVector outer = unit_or_zero(cross(corner_b - corner_a, corner_c - corner_a));
-      const float side = dot(outer, lane_of(group.direction, i)) < 0 ? 1.0F : -1.0F;
+      const float side = dot(outer, lane_of(met.direction, look + i)) < 0 ? 1.0F : -1.0F;
       const LaneVector facet = side * outer;
       const LaneVector normal_a = side * vector_of(&a[3], i);
       const LaneVector normal_b = side * vector_of(&b[3], i);
@@ -141,7 +146,7 @@ void interpolate(const Group& group, float clearance_m, std::size_t to, SurfaceB
       looks.x[look + i] = wa * a[6][i] + wb * b[6][i] + wc * c[6][i];
       looks.y[look + i] = wa * a[7][i] + wb * b[7][i] + wc * c[7][i];
       looks.front[look + i] = side < 0 ? 0.0F : 1.0F;
-      looks.reach[look + i] = group.spread * group.distance[i];
+      looks.reach[look + i] = spread * met.distance[look + i];
     }
   });
 }
@@ -167,15 +172,15 @@ void HitSurface::move_to(const Surface& surface) {
   }
 }
 
-void HitSurface::find_points(const RayBatch& rays, const HitBatch& hits, const LaneList& list,
+void HitSurface::find_points(const RayBatch& rays, const HitBatch& hits, const MarkedLanes& list,
                              float clearance_m, SurfaceBatch& batch, LookBatch& looks) const {
   assert(batch.count + list.count <= batch_size);
+  const Met met(rays, hits, list);
   Group group;
-  group.spread = rays.spread / unit_m_;
-  for (std::size_t first = 0; first < list.count; first += group_size) {
-    group.count = std::min(group_size, list.count - first);
-    gather(corners_.data(), triangles_.data(), rays, hits, list.lanes.data() + first, group);
-    interpolate(group, clearance_m, batch.count + first, batch, first, looks);
+  for (; group.first < list.count; group.first += group_size) {
+    group.count = std::min(group_size, list.count - group.first);
+    gather(corners_.data(), triangles_.data(), met, group);
+    interpolate(met, group, clearance_m, rays.spread / unit_m_, batch, looks);
   }
 }
 

@@ -58,7 +58,7 @@ class HitSurface {
 
   // Fills those of `batch` from batch.count on, but for body and albedo, with what the listed rays
   // met, and `looks` from 0 on. clearance_m: by which light starts above a facet.
-  void find_points(const RayBatch& rays, const HitBatch& hits, const LaneList& list,
+  void find_points(const RayBatch& rays, const HitBatch& hits, const MarkedLanes& list,
                    float clearance_m, SurfaceBatch& batch, LookBatch& looks) const;
 
  private:

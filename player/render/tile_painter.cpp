@@ -40,12 +40,9 @@ Color full_light_on_ground(const Lighting& lighting) {
 
 }  // namespace
 
-void TilePainter::Samples::set(std::size_t first, const Samples& others, const LaneList& list) {
-  const std::size_t count = list.count;  // which does not change, as compilers cannot know
-  for (std::size_t i = 0; i < count; ++i) {
-    place[first + i] = others.place[list.lanes[i]];
-    number[first + i] = others.number[list.lanes[i]];
-  }
+void TilePainter::Samples::set(std::size_t first, const Samples& others, const MarkedLanes& list) {
+  move_together(others.place, list, &place[first]);
+  move_together(others.number, list, &number[first]);
 }
 
 TilePainter::TilePainter(const Setting& setting) : sums_(setting.quality), s_(setting) {
@@ -76,8 +73,9 @@ void TilePainter::paint(int left, int top) {
     return;
   }
   noise_.begin(width_, height_);
-  const int first = s_.quality.samples / 2;
+  const int first = s_.quality.first_samples();
   sample_evenly(0, first);
+  sums_.surfaces_are_known();
   noise_.update(sums_.shown(), sums_.squared_light());
   sample_evenly(first, first);
   noise_.update(sums_.shown(), sums_.squared_light());
@@ -232,7 +230,8 @@ void TilePainter::add_ground() {
 bool TilePainter::add_ground(std::size_t lane) {
   const std::size_t to = seen_.count;
   if (!s_.scene.add_ground(rays_, lane, seen_)) return false;
-  seen_samples_.set(to, samples_, {{static_cast<std::uint16_t>(lane)}, 1});
+  seen_samples_.place[to] = samples_.place[lane];
+  seen_samples_.number[to] = samples_.number[lane];
   // In full light the floor cannot be told from the backdrop.
   const Color backdrop = backdrop_[samples_.place[lane]].head<3>();
   seen_.albedo.set(to, (backdrop / full_light_on_ground(s_.lighting)).matrix());
@@ -267,19 +266,14 @@ void TilePainter::send(const SurfaceBatch& surface, const Lanes<std::uint8_t>& w
     copy(towards_, count, light_rays_.direction);
     return;
   }
-  for (std::size_t r = 0; r < count; ++r) {
-    const std::size_t lane = asked_for_.lanes[r];
-    set_lane(light_rays_.origin, r, lane_of(surface.start, lane));
-    set_lane(light_rays_.direction, r, lane_of(towards_, lane));
-  }
+  move_together(surface.start, asked_for_, light_rays_.origin);
+  move_together(towards_, asked_for_, light_rays_.direction);
 }
 
 // Of each surface 1 where it sent a ray that is free_, else 0; valid until the next call.
 const Lanes<float>& TilePainter::of_surfaces(std::size_t count) {
   if (light_rays_.count == count) return free_;
-  std::fill_n(free_of_surfaces_.begin(), count, 0.0F);
-  for (std::size_t r = 0, end = light_rays_.count; r < end; ++r)
-    free_of_surfaces_[asked_for_.lanes[r]] = free_[r];
+  move_apart(free_, asked_for_, free_of_surfaces_);
   return free_of_surfaces_;
 }
 
@@ -332,10 +326,16 @@ void TilePainter::add_skylight(Pattern pattern, const SurfaceBatch& surface, con
   for (std::size_t i = 0; i < surface.count; ++i) wanted[i] = asking_[samples.place[i]] ? 1 : 0;
   send(surface, wanted);
   s_.scene.rays().unblocked(light_rays_, Coherence::mixed, free_);
+  const float* const arrives = of_surfaces(surface.count).data();
   Lanes<float> shares;
-  std::fill_n(shares.begin(), surface.count, 0.0F);
-  for (std::size_t r = 0, count = light_rays_.count; r < count; ++r)
-    shares[asked_for_.lanes[r]] = (1 - free_[r]) * (returned - 1);
+  vectorised([&]() RIBBON_INLINED {
+    const std::uint8_t* const asked = wanted.data();
+    float* const share = shares.data();
+    const std::size_t end = filled_up(surface.count);
+    RIBBON_EACH_LANE
+    for (std::size_t i = 0; i < end; ++i)
+      share[i] = (static_cast<float>(asked[i]) - arrives[i]) * (returned - 1);
+  });
   add_sky_shares(s_.lighting, shares, towards_, surface.count, light);
 }
 
@@ -350,7 +350,7 @@ void TilePainter::add_bounced_skylight(VectorLanes& light) {
   bounce_.count = 0;
   bounce_of_.count = 0;
   for (const Body body : {Body::ribbon, Body::obstacle}) {
-    LaneList& hit = body == Body::ribbon ? on_ribbon_ : on_obstacle_;
+    MarkedLanes& hit = body == Body::ribbon ? on_ribbon_ : on_obstacle_;
     list_marked(hits_.body, body, seen_.count, hit);
     bounce_samples_.set(bounce_.count, seen_samples_, hit);
     s_.scene.add_points(body, light_rays_, hits_, hit, bounce_);

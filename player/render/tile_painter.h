@@ -56,7 +56,7 @@ class TilePainter {
     Lanes<std::uint32_t> number;  // of the pixel's samples
 
     // Lanes from `first` on become those of `others` that are listed.
-    void set(std::size_t first, const Samples& others, const LaneList& list);
+    void set(std::size_t first, const Samples& others, const MarkedLanes& list);
   };
   void sample_evenly(int taken, int more);
   void sample_whole_tile(std::uint32_t taken, std::uint32_t each);
@@ -102,12 +102,12 @@ class TilePainter {
   Samples samples_;
   Samples seen_samples_;
   Samples bounce_samples_;
-  LaneList on_ribbon_;
-  LaneList on_obstacle_;
-  LaneList on_nothing_;
-  LaneList asked_for_;    // the lane whose light each of light_rays_ asks for
-  LaneList bounce_of_;    // the lane that receives light from there
-  Lanes<float> place_x_;  // where samples look, in pixels
+  MarkedLanes on_ribbon_;
+  MarkedLanes on_obstacle_;
+  MarkedLanes on_nothing_;
+  MarkedLanes asked_for_;  // the lane whose light each of light_rays_ asks for
+  LaneList bounce_of_;     // the lane that receives light from there
+  Lanes<float> place_x_;   // where samples look, in pixels
   Lanes<float> place_y_;
   Lanes<float> disc_x_;
   Lanes<float> disc_y_;

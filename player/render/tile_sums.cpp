@@ -16,7 +16,7 @@ namespace {
 
 float& samples_of_body(Body body, SurfaceSums& sums) {
   if (body == Body::ribbon) return sums.albedo[3];
-  return body == Body::obstacle ? sums.sky[3] : sums.direct[3];
+  return body == Body::obstacle ? sums.sky[3] : sums.position[3];
 }
 
 }  // namespace
@@ -24,18 +24,18 @@ float& samples_of_body(Body body, SurfaceSums& sums) {
 void TileSums::clear() {
   const Eigen::Array4f zero = Eigen::Array4f::Zero();
   shown_.fill(zero);
-  if (smooth_sky_) surfaces_.fill({zero, zero, zero, zero, zero});
+  if (smooth_sky_) surfaces_.fill({zero, zero, zero, zero});
+  knows_surfaces_ = false;
   if (is_adaptive_) squared_light_.fill(0);
 }
 
 void TileSums::add(const SeenBatch& seen) {
-  VectorLanes direct;
   VectorLanes shown;
   Lanes<float> squared_light;
   const std::size_t count = seen.surfaces.count;
   // What smoothing takes away is no noise that takes samples.
   const float sky_counts = smooth_sky_ ? 0.0F : 1.0F;
-  const float even_sky = 0.5F - 0.5F * sky_counts;
+  const float even = smooth_sky_ ? even_sky : 0.0F;
   vectorised([&]() RIBBON_INLINED {
     const std::size_t end = filled_up(count);
     RIBBON_EACH_LANE
@@ -43,12 +43,10 @@ void TileSums::add(const SeenBatch& seen) {
       const LaneVector albedo = lane_of(seen.surfaces.albedo, i);
       const LaneVector returned = albedo * lane_of(seen.sunlight, i);
       const LaneVector skylight = lane_of(seen.skylight, i);
-      const LaneVector sky = {even_sky + sky_counts * skylight.x,
-                              even_sky + sky_counts * skylight.y,
-                              even_sky + sky_counts * skylight.z};
+      const LaneVector sky = {even + sky_counts * skylight.x, even + sky_counts * skylight.y,
+                              even + sky_counts * skylight.z};
       const LaneVector all = returned + albedo * sky;
       set_lane(shown, i, all);
-      set_lane(direct, i, returned);
       squared_light[i] = luminance(all) * luminance(all);
     }
   });
@@ -62,19 +60,16 @@ void TileSums::add(const SeenBatch& seen) {
     lay_together(shown, squared_light, count, together_[of_shown]);
   else
     lay_together(shown, 1.0F, count, together_[of_shown]);
-  if (smooth_sky_) {
-    const auto lay = [&](Summed what, const VectorLanes& numbers) {
-      lay_together(numbers, 0.0F, count, together_[what]);
-    };
-    lay(of_direct, direct);
-    lay(of_albedo, seen.surfaces.albedo);
-    lay(of_sky, seen.skylight);
-    lay(of_normal, seen.surfaces.normal);
-    lay(of_position, seen.surfaces.position);
-    add_runs<summed_count>(seen);
-  } else {
-    add_runs<1>(seen);
-  }
+  if (!smooth_sky_) return add_runs<of_shown + 1>(seen);
+  const auto lay = [&](Summed what, const VectorLanes& numbers) {
+    lay_together(numbers, 0.0F, count, together_[what]);
+  };
+  lay(of_albedo, seen.surfaces.albedo);
+  lay(of_sky, seen.skylight);
+  if (knows_surfaces_) return add_runs<of_sky + 1>(seen);
+  lay(of_normal, seen.surfaces.normal);
+  lay(of_position, seen.surfaces.position);
+  add_runs<summed_count>(seen);
 }
 
 void TileSums::find_runs(const SeenBatch& seen) {
@@ -129,12 +124,13 @@ void TileSums::add_runs(const SeenBatch& seen) {
       sums[of_shown][3] = samples;
     }
     shown_[place] += sums[of_shown];
-    if constexpr (kinds == summed_count) {
+    if constexpr (kinds > of_sky) {
       SurfaceSums& of_pixel = surfaces_[place];
-      of_pixel.direct += sums[of_direct];
       of_pixel.albedo += sums[of_albedo];
-      of_pixel.normal += sums[of_normal];
-      of_pixel.position += sums[of_position];
+      if constexpr (kinds == summed_count) {
+        of_pixel.normal += sums[of_normal];
+        of_pixel.position += sums[of_position];
+      }
       if (seen.has_skylight[place]) {
         of_pixel.sky += sums[of_sky];
         of_pixel.normal[3] += samples;

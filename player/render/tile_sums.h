@@ -13,18 +13,24 @@
 
 namespace ribbon {
 
+// What stands for the light of the sky where that is to be smoothed: smoothing takes away its
+// noise.
+inline constexpr float even_sky = 0.5F;
+
 // Sums over the samples of a pixel that tell which surfaces it shows and in which light.
 struct SurfaceSums {
-  Eigen::Array4f direct;  // backdrop, and the sun's light returned; the fourth: samples that saw
-                          // the ground
-  Eigen::Array4f albedo;  // the fourth: samples that saw the ribbon
-  Eigen::Array4f sky;     // the fourth: samples that saw the obstacle
-  Eigen::Array4f normal;  // the fourth: samples behind `sky`
-  Eigen::Array4f position;
+  Eigen::Array4f albedo;    // the fourth: samples that saw the ribbon
+  Eigen::Array4f sky;       // the fourth: samples that saw the obstacle
+  Eigen::Array4f normal;    // of the first samples; the fourth: samples behind `sky`
+  Eigen::Array4f position;  // of the first samples; the fourth: samples that saw the ground
 
+  // Backdrop, and the sun's light returned, of what the pixel shows.
+  [[nodiscard]] Eigen::Array3f direct(const Eigen::Array4f& shown) const {
+    return (shown - even_sky * albedo).head<3>();
+  }
   // `samples`: all of the pixel.
   [[nodiscard]] bool saw_one_surface(float samples) const {
-    return direct[3] == samples || albedo[3] == samples || sky[3] == samples;
+    return position[3] == samples || albedo[3] == samples || sky[3] == samples;
   }
 };
 
@@ -47,6 +53,8 @@ class TileSums {
         is_single_(quality.samples == 1 && !smooth_sky_ && !is_adaptive_) {}
 
   void clear();
+  // From now on samples tell no more of normals and positions.
+  void surfaces_are_known() { knows_surfaces_ = true; }
   void add_backdrop(std::size_t place, const Eigen::Array4f& backdrop) {
     const Eigen::Array4f counted = backdrop + Eigen::Array4f(0, 0, 0, 1);
     if (is_single_) {
@@ -54,7 +62,6 @@ class TileSums {
       return;
     }
     shown_[place] += counted;
-    if (smooth_sky_) surfaces_[place].direct += backdrop;
     if (!is_adaptive_) return;
     const float light = luminance(LaneVector{backdrop[0], backdrop[1], backdrop[2]});
     squared_light_[place] += light * light;
@@ -71,16 +78,9 @@ class TileSums {
   }
 
  private:
-  // What is added up: the first always, the others where the sky is to be smoothed.
-  enum Summed : std::size_t {
-    of_shown,
-    of_direct,
-    of_albedo,
-    of_sky,
-    of_normal,
-    of_position,
-    summed_count
-  };
+  // What is added up: the first always, the next two where the sky is to be smoothed, the last
+  // until surfaces are known.
+  enum Summed : std::size_t { of_shown, of_albedo, of_sky, of_normal, of_position, summed_count };
 
   void find_runs(const SeenBatch& seen);
   template <class Fourth>
@@ -91,13 +91,14 @@ class TileSums {
 
   bool smooth_sky_;
   bool is_adaptive_;
+  bool knows_surfaces_ = false;
   bool is_single_;  // each pixel has one sample: nothing is added up
   std::array<Eigen::Array4f, tile_pixels> shown_;
   std::array<SurfaceSums, tile_pixels> surfaces_;
   std::array<float, tile_pixels> squared_light_;
   std::array<Lanes<Eigen::Array4f>, summed_count>
-      together_;   // numbers of the lanes, those of each together
-  LaneList runs_;  // the first lane of each run of one pixel and one body; then the end
+      together_;      // numbers of the lanes, those of each together
+  MarkedLanes runs_;  // the first lane of each run of one pixel and one body; then the end
 };
 
 }  // namespace ribbon

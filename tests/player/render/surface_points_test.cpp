@@ -37,7 +37,7 @@ Surface random_surface(std::mt19937& random) {
 struct Scene {
   RayBatch rays;
   HitBatch hits;
-  LaneList list;
+  MarkedLanes list;
   Surface surface;
   HitSurface hit_surface;
 };
@@ -55,14 +55,16 @@ std::unique_ptr<Scene> random_scene() {
     corner.set_texture(x, number(random));
   }
   scene->rays.spread = 0.01F;
+  Lanes<Body> bodies;
   for (std::size_t lane = 0; lane < batch_size; ++lane) {
     scene->rays.add({{number(random), number(random), 5}, {number(random), number(random), -1}});
     scene->hits.triangle[lane] = static_cast<std::uint32_t>(random() % triangle_count);
     scene->hits.u[lane] = weight(random);
     scene->hits.v[lane] = weight(random);
     scene->hits.distance[lane] = 2 + number(random);
-    scene->list.add_if(lane, lane % 3 == 1);
+    bodies[lane] = lane % 3 == 1 ? Body::ribbon : Body::none;
   }
+  list_marked(bodies, Body::ribbon, batch_size, scene->list);
   return scene;
 }
 
