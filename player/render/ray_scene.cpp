@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <limits>
 #include <mutex>
@@ -190,16 +191,14 @@ class PlainPackets {
 // One scene, of two trees that are joined at the top: the obstacle's is built once, and a ray goes
 // through both at once.
 struct RayScene::State {
-  explicit State(RibbonTree ribbon_tree) : tree(ribbon_tree) {
+  State() {
     if (!device) throw std::runtime_error("Embree cannot be started");
     // Embree refits in dynamic scenes alone. Compact leaves, which hold numbers of vertices instead
     // of copies of them, would be renewed sooner, but rays lose more than that.
-    scene = new_scene(device.get(),
-                      tree == RibbonTree::refitted ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
+    scene = new_scene(device.get(), RTC_SCENE_FLAG_DYNAMIC);
     rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);  // that of joining them
     rtcCommitScene(scene.get());
   }
-  RibbonTree tree;
   Device device{rtcNewDevice(configuration())};
   Scene scene;
   // The scene's, if they are there.
@@ -207,7 +206,7 @@ struct RayScene::State {
   RTCGeometry obstacle = nullptr;
 };
 
-RayScene::RayScene(RibbonTree tree) : state_(std::make_unique<State>(tree)) {}
+RayScene::RayScene() : state_(std::make_unique<State>()) {}
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 RayScene::~RayScene() = default;
@@ -220,14 +219,15 @@ void RayScene::set_obstacle(const HitSurface& obstacle) {
   check(s.device.get());
 }
 
-void RayScene::set_ribbon(const HitSurface& ribbon) {
+void RayScene::set_ribbon(const HitSurface& ribbon, RibbonTree tree) {
   State& s = *state_;
-  const RTCBuildQuality quality =
-      s.tree == RibbonTree::refitted ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM;
   if (s.ribbon == nullptr) {
-    s.ribbon = attach(ribbon, ribbon_id, quality, s.device.get(), s.scene.get());
+    assert(tree == RibbonTree::rebuilt);
+    s.ribbon = attach(ribbon, ribbon_id, RTC_BUILD_QUALITY_REFIT, s.device.get(), s.scene.get());
   } else {
     rtcUpdateGeometryBuffer(s.ribbon, RTC_BUFFER_TYPE_VERTEX, 0);
+    // Embree builds anew what may have other triangles.
+    if (tree == RibbonTree::rebuilt) rtcUpdateGeometryBuffer(s.ribbon, RTC_BUFFER_TYPE_INDEX, 0);
     rtcCommitGeometry(s.ribbon);
   }
   rtcCommitScene(s.scene.get());

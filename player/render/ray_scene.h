@@ -21,15 +21,16 @@ enum class Coherence { similar, mixed };
 
 class RayScene {
  public:
-  explicit RayScene(RibbonTree tree);
+  RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
   ~RayScene();
 
-  // The obstacle is there once, the ribbon comes anew for each frame: always the same one, moved;
-  // only one of each. What they hold is not copied and must stay where it is as long as the scene.
+  // The obstacle is there once, the ribbon comes anew for each frame: always the same one, moved,
+  // with a tree that is rebuilt the first time; only one of each. What they hold is not copied and
+  // must stay where it is as long as the scene.
   void set_obstacle(const HitSurface& obstacle);
-  void set_ribbon(const HitSurface& ribbon);
+  void set_ribbon(const HitSurface& ribbon, RibbonTree tree);
 
   // Fills lane i of `hits` with the first thing that ray i meets. Safe to call from several
   // threads.

@@ -25,11 +25,8 @@ void fill(VectorLanes& lanes, std::size_t first, std::size_t count, const Color&
 
 }  // namespace
 
-RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages, RibbonTree tree)
-    : grid_(header.grid),
-      with_selvages_(with_selvages),
-      ribbon_(ribbon_surface(header.grid)),
-      rays_(tree) {
+RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages)
+    : grid_(header.grid), with_selvages_(with_selvages), ribbon_(ribbon_surface(header.grid)) {
   assert(header.uv.cols() == grid_.particle_count());
   if (with_selvages) add_selvages(grid_, ribbon_);
   hit_ribbon_ = HitSurface(ribbon_, static_cast<float>(header.ribbon_width_m));
@@ -46,12 +43,12 @@ RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages, Ribb
 }
 
 void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions,
-                             const std::vector<float>& half_thickness_m) {
+                             const std::vector<float>& half_thickness_m, RibbonTree tree) {
   assert(positions.cols() == grid_.particle_count());
   update_ribbon(grid_, positions, ribbon_);
   if (with_selvages_) update_selvages(grid_, half_thickness_m, ribbon_);
   hit_ribbon_.move_to(ribbon_);
-  rays_.set_ribbon(hit_ribbon_);
+  rays_.set_ribbon(hit_ribbon_, tree);
   // Some hundred times what single precision loses in a coordinate, and far less than cloth is
   // thick.
   clearance_ = 1e-5F * std::max(obstacle_reach_, reach(positions));

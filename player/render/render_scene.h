@@ -20,17 +20,17 @@ class RenderScene {
  public:
   // The obstacle, if there is one, is there; the ribbon is not yet. With selvages the cloth's
   // thickness is seen there.
-  explicit RenderScene(const RecordingHeader& header, bool with_selvages = false,
-                       RibbonTree tree = RibbonTree::rebuilt);
+  explicit RenderScene(const RecordingHeader& header, bool with_selvages = false);
 
   void set_cloth(Cloth cloth) { cloth_ = std::move(cloth); }
   // An endless floor at that height, which must be below everything.
   void set_ground(float height_m) { ground_m_ = height_m; }
 
   // positions: 3 x particles, in metres. half_thickness_m: of the cloth at each particle; needed
-  // with selvages.
+  // with selvages. Only a ribbon that has a tree can have it refitted.
   void set_ribbon(const Eigen::Matrix3Xf& positions,
-                  const std::vector<float>& half_thickness_m = {});
+                  const std::vector<float>& half_thickness_m = {},
+                  RibbonTree tree = RibbonTree::rebuilt);
 
   // Shows numbers on the ribbon, on both sides, instead of its cloth: where each particle is on the
   // map, 0 to 1. In between places are interpolated, not colours, so that all are on the map.

@@ -8,7 +8,7 @@ namespace ribbon {
 SequenceRenderer::SequenceRenderer(RecordingReader& reader, RenderSettings settings)
     : reader_(reader),
       between_(reader),
-      scene_(reader.header(), settings.thickness_m > 0, worthwhile_tree(settings.quality)),
+      scene_(reader.header(), settings.thickness_m > 0),
       renderer_(std::move(settings)) {
   scene_.set_cloth(renderer_.settings().cloth);
   if (renderer_.settings().thickness_m > 0)
@@ -31,8 +31,25 @@ void SequenceRenderer::set_lowest(float height_m) {
 
 Result<void> SequenceRenderer::show(int index, double after) {
   if (auto read = between_.read(index, after, positions_); !read) return read;
-  scene_.set_ribbon(positions_, half_thickness(index));
+  set_ribbon(index);
   return colors_ ? color(index, after) : Result<void>();
+}
+
+// positions_, with the tree of frame `index`; with one of their own where that frame is damaged.
+void SequenceRenderer::set_ribbon(int index) {
+  const RenderSettings& settings = renderer_.settings();
+  const int built = frame_of_tree(index, settings.quality);
+  if (tree_frame_ != built) {
+    tree_frame_.reset();
+    if (reader_.read(built, tree_positions_)) {
+      const std::vector<float> thick(static_cast<std::size_t>(tree_positions_.cols()),
+                                     settings.thickness_m / 2);
+      scene_.set_ribbon(tree_positions_, thick);
+      tree_frame_ = built;
+    }
+  }
+  scene_.set_ribbon(positions_, half_thickness(index),
+                    tree_frame_ ? RibbonTree::refitted : RibbonTree::rebuilt);
 }
 
 Result<void> SequenceRenderer::color(int index, double after) {

@@ -49,8 +49,8 @@ class SequenceRenderer {
   [[nodiscard]] std::optional<Legend> legend() const;
 
  private:
+  void set_ribbon(int index);
   std::vector<float> half_thickness(int index);
-
   Result<void> color(int index, double after);
 
   RecordingReader& reader_;
@@ -60,6 +60,8 @@ class SequenceRenderer {
   NoiseReached noise_;
   std::optional<ValueColors> colors_;
   std::optional<ParticleMeasure> gaps_;  // where the cloth is to be seen to be thick
+  std::optional<int> tree_frame_;        // where the tree was built that the scene has
+  Eigen::Matrix3Xf tree_positions_;
   Eigen::Matrix3Xf positions_;
   Eigen::Matrix3Xf measured_;  // of the nearer frame, where positions_ lie between two
 };

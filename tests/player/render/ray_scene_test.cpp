@@ -19,10 +19,9 @@ HitSurface flat_ribbon(float z) {
 
 // The ribbon's quad at z = 0 and a square obstacle of side 2 at z = -1.
 struct TwoQuads {
-  explicit TwoQuads(float ribbon_z = 0, RibbonTree tree = RibbonTree::rebuilt)
-      : ribbon(flat_ribbon(ribbon_z)), scene(tree) {
+  explicit TwoQuads(float ribbon_z = 0) : ribbon(flat_ribbon(ribbon_z)) {
     scene.set_obstacle(obstacle);
-    scene.set_ribbon(ribbon);
+    scene.set_ribbon(ribbon, RibbonTree::rebuilt);
   }
 
   HitSurface obstacle{
@@ -55,11 +54,11 @@ TEST(RayScene, the_nearest_body_is_hit_whichever_it_is) {
 
 TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
   for (const RibbonTree tree : {RibbonTree::rebuilt, RibbonTree::refitted}) {
-    TwoQuads quads(0, tree);
+    TwoQuads quads;
     Eigen::Matrix3Xf moved = test::flat_quad();
     moved.row(1).array() += 10;
     quads.ribbon.move_to(test::quad_surface(moved));
-    quads.scene.set_ribbon(quads.ribbon);
+    quads.scene.set_ribbon(quads.ribbon, tree);
     const RayBatch rays = batch_of({down(1.9F, 0), down(1.9F, 10)});
     HitBatch hits;
     quads.scene.first_hits(rays, Coherence::mixed, hits);
@@ -113,7 +112,7 @@ TEST(RayScene, without_anything_every_ray_is_free) {
   const RayBatch rays = batch_of({down(0, 0)});
   HitBatch hits;
   Lanes<float> free;
-  const RayScene scene(RibbonTree::rebuilt);
+  const RayScene scene;
   scene.first_hits(rays, Coherence::similar, hits);
   scene.unblocked(rays, Coherence::similar, free);
   EXPECT_EQ(hits.body[0], Body::none);

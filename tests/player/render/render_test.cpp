@@ -182,7 +182,7 @@ TEST(Render, grazing_light_is_not_cut_off_by_flat_triangles) {
   }
 }
 
-// Waves that shade and hide each other. A refitted tree comes from where they lay before.
+// Waves that shade and hide each other. A refitted tree comes from where they lay mirrored.
 RenderScene wavy_scene(RibbonTree tree = RibbonTree::rebuilt) {
   RecordingHeader header = test::quad_ribbon();
   header.grid = {60, 8};
@@ -197,9 +197,9 @@ RenderScene wavy_scene(RibbonTree tree = RibbonTree::rebuilt) {
       positions.col(p) << 4 * s - 2, t - 0.5F, 0.2F * std::sin(40 * s + t);
     }
   header.obstacle = coarse_tube();
-  RenderScene scene(header, false, tree);
+  RenderScene scene(header);
   scene.set_ribbon(positions.colwise().reverse());
-  scene.set_ribbon(positions);
+  scene.set_ribbon(positions, {}, tree);
   return scene;
 }
 

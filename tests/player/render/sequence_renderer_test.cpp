@@ -32,4 +32,17 @@ TEST(SequenceRenderer, a_frame_looks_the_same_whatever_was_shown_before) {
   EXPECT_NE(pictures[0].rgb, pictures[1].rgb);
 }
 
+// How near a tie between two triangles is settled depends on the tree.
+TEST(FrameOfTree, depends_on_the_frame_alone) {
+  const Quality draft = *quality_named("draft");
+  const Quality standard = *quality_named("standard");
+  const Quality final = *quality_named("final");
+  EXPECT_EQ(frame_of_tree(0, draft), 0);
+  EXPECT_EQ(frame_of_tree(63, draft), 0);
+  EXPECT_EQ(frame_of_tree(64, draft), 64);
+  EXPECT_EQ(frame_of_tree(7, standard), 0);
+  EXPECT_EQ(frame_of_tree(17, standard), 16);
+  EXPECT_EQ(frame_of_tree(17, final), 17);
+}
+
 }  // namespace ribbon::sequence_renderer_test
