@@ -20,13 +20,13 @@ namespace ribbon {
 // What writing beside the simulation has taken so far.
 struct BackgroundFigures {
   WriterFigures writer;           // wall time of the writing thread
-  std::size_t longest_queue = 0;  // frames that waited at the same time, at most
+  std::size_t longest_queue = 0;  // what waited at the same time, at most: frames, checkpoints
 };
 
 // Encodes and writes on a thread of its own, in the order of the calls. A call copies what it gets
 // and returns; nothing is ever dropped, however long the queue gets. What finds the thread idle is
-// written a tenth of a second later, with all that has come by then; what is written reaches the
-// disk at most a second later, so that a power cut costs no more.
+// written a tenth of a second later, or with seven others as soon as they have come; what is
+// written reaches the disk at most a second later, so that a power cut costs no more.
 class BackgroundWriter {
  public:
   explicit BackgroundWriter(RecordingWriter writer);

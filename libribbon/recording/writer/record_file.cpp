@@ -89,19 +89,23 @@ void RecordFile::remove_if_empty() {
 }
 
 Result<void> RecordFile::sync() {
-  if (!is_on_disk(::fdatasync(file_.number()))) return may_be_lost(last_error_text());
+  if (!is_on_disk(::fdatasync(file_.number()))) return may_be_lost();
   if (!std::exchange(name_is_safe_, true)) sync_folder_of(path_);
   return {};
 }
 
 Result<void> RecordFile::close() {
-  if (!file_.close()) return may_be_lost(last_error_text());
+  if (!file_.close()) return may_be_lost();
   return {};
 }
 
-tl::unexpected<Error> RecordFile::may_be_lost(const std::string& reason) const {
-  return failure(path_.string(), "may not have reached the disk (" + reason + ")",
-                 "check the disk");
+// Some file systems find out only now that they have no room.
+tl::unexpected<Error> RecordFile::may_be_lost() const {
+  const std::string reason = last_error_text();
+  Error error = cannot_be_written(path_).value();
+  error.problem = "may not have reached the disk (" + reason + ")";
+  if (!error.may_pass) error.remedy = "check the disk";
+  return tl::unexpected(std::move(error));
 }
 
 }  // namespace ribbon

@@ -49,7 +49,7 @@ class RecordFile {
   RecordFile(std::filesystem::path path, FileDescriptor file)
       : path_(std::move(path)), file_(std::move(file)) {}
   static Result<RecordFile> open(const std::filesystem::path& path, int flags);
-  [[nodiscard]] tl::unexpected<Error> may_be_lost(const std::string& reason) const;
+  [[nodiscard]] tl::unexpected<Error> may_be_lost() const;
 
   std::filesystem::path path_;
   FileDescriptor file_;

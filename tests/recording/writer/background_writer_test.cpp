@@ -67,7 +67,7 @@ TEST(BackgroundWriter, what_comes_soon_after_another_is_written_with_it) {
   const std::uint64_t header = writer.bytes_written();
   writer.append(sample_numbers(0), sample_positions(0));
   wait_for_more_than(header);
-  std::this_thread::sleep_for(20ms);  // until the thread waits again
+  std::this_thread::sleep_for(100ms);  // until the thread waits again
   const std::uint64_t before = writer.bytes_written();
   ASSERT_GT(before, header);
   const auto start = Clock::now();
@@ -79,6 +79,16 @@ TEST(BackgroundWriter, what_comes_soon_after_another_is_written_with_it) {
   EXPECT_EQ(soon_after, before);
   wait_for_more_than(before);
   EXPECT_GT(writer.bytes_written(), before);
+}
+
+TEST(BackgroundWriter, a_run_of_many_frames_a_second_is_written_a_few_at_a_time) {
+  BackgroundWriter writer(
+      RecordingWriter::create(temporary_file("fast.rbn"), sample_header()).value());
+  for (int frame = 0; frame < 200; ++frame) {
+    writer.append(sample_numbers(frame), sample_positions(frame));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_LT(writer.figures().longest_queue, 50U);  // some 90 come in a tenth of a second
 }
 
 TEST(BackgroundWriter, what_is_written_reaches_the_disk_while_the_run_goes_on) {
