@@ -92,7 +92,7 @@ Result<ConversionReport> copy_frames(const ConversionRequest& request, Conversio
   ConversionReport report;
   report.thinned_by = thinned_by(job.frames);
   for (const int index : job.frames) {
-    if (request.interrupted()) return failure("", "interrupted", "start again");
+    if (request.interrupted()) return passing_failure("", "interrupted", "start again");
     const Result<bool> taken = excerpt.take(index);
     if (!taken) return tl::unexpected(taken.error());
     if (!*taken) report.missing.push_back(index + 1);

@@ -46,7 +46,7 @@ Result<void> append_lines(PendingFile& file, const ConversionRequest& request,
                           ConversionReport& report) {
   if (auto appended = file.append(number_table_title(reader.header())); !appended) return appended;
   for (const int index : frames) {
-    if (request.interrupted()) return failure("", "interrupted", "start again");
+    if (request.interrupted()) return passing_failure("", "interrupted", "start again");
     const auto numbers = reader.numbers(index);
     if (!numbers) report.missing.push_back(index + 1);
     report.frames_written += numbers ? 1 : 0;

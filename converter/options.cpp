@@ -26,7 +26,8 @@ Metres and y up unless told otherwise; vertices in the recorded order, and the t
 recording certifies, in every frame.
 Exit code: 0 done; 1 the recording is damaged, or cloth cannot be made a solid (all other frames are
 written, what is missing is listed), or --verify has found that a file is not as recorded;
-2 could not; 3 interrupted, or the disk was full: --resume goes on.)";
+2 could not; 3 interrupted, or the disk was full: --resume goes on with files of single frames,
+others begin again.)";
 
 // What is chosen by words, and numbers that may be left out.
 struct Words {

@@ -73,9 +73,7 @@ Result<void> SequenceLog::add(int number, std::string_view bytes) {
   const std::string line = filled_in("{} {} {}\n", number, bytes.size(), checksum(bytes));
   const std::lock_guard lock(*mutex_);
   added_ = true;
-  if (!write_all(file_, line))
-    return failure(path_.string(), "cannot be written (" + last_error_text() + ")",
-                   "free some space or choose another folder");
+  if (!write_all(file_, line)) return cannot_be_written(path_);
   return {};
 }
 

@@ -53,7 +53,8 @@ constexpr const char* examples = R"(Examples:
       certifies, too, what is knotted between the tips of the loops: a reef knot, not a granny
 
 Exit codes: 0 done, 1 the recording is damaged (what is readable has been rendered, lost frames are
-listed) or --verify found something wrong, 2 could not.)";
+listed) or --verify found something wrong, 2 could not, 3 interrupted, or the disk was full:
+try again.)";
 
 bool read_side(std::string_view text, int& side) {
   const char* end = text.data() + text.size();

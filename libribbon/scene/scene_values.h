@@ -18,7 +18,7 @@
 
 namespace ribbon::scene_values {
 
-// What a recording holds at most (libribbon/recording/FORMAT.md, section 3).
+// What a recording holds at most (libribbon/recording/FORMAT.md, section 4).
 inline constexpr std::int64_t most_particles = std::int64_t{1} << 24;
 inline constexpr std::int64_t most_columns = std::int64_t{1} << 20;
 

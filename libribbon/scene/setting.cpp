@@ -93,7 +93,6 @@ std::string changed_text(const Document& document, std::string text, const Setti
   const std::string line = setting.key + " = " + setting.value;
   const TomlValue* table = document.find(setting.table);
   if (table == nullptr) {
-    if (is_counted(setting.table)) return text;
     if (!text.empty() && text.back() != '\n') text += '\n';
     return text + "\n[" + setting.table + "]\n" + line + "\n";
   }
@@ -126,6 +125,9 @@ Result<std::string> with_setting(const std::filesystem::path& file, const std::s
                    "write for example 'fastening.speed=0.3'");
   const auto before = parse_document(file, text);
   if (!before) return tl::unexpected(before.error());
+  if (is_counted(wanted->table) && before->find(wanted->table) == nullptr)
+    return failure(file.string(), "there is no '" + wanted->table + "' in the scene",
+                   "count its tables from 1, as they stand there");
   std::string changed = changed_text(*before, text, *wanted);
   const auto after = parse_document(file, changed);
   if (!after || after->find(wanted->table, wanted->key) == nullptr)

@@ -9,10 +9,8 @@ read -r -a words <<<"$line"
 recording=$folder/${words[0]}.rbn
 settings=()
 for setting in "${words[@]:1}"; do settings+=(--set "$setting"); done
-# What cannot be opened was killed before it held anything; 1 is damage, with which one can go on.
-status=0
-ribbon-play "$recording" --info >/dev/null 2>&1 || status=$?
-if [[ $status -le 1 ]]; then
+# An empty file was killed before it held anything. All else is gone on with or refused, never replaced.
+if [[ -s $recording ]]; then
   exec ribbon-record --resume "$recording" --progress json
 fi
 exec ribbon-record "$scene" "${settings[@]}" -o "$recording" --force --progress json

@@ -51,6 +51,17 @@ TEST_F(Excerpts, keep_their_frames_bit_for_bit) {
   EXPECT_EQ(target.header().frames_per_second, source.header().frames_per_second / 4);
 }
 
+TEST_F(Excerpts, that_are_interrupted_may_be_tried_again) {
+  ConversionRequest request;
+  request.recording = source_;
+  request.output = target_;
+  request.progress = ProgressStyle::none;
+  request.interrupted = [] { return true; };
+  const auto written = convert(request);
+  ASSERT_FALSE(written);
+  EXPECT_TRUE(written.error().may_pass) << written.error().sentence();
+}
+
 TEST_F(Excerpts, are_other_recordings) {
   ASSERT_TRUE(write(""));
   EXPECT_NE(RecordingReader::open(source_).value().recording_id(),

@@ -51,6 +51,17 @@ class NumberTable : public TestInFolder {
   ConversionReport report_;
 };
 
+TEST_F(NumberTable, one_that_is_interrupted_may_be_tried_again) {
+  record(sample_header());
+  ConversionRequest request;
+  request.output = folder_ / "a.csv";
+  request.interrupted = [] { return true; };
+  const auto reader = demanded(RecordingReader::open(recording_));
+  const auto written = write_number_table(request, reader, {0});
+  EXPECT_EQ(refusal_of(written), "interrupted; start again");
+  EXPECT_TRUE(written.error().may_pass);
+}
+
 TEST_F(NumberTable, a_line_of_names_and_units_comes_before_a_line_a_frame) {
   record(sample_header());
   EXPECT_EQ(table_of({1, 2}), std::string(titles) + "2,0.02,0.001,1,2,,,,,\n" +

@@ -96,7 +96,7 @@ TEST_F(Stages, a_take_can_time_them_anew) {
   EXPECT_EQ(frames_in_stages(take()), (std::array{0, 10, 51})) << "its time is over already";
   ASSERT_EQ(taken(9, "stage[1].hand[2].at=[0.8, 1]"), "");
   EXPECT_EQ(first_difference(frames_of(take()), frames_of(file())), 10);
-  EXPECT_THAT(taken(9, "stage[3].until=1"), HasSubstr("there is no place"));
+  EXPECT_THAT(taken(9, "stage[3].until=1"), HasSubstr("there is no 'stage[3]'"));
   EXPECT_THAT(taken(9, "stage[2].hand[1].at=tip"), HasSubstr("the drawing is a list of points"));
 }
 

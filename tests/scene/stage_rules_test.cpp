@@ -167,10 +167,10 @@ TEST(Stages, settings_count_them_from_1) {
   EXPECT_EQ(changed("stage[1].hand[2].at=tip"), replaced(text, "[0.5, 1]", "\"tip\""));
   EXPECT_EQ(read_text(changed("stage[2].at_most=3"))->stages[1].at_most_s, 3);
   EXPECT_EQ(read_text(changed("stage[2].hand[1].speed=3"))->stages[1].hands[0].speed_m_s, 3);
-  for (const std::string nowhere :
-       {"stage[3].until=2", "stage[0].until=2", "stage[1].hand[3].at=x"})
-    EXPECT_THAT(refusal_of(with_setting("knot.toml", text, nowhere)),
-                HasSubstr("there is no place for '" + nowhere + "'"));
+  for (const std::string nowhere : {"stage[3]", "stage[0]", "stage[1].hand[3]"})
+    EXPECT_EQ(refusal_of(with_setting("knot.toml", text, nowhere + ".at=x")),
+              "knot.toml: there is no '" + nowhere +
+                  "' in the scene; count its tables from 1, as they stand there");
   for (const std::string wrong : {"stage[].until=2", "stage[1].until[1]=2", "stage[x].until=2"})
     EXPECT_THAT(refusal_of(with_setting("knot.toml", text, wrong)), HasSubstr("is not a setting"));
 }
