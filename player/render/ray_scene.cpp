@@ -62,31 +62,19 @@ Scene new_scene(RTCDevice device, unsigned more_flags = RTC_SCENE_FLAG_NONE) {
   return scene;
 }
 
-// Numbers of the geometries.
-constexpr unsigned ribbon_id = 0;
-constexpr unsigned obstacle_id = 1;
-
-// A body is one more than its number, in eight bits as in all.
-constexpr Body body_of(unsigned geometry) {
-  return static_cast<Body>(static_cast<std::uint8_t>(geometry + 1));
-}
-static_assert(body_of(ribbon_id) == Body::ribbon && body_of(obstacle_id) == Body::obstacle &&
-              body_of(RTC_INVALID_GEOMETRY_ID) == Body::none);
-
 // Embree reads corners where they lie, four numbers of each: what it has read is near the processor
 // when the place that was met is looked up there.
-RTCGeometry attach(const HitSurface& surface, unsigned id, RTCBuildQuality quality,
-                   RTCDevice device, RTCScene scene) {
-  const auto& corners = surface.corners();
-  const auto& triangles = surface.triangles();
+RTCGeometry attach(const HitSurface& bodies, RTCDevice device, RTCScene scene) {
+  const auto& corners = bodies.corners();
+  const auto& triangles = bodies.triangles();
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetGeometryBuildQuality(geometry, quality);
+  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, corners.data(),
                              0, sizeof corners[0], corners.size());
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
                              0, sizeof triangles[0], triangles.size());
   rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene, geometry, id);
+  rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);  // the scene keeps it
   return geometry;
 }
@@ -188,22 +176,22 @@ class PlainPackets {
 
 }  // namespace
 
-// One scene, of two trees that are joined at the top: the obstacle's is built once, and a ray goes
-// through both at once.
+// One tree over both bodies: to refit what does not move takes less than to join two trees anew,
+// and rays go through one faster.
 struct RayScene::State {
   State() {
     if (!device) throw std::runtime_error("Embree cannot be started");
-    // Embree refits in dynamic scenes alone. Compact leaves, which hold numbers of vertices instead
-    // of copies of them, would be renewed sooner, but rays lose more than that.
+    // Embree refits in dynamic scenes of that quality alone; the tree is built in its geometry's.
+    // Compact leaves, which hold numbers of vertices instead of copies of them, would be renewed
+    // sooner, but rays lose more than that.
     scene = new_scene(device.get(), RTC_SCENE_FLAG_DYNAMIC);
-    rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);  // that of joining them
+    rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
     rtcCommitScene(scene.get());
   }
   Device device{rtcNewDevice(configuration())};
   Scene scene;
-  // The scene's, if they are there.
-  RTCGeometry ribbon = nullptr;
-  RTCGeometry obstacle = nullptr;
+  RTCGeometry bodies = nullptr;  // the scene's, if it is there
+  std::uint32_t ribbon_triangles = 0;
 };
 
 RayScene::RayScene() : state_(std::make_unique<State>()) {}
@@ -211,24 +199,18 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 RayScene::~RayScene() = default;
 
-void RayScene::set_obstacle(const HitSurface& obstacle) {
+void RayScene::set_bodies(const HitSurface& bodies, std::uint32_t ribbon_triangles,
+                          RibbonTree tree) {
   State& s = *state_;
-  s.obstacle =
-      attach(obstacle, obstacle_id, RTC_BUILD_QUALITY_MEDIUM, s.device.get(), s.scene.get());
-  rtcCommitScene(s.scene.get());
-  check(s.device.get());
-}
-
-void RayScene::set_ribbon(const HitSurface& ribbon, RibbonTree tree) {
-  State& s = *state_;
-  if (s.ribbon == nullptr) {
+  if (s.bodies == nullptr) {
     assert(tree == RibbonTree::rebuilt);
-    s.ribbon = attach(ribbon, ribbon_id, RTC_BUILD_QUALITY_REFIT, s.device.get(), s.scene.get());
+    s.bodies = attach(bodies, s.device.get(), s.scene.get());
+    s.ribbon_triangles = ribbon_triangles;
   } else {
-    rtcUpdateGeometryBuffer(s.ribbon, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcUpdateGeometryBuffer(s.bodies, RTC_BUFFER_TYPE_VERTEX, 0);
     // Embree builds anew what may have other triangles.
-    if (tree == RibbonTree::rebuilt) rtcUpdateGeometryBuffer(s.ribbon, RTC_BUFFER_TYPE_INDEX, 0);
-    rtcCommitGeometry(s.ribbon);
+    if (tree == RibbonTree::rebuilt) rtcUpdateGeometryBuffer(s.bodies, RTC_BUFFER_TYPE_INDEX, 0);
+    rtcCommitGeometry(s.bodies);
   }
   rtcCommitScene(s.scene.get());
   check(s.device.get());
@@ -249,10 +231,18 @@ void RayScene::first_hits(const RayBatch& rays, Coherence coherence, HitBatch& h
                       geometries.data(),
                       {nullptr}}};
   rtcIntersectNp(state_->scene.get(), &context, &stream, static_cast<unsigned>(rays.count));
+  const std::uint32_t ribbon_triangles = state_->ribbon_triangles;
   vectorised([&]() RIBBON_INLINED {
+    // Bytes that are stored may lie anywhere, as compilers see it.
+    const unsigned* const met = geometries.data();
+    const std::uint32_t* const triangle = hits.triangle.data();
+    Body* const body = hits.body.data();
     const std::size_t end = filled_up(rays.count);
     RIBBON_EACH_LANE
-    for (std::size_t i = 0; i < end; ++i) hits.body[i] = body_of(geometries[i]);
+    for (std::size_t i = 0; i < end; ++i) {
+      const Body is = triangle[i] < ribbon_triangles ? Body::ribbon : Body::obstacle;
+      body[i] = met[i] == RTC_INVALID_GEOMETRY_ID ? Body::none : is;
+    }
   });
 }
 
@@ -274,8 +264,7 @@ double RayScene::plain_seconds(const RayLog& log) const {
   // Built for all that there is at once, as Embree is used plainly.
   const State& s = *state_;
   Scene scene = new_scene(s.device.get());
-  if (s.ribbon != nullptr) rtcAttachGeometryByID(scene.get(), s.ribbon, ribbon_id);
-  if (s.obstacle != nullptr) rtcAttachGeometryByID(scene.get(), s.obstacle, obstacle_id);
+  if (s.bodies != nullptr) rtcAttachGeometry(scene.get(), s.bodies);
   rtcCommitScene(scene.get());
   std::mutex mutex;
   double seconds = 0;

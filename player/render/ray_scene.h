@@ -26,11 +26,10 @@ class RayScene {
   RayScene& operator=(RayScene&&) noexcept;
   ~RayScene();
 
-  // The obstacle is there once, the ribbon comes anew for each frame: always the same one, moved,
-  // with a tree that is rebuilt the first time; only one of each. What they hold is not copied and
-  // must stay where it is as long as the scene.
-  void set_obstacle(const HitSurface& obstacle);
-  void set_ribbon(const HitSurface& ribbon, RibbonTree tree);
+  // The ribbon's triangles, and behind them the obstacle's: always the same, the ribbon moved, with
+  // a tree that is rebuilt the first time. They are not copied and must stay where they are as long
+  // as the scene.
+  void set_bodies(const HitSurface& bodies, std::uint32_t ribbon_triangles, RibbonTree tree);
 
   // Fills lane i of `hits` with the first thing that ray i meets. Safe to call from several
   // threads.

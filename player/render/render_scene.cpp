@@ -29,17 +29,15 @@ RenderScene::RenderScene(const RecordingHeader& header, bool with_selvages)
     : grid_(header.grid), with_selvages_(with_selvages), ribbon_(ribbon_surface(header.grid)) {
   assert(header.uv.cols() == grid_.particle_count());
   if (with_selvages) add_selvages(grid_, ribbon_);
-  hit_ribbon_ = HitSurface(ribbon_, static_cast<float>(header.ribbon_width_m));
+  if (header.obstacle && header.obstacle->triangles.cols() > 0)
+    obstacle_ = creased_surface(*header.obstacle);
+  obstacle_reach_ = reach(obstacle_.vertices);
+  bodies_ = HitSurface(joined(ribbon_, obstacle_), static_cast<float>(header.ribbon_width_m));
   const auto length = static_cast<float>(header.ribbon_length_m / header.ribbon_width_m);
   for (int vertex = 0; vertex < ribbon_.vertices.cols(); ++vertex) {
     const Eigen::Vector2f uv = header.uv.col(particle_of(grid_, vertex));
-    hit_ribbon_.corners()[static_cast<std::size_t>(vertex)].set_texture(uv.x() * length, uv.y());
+    bodies_.corners()[static_cast<std::size_t>(vertex)].set_texture(uv.x() * length, uv.y());
   }
-  if (!header.obstacle || header.obstacle->triangles.cols() == 0) return;
-  obstacle_ = creased_surface(*header.obstacle);
-  obstacle_reach_ = reach(obstacle_.vertices);
-  hit_obstacle_ = HitSurface(obstacle_);
-  rays_.set_obstacle(hit_obstacle_);
 }
 
 void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions,
@@ -47,8 +45,8 @@ void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions,
   assert(positions.cols() == grid_.particle_count());
   update_ribbon(grid_, positions, ribbon_);
   if (with_selvages_) update_selvages(grid_, half_thickness_m, ribbon_);
-  hit_ribbon_.move_to(ribbon_);
-  rays_.set_ribbon(hit_ribbon_, tree);
+  bodies_.move_to(ribbon_);
+  rays_.set_bodies(bodies_, static_cast<std::uint32_t>(ribbon_.triangles.cols()), tree);
   // Some hundred times what single precision loses in a coordinate, and far less than cloth is
   // thick.
   clearance_ = 1e-5F * std::max(obstacle_reach_, reach(positions));
@@ -56,10 +54,9 @@ void RenderScene::set_ribbon(const Eigen::Matrix3Xf& positions,
 
 void RenderScene::color_ribbon(const std::vector<float>& places, const ColorMap& map) {
   assert(static_cast<int>(places.size()) == grid_.particle_count());
-  auto& corners = hit_ribbon_.corners();
-  for (std::size_t vertex = 0; vertex < corners.size(); ++vertex)
-    corners[vertex].set_texture(
-        places[static_cast<std::size_t>(particle_of(grid_, static_cast<int>(vertex)))], 0);
+  for (int vertex = 0; vertex < ribbon_.vertices.cols(); ++vertex)
+    bodies_.corners()[static_cast<std::size_t>(vertex)].set_texture(
+        places[static_cast<std::size_t>(particle_of(grid_, vertex))], 0);
   map_ = map;
 }
 
@@ -95,8 +92,7 @@ void RenderScene::add_points(Body body, const RayBatch& rays, const HitBatch& hi
                              const MarkedLanes& list, SurfaceBatch& batch) const {
   if (list.count == 0) return;
   LookBatch looks;
-  const HitSurface& surface = body == Body::ribbon ? hit_ribbon_ : hit_obstacle_;
-  surface.find_points(rays, hits, list, clearance_, batch, looks);
+  bodies_.find_points(rays, hits, list, clearance_, batch, looks);
   if (body == Body::ribbon)
     set_ribbon_colors(hits, list, looks, batch);
   else

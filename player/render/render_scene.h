@@ -59,8 +59,9 @@ class RenderScene {
   std::optional<float> ground_m_;
   Surface ribbon_;
   Surface obstacle_;
-  HitSurface hit_ribbon_;  // its texture: along and across in ribbon widths, or x is on the map
-  HitSurface hit_obstacle_;
+  // The ribbon, then the obstacle. The ribbon's texture: along and across in ribbon widths, or x is
+  // on the map.
+  HitSurface bodies_;
   RayScene rays_;
   float obstacle_reach_ = 0;  // largest coordinate
   float clearance_ = 0;       // by which light starts above a facet

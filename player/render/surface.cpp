@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 #include "parallel/vector_loop.h"
@@ -170,6 +171,18 @@ Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {
     surface.normals.col(corner) = unit_or_zero(sum);
   }
   return surface;
+}
+
+Surface joined(const Surface& first, const Surface& second) {
+  const auto side_by_side = [](const auto& a, const auto& b) {
+    std::decay_t<decltype(a)> both(3, a.cols() + b.cols());
+    both << a, b;
+    return both;
+  };
+  const auto own = static_cast<int>(first.vertices.cols());
+  return {side_by_side(first.vertices, second.vertices),
+          side_by_side(first.normals, second.normals),
+          side_by_side(first.triangles, Eigen::Matrix3Xi(second.triangles.array() + own))};
 }
 
 }  // namespace ribbon

@@ -38,4 +38,7 @@ int particle_of(const RibbonGrid& grid, int vertex);
 // side is round and its rim is not. Corners are not shared between triangles.
 Surface creased_surface(const TriangleMesh& mesh, float crease_deg = 40);
 
+// The vertices and triangles of both, those of the first first.
+Surface joined(const Surface& first, const Surface& second);
+
 }  // namespace ribbon

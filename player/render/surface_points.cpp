@@ -164,8 +164,9 @@ HitSurface::HitSurface(const Surface& surface, float unit_m)
 }
 
 void HitSurface::move_to(const Surface& surface) {
-  assert(corners_.size() == static_cast<std::size_t>(surface.vertices.cols()));
-  for (std::size_t c = 0; c < corners_.size(); ++c) {
+  const auto count = static_cast<std::size_t>(surface.vertices.cols());
+  assert(count <= corners_.size());
+  for (std::size_t c = 0; c < count; ++c) {
     const auto column = static_cast<Eigen::Index>(c);
     Eigen::Map<Eigen::Vector3f>(corners_[c].position()) = surface.vertices.col(column);
     Eigen::Map<Eigen::Vector3f>(corners_[c].normal()) = surface.normals.col(column);

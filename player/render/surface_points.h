@@ -29,7 +29,7 @@ struct LookBatch {
   Lanes<float> reach;  // how wide the look is
 };
 
-// A surface as rays meet it: all of a corner lies together. What a triangle's corners tell is
+// Surfaces as rays meet them: all of a corner lies together. What a triangle's corners tell is
 // worked out where it is met, so that little memory is gone through.
 class HitSurface {
  public:
@@ -50,7 +50,7 @@ class HitSurface {
   // The unit is one of the texture's.
   explicit HitSurface(const Surface& surface, float unit_m = 1);
 
-  // Takes over positions and normals.
+  // Takes over positions and normals, which are those of the first vertices.
   void move_to(const Surface& surface);
   [[nodiscard]] std::vector<Corner>& corners() { return corners_; }
   [[nodiscard]] const std::vector<Corner>& corners() const { return corners_; }

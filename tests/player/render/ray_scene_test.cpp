@@ -11,22 +11,23 @@
 
 namespace ribbon::ray_scene_test {
 
-HitSurface flat_ribbon(float z) {
+Surface flat_ribbon(float z) {
   Eigen::Matrix3Xf positions = test::flat_quad();
   positions.row(2).setConstant(z);
-  return HitSurface(test::quad_surface(positions));
+  return test::quad_surface(positions);
 }
 
 // The ribbon's quad at z = 0 and a square obstacle of side 2 at z = -1.
 struct TwoQuads {
-  explicit TwoQuads(float ribbon_z = 0) : ribbon(flat_ribbon(ribbon_z)) {
-    scene.set_obstacle(obstacle);
-    scene.set_ribbon(ribbon, RibbonTree::rebuilt);
+  explicit TwoQuads(float ribbon_z = 0) {
+    const Surface ribbon = flat_ribbon(ribbon_z);
+    const Surface obstacle =
+        creased_surface(quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}));
+    bodies = HitSurface(joined(ribbon, obstacle));
+    scene.set_bodies(bodies, 2, RibbonTree::rebuilt);
   }
 
-  HitSurface obstacle{
-      creased_surface(quad_mesh({-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}))};
-  HitSurface ribbon;
+  HitSurface bodies;
   RayScene scene;
 };
 
@@ -57,13 +58,14 @@ TEST(RayScene, the_ribbon_is_where_it_was_put_last) {
     TwoQuads quads;
     Eigen::Matrix3Xf moved = test::flat_quad();
     moved.row(1).array() += 10;
-    quads.ribbon.move_to(test::quad_surface(moved));
-    quads.scene.set_ribbon(quads.ribbon, tree);
-    const RayBatch rays = batch_of({down(1.9F, 0), down(1.9F, 10)});
+    quads.bodies.move_to(test::quad_surface(moved));
+    quads.scene.set_bodies(quads.bodies, 2, tree);
+    const RayBatch rays = batch_of({down(1.9F, 0), down(1.9F, 10), down(0, 0)});
     HitBatch hits;
     quads.scene.first_hits(rays, Coherence::mixed, hits);
     EXPECT_EQ(hits.body[0], Body::none);
     EXPECT_EQ(hits.body[1], Body::ribbon);
+    EXPECT_EQ(hits.body[2], Body::obstacle);
   }
 }
 
