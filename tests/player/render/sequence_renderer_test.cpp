@@ -76,7 +76,7 @@ TEST(SequenceRenderer, rays_meet_the_same_triangles_whatever_was_shown_before) {
   auto reader = RecordingReader::open(recorded_meeting(21));
   ASSERT_TRUE(reader) << reader.error().sentence();
   for (const char* quality : {"draft", "standard", "final"}) {
-    const auto met_after = [&](std::vector<int> shown) {
+    const auto met_after = [&](const std::vector<int>& shown) {
       SequenceRenderer renderer(*reader, {*quality_named(quality), {}, {}});
       for (const int index : shown) EXPECT_TRUE(renderer.show(index));
       EXPECT_TRUE(renderer.show(20));
