@@ -210,23 +210,16 @@ void TilePainter::sort_hits() {
   s_.scene.add_points(Body::ribbon, rays_, hits_, on_ribbon_, seen_);
   seen_samples_.set(seen_.count, samples_, on_obstacle_);
   s_.scene.add_points(Body::obstacle, rays_, hits_, on_obstacle_, seen_);
-  if (s_.scene.has_ground()) add_ground();
+  const bool has_ground = s_.scene.has_ground();
   for (std::size_t i = 0; i < on_nothing_.count; ++i) {
-    const std::size_t place = samples_.place[on_nothing_.lanes[i]];
+    const std::size_t lane = on_nothing_.lanes[i];
+    if (has_ground && add_ground(lane)) continue;
+    const std::size_t place = samples_.place[lane];
     sums_.add_backdrop(place, backdrop_[place]);
   }
 }
 
-// The samples that see the ground leave those that see nothing.
-void TilePainter::add_ground() {
-  const std::size_t count = on_nothing_.count;
-  on_nothing_.count = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t lane = on_nothing_.lanes[i];
-    on_nothing_.add_if(lane, !add_ground(lane));
-  }
-}
-
+// Whether a sample that met nothing sees the ground.
 bool TilePainter::add_ground(std::size_t lane) {
   const std::size_t to = seen_.count;
   if (!s_.scene.add_ground(rays_, lane, seen_)) return false;

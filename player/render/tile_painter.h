@@ -65,7 +65,6 @@ class TilePainter {
   [[nodiscard]] std::bitset<tile_pixels> worth_more() const;
   void finish_batch();
   void sort_hits();
-  void add_ground();
   bool add_ground(std::size_t lane);
   void find_sunlight(Pattern pattern, const SurfaceBatch& surface, const Samples& samples,
                      VectorLanes& light);
