@@ -228,6 +228,8 @@ stage.addEventListener('pointerdown', event => {
 stage.addEventListener('pointermove', drag);
 for (const end of ['pointerup', 'pointercancel'])
   stage.addEventListener(end, event => pointers.delete(event.pointerId));
+// Or Chromium takes fingers that are lifted in motion for a fling, and the tap that follows for its end.
+stage.addEventListener('touchmove', event => event.preventDefault(), {passive: false});
 stage.addEventListener('contextmenu', event => event.preventDefault());
 stage.addEventListener('wheel', event => {
   event.preventDefault();

@@ -62,6 +62,8 @@ class Board {
     on('pointermove', event => this.pull(event));
     on('pointerup', event => this.lift(event));
     on('pointercancel', event => this.give_up(event));
+    // Or Chromium takes fingers that are lifted in motion for a fling, and the tap that follows for its end.
+    on('touchmove', event => event.preventDefault(), {passive: false});
     on('contextmenu', event => event.preventDefault());
     on('wheel', event => {
       event.preventDefault();

@@ -602,8 +602,7 @@ class Drawing(Sketch):
         self.wait_for(lambda: self.script("return innerWidth === 390 && board.board.clientWidth <= 390"),
                       "the screen stays wide")
         self.script("fit_board()")
-        left, top, scale = self.script(
-            "const b = board.board.getBoundingClientRect(); return [b.left, b.top, board.scale]")
+        left, top = self.script("const b = board.board.getBoundingClientRect(); return [b.left, b.top]")
 
         def at(place):
             x, y = self.script("return board.to_screen(arguments[0])", list(place))
@@ -615,16 +614,18 @@ class Drawing(Sketch):
         self.assertGreater(self.script("return board.board.clientHeight"), 250)
         self.picture("phone-sketch")
         points = self.points()
-        self.touch([(150 - 10 * step, 300) for step in range(6)], [(250 + 10 * step, 300) for step in range(6)])
-        self.assertAlmostEqual(self.script("return board.scale") / scale, 2, delta=0.3)
-        self.assertEqual(self.points(), points)
-        self.script("board.zoom(3, [40, 30])")
-        self.assertFalse(self.drawing_is_seen())
-        self.picture("phone-zoomed")
-        left, top, width, height = self.script(
-            "const b = all_seen.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
-        self.touch([(left + width / 2, top + height / 2)])
-        self.wait_for(self.drawing_is_seen, "Show all shows a part")
+        for _ in range(4):  # the fingers are lifted in motion; what is tapped at once must answer
+            scale = self.script("return board.scale")
+            self.touch([(150 - 10 * step, 300) for step in range(6)], [(250 + 10 * step, 300) for step in range(6)])
+            self.assertAlmostEqual(self.script("return board.scale") / scale, 2, delta=0.3)
+            self.assertEqual(self.points(), points)
+            self.script("board.zoom(3, [40, 30])")
+            self.assertFalse(self.drawing_is_seen())
+            left, top, width, height = self.script(
+                "const b = all_seen.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+            self.touch([(left + width / 2, top + height / 2)])
+            self.wait_for(self.drawing_is_seen, "Show all shows a part")
+        self.picture("phone-all-seen")
         self.assertTrue(self.script("return all_seen.hidden"))
         self.assertEqual(self.points(), points)
 
