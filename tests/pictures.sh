@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Records the samples, renders frames of them with few and with many samples in a pixel, and puts the
 # tables and the plot of what quality costs and of what --noise reaches into docs/play.md and
-# docs/play.svg. Takes about twenty minutes; one that was stopped goes on where it was, as long as
-# player and recordings are the same. Not part of run.sh.
+# docs/play.svg. Takes four minutes on two idle cores; one that was stopped goes on where it was, as
+# long as player and recordings are the same. Not part of run.sh.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
