@@ -183,13 +183,10 @@ struct StrainCorrectionScene {
 
 struct RecordingScene {
   double frames_per_second = 50;
-  double max_position_error = 1e-5;  // of the ribbon's length, per coordinate; 0: positions are
-                                     // recorded in single precision as they are
-  double checkpoint_every_s = 200;   // simulated time; 0: none but at the end
-
-  [[nodiscard]] double max_position_error_m(double ribbon_length_m) const {
-    return max_position_error * ribbon_length_m;
-  }
+  std::optional<double> max_position_error =
+      std::nullopt;  // of the ribbon's length, per coordinate; 0: positions are recorded in single
+                     // precision as they are; none: what suits the ribbon's edges
+  double checkpoint_every_s = 200;  // simulated time; 0: none but at the end
 
   bool operator==(const RecordingScene&) const = default;
 };

@@ -32,7 +32,7 @@ using Eigen::Matrix3Xd;
 
 // Of STATE.md. Raised whenever the layout changes, and whenever equal states no longer go on to
 // equal bits.
-constexpr std::int64_t state_version = 4;
+constexpr std::int64_t state_version = 5;
 constexpr std::int64_t most_steps = 4'000'000'000;
 
 std::optional<ObstacleBody> obstacle_body(const std::optional<TriangleMesh>& obstacle) {
@@ -112,6 +112,7 @@ struct FasteningProcessor::Parts {
   StartReport start;
   double guaranteed_gap_m = 0;
   double reach_m = 0;
+  double rounding_m;  // by which recording may move each coordinate
 };
 
 FasteningProcessor::Parts::Parts(const Scene& scene, const RestSize& rest_size,
@@ -124,7 +125,8 @@ FasteningProcessor::Parts::Parts(const Scene& scene, const RestSize& rest_size,
       bodies(rest_size.grid, obstacle_body(obstacle)),
       time_step(scene, rest_size, lengths, cloth.particle_mass_kg),
       size(rest_size),
-      distances(size, lengths) {}
+      distances(size, lengths),
+      rounding_m(lengths.rounding_m) {}
 
 FasteningProcessor::FasteningProcessor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 FasteningProcessor::FasteningProcessor(FasteningProcessor&& other) noexcept = default;
@@ -139,7 +141,7 @@ Result<FasteningProcessor> FasteningProcessor::create(const Scene& as_read,
                                                       const StartObserver& observer) {
   const RestSize size = rest_size(ribbon, 1);
   const double reach_m = recorded_reach_m(as_read, size, ribbon.positions);
-  const Scene scene = with_fabric(with_single_rounding(as_read, size, reach_m), size);
+  const Scene scene = with_fabric(with_rounding(as_read, size, reach_m), size);
   const ContactLengths lengths = contact_lengths(scene, size);
   auto possible = check_precision(as_read, size, lengths, ribbon.positions, obstacle);
   if (possible) possible = check_width(as_read, ribbon.grid);
@@ -274,6 +276,11 @@ double FasteningProcessor::reach_m() const {
   return parts_->reach_m;
 }
 
+double FasteningProcessor::max_position_error_m() const {
+  const bool is_lossless = parts_->reach_m < std::numeric_limits<double>::max();
+  return is_lossless ? 0 : parts_->rounding_m;
+}
+
 double FasteningProcessor::guaranteed_gap_m() const {
   return parts_->guaranteed_gap_m;
 }
@@ -303,7 +310,7 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
   visit_head(beginning, head);
   beginning.ignore_rest();
   if (auto read = beginning.finish(); !read) return refused(read.error());
-  const Scene scene = with_fabric(with_single_rounding(as_read, size, head.reach_m), size);
+  const Scene scene = with_fabric(with_rounding(as_read, size, head.reach_m), size);
   auto parts = std::make_unique<Parts>(scene, size, contact_lengths(scene, size), obstacle,
                                        Matrix3Xd::Zero(3, size.grid.particle_count()));
   if (auto few = check_substeps(scene, parts->time_step.substeps()); !few)
@@ -318,7 +325,7 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
 void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings settings) {
   auto& [step_of_scene, springs_of_scene, steps_now, steps_then, then_s, cloth_now, bodies_now,
          time_step_of_scene, hands_now, staged_hands_now, fastened_as_of_scene, size_of_scene,
-         distances_of_scene, start_then, gap_m, reach_then_m] = *this;
+         distances_of_scene, start_then, gap_m, reach_then_m, rounding_of_scene] = *this;
   StateHead head{size.grid, fastened_as_of_scene, step_s, reach_m};
   visit_head(archive, head);
   reach_then_m = head.reach_m;

@@ -89,9 +89,13 @@ class FasteningProcessor {
   // Otherwise the largest number.
   [[nodiscard]] double reach_m() const;
 
+  // By how much recording may move each coordinate: the scene's max_position_error, or what suits
+  // the ribbon's edges where it names none. 0: only by rounding it to single precision.
+  [[nodiscard]] double max_position_error_m() const;
+
   // No two features that share no vertex, of the ribbon or of ribbon and obstacle, come nearer than
-  // this, even if each coordinate of a particle is moved by the scene's max_position_error, or
-  // rounded to single precision where that is 0. 0 with contact = "paper", which guarantees
+  // this, even if each coordinate of a particle is moved by that error, or rounded to single
+  // precision where it is 0. 0 with contact = "paper", which guarantees
   // nothing.
   [[nodiscard]] double guaranteed_gap_m() const;
 

@@ -45,7 +45,7 @@ RecordingHeader header_of_run(const Scene& scene, const std::string& program, co
   header.ribbon_width_m = ribbon.width_m;
   header.row_widths_m = ribbon.row_widths_m;
   header.frames_per_second = scene.recording.frames_per_second;
-  header.max_position_error_m = scene.recording.max_position_error_m(ribbon.length_m);
+  header.max_position_error_m = start.fastening.max_position_error_m();
   header.quantisation_step_m =
       quantisation_step_m(header.max_position_error_m,
                           start.fastening.positions().cwiseAbs().maxCoeff(), ribbon.length_m);

@@ -37,6 +37,7 @@ inline Scene scene_of_loop() {
   scene.air_resistance_per_s = 4;
   scene.fastening = FasteningScene{.speed_m_s = 0.4};
   scene.time = {.step_s = 0.01, .duration_s = 1};
+  scene.recording.max_position_error = 1e-5;
   return scene;
 }
 

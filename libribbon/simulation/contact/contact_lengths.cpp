@@ -22,7 +22,7 @@ ContactLengths contact_lengths(double edge_m, double rounding_m, double thicknes
 
 ContactLengths contact_lengths(const Scene& scene, const RestSize& size) {
   return contact_lengths(size.shortest_edge_m(),
-                         scene.recording.max_position_error_m(size.length_m),
+                         scene.recording.max_position_error.value() * size.length_m,
                          scene.ribbon.thickness_m);
 }
 

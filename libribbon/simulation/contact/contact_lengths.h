@@ -21,7 +21,7 @@ double lost_to_rounding_m(double rounding_m);
 // each coordinate by rounding_m (>= 0). Neighbours in the flat ribbon must not count as too close,
 // so the minimum separation is at most a fifth of an edge, however coarse the rounding.
 ContactLengths contact_lengths(double edge_m, double rounding_m, double thickness_m);
-// Those of a band of that size.
+// Those of a band of that size, in a scene that has a max_position_error.
 ContactLengths contact_lengths(const Scene& scene, const RestSize& size);
 
 // The smallest gap that is left in a recording whatever the rounding did; 0 where it may take all.

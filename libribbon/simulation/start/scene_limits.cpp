@@ -1,5 +1,6 @@
 #include "simulation/start/scene_limits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -41,7 +42,8 @@ Result<void> arithmetic_keeps_the_gap(const Scene& scene, double gap_m, double f
                      " of the origin, or make the edges of the ribbon longer");
 }
 
-Result<void> recording_tells_positions(const Scene& scene, double rounding_m, double farthest_m) {
+Result<void> recording_tells_positions(const Scene& scene, const RestSize& size, double rounding_m,
+                                       double farthest_m) {
   const double single_m = std::ldexp(farthest_m, -24);
   if (single_m <= rounding_m) return {};
   return failure(
@@ -51,8 +53,7 @@ Result<void> recording_tells_positions(const Scene& scene, double rounding_m, do
       "move it to within " + metres(0.99 * std::ldexp(rounding_m, 24)) +
           " of the origin with curve.origin, make it smaller, or set recording.max_position_error "
           "to " +
-          short_number(1.01 * scene.recording.max_position_error * single_m / rounding_m, 3) +
-          " or more");
+          short_number(1.01 * single_m / size.length_m, 3) + " or more");
 }
 
 Result<void> single_precision_keeps_the_gap(const Scene& scene, const ContactLengths& lengths) {
@@ -68,7 +69,7 @@ Result<void> single_precision_keeps_the_gap(const Scene& scene, const ContactLen
 Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size,
                                         const ContactLengths& lengths) {
   const double edge_m = size.shortest_edge_m();
-  const double most_m = coarsest_rounding_m(edge_m);
+  const double most_m = coarsest_rounding_m(edge_m, least_aimed_strain);
   if (lengths.rounding_m <= most_m) return {};
   return failure(scene.name,
                  "recording may move coordinates by " + metres(lengths.rounding_m) +
@@ -79,6 +80,16 @@ Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size
                      " or less, or fewer particles");
 }
 
+// Of the ribbon's length. Cloth that may hardly be strained takes the correction several times as
+// long, and is another cloth.
+double usual_position_error(const Scene& scene, const RestSize& size) {
+  constexpr double usual = 1e-5;
+  constexpr double least = 1e-7;
+  if (scene.contact != ContactMethod::gate) return usual;
+  const double borne_m = coarsest_rounding_m(size.shortest_edge_m(), paper_strain_limit / 2);
+  return std::clamp(borne_m / size.length_m, least, usual);
+}
+
 }  // namespace
 
 double recorded_reach_m(const Scene& scene, const RestSize& size, const Matrix3Xd& positions) {
@@ -87,10 +98,11 @@ double recorded_reach_m(const Scene& scene, const RestSize& size, const Matrix3X
   return next_power_of_two(2 * far_m);
 }
 
-Scene with_single_rounding(Scene scene, const RestSize& size, double reach_m) {
+Scene with_rounding(Scene scene, const RestSize& size, double reach_m) {
+  std::optional<double>& error = scene.recording.max_position_error;
   // Half of the spacing of the numbers below the reach, a power of two.
-  if (is_lossless(scene))
-    scene.recording.max_position_error = std::ldexp(reach_m, -25) / size.length_m;
+  if (is_lossless(scene)) error = std::ldexp(reach_m, -25) / size.length_m;
+  if (!error) error = usual_position_error(scene, size);
   return scene;
 }
 
@@ -103,7 +115,7 @@ Result<void> check_precision(const Scene& as_read, const RestSize& size,
       as_read, lengths.min_separation_m,
       Eigen::Vector2d(ribbon_m, obstacle_m).maxCoeff<Eigen::PropagateNaN>());
   if (kept && !is_lossless(as_read))
-    kept = recording_tells_positions(as_read, lengths.rounding_m, ribbon_m);
+    kept = recording_tells_positions(as_read, size, lengths.rounding_m, ribbon_m);
   if (kept && as_read.contact == ContactMethod::gate)
     kept = is_lossless(as_read) ? single_precision_keeps_the_gap(as_read, lengths)
                                 : recording_keeps_the_strain(as_read, size, lengths);

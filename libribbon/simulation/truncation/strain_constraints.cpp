@@ -15,7 +15,6 @@ namespace {
 constexpr double negligible_excess = 0.004;  // of an edge's rest length
 // Of the excess, but never beyond the rest length: half as many sweeps are needed as with 1.
 constexpr double over_relaxation = 1.5;
-constexpr double least_aim = 0.02;
 constexpr double recordable_strain = 0.99 * paper_strain_limit;
 
 struct Tightened {
@@ -100,12 +99,12 @@ StrainExcess StrainConstraints::excess(const Eigen::Matrix3Xd& positions) const 
 }
 
 double most_strain(double rest_m, double rounding_m) {
-  return std::max(least_aim + strain_left_over,
+  return std::max(least_aimed_strain + strain_left_over,
                   recordable_strain - lost_to_rounding_m(rounding_m) / rest_m);
 }
 
-double coarsest_rounding_m(double rest_m) {
-  return (recordable_strain - least_aim - strain_left_over) * rest_m / lost_to_rounding_m(1);
+double coarsest_rounding_m(double rest_m, double strain) {
+  return (recordable_strain - strain - strain_left_over) * rest_m / lost_to_rounding_m(1);
 }
 
 double aimed_strain(double strain, double rest_m, double rounding_m) {

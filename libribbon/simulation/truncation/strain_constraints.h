@@ -53,8 +53,12 @@ class StrainConstraints {
 // it is recorded with rounding_m (>= 0) a coordinate; at least what the correction leaves.
 double most_strain(double rest_m, double rounding_m);
 
-// With up to which rounding edges of rest_m can be kept within the paper's limit.
-double coarsest_rounding_m(double rest_m);
+// With up to which rounding edges of rest_m are kept within the paper's limit by aiming at `strain`
+// (at least least_aimed_strain).
+double coarsest_rounding_m(double rest_m, double strain);
+
+// The strain correction aims no lower, however short the edges.
+inline constexpr double least_aimed_strain = 0.02;
 
 // What the strain correction aims at for an edge of rest length rest_m, so that it is still within
 // most_strain() when it is left a little over: `strain`, or less where rounding asks for it.

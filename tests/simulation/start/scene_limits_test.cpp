@@ -7,6 +7,8 @@
 #include "result/refusal.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
+#include "simulation/start/width_growth.h"
+#include "simulation/truncation/strain_constraints.h"
 
 namespace ribbon::scene_limits_test {
 
@@ -60,10 +62,33 @@ TEST(SceneLimits, a_recording_too_coarse_for_edges_and_gap_is_refused_with_an_er
   scene.recording.max_position_error =
       std::stod(sentence.substr(sentence.find(remedy) + remedy.size()));
   EXPECT_EQ(refusal(scene, mesh), "");
-  scene.recording.max_position_error *= 1.02;
+  *scene.recording.max_position_error *= 1.02;
   EXPECT_NE(refusal(scene, mesh), "");
   scene.contact = ContactMethod::paper;  // which promises nothing
   EXPECT_EQ(refusal(scene, mesh), "");
+}
+
+TEST(SceneLimits, an_error_that_is_left_out_is_as_small_as_the_edges_need) {
+  const auto error = [](Scene scene) {
+    scene.recording.max_position_error.reset();
+    return with_rounding(scene, rest_size(mesh_of_loop(scene), 1), 0)
+        .recording.max_position_error.value();
+  };
+  Scene scene = scene_of_loop();
+  EXPECT_EQ(error(scene), 1e-5);
+  scene.ribbon.across = 40;  // too many for that error
+  const RestSize size = rest_size(mesh_of_loop(scene), 1);
+  EXPECT_THAT(refusal(scene, mesh_of_loop(scene)), HasSubstr("or fewer particles"));
+  EXPECT_LT(error(scene), 1e-5);
+  EXPECT_NEAR(aimed_strain(0.08, size.shortest_edge_m(), error(scene) * size.length_m), 0.05, 1e-9);
+  scene.recording.max_position_error.reset();
+  const auto fastening = FasteningProcessor::create(scene, mesh_of_loop(scene), std::nullopt);
+  ASSERT_TRUE(fastening.has_value());
+  EXPECT_EQ(fastening->max_position_error_m(), error(scene) * size.length_m);
+  scene.ribbon.across = 4000;
+  EXPECT_EQ(error(scene), 1e-7);
+  scene.contact = ContactMethod::paper;  // which promises nothing
+  EXPECT_EQ(error(scene), 1e-5);
 }
 
 TEST(SceneLimits, without_loss_the_gap_survives_rounding_to_single_precision) {
@@ -72,6 +97,7 @@ TEST(SceneLimits, without_loss_the_gap_survives_rounding_to_single_precision) {
   auto fastening = FasteningProcessor::create(scene, mesh_of_loop(scene), post(0.3)).value();
   // The loop reaches 0.5 m and is 4.09 m long.
   EXPECT_EQ(fastening.reach_m(), 16);
+  EXPECT_EQ(fastening.max_position_error_m(), 0);
   scene.recording.max_position_error = 1e-5;
   const double lossy_gap_m =
       FasteningProcessor::create(scene, mesh_of_loop(scene), post(0.3))->guaranteed_gap_m();
