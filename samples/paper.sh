@@ -110,7 +110,7 @@ stiffened() {
     newtons_per_metre=$(awk -v ratio="$ratio" 'BEGIN { print ratio / (4 * 200) }')
     for method in "${methods[@]}"; do
       tied "stiffness-$ratio" "$method" overhand-hourglass-8x400 ribbon.{across=4,along=200} \
-        springs.{stretch,shear,bend}="$newtons_per_metre" fastening.yield=1 time.duration=6
+        springs.{stretch,shear,bend}="$newtons_per_metre" fastening.yield=never time.duration=6
     done
   done
 }

@@ -268,7 +268,7 @@ std::vector<Key> fastening_keys() {
       {"max_speed", optional, "1",
        set(in(&Scene::fastening, &FasteningScene::max_speed_m_s), number(positive))},
       {"yield", optional, "0.05",
-       set(in(&Scene::fastening, &FasteningScene::yield_strain), number(yield_strain))},
+       set(in(&Scene::fastening, &FasteningScene::yield_strain), yield_strain)},
       {"axis_point", optional, "[0, 0, 0]",
        set(in(&Scene::fastening, &FasteningScene::axis_point_m), coordinates<3>)},
       {"axis", optional, "[0, 1, 0]",
@@ -313,7 +313,7 @@ std::vector<Key> hand_keys() {
            [](Scene & scene) -> auto& { return scene.stages.back().hands.back().carry.heights; },
            heights)},
       {"speed", optional, "0.3", set(in_hand(&HandScene::speed_m_s), number(positive))},
-      {"yield", optional, "0.05", set(in_hand(&HandScene::yield_strain), number(yield_strain))},
+      {"yield", optional, "0.05", set(in_hand(&HandScene::yield_strain), yield_strain)},
   };
 }
 

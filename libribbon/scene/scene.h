@@ -143,16 +143,16 @@ enum class IntegrationMethod { rk4, symplectic_euler, implicit };
 // Where the ribbon is pulled: everywhere as in the paper, or at its two ends alone.
 enum class FasteningPull { distributed, ends };
 
-// The pre-step fastening force of the paper's section 5.2.
+// The pre-step fastening force of the paper's section 5.2, and the feedback of 3.3: hands feel how
+// the ribbon resists.
 struct FasteningScene {
   double speed_m_s = 0;  // distributed: at which the force alone would carry a free particle that
                          // is at mean distance from the axis; ends: at which each end would draw a
                          // free half of the ribbon; both against the air resistance
   FasteningPull pull = FasteningPull::distributed;
   std::optional<double> max_speed_m_s =
-      std::nullopt;  // to which the force accelerates particles at most; none: to any
-  std::optional<double> yield_strain =
-      std::nullopt;  // stretch along at which the hands give way; none: never
+      std::nullopt;            // to which the force accelerates particles at most; none: to any
+  double yield_strain = 0.05;  // stretch along at which the hands give way; or `unyielding`
   Eigen::Vector3d axis_point_m = Eigen::Vector3d::Zero();     // a point on the centre axis
   Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitY();  // unit length
 

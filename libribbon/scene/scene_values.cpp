@@ -87,6 +87,13 @@ Result<double> position_error(const Value& value) {
   return number(lossy)(value);
 }
 
+Result<double> yield_strain(const Value& value) {
+  const auto* text = value.toml.as<std::string>();
+  if (text != nullptr && *text == "never") return unyielding;
+  if (const auto strain = number_within({"", 1e-3, 1}, value.toml)) return *strain;
+  return wrong(value, value.toml, R"(a number from 0.001 to 1, or "never")");
+}
+
 Result<int> particle_count(const Value& value) {
   const auto* count = value.toml.as<std::int64_t>();
   if (count == nullptr || *count < 2)

@@ -46,7 +46,6 @@ struct Range {
 inline constexpr Range any_number{"from -1e12 to 1e12", -1e12, 1e12};
 inline constexpr Range not_negative{"from 0 to 1e12", 0, 1e12};
 inline constexpr Range positive{"above 0 (from 1e-12 to 1e12)", 1e-12, 1e12};
-inline constexpr Range yield_strain{"from 0.001 to 1", 1e-3, 1};
 inline constexpr Range lossy{"from 1e-7 to 0.01, or 0", 1e-7, 0.01};
 
 // Nothing where it is no number, or not in the range.
@@ -59,6 +58,8 @@ inline auto number(const Range& range) {
   };
 }
 Result<double> position_error(const Value& value);
+// Or "never".
+Result<double> yield_strain(const Value& value);
 Result<int> particle_count(const Value& value);
 
 // Of one line, and not empty.

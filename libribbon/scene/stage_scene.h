@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -32,6 +33,9 @@ struct BandPart {
 
   bool operator==(const BandPart&) const = default;
 };
+
+// The yield_strain of hands that never give way.
+inline constexpr double unyielding = std::numeric_limits<double>::infinity();
 
 // What a hand does with its part of the band: pulls it in one direction, along the band with the
 // fastening force, or away from the axis; holds it where it is when the stage begins; or carries it
@@ -73,8 +77,10 @@ struct HandScene {
   double speed_m_s = 0;  // at which it would draw half of the band if nothing held that; along: as
                          // FasteningScene::speed_m_s. Its force is never more. Carrying, it goes
                          // along its path as fast.
-  std::optional<double> yield_strain = std::nullopt;  // at which a hand that pulls gives way
-  CarryPath carry = {};                               // of HandTask::carry
+  std::optional<double> yield_strain =
+      std::nullopt;      // at which a hand that pulls gives way; none: never, but in a file that
+                         // leaves it out as FasteningScene::yield_strain
+  CarryPath carry = {};  // of HandTask::carry
 
   bool operator==(const HandScene&) const = default;
 };

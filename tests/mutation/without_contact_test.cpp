@@ -19,7 +19,7 @@ class WithoutContact : public testing::TestWithParam<const char*> {};
 TEST_P(WithoutContact, both_oracles_find_the_same_intersections) {
   Scene scene = read_scene(std::string(RIBBON_SAMPLES "/") + GetParam()).value();
   scene.fastening->speed_m_s *= 10;
-  scene.fastening->yield_strain.reset();
+  scene.fastening->yield_strain = unyielding;
   const SpaceCurve curve = generate_space_curve(scene.curve, scene.ribbon).value();
   const RibbonMesh ribbon = generate_ribbon_mesh(curve, scene.ribbon, scene.curve.axis);
   const TriangleMesh obstacle = read_obstacle(*scene.obstacle).value();

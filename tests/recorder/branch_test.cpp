@@ -70,7 +70,7 @@ TEST_F(Branch, a_changed_setting_acts_from_its_frame_on) {
 }
 
 TEST_F(Branch, a_faster_take_is_drawn_farther) {
-  ASSERT_EQ(refusal(30, {"fastening.speed=1"}), "");
+  ASSERT_EQ(refusal(30, {"fastening.speed=1", "fastening.yield=never"}), "");
   const auto take = frames_of(target());
   const auto way_m = [](const std::vector<PlayedFrame>& frames) {
     return (frames[60].positions.col(0) - frames[30].positions.col(0)).norm();

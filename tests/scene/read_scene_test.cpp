@@ -140,6 +140,20 @@ TEST(ReadScene, the_knot_of_a_part_is_expected_between_shares_or_marks) {
               HasSubstr("must be two places that differ"));
 }
 
+TEST(ReadScene, hands_yield_unless_told_never_to) {
+  const auto yield = [](const std::string& line) {
+    return read_text(with("[air]\nresistance = 1\n[fastening]\nspeed = 1\n" + line))
+        .map([](const Scene& scene) { return scene.fastening->yield_strain; });
+  };
+  EXPECT_EQ(yield("").value(), 0.05);
+  EXPECT_EQ(yield("yield = 0.25\n").value(), 0.25);
+  EXPECT_EQ(yield("yield = 'never'\n").value(), unyielding);
+  for (const char* wrong : {"'seldom'", "0", "1.5", "inf", "true"})
+    EXPECT_THAT(refusal_of(yield("yield = " + std::string(wrong) + "\n")),
+                HasSubstr("must be a number from 0.001 to 1, or \"never\""))
+        << wrong;
+}
+
 TEST(ReadScene, a_number_for_gravity_points_down) {
   const Scene scene = read_text(with("[gravity]\nacceleration = 9.81\n")).value();
   EXPECT_EQ(scene.gravity_m_s2, Eigen::Vector3d(0, -9.81, 0));

@@ -35,7 +35,7 @@ inline Scene scene_of_loop() {
   scene.ribbon = {.width_m = 0.06, .along = 120, .across = 4, .mass_kg = 0.3};
   scene.springs = {.stretch = 10, .shear = 10, .bend = 10};
   scene.air_resistance_per_s = 4;
-  scene.fastening = FasteningScene{.speed_m_s = 0.4};
+  scene.fastening = FasteningScene{.speed_m_s = 0.4, .yield_strain = unyielding};
   scene.time = {.step_s = 0.01, .duration_s = 1};
   scene.recording.max_position_error = 1e-5;
   return scene;

@@ -48,7 +48,7 @@ StageHand::StageHand(const HandScene& hand, const Scene& scene, const RestSize& 
       air_per_s_(scene.air_resistance_per_s),
       step_s_(scene.time.step_s),
       particle_mass_kg_(particle_mass_kg) {
-  if (hand.yield_strain)
+  if (hand.yield_strain.value_or(unyielding) < unyielding)
     yielding_.emplace(size, *hand.yield_strain, hanging_weight(scene, size, particle_mass_kg),
                       felt_rows(rows_, size));
   if (hand.task == HandTask::carry)

@@ -52,7 +52,7 @@ void add_all_features(const Scene& full, List& list) {
   list.add("+ obstacle", [&](Scene& s) { s.obstacle = full.obstacle; });
   list.add("+ fastening", [&](Scene& s) {
     s.fastening = full.fastening;
-    s.fastening->yield_strain.reset();
+    s.fastening->yield_strain = unyielding;
     s.fastening->max_speed_m_s.reset();
   });
   list.add("+ `yield`", [](Scene& s) { s.fastening->yield_strain = 0.05; });

@@ -13,7 +13,7 @@ constexpr RestSize size{{101, 2}, 100, 1};
 Scene scene_of_hands() {
   Scene scene;
   scene.air_resistance_per_s = 2;
-  scene.fastening = FasteningScene{.speed_m_s = 3};
+  scene.fastening = FasteningScene{.speed_m_s = 3, .yield_strain = unyielding};
   scene.fastening->axis_point_m = {50, 0, 7};  // beside the middle, so that nothing lies on it
   scene.time = {.step_s = 0.1, .duration_s = 10};
   return scene;
