@@ -2,7 +2,7 @@
 # Remakes what section 6 of the paper shows, by the published method and by the gate side by side: the scenes of
 # Figures 16 to 19 as contact sheets from two views, what --verify finds in every frame of them, times, the same
 # for stiffness from nothing to k/m = 1e6 (section 6.2), and the box tests of detection over ribbon sizes
-# (section 5.4.3). Takes ten minutes. Results stay in out/paper; what is complete there is not made again.
+# (section 5.4.3). Takes three to ten minutes. Results stay in out/paper; what is complete there is not made again.
 #   samples/paper.sh [OPTION...]
 #     --to FOLDER      results into this folder instead
 #     --build FOLDER   use the tools and benchmarks built there instead of building

@@ -60,7 +60,8 @@ class Run:
         if not changes:
             return f"{first}, kept"
         last = changes[-1]["after"].split(";")[0].split(",")[0].split(" (")[0]
-        return f"changed {len(changes)} times, at last {last}"
+        times = "once" if len(changes) == 1 else f"{len(changes)} times"
+        return f"changed {times}, at last {last}"
 
 
 HEADINGS = ["simulated, s", "intersecting pairs", "in frames", "most in one", "edges left at the end", "strain", "knot",
