@@ -181,6 +181,9 @@ struct StrainCorrectionScene {
   bool operator==(const StrainCorrectionScene&) const = default;
 };
 
+// The least max_position_error that a scene may name, but for 0.
+inline constexpr double least_position_error = 1e-7;
+
 struct RecordingScene {
   double frames_per_second = 50;
   std::optional<double> max_position_error =

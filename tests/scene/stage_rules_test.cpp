@@ -52,6 +52,17 @@ TEST(Stages, every_key_reaches_its_place) {
       << "what it does not say, [fastening] says";
 }
 
+TEST(Stages, a_hand_may_never_yield_though_the_others_do) {
+  const auto yield = [](const std::string& line) {
+    return read_text(one_stage("until = 1\n", pulling_hand + line))
+        ->stages[0]
+        .hands[0]
+        .yield_strain;
+  };
+  EXPECT_EQ(yield("yield = 'never'\n"), unyielding);
+  EXPECT_EQ(yield(""), 0.04);
+}
+
 TEST(Stages, a_hand_carries_along_a_path_at_heights) {
   const auto hand_of = [](const std::string& lines) {
     return read_text(one_stage("until = 'carried'\n", "at = [0, 0.25]\n" + lines))

@@ -84,10 +84,9 @@ Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size
 // long, and is another cloth.
 double usual_position_error(const Scene& scene, const RestSize& size) {
   constexpr double usual = 1e-5;
-  constexpr double least = 1e-7;
   if (scene.contact != ContactMethod::gate) return usual;
   const double borne_m = coarsest_rounding_m(size.shortest_edge_m(), paper_strain_limit / 2);
-  return std::clamp(borne_m / size.length_m, least, usual);
+  return std::clamp(borne_m / size.length_m, least_position_error, usual);
 }
 
 }  // namespace

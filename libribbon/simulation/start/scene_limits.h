@@ -21,8 +21,7 @@ double recorded_reach_m(const Scene& scene, const RestSize& size,
 
 // With a max_position_error above 0. A scene that wants no loss has the rounding to single
 // precision within its reach. One that names none has 1e-5, or less where edges would otherwise be
-// held to less than half of the paper's limit of strain, but at least the 1e-7 that a scene may
-// name.
+// held to less than half of the paper's limit of strain, but at least least_position_error.
 Scene with_rounding(Scene scene, const RestSize& size, double reach_m);
 
 // positions: 3 x particles, the ribbon of `size`; lengths: of it, with single rounding. Fails,
