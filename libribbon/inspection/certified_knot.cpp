@@ -1,6 +1,7 @@
 #include "inspection/certified_knot.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "knot/type/tied_forms.h"
@@ -43,10 +44,24 @@ void KnotCertifier::certify() {
     ++result_.uncertain_frames;
     return;
   }
-  if (known_ && certificate != known_->certificate)
-    result_.changes.push_back(
-        {known_->index + 1, followed_ + 1, known_->certificate.text(), certificate.text()});
-  known_ = {followed_, std::move(certificate)};
+  if (known_ && certificate != known_->certificate) {
+    CertificateChange change{known_->index + 1, followed_ + 1, known_->certificate.text(),
+                             certificate.text()};
+    if (turned_ends_explain(certificate)) {
+      ++result_.uncertain_frames;
+      if (!result_.turned_too_far) result_.turned_too_far = std::move(change);
+      return;
+    }
+    result_.changes.push_back(std::move(change));
+  }
+  known_ = {followed_, std::move(certificate), witness_.wide_turns()};
+}
+
+// Both are known.
+bool KnotCertifier::turned_ends_explain(const KnotCertificate& certificate) const {
+  return certificate.equals_but_for_twist(known_->certificate) &&
+         std::abs(*certificate.selvage_linking - *known_->certificate.selvage_linking) <=
+             witness_.wide_turns() - known_->wide_turns;
 }
 
 CertifiedKnot KnotCertifier::finish() {

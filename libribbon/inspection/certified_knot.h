@@ -27,6 +27,9 @@ struct CertifiedKnot {
   int uncertain_frames = 0;   // of these, where knot or twist could not be known
   int unexpected_frames = 0;  // of these, where it was another than the one expected
   std::vector<CertificateChange> changes;
+  // Where first an end may have turned the longer way between frames, so that the twist is not
+  // known.
+  std::optional<CertificateChange> turned_too_far;
 };
 
 class KnotCertifier {
@@ -49,9 +52,11 @@ class KnotCertifier {
   struct Known {
     int index;
     KnotCertificate certificate;
+    int wide_turns;  // until then
   };
 
   void certify();
+  [[nodiscard]] bool turned_ends_explain(const KnotCertificate& certificate) const;
 
   RibbonGrid grid_;
   std::optional<RibbonPart> part_;

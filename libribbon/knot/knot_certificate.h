@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "knot/type/laurent_polynomial.h"
 
@@ -39,6 +40,13 @@ struct KnotCertificate {
   [[nodiscard]] std::string text() const;
 
   bool operator==(const KnotCertificate&) const = default;
+  // But for how often the selvages are linked.
+  [[nodiscard]] bool equals_but_for_twist(const KnotCertificate& other) const {
+    return std::tie(first_end_buried, last_end_buried, broken_positions, jones, turns_round_object,
+                    object_met) == std::tie(other.first_end_buried, other.last_end_buried,
+                                            other.broken_positions, other.jones,
+                                            other.turns_round_object, other.object_met);
+  }
 };
 
 }  // namespace ribbon

@@ -22,11 +22,15 @@ class KnotWitness {
 
   // The next frame: 3 x grid.particle_count() positions. To be called with every frame in order,
   // because it follows the ends, so that the closure is the same from frame to frame. Between two
-  // frames, every particle is taken to move straight, and an end to turn less than half a turn.
+  // frames, every particle is taken to move straight, and an end to turn the shorter way.
   void follow(const Eigen::Matrix3Xf& positions);
 
   // Of the frame followed last. Requires at least one.
   [[nodiscard]] KnotCertificate certificate() const;
+
+  // So far. The certificates of two frames differ by up to one in how often the selvages are linked
+  // for each that lies between them, though nothing has passed through anything.
+  [[nodiscard]] int wide_turns() const { return selvages_.wide_turns(); }
 
   // Nothing without an axis.
   [[nodiscard]] const std::optional<AxisTurns>& turns() const { return turns_; }

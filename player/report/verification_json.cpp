@@ -73,16 +73,20 @@ Json passages_json(const std::vector<PassageOverEnd>& passages) {
   return list;
 }
 
+Json change_json(const CertificateChange& change) {
+  return {{"frame_before", change.frame_before},
+          {"frame_after", change.frame_after},
+          {"before", change.before},
+          {"after", change.after}};
+}
+
 Json certified_json(const CertifiedKnot& knot) {
   Json changes = Json::list({});
-  for (const CertificateChange& change : knot.changes)
-    changes.add({{"frame_before", change.frame_before},
-                 {"frame_after", change.frame_after},
-                 {"before", change.before},
-                 {"after", change.after}});
+  for (const CertificateChange& change : knot.changes) changes.add(change_json(change));
   return {{"certificate", knot.certified_frames > 0 ? Json(knot.certificate) : Json()},
           {"certified_frames", knot.certified_frames},
           {"uncertain_frames", knot.uncertain_frames},
+          {"turned_too_far", knot.turned_too_far ? change_json(*knot.turned_too_far) : Json()},
           {"changes", changes}};
 }
 

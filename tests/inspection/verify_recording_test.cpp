@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -72,6 +73,56 @@ TEST(Verify, a_knot_that_is_not_known_has_not_changed) {
   EXPECT_EQ(certified.certified_frames, 2);
   EXPECT_EQ(certified.uncertain_frames, 1);
   EXPECT_TRUE(certified.changes.empty());
+}
+
+// The looped ribbon, its last quarter turned about its line, more and more towards its end.
+Eigen::Matrix3Xf loop_with_end_turned(const RecordingHeader& header, double full_turns) {
+  Eigen::Matrix3Xd positions = looped_ribbon(header, {});
+  for (int row = 150; row < header.grid.along; ++row) {
+    const auto of_row = positions.middleCols(header.grid.particle(row, 0), 2);
+    const Eigen::Vector3d middle = of_row.rowwise().mean();
+    const double turn_rad = 2 * std::numbers::pi * full_turns * (row - 150) / 49.0;
+    const Eigen::AngleAxisd turn(turn_rad, Eigen::Vector3d::UnitX());
+    positions.middleCols(header.grid.particle(row, 0), 2) =
+        ((turn.toRotationMatrix() * (of_row.colwise() - middle)).colwise() + middle).eval();
+  }
+  return positions.cast<float>();
+}
+
+CertifiedKnot certified_while_an_end_turns(const std::vector<double>& full_turns) {
+  const RecordingHeader header = header_with_post();
+  KnotCertifier knot(header.grid, {}, {}, "");
+  for (std::size_t frame = 0; frame < full_turns.size(); ++frame)
+    knot.follow(static_cast<int>(frame), loop_with_end_turned(header, full_turns[frame]), true);
+  return knot.finish();
+}
+
+TEST(Verify, an_end_that_turns_slowly_hides_nothing) {
+  const CertifiedKnot knot = certified_while_an_end_turns({0, 0.2, 0.4, 0.6, 0.8, 1});
+  EXPECT_EQ(knot.uncertain_frames, 0);
+  EXPECT_FALSE(knot.turned_too_far);
+  EXPECT_TRUE(knot.changes.empty());
+}
+
+TEST(Verify, an_end_that_turns_too_far_between_frames_leaves_the_twist_unknown) {
+  const CertifiedKnot knot = certified_while_an_end_turns({0, 0.2, 0.8, 0.9, 0.3});
+  EXPECT_TRUE(knot.changes.empty());
+  EXPECT_EQ(knot.uncertain_frames, 2);  // until it has turned back the way it came
+  ASSERT_TRUE(knot.turned_too_far);
+  EXPECT_EQ(knot.turned_too_far->frame_before, 2);
+  EXPECT_EQ(knot.turned_too_far->frame_after, 3);
+}
+
+TEST(Verify, a_turned_end_explains_no_other_change) {
+  const RecordingHeader header = header_with_post();
+  for (const double by_turns : {0.2, 0.6}) {
+    KnotCertifier knot(header.grid, {}, object_axis(header.centre_axis, header.obstacle), "");
+    knot.follow(0, loop_with_end_turned(header, 0), true);
+    Eigen::Matrix3Xf passed = loop_with_end_turned(header, by_turns);
+    passed.row(2).array() -= 0.5F;  // through the post
+    knot.follow(1, passed, true);
+    EXPECT_EQ(knot.finish().changes.size(), 1U) << by_turns;
+  }
 }
 
 TEST(Verify, intersecting_frames_are_counted_and_the_worst_is_named) {

@@ -114,6 +114,14 @@ std::optional<int> edge_on_passages(const RibbonCurves& before, const RibbonCurv
   return sense;
 }
 
+// Has an end turned about its ray by more than a quarter of a turn?
+bool is_wide_turn(const RibbonCurves& before, const RibbonCurves& now, std::size_t end,
+                  const Eigen::Vector3d& ray) {
+  const Eigen::Vector3d from = across(before, end).cross(ray);
+  const Eigen::Vector3d to = across(now, end).cross(ray);
+  return from.dot(to) < 0;
+}
+
 int half_rounded_up(int number) {
   return number / 2 + (number > 0 ? number % 2 : 0);
 }
@@ -137,6 +145,8 @@ std::optional<int> SelvageLinking::crossing_sum_before(const RibbonCurves& befor
 void SelvageLinking::follow(const RibbonCurves& before, const RibbonCurves& now,
                             const Directions& rays) {
   if (!number_) return;
+  for (const std::size_t end : {0U, 1U})
+    if (is_wide_turn(before, now, end, rays[end])) ++wide_turns_;
   for (std::size_t view = 0; view < views().size(); ++view) {
     const ProjectivePoint viewer = ProjectivePoint::direction(views()[view]);
     const auto sum_before = crossing_sum_before(before, rays, view);

@@ -25,6 +25,10 @@ class SelvageLinking {
 
   // Positive for right-handed. Empty when the selvages touched in some frame.
   [[nodiscard]] const std::optional<int>& number() const { return number_; }
+  // How often an end has turned about its ray by more than a quarter of a turn from one frame to
+  // the next. It is taken to have turned the shorter way; each time that it went the longer one,
+  // the number is one off.
+  [[nodiscard]] int wide_turns() const { return wide_turns_; }
 
  private:
   // The sum of the signs of all crossings of one selvage with the other, as seen in the frame
@@ -41,6 +45,7 @@ class SelvageLinking {
 
   std::optional<int> number_;
   std::optional<Seen> seen_;
+  int wide_turns_ = 0;
 };
 
 }  // namespace ribbon

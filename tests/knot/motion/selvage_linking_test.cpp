@@ -69,6 +69,28 @@ TEST(SelvageLinking, stays_when_an_end_is_turned) {
   }
 }
 
+// By hand: of steps by six tenths of a turn each is taken for one by four tenths the other way.
+TEST(SelvageLinking, counts_turns_that_may_have_gone_the_other_way) {
+  struct Case {
+    double turns_a_step;
+    int wide_turns;
+    int number;
+  };
+  for (const auto& [turns_a_step, wide_turns, number] :
+       {Case{0.2, 0, 1}, Case{-0.2, 0, 1}, Case{0.3, 5, 1}, Case{0.6, 5, 6}, Case{-0.6, 5, -4}}) {
+    SelvageLinking linking;
+    RibbonCurves before = with_end_turned(0);
+    linking.start(before, along_x);
+    for (int step = 1; step <= 5; ++step) {
+      RibbonCurves now = with_end_turned(turns_a_step * step);
+      linking.follow(before, now, along_x);
+      before = std::move(now);
+    }
+    EXPECT_EQ(linking.wide_turns(), wide_turns) << turns_a_step;
+    EXPECT_EQ(linking.number(), number) << turns_a_step;
+  }
+}
+
 TEST(SelvageLinking, stays_when_the_first_end_is_turned_too) {
   const auto reversed = [](RibbonCurves curves) {
     curves.first_selvage = curves.first_selvage.rowwise().reverse().eval();

@@ -139,6 +139,21 @@ TEST(VerificationText, equal_certificates_that_know_nothing_prove_nothing) {
   EXPECT_THAT(text, HasSubstr("WRONG: the knot cannot be certified"));
 }
 
+TEST(VerificationText, says_where_an_end_turned_too_far_and_what_helps) {
+  Verification verification = all_in_order();
+  EXPECT_TRUE(nlohmann::json::parse(verification_json("", verification))["knot"]["turned_too_far"]
+                  .is_null());
+  verification.knot.uncertain_frames = 1;
+  verification.knot.turned_too_far = {31, 41, "linked -2 times", "linked -1 time"};
+  EXPECT_THAT(verification_text("", verification),
+              AllOf(HasSubstr("between frames 31 and 41 an end turned too far"),
+                    HasSubstr("record more frames_per_second"),
+                    EndsWith("WRONG: the knot cannot be certified\n")));
+  const auto json = nlohmann::json::parse(verification_json("", verification));
+  EXPECT_EQ(json["knot"]["turned_too_far"]["frame_after"], 41);
+  EXPECT_EQ(json["knot"]["turned_too_far"]["after"], "linked -1 time");
+}
+
 TEST(VerificationText, what_is_not_known_is_not_the_same) {
   Verification verification = all_in_order();
   verification.knot.certified_frames = 5;
