@@ -34,7 +34,7 @@ FasteningProgress::FasteningProgress(const RibbonGrid& grid, std::vector<int> gr
       step_s_(step_s),
       air_resistance_per_s_(air_resistance_per_s),
       steps_per_slot_(
-          static_cast<int>(std::min(1e9, std::ceil(window_s / step_s / most_slots - 1e-9)))),
+          static_cast<int>(std::clamp(std::ceil(window_s / step_s / most_slots - 1e-9), 1.0, 1e9))),
       slots_(
           static_cast<std::size_t>(std::max(1.0, std::round(window_s / step_s / steps_per_slot_))),
           Slot{std::vector<double>(groups_), std::vector<double>(groups_)}) {}

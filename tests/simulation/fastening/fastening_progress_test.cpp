@@ -36,6 +36,17 @@ class Progress : public testing::Test {
   FasteningProgress progress_{grid, halves(grid), step_s, air_per_s};
 };
 
+TEST_F(Progress, knows_all_after_one_step_longer_than_it_remembers) {
+  for (const double long_step_s : {3.0, 1e12}) {
+    FasteningProgress progress(grid, halves(grid), long_step_s, air_per_s);
+    progress.add(command(), at_, at_);
+    EXPECT_TRUE(progress.knows_all());
+    EXPECT_EQ(progress.recent(), 0);
+    progress.add(command(), at_, at_ + long_step_s * command());
+    EXPECT_NEAR(progress.recent(), 1, 1e-6);
+  }
+}
+
 TEST_F(Progress, is_1_before_anything_was_commanded) {
   EXPECT_EQ(progress_.recent(), 1);
   progress_.add(Matrix3Xd::Zero(3, grid.particle_count()), at_, at_);
