@@ -52,6 +52,8 @@ struct SpringNetwork {
   double damping = 0;       // SpringScene::damping
 
   [[nodiscard]] std::array<const SpringKind*, 3> kinds() const { return {&stretch, &shear, &bend}; }
+  // Does bending resist more than stretch?
+  [[nodiscard]] bool bends_most() const { return bend.stiffness > stretch.stiffness; }
 };
 
 // Of a flat band: the edges along and across, and those of both diagonals.

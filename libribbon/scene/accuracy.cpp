@@ -17,7 +17,7 @@ const std::array<AccuracyLevel, 4> accuracy_levels = {{
 
 void set_accuracy(const AccuracyLevel& level, Scene& scene) {
   scene.time.step_s = level.step_s;
-  scene.time.integrator = level.integrator;
+  scene.time.usual_integrator = level.integrator;
   scene.time.tolerance = level.tolerance;
   scene.strain_correction = level.strain_correction;
 }

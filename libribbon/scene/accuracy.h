@@ -20,7 +20,7 @@ struct AccuracyLevel {
 // From the fastest to the most accurate. A new Scene is `balanced`.
 extern const std::array<AccuracyLevel, 4> accuracy_levels;
 
-// Makes the scene one of that level: its step, integrator, tolerance and strain correction.
+// Makes the scene one of that level: its step, usual integrator, tolerance and strain correction.
 void set_accuracy(const AccuracyLevel& level, Scene& scene);
 
 }  // namespace ribbon

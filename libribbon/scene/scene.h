@@ -166,7 +166,9 @@ struct TimeScene {
   double step_s = 0.01;
   double duration_s = 0;  // at most
   RunsUntil until = RunsUntil::duration;
-  IntegrationMethod integrator = IntegrationMethod::symplectic_euler;
+  std::optional<IntegrationMethod> integrator =
+      std::nullopt;  // none: the usual one, or the implicit one where springs are too stiff for it
+  IntegrationMethod usual_integrator = IntegrationMethod::symplectic_euler;  // of the accuracy
   double tolerance = 0.1;  // of IntegrationMethod::implicit, of the change of the velocities
 
   bool operator==(const TimeScene&) const = default;

@@ -12,7 +12,8 @@ Scene scene_of(const std::string& word) {
 
 void expect_level(const AccuracyLevel& level, const Scene& scene) {
   EXPECT_EQ(scene.time.step_s, level.step_s);
-  EXPECT_EQ(scene.time.integrator, level.integrator);
+  EXPECT_EQ(scene.time.integrator, std::nullopt);
+  EXPECT_EQ(scene.time.usual_integrator, level.integrator);
   EXPECT_EQ(scene.time.tolerance, level.tolerance);
   EXPECT_EQ(scene.strain_correction.strain, level.strain_correction.strain);
   EXPECT_EQ(scene.strain_correction.most_rounds, level.strain_correction.most_rounds);

@@ -42,7 +42,7 @@ TEST(ReadScene, defaults_are_as_documented) {
   EXPECT_EQ(scene.contact, ContactMethod::gate);
   EXPECT_EQ(scene.time.step_s, 0.01);
   EXPECT_EQ(scene.time.until, RunsUntil::duration);
-  EXPECT_EQ(scene.time.integrator, IntegrationMethod::symplectic_euler);
+  EXPECT_EQ(scene.time.integrator, std::nullopt);
   EXPECT_EQ(scene.recording.frames_per_second, 50);
   EXPECT_EQ(scene.recording.max_position_error, std::nullopt);
   EXPECT_EQ(scene.recording.checkpoint_every_s, 200);

@@ -68,7 +68,7 @@ class Masses {
 class ImplicitEuler final : public Integrator {
  public:
   ImplicitEuler(const SpringNetwork& springs, const MotionProperties& properties)
-      : Integrator(springs, properties, 1),
+      : Integrator(springs, properties, 1, 1),
         slowed_(1 / (1 + properties.step_s * properties.air_resistance_per_s)),
         inertia_(properties.particle_mass_kg / slowed_ / properties.step_s / properties.step_s),
         masses_(properties.lightness) {

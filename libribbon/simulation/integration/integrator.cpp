@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "simulation/integration/particle_runs.h"
 
 namespace ribbon {
 
 Integrator::Integrator(const SpringNetwork& springs, const MotionProperties& properties,
-                       int substeps)
-    : springs_(springs), properties_(properties), substeps_(substeps) {
+                       int substeps, int most_substeps)
+    : springs_(springs),
+      properties_(properties),
+      substeps_(substeps),
+      most_substeps_(most_substeps) {
   if (springs.damping > 0)
     damping_.emplace(springs, properties.particle_mass_kg, properties.lightness);
 }
@@ -74,6 +78,16 @@ std::unique_ptr<Integrator> create_integrator(IntegrationMethod method,
       break;
   }
   return runge_kutta(springs, properties);
+}
+
+std::unique_ptr<Integrator> suitable_integrator(const TimeScene& time, const SpringNetwork& springs,
+                                                const MotionProperties& properties) {
+  if (time.integrator) return create_integrator(*time.integrator, springs, properties);
+  auto usual = create_integrator(time.usual_integrator, springs, properties);
+  const bool is_stable = usual->substeps() <= usual->most_substeps();
+  return is_stable || springs.grid.across > most_across_implicit
+             ? std::move(usual)
+             : implicit_euler(springs, properties);
 }
 
 }  // namespace ribbon

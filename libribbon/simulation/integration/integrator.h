@@ -61,8 +61,14 @@ class Integrator {
   // ribbon lies.
   [[nodiscard]] int substeps() const { return substeps_; }
 
+  // Into how many it may; any number where it makes only one. Contact acts once a step, the springs
+  // in each part: springs that swing many times between two contacts turn what contact strains into
+  // motion, without a bound.
+  [[nodiscard]] int most_substeps() const { return most_substeps_; }
+
  protected:
-  Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps);
+  Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps,
+             int most_substeps);
 
   // Moves state_ by one substep, of h seconds.
   virtual void advance(double h) = 0;
@@ -77,6 +83,7 @@ class Integrator {
 
  private:
   int substeps_;
+  int most_substeps_;
   double gravity_fraction_ = 1;
   std::optional<InternalDamping> damping_;
 };
@@ -86,10 +93,14 @@ class Integrator {
 // takes.
 int stable_substeps(double step_s, double fastest_rad_s, double stability_limit);
 
-// The one that the scene asks for.
 std::unique_ptr<Integrator> create_integrator(IntegrationMethod method,
                                               const SpringNetwork& springs,
                                               const MotionProperties& properties);
+
+// The one that the scene names. Where it names none: the usual one or, where that would divide a
+// step into more parts than it may, the implicit one, if it takes so wide a ribbon.
+std::unique_ptr<Integrator> suitable_integrator(const TimeScene& time, const SpringNetwork& springs,
+                                                const MotionProperties& properties);
 
 // Fourth-order Runge-Kutta, as in the paper.
 std::unique_ptr<Integrator> runge_kutta(const SpringNetwork& springs,
@@ -100,8 +111,12 @@ std::unique_ptr<Integrator> runge_kutta(const SpringNetwork& springs,
 std::unique_ptr<Integrator> symplectic_euler(const SpringNetwork& springs,
                                              const MotionProperties& properties);
 
+// The implicit scheme solves in as many modes across the ribbon, each over all of its width. Within
+// the limit no cache size of a machine changes the order of its sums.
+inline constexpr int most_across_implicit = 500;  // particles
+
 // Backward Euler, stable on any springs without substeps: what is fast for the step is damped. The
-// energy of free motion never grows.
+// energy of free motion never grows. Of ribbons of at most most_across_implicit.
 std::unique_ptr<Integrator> implicit_euler(const SpringNetwork& springs,
                                            const MotionProperties& properties);
 

@@ -6,6 +6,11 @@ namespace {
 
 using Eigen::MatrixX3d;
 
+// Likewise as symplectic_euler.cpp has it: without bound from 27 parts on, bending alone from 20,
+// but not with 13.
+constexpr int most_parts = 20;
+constexpr int most_parts_bending = 12;
+
 // Runge-Kutta stays stable up to |eigenvalue| * step = 2 sqrt 2 on the imaginary and 2.785 on the
 // real axis; the margin covers what lies between.
 constexpr double runge_kutta_stability_limit = 2.5;
@@ -18,7 +23,8 @@ class RungeKutta final : public Integrator {
                                    fastest_frequency(springs, properties.particle_mass_kg,
                                                      properties.lightness) +
                                        properties.air_resistance_per_s,
-                                   runge_kutta_stability_limit)) {}
+                                   runge_kutta_stability_limit),
+                   springs.bends_most() ? most_parts_bending : most_parts) {}
 
  private:
   // Of one stage, from positions x and velocities v.

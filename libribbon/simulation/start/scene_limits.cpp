@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "simulation/integration/integrator.h"
 #include "simulation/state/edge_strain.h"
 #include "simulation/truncation/strain_constraints.h"
 #include "text/number_text.h"
@@ -135,41 +136,27 @@ Result<void> check_fabric(const Scene& scene, const RestSize& size) {
 }
 
 Result<void> check_width(const Scene& scene, const RibbonGrid& grid) {
-  constexpr int most_across = 500;
-  if (scene.time.integrator != IntegrationMethod::implicit || grid.across <= most_across) return {};
+  if (scene.time.integrator != IntegrationMethod::implicit || grid.across <= most_across_implicit)
+    return {};
   return failure(scene.name,
                  "the ribbon is " + std::to_string(grid.across) +
-                     " particles wide, more than the " + std::to_string(most_across) +
+                     " particles wide, more than the " + std::to_string(most_across_implicit) +
                      " that time.integrator = \"implicit\" takes",
                  "set a smaller ribbon.across or another integrator");
 }
 
-// As many parts as all springs alike need at k/m = 1e6 and a step of 0.01 s. Measured, over 400
-// steps on a post: from 27 (rk4) and 35 parts (symplectic_euler) on some mixtures of springs strain
-// the ribbon without bound; where bending resists alone from 20 and 33, but not with 13 and 21.
-int most_substeps(const Scene& scene) {
+Result<void> check_substeps(const Scene& scene, const TimeStep& time_step) {
+  if (time_step.substeps() <= time_step.most_substeps()) return {};
   const bool bends_most = scene.springs.bend > scene.springs.stretch;
-  switch (scene.time.integrator) {
-    case IntegrationMethod::rk4:
-      return bends_most ? 12 : 20;
-    case IntegrationMethod::symplectic_euler:
-      return bends_most ? 20 : 33;
-    case IntegrationMethod::implicit:
-      break;
-  }
-  return std::numeric_limits<int>::max();
-}
-
-Result<void> check_substeps(const Scene& scene, int substeps) {
-  const int most = most_substeps(scene);
-  if (substeps <= most) return {};
-  const bool bends_most = scene.springs.bend > scene.springs.stretch;
-  return failure(scene.name,
-                 "springs and air divide each step into " + std::to_string(substeps) +
-                     " parts, more than " + std::to_string(most) +
-                     (bends_most ? " where bending resists more than stretch" : ""),
-                 "set smaller resistances, a larger ribbon.mass, a shorter time.step, or "
-                 "time.integrator to \"implicit\"");
+  return failure(
+      scene.name,
+      "springs and air divide each step into " + std::to_string(time_step.substeps()) +
+          " parts, more than " + std::to_string(time_step.most_substeps()) +
+          (bends_most ? " where bending resists more than stretch" : ""),
+      std::string("set smaller resistances, a larger ribbon.mass, a shorter time.step, ") +
+          (scene.time.integrator
+               ? "or time.integrator to \"implicit\""
+               : "or a ribbon.across of at most " + std::to_string(most_across_implicit)));
 }
 
 }  // namespace ribbon

@@ -10,6 +10,7 @@
 #include "result/result.h"
 #include "scene/scene.h"
 #include "simulation/contact/contact_lengths.h"
+#include "simulation/step/time_step.h"
 
 namespace ribbon {
 
@@ -39,17 +40,11 @@ Result<void> check_precision(const Scene& as_read, const RestSize& size,
 // would rest on far more of each other than they touch.
 Result<void> check_fabric(const Scene& scene, const RestSize& size);
 
-// Fails where the ribbon is too wide, in particles, for its integrator: `implicit` solves in as
-// many modes across the ribbon, each over all of its width. Within the limit no cache size of a
-// machine changes the order of its sums.
+// Fails where the ribbon is too wide for the integrator that the scene names.
 Result<void> check_width(const Scene& scene, const RibbonGrid& grid);
 
-// Into how many parts springs and air may divide a step of the scene; any number where its
-// integrator makes only one. Contact acts once a step, the springs in each part: springs that swing
-// many times between two contacts turn what contact strains into motion, without a bound.
-int most_substeps(const Scene& scene);
-
-// Fails where springs and air divide a step into more than most_substeps parts.
-Result<void> check_substeps(const Scene& scene, int substeps);
+// Fails where springs and air divide a step into more parts than its integrator may: the one that
+// the scene names or, for a ribbon too wide for the implicit one, the usual one.
+Result<void> check_substeps(const Scene& scene, const TimeStep& time_step);
 
 }  // namespace ribbon

@@ -341,9 +341,9 @@ TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLength
     : contact_(scene.contact),
       step_s_(scene.time.step_s),
       integrator_(
-          create_integrator(scene.time.integrator, spring_network(size, scene.springs),
-                            {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s,
-                             scene.gravity_m_s2, scene.time.tolerance, lightness(size)})),
+          suitable_integrator(scene.time, spring_network(size, scene.springs),
+                              {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s,
+                               scene.gravity_m_s2, scene.time.tolerance, lightness(size)})),
       distances_(pair_distances(scene, size, lengths)),
       repulsion_{.friction = scene.friction},
       strain_correction_(scene.strain_correction),

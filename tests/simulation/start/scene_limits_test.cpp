@@ -121,13 +121,43 @@ TEST(SceneLimits, without_loss_a_ribbon_so_far_away_that_single_precision_lets_i
 
 TEST(SceneLimits, springs_that_would_take_for_ever_are_refused) {
   Scene scene = scene_of_loop();
+  scene.time.integrator = IntegrationMethod::symplectic_euler;
   scene.springs.stretch = 1e12;
   EXPECT_THAT(refusal(scene, mesh_of_loop(scene)),
-              HasSubstr("more than 33; set smaller resistances"));
+              AllOf(HasSubstr("more than 33; set smaller resistances"),
+                    HasSubstr("or time.integrator to \"implicit\"")));
+}
+
+TEST(SceneLimits, springs_too_stiff_for_the_usual_integrator_get_the_implicit_one) {
+  Scene scene = scene_of_loop();
+  const auto states_after = [&](int steps) {
+    auto fastening = FasteningProcessor::create(scene, mesh_of_loop(scene), std::nullopt).value();
+    for (int step = 0; step < steps; ++step) fastening.step();
+    return fastening.state();
+  };
+  const std::string soft = states_after(5);
+  scene.time.integrator = IntegrationMethod::symplectic_euler;
+  EXPECT_EQ(states_after(5), soft);
+  scene.time.integrator.reset();
+  scene.springs.stretch = 1e12;
+  const std::string stiff = states_after(5);
+  scene.time.integrator = IntegrationMethod::implicit;
+  EXPECT_EQ(states_after(5), stiff);
+}
+
+TEST(SceneLimits, springs_too_stiff_for_a_ribbon_too_wide_for_the_implicit_scheme_are_refused) {
+  Scene scene = scene_of_loop();
+  scene.ribbon.along = 30;
+  scene.ribbon.across = 501;
+  scene.recording.max_position_error = 1e-7;
+  EXPECT_EQ(refusal(scene, mesh_of_loop(scene)), "");
+  scene.springs.stretch = 1e12;
+  EXPECT_THAT(refusal(scene, mesh_of_loop(scene)), HasSubstr("or a ribbon.across of at most 500"));
 }
 
 TEST(SceneLimits, stiff_bending_without_stretch_is_refused_earlier) {
   Scene scene = scene_of_loop();
+  scene.time.integrator = IntegrationMethod::symplectic_euler;
   scene.springs = {.stretch = 1000, .shear = 0, .bend = 1000};
   EXPECT_EQ(refusal(scene, mesh_of_loop(scene)), "");
   scene.springs.stretch = 0;
