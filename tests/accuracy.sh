@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures the levels of accuracy and single settings around them, puts the table into docs/accuracy.md
-# and draws docs/accuracy.svg. Takes half an hour of one core. Not part of run.sh.
+# and draws docs/accuracy.svg. Takes some minutes of one core. Not part of run.sh.
 #   tests/accuracy.sh [OPTION...]    options are handed to benchmark_accuracy
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
