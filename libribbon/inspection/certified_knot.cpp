@@ -26,12 +26,18 @@ KnotCertifier::KnotCertifier(const RibbonGrid& grid, std::optional<RibbonPart> p
       expected_(std::move(expected)) {}
 
 void KnotCertifier::follow(int index, const Eigen::Matrix3Xf& positions, bool certify_it) {
-  if (part_)
-    witness_.follow(part_->positions(grid_, positions));
-  else
-    witness_.follow(positions);
+  watch(part_ ? part_->positions(grid_, positions) : positions);
   followed_ = index;
   if (certify_it || certified_ < 0) certify();
+}
+
+void KnotCertifier::watch(Eigen::Matrix3Xf positions) {
+  witness_.follow(positions);
+  if (known_) {
+    const float moved_m = (positions - positions_).colwise().norm().maxCoeff();
+    known_->moved_m = std::max(known_->moved_m, static_cast<double>(moved_m));
+  }
+  positions_ = std::move(positions);
 }
 
 void KnotCertifier::certify() {
@@ -46,7 +52,7 @@ void KnotCertifier::certify() {
   }
   if (known_ && certificate != known_->certificate) {
     CertificateChange change{known_->index + 1, followed_ + 1, known_->certificate.text(),
-                             certificate.text()};
+                             certificate.text(), known_->moved_m};
     if (turned_ends_explain(certificate)) {
       ++result_.uncertain_frames;
       if (!result_.turned_too_far) result_.turned_too_far = std::move(change);

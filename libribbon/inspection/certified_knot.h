@@ -19,6 +19,7 @@ struct CertificateChange {
   int frame_after = 0;
   std::string before;
   std::string after;
+  double moved_m = 0;  // the farthest that a particle went from one frame to the next meanwhile
 };
 
 struct CertifiedKnot {
@@ -52,15 +53,18 @@ class KnotCertifier {
   struct Known {
     int index;
     KnotCertificate certificate;
-    int wide_turns;  // until then
+    int wide_turns;      // until then
+    double moved_m = 0;  // since then, as CertificateChange has it
   };
 
+  void watch(Eigen::Matrix3Xf positions);
   void certify();
   [[nodiscard]] bool turned_ends_explain(const KnotCertificate& certificate) const;
 
   RibbonGrid grid_;
   std::optional<RibbonPart> part_;
   KnotWitness witness_;
+  Eigen::Matrix3Xf positions_;  // of the frame followed last
   std::string expected_;
   int followed_ = -1;           // index of the frame followed last
   int certified_ = -1;          // and of the one certified last

@@ -77,7 +77,8 @@ Json change_json(const CertificateChange& change) {
   return {{"frame_before", change.frame_before},
           {"frame_after", change.frame_after},
           {"before", change.before},
-          {"after", change.after}};
+          {"after", change.after},
+          {"moved_m", change.moved_m}};
 }
 
 Json certified_json(const CertifiedKnot& knot) {

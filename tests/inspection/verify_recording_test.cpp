@@ -121,7 +121,9 @@ TEST(Verify, a_turned_end_explains_no_other_change) {
     Eigen::Matrix3Xf passed = loop_with_end_turned(header, by_turns);
     passed.row(2).array() -= 0.5F;  // through the post
     knot.follow(1, passed, true);
-    EXPECT_EQ(knot.finish().changes.size(), 1U) << by_turns;
+    const CertifiedKnot certified = knot.finish();
+    ASSERT_EQ(certified.changes.size(), 1U) << by_turns;
+    EXPECT_NEAR(certified.changes[0].moved_m, 0.5, loop_width_m);
   }
 }
 

@@ -36,7 +36,7 @@ Verification all_wrong() {
   verification.first_intersections = {{8, 0.125, {0, 6}}, {9, std::nullopt, {0, 9}}};
   verification.smallest_gap = {{0, {0, 6}}, 8};
   verification.largest_strain = {{0.65, 4, 8}, 9};
-  verification.knot.changes = {{1, 10, "trefoil", "unknot"}};
+  verification.knot.changes = {{1, 10, "trefoil", "unknot", 0.125}};
   return verification;
 }
 
@@ -72,6 +72,7 @@ TEST(VerificationText, what_is_wrong_is_said_with_its_place) {
       "                CHANGED 1 time; 3 frames certified\n"
       "                frame 1: trefoil\n"
       "                frame 10: unknot\n"
+      "                meanwhile a particle went up to 0.12 m from frame to frame\n"
       "verdict         WRONG: triangles intersect, the stated gap is not kept, edges are strained "
       "beyond the limit, the knot has changed, coordinates are no numbers, frames are lost\n");
 }
@@ -144,7 +145,7 @@ TEST(VerificationText, says_where_an_end_turned_too_far_and_what_helps) {
   EXPECT_TRUE(nlohmann::json::parse(verification_json("", verification))["knot"]["turned_too_far"]
                   .is_null());
   verification.knot.uncertain_frames = 1;
-  verification.knot.turned_too_far = {31, 41, "linked -2 times", "linked -1 time"};
+  verification.knot.turned_too_far = {31, 41, "linked -2 times", "linked -1 time", 0.25};
   EXPECT_THAT(verification_text("", verification),
               AllOf(HasSubstr("between frames 31 and 41 an end turned too far"),
                     HasSubstr("record more frames_per_second"),
@@ -152,6 +153,7 @@ TEST(VerificationText, says_where_an_end_turned_too_far_and_what_helps) {
   const auto json = nlohmann::json::parse(verification_json("", verification));
   EXPECT_EQ(json["knot"]["turned_too_far"]["frame_after"], 41);
   EXPECT_EQ(json["knot"]["turned_too_far"]["after"], "linked -1 time");
+  EXPECT_EQ(json["knot"]["turned_too_far"]["moved_m"], 0.25);
 }
 
 TEST(VerificationText, what_is_not_known_is_not_the_same) {
