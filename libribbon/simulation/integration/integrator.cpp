@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "simulation/integration/particle_runs.h"
 
@@ -84,10 +83,8 @@ std::unique_ptr<Integrator> suitable_integrator(const TimeScene& time, const Spr
                                                 const MotionProperties& properties) {
   if (time.integrator) return create_integrator(*time.integrator, springs, properties);
   auto usual = create_integrator(time.usual_integrator, springs, properties);
-  const bool is_stable = usual->substeps() <= usual->most_substeps();
-  return is_stable || springs.grid.across > most_across_implicit
-             ? std::move(usual)
-             : implicit_euler(springs, properties);
+  if (usual->takes_the_springs() || springs.grid.across > most_across_implicit) return usual;
+  return implicit_euler(springs, properties);
 }
 
 }  // namespace ribbon

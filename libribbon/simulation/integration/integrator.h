@@ -61,10 +61,10 @@ class Integrator {
   // ribbon lies.
   [[nodiscard]] int substeps() const { return substeps_; }
 
-  // Into how many it may; any number where it makes only one. Contact acts once a step, the springs
-  // in each part: springs that swing many times between two contacts turn what contact strains into
-  // motion, without a bound.
+  // Into how many it may. Contact acts once a step, the springs in each part: springs that swing
+  // many times between two contacts turn what contact strains into motion, without a bound.
   [[nodiscard]] int most_substeps() const { return most_substeps_; }
+  [[nodiscard]] bool takes_the_springs() const { return substeps_ <= most_substeps_; }
 
  protected:
   Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps,

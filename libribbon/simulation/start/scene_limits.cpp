@@ -5,7 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "simulation/integration/integrator.h"
 #include "simulation/state/edge_strain.h"
 #include "simulation/truncation/strain_constraints.h"
 #include "text/number_text.h"
@@ -145,13 +144,13 @@ Result<void> check_width(const Scene& scene, const RibbonGrid& grid) {
                  "set a smaller ribbon.across or another integrator");
 }
 
-Result<void> check_substeps(const Scene& scene, const TimeStep& time_step) {
-  if (time_step.substeps() <= time_step.most_substeps()) return {};
+Result<void> check_substeps(const Scene& scene, const Integrator& integrator) {
+  if (integrator.takes_the_springs()) return {};
   const bool bends_most = scene.springs.bend > scene.springs.stretch;
   return failure(
       scene.name,
-      "springs and air divide each step into " + std::to_string(time_step.substeps()) +
-          " parts, more than " + std::to_string(time_step.most_substeps()) +
+      "springs and air divide each step into " + std::to_string(integrator.substeps()) +
+          " parts, more than " + std::to_string(integrator.most_substeps()) +
           (bends_most ? " where bending resists more than stretch" : ""),
       std::string("set smaller resistances, a larger ribbon.mass, a shorter time.step, ") +
           (scene.time.integrator

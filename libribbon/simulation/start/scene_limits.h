@@ -10,7 +10,7 @@
 #include "result/result.h"
 #include "scene/scene.h"
 #include "simulation/contact/contact_lengths.h"
-#include "simulation/step/time_step.h"
+#include "simulation/integration/integrator.h"
 
 namespace ribbon {
 
@@ -43,8 +43,8 @@ Result<void> check_fabric(const Scene& scene, const RestSize& size);
 // Fails where the ribbon is too wide for the integrator that the scene names.
 Result<void> check_width(const Scene& scene, const RibbonGrid& grid);
 
-// Fails where springs and air divide a step into more parts than its integrator may: the one that
+// Fails where springs and air divide a step into more parts than the integrator may: the one that
 // the scene names or, for a ribbon too wide for the implicit one, the usual one.
-Result<void> check_substeps(const Scene& scene, const TimeStep& time_step);
+Result<void> check_substeps(const Scene& scene, const Integrator& integrator);
 
 }  // namespace ribbon

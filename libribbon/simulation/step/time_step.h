@@ -77,7 +77,7 @@ class TimeStep {
 
   // Into how many parts the springs divide a step.
   [[nodiscard]] int substeps() const { return integrator_->substeps(); }
-  [[nodiscard]] int most_substeps() const { return integrator_->most_substeps(); }
+  [[nodiscard]] const Integrator& integrator() const { return *integrator_; }
   // Charged with the stages of all steps.
   [[nodiscard]] StageClock& clock() { return clock_; }
   [[nodiscard]] const StageClock& clock() const { return clock_; }
