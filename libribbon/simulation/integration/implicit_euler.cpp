@@ -1,8 +1,9 @@
 // Backward Euler as the minimum of inertia plus energy, found by a quasi-Newton method (Liu,
 // Bouaziz and Kavan, "Quasi-Newton methods for real-time simulation of hyperelastic materials",
-// 2017): a constant matrix of the springs stands for the second derivatives, and L-BFGS corrects
-// it.
+// 2017): a matrix that is quickly solved stands for the second derivatives, and L-BFGS corrects
+// it. Theirs is constant; ours is made anew for each step, of the springs as they lie.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -10,12 +11,14 @@
 #include "simulation/integration/integrator.h"
 #include "simulation/integration/lbfgs_history.h"
 #include "simulation/integration/ordered_sums.h"
+#include "simulation/integration/particle_runs.h"
 #include "simulation/integration/quasi_newton_matrix.h"
 
 namespace ribbon {
 
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixX3d;
 using Eigen::RowVector3d;
 
@@ -38,10 +41,22 @@ class Masses {
     return heaviness_(Eigen::seqN(0, grid.along, grid.across));
   }
 
-  void weigh(MatrixX3d& rows) const {
-    if (heaviness_.size() > 0) rows.array().colwise() *= heaviness_;
+  // Of a run of particles.
+  template <class Rows>
+  void weigh(Index first, Rows& run) const {
+    if (heaviness_.size() > 0) run.array().colwise() *= heaviness_.segment(first, run.rows());
+  }
+  [[nodiscard]] double sum_of_squares(const MatrixX3d& a, Index first, Index count) const {
+    if (heaviness_.size() == 0) return ribbon::sum_of_products(a, a, first, count);
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double* run = a.col(axis).data() + first;
+      sum += ribbon::sum_of_products(heaviness_.data() + first, run, run, count);
+    }
+    return sum;
   }
 
+  // Of all.
   double sum_of_products(const MatrixX3d& a, const MatrixX3d& b) {
     return ribbon::sum_of_products(weighed(a), b);
   }
@@ -56,8 +71,7 @@ class Masses {
  private:
   const MatrixX3d& weighed(const MatrixX3d& rows) {
     if (heaviness_.size() == 0) return rows;
-    weighed_ = rows;
-    weigh(weighed_);
+    weighed_ = rows.array().colwise() * heaviness_;
     return weighed_;
   }
 
@@ -77,11 +91,10 @@ class ImplicitEuler final : public Integrator {
 
  private:
   // A displacement over the step, the objective there and its gradient.
-  struct Iterate {
-    MatrixX3d displacement;
-    MatrixX3d gradient;
+  struct Iterate : LbfgsHistory::Place {
     double elastic_j = 0;
     double objective_j = 0;
+    double squared_change = 0;  // against the displacement that the last velocities would bring
   };
 
   // v' = v + h (F(x') / m - c v') and x' = x + h v' together: x' - x is the displacement where the
@@ -92,6 +105,8 @@ class ImplicitEuler final : public Integrator {
     inertial_ *= slowed_;
     if (matrix_) {
       minimise();
+      // Of what rounding adds.
+      masses_.set_centre(masses_.centre(inertial_), current_.displacement);
     } else {
       current_.displacement = inertial_;
     }
@@ -103,17 +118,32 @@ class ImplicitEuler final : public Integrator {
 
   // How much inertia resists the displacement, plus the energy of the springs.
   void evaluate(Iterate& iterate) {
-    moved_ = state_.positions + iterate.displacement;
+    const Index particles = iterate.displacement.rows();
+    for (MatrixX3d* result : {&moved_, &apart_, &iterate.gradient}) result->resize(particles, 3);
+    for_each_particle_run(particles, [&](Index first, Index count) {
+      const auto run = [&](auto& rows) { return rows.middleRows(first, count); };
+      run(moved_) = run(state_.positions) + run(iterate.displacement);
+    });
     iterate.elastic_j = springs_.forces(moved_, forces_);
-    iterate.gradient = iterate.displacement - inertial_;
-    iterate.objective_j =
-        iterate.elastic_j + inertia_ / 2 * masses_.sum_of_squares(iterate.gradient);
-    masses_.weigh(iterate.gradient);
-    iterate.gradient = inertia_ * iterate.gradient - forces_;
+    const auto of_run = [&](Index first, Index count, std::array<double, 2>& squares) {
+      const auto run = [&](auto& rows) { return rows.middleRows(first, count); };
+      auto apart = run(apart_);
+      apart = run(iterate.displacement) - run(expected_);
+      squares[0] = masses_.sum_of_squares(apart_, first, count);
+      apart = run(iterate.displacement) - run(inertial_);
+      squares[1] = masses_.sum_of_squares(apart_, first, count);
+      masses_.weigh(first, apart);
+      run(iterate.gradient) = inertia_ * apart - run(forces_);
+    };
+    const auto [squared_change, squared_apart] = squares_.of(particles, of_run);
+    iterate.squared_change = squared_change;
+    iterate.objective_j = iterate.elastic_j + inertia_ / 2 * squared_apart;
   }
 
   void minimise() {
     start();
+    moved_ = state_.positions + current_.displacement;
+    matrix_->factor(moved_);
     history_.clear();
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       double slope_j = find_direction();
@@ -121,7 +151,7 @@ class ImplicitEuler final : public Integrator {
         history_.clear();
         slope_j = find_direction();
       }
-      if (-slope_j <= least_win() * squared_change()) return;
+      if (expected_win(slope_j) <= least_win()) return;
       if (!search_line(slope_j)) return;  // nothing but rounding is left to win
     }
   }
@@ -129,42 +159,38 @@ class ImplicitEuler final : public Integrator {
   // Begins where the last velocities lead, or without deformation where that is lower.
   void start() {
     const RowVector3d mean = masses_.centre(inertial_);
+    expected_ = properties_.step_s * state_.velocities;
+    masses_.set_centre(mean, expected_);
     current_.displacement = mean.replicate(inertial_.rows(), 1);
     evaluate(current_);
     undeformed_j_ = current_.elastic_j;
-    trial_.displacement = properties_.step_s * state_.velocities;
-    masses_.set_centre(mean, trial_.displacement);
+    trial_.displacement = expected_;
     evaluate(trial_);
     if (trial_.objective_j < current_.objective_j) std::swap(current_, trial_);
   }
 
-  // The direction by all that is known, and the slope of the objective along it. What rounding adds
-  // to the motion of the centre of mass is taken out.
+  // The direction by all that is known, and the slope of the objective along it.
   double find_direction() {
-    difference_ = -current_.gradient;
-    history_.toward_minimum(*matrix_, difference_, direction_);
-    masses_.set_centre(RowVector3d::Zero(), direction_);
-    return sum_of_products(current_.gradient, direction_);
+    return history_.toward_minimum(*matrix_, current_.gradient, direction_);
   }
 
-  // What is worth another iteration, per squared change: measured against the motion itself, forces
+  // Of a parabola that is lowest where the direction ends.
+  static double expected_win(double slope_j) { return -slope_j / 2; }
+
+  // What is worth another iteration. Measured against the motion itself and not its change, forces
   // that are weak for a fast ribbon would be left out for ever.
   [[nodiscard]] double least_win() const {
-    return properties_.tolerance * properties_.tolerance * inertia_;
-  }
-
-  // Of the displacement against the one that the last velocities would bring.
-  double squared_change() {
-    difference_ = current_.displacement - properties_.step_s * state_.velocities;
-    masses_.set_centre(RowVector3d::Zero(), difference_);
-    return masses_.sum_of_squares(difference_);
+    return properties_.tolerance * properties_.tolerance * inertia_ * current_.squared_change;
   }
 
   // Backtracks along the direction to an iterate that is lower. Stays where it finds none.
   bool search_line(double slope_j) {
     double fraction = 1;
     for (int trial = 0; trial < most_trials; ++trial) {
-      trial_.displacement = current_.displacement + fraction * direction_;
+      for_each_particle_run(direction_.rows(), [&](Index first, Index count) {
+        const auto run = [&](auto& rows) { return rows.middleRows(first, count); };
+        run(trial_.displacement) = run(current_.displacement) + fraction * run(direction_);
+      });
       evaluate(trial_);
       const double rise_j = trial_.objective_j - current_.objective_j;
       if (rise_j <= sufficient_decrease * fraction * slope_j) {
@@ -179,9 +205,7 @@ class ImplicitEuler final : public Integrator {
   }
 
   void accept_trial() {
-    difference_ = trial_.displacement - current_.displacement;
-    gradient_change_ = trial_.gradient - current_.gradient;
-    history_.add(difference_, gradient_change_, least_curvature * inertia_);
+    history_.add(current_, trial_, least_curvature * inertia_);
     std::swap(current_, trial_);
   }
 
@@ -214,8 +238,10 @@ class ImplicitEuler final : public Integrator {
   Iterate trial_;
   double undeformed_j_ = 0;  // the energy of the springs before the step
   MatrixX3d inertial_;       // where inertia, gravity and the fastening force alone would lead
+  MatrixX3d expected_;       // where the last velocities would
   MatrixX3d before_;         // velocities
-  MatrixX3d direction_, gradient_change_, difference_, moved_, forces_;
+  MatrixX3d direction_, apart_, moved_, forces_;
+  RunSums<2> squares_;
 };
 
 }  // namespace

@@ -6,9 +6,11 @@
 
 namespace ribbon {
 
-// Of as many numbers at each address: every fourth is added to the one four before, the four sums
-// pairwise in the end. Four at a time are what a processor adds at once.
+// Of as many numbers at each address: every sixteenth is added to the one sixteen before, the
+// sixteen sums pairwise in the end. So many are what a processor adds at once.
 double sum_of_products(const double* a, const double* b, Eigen::Index count);
+
+double sum_of_products(const double* a, const double* b, const double* c, Eigen::Index count);
 
 double sum_of(const double* numbers, Eigen::Index count);
 
@@ -19,6 +21,10 @@ inline double sum_of_products(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d&
 inline double sum_of_squares(const Eigen::MatrixX3d& a) {
   return sum_of_products(a, a);
 }
+
+// Of `count` rows from `first` on.
+double sum_of_products(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b, Eigen::Index first,
+                       Eigen::Index count);
 
 // Of at least one row.
 Eigen::RowVector3d mean_of_rows(const Eigen::MatrixX3d& rows);

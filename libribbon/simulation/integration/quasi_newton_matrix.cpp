@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstddef>
 
-#include "geometry/angles.h"
+#include "geometry/vectors.h"
 #include "parallel/parallel.h"
 
 namespace ribbon {
@@ -12,68 +12,34 @@ namespace ribbon {
 namespace {
 
 using Eigen::ArrayXd;
-using Eigen::ArrayXXd;
+using Eigen::Matrix3d;
 using Eigen::MatrixX3d;
-using Eigen::MatrixXd;
+using Eigen::RowVector3d;
 
 // Of the springs: the factor could not tell less from rounding.
 constexpr double least_inertia = 1e-12;
 
-// Of so many parts of a right angle: no more than once round, so that none of them is lost to
-// rounding.
-double cosine_of_parts(int count, int parts) {
-  return cosine(std::numbers::pi / 2 * (count % (4 * parts)) / parts);
+// Of its stiffness, what a spring resists across it. Less, and steps become so long that the line
+// search must shorten them; more, and they stay short.
+constexpr double resistance_across = 0.05;
+
+constexpr int rows_in_task = 64;
+
+// Squares of lengths below which a spring has no direction.
+constexpr double shortest_squared = 1e-300;
+
+// P of a spring. Without a direction it resists in all.
+Matrix3d resistance_of(const RowVector3d& spring) {
+  const double squared_length = squared_length_of(spring);
+  if (squared_length < shortest_squared) return Matrix3d::Identity();
+  return resistance_across * Matrix3d::Identity() +
+         (1 - resistance_across) / squared_length * spring.transpose() * spring;
 }
 
-// What a path mirrored at both ends has for its modes.
-MatrixXd cosines(int count) {
-  MatrixXd modes(count, count);
-  for (int mode = 0; mode < count; ++mode)
-    for (int column = 0; column < count; ++column)
-      modes(mode, column) = std::sqrt((mode == 0 ? 1.0 : 2.0) / count) *
-                            cosine_of_parts(mode * (2 * column + 1), count);
-  return modes;
-}
-
-// How much each of these modes is changed by springs between columns so far apart.
-ArrayXd cost_of_modes(int count, int apart) {
-  ArrayXd cost(count);
-  for (int mode = 0; mode < count; ++mode)
-    cost[mode] = count > apart ? 2 - 2 * cosine_of_parts(2 * mode * apart, count) : 0.0;
-  return cost;
-}
-
-// A in these modes, which do not mix: one column for each row of the ribbon, one row for each mode.
-struct Diagonals {
-  ArrayXXd main;
-  std::array<ArrayXd, 2> beside;  // one and two rows off the main one, the same for all rows
-};
-
-// A spring counts at both of its ends. Within a row, a family costs what the mode does; between two
-// rows of amplitudes a and b it costs a^2 + b^2 - 2 (1 - cost / 2) a b, half of what it costs
-// together with its mirror image.
-Diagonals diagonals_of(const SpringNetwork& network, double inertia, const ArrayXd& heaviness) {
-  const auto [along, across] = network.grid;
-  Diagonals result{ArrayXXd::Constant(across, along, inertia),
-                   {ArrayXd::Zero(across), ArrayXd::Zero(across)}};
-  if (heaviness.size() > 0) result.main.rowwise() *= heaviness.transpose();
-  for (const SpringKind* kind : network.kinds()) {
-    ArrayXXd main = ArrayXXd::Zero(across, along);
-    std::array<ArrayXd, 2> beside{ArrayXd::Zero(across), ArrayXd::Zero(across)};
-    for (const SpringFamily& family : kind->families) {
-      const ArrayXd cost = cost_of_modes(across, std::abs(family.columns));
-      if (family.rows == 0) {
-        main.colwise() += cost;
-      } else {
-        main.leftCols(along - family.rows) += 1;
-        main.rightCols(along - family.rows) += 1;
-        beside[family.rows - 1] += 1 - cost / 2;
-      }
-    }
-    result.main += kind->stiffness * main;
-    for (int i = 0; i < 2; ++i) result.beside[i] -= kind->stiffness * beside[i];
-  }
-  return result;
+// block += weight matrix
+void add(const Four& weight, const Matrix3d& matrix, FourBlocks& block) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) block[i][j] += weight * matrix(i, j);
 }
 
 }  // namespace
@@ -81,77 +47,87 @@ Diagonals diagonals_of(const SpringNetwork& network, double inertia, const Array
 QuasiNewtonMatrix::QuasiNewtonMatrix(const SpringNetwork& network, double inertia,
                                      const ArrayXd& heaviness)
     : grid_(network.grid),
-      modes_(cosines(grid_.across)),
-      columns_(modes_.transpose()),
-      one_before_(ArrayXXd::Zero(grid_.across, grid_.along)),
-      two_before_(one_before_),
-      inverse_(one_before_) {
+      modes_(grid_.across),
+      bands_(modes_.four_count(), BlockBand(grid_.along)),
+      amplitudes_(modes_.four_count(), std::vector<FourVectors>(grid_.along)) {
   double stiffness = 0;
-  for (const SpringKind* kind : network.kinds()) stiffness += kind->stiffness;
-  factor(network, std::max(inertia, 8 * least_inertia * stiffness), heaviness);
-}
-
-void QuasiNewtonMatrix::factor(const SpringNetwork& network, double inertia,
-                               const ArrayXd& heaviness) {
-  auto [diagonals, beside] = diagonals_of(network, inertia, heaviness);
-  for (int row = 0; row < grid_.along; ++row) {
-    auto diagonal = diagonals.col(row);
-    auto one = one_before_.col(row);
-    auto two = two_before_.col(row);
-    if (row >= 2) {
-      two = beside[1] * inverse_.col(row - 2);
-      diagonal -= two.square() / inverse_.col(row - 2);
+  for (const SpringKind* kind : network.kinds()) {
+    stiffness += kind->stiffness;
+    for (const SpringFamily& springs : kind->families) {
+      if (kind->stiffness == 0) continue;
+      Family& family = families_.emplace_back();
+      family.springs = {springs.rows, springs.columns};
+      family.stiffness = kind->stiffness;
+      family.cost.resize(modes_.four_count());
+      for (int mode = 0; mode < grid_.across; ++mode)
+        family.cost[mode / 4][0][mode % 4] = modes_.cost(mode, std::abs(springs.columns));
+      family.resistance.resize(grid_.along);
     }
-    if (row >= 1) {
-      one = beside[0];
-      if (row >= 2) one -= beside[1] * one_before_.col(row - 1);
-      one *= inverse_.col(row - 1);
-      diagonal -= one.square() / inverse_.col(row - 1);
+  }
+  inertia_ = ArrayXd::Constant(grid_.along, std::max(inertia, 8 * least_inertia * stiffness));
+  if (heaviness.size() > 0) inertia_ *= heaviness;
+}
+
+void QuasiNewtonMatrix::factor(const MatrixX3d& positions) {
+  parallel_ranges(grid_.along, rows_in_task, [&](std::size_t begin, std::size_t end) {
+    for (Family& family : families_)
+      for (std::size_t row = begin; row < end; ++row)
+        look_along(static_cast<int>(row), positions, family);
+  });
+  parallel_ranges(bands_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t four = begin; four < end; ++four) {
+      assemble(static_cast<int>(four));
+      bands_[four].factor();
     }
-    inverse_.col(row) = 1 / diagonal;
-  }
-}
-
-namespace {
-
-// Column by column, one term after the other: Eigen's own product of matrices divides its sums as
-// the processor's caches and vector instructions suggest.
-template <class Result>
-void multiply(const MatrixXd& matrix, const Eigen::Ref<const MatrixXd>& columns, Result& result) {
-  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
-    auto sum = result.col(i);
-    sum = columns(0, i) * matrix.col(0);
-    for (Eigen::Index k = 1; k < matrix.cols(); ++k) sum += columns(k, i) * matrix.col(k);
-  }
-}
-
-}  // namespace
-
-void QuasiNewtonMatrix::solve(const MatrixX3d& force, MatrixX3d& displacement) {
-  displacement.resize(force.rows(), 3);
-  parallel_ranges(3, 1, [&](Eigen::Index axis, Eigen::Index) {
-    const Eigen::Map<const MatrixXd> forces(force.col(axis).data(), grid_.across, grid_.along);
-    Eigen::Map<MatrixXd> displacements(displacement.col(axis).data(), grid_.across, grid_.along);
-    MatrixXd& amplitudes = amplitudes_[axis];
-    amplitudes.resize(grid_.across, grid_.along);
-    multiply(modes_, forces, amplitudes);
-    solve_along(amplitudes);
-    multiply(columns_, amplitudes, displacements);
   });
 }
 
-void QuasiNewtonMatrix::solve_along(MatrixXd& amplitudes) const {
-  for (int row = 1; row < grid_.along; ++row) {
-    auto here = amplitudes.col(row).array();
-    here -= one_before_.col(row) * amplitudes.col(row - 1).array();
-    if (row >= 2) here -= two_before_.col(row) * amplitudes.col(row - 2).array();
+void QuasiNewtonMatrix::look_along(int row, const MatrixX3d& positions, Family& family) const {
+  Matrix3d& mean = family.resistance[row];
+  mean.setZero();
+  if (row + family.springs.rows >= grid_.along) return;
+  int count = 0;
+  for_each_spring_of_row(grid_, family.springs, row, [&](int a, int b) {
+    mean += resistance_of(positions.row(b) - positions.row(a));
+    ++count;
+  });
+  if (count > 0) mean *= family.stiffness / count;
+}
+
+// A spring counts at both of its ends. Within a row, a family costs what the mode does; between two
+// rows of amplitudes a and b it costs a^2 + b^2 - 2 (1 - cost / 2) a b, half of what it costs
+// together with its mirror image.
+void QuasiNewtonMatrix::assemble(int four) {
+  for (int row = 0; row < grid_.along; ++row) {
+    BlockBand::Row& blocks = bands_[four].row(row);
+    blocks = {};
+    add(Four{} + inertia_[row], Matrix3d::Identity(), blocks.diagonal);
+    for (const auto& [springs, stiffness, costs, resistance] : families_) {
+      const Four& cost = costs[four][0];
+      if (springs.rows == 0) {
+        add(cost, resistance[row], blocks.diagonal);
+        continue;
+      }
+      add(Four{} + 1, resistance[row], blocks.diagonal);
+      if (row < springs.rows) continue;
+      const Matrix3d& before = resistance[row - springs.rows];
+      add(Four{} + 1, before, blocks.diagonal);
+      add(cost / 2 - 1, before, springs.rows == 1 ? blocks.one_before : blocks.two_before);
+    }
   }
-  amplitudes.array() *= inverse_;
-  for (int row = grid_.along - 2; row >= 0; --row) {
-    auto here = amplitudes.col(row).array();
-    here -= one_before_.col(row + 1) * amplitudes.col(row + 1).array();
-    if (row + 2 < grid_.along) here -= two_before_.col(row + 2) * amplitudes.col(row + 2).array();
-  }
+}
+
+void QuasiNewtonMatrix::solve(const MatrixX3d& force, MatrixX3d& displacement) {
+  displacement.resize(force.rows(), 3);
+  parallel_ranges(bands_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t four = begin; four < end; ++four) {
+      modes_.take_apart(force, static_cast<int>(four), amplitudes_[four]);
+      bands_[four].solve(amplitudes_[four]);
+    }
+  });
+  parallel_ranges(grid_.along, rows_in_task, [&](std::size_t begin, std::size_t end) {
+    modes_.put_together(amplitudes_, static_cast<int>(begin), static_cast<int>(end), displacement);
+  });
 }
 
 }  // namespace ribbon

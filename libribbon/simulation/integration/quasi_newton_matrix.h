@@ -1,22 +1,24 @@
-// How much a displacement of the particles costs, at most: their inertia, and all springs as if
-// they were stretched along it.
+// About how much a displacement of the particles costs: their inertia, and the springs as they lie.
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <vector>
 
 #include "ribbon_mesh/springs.h"
+#include "simulation/integration/block_band.h"
+#include "simulation/integration/cosine_modes.h"
+#include "simulation/integration/fours.h"
 
 namespace ribbon {
 
-// The matrix A = inertia + sum of stiffness (e_a - e_b) (e_a - e_b)^T over the springs, the same
-// for each axis and however the ribbon lies. No second derivative of inertia and springs exceeds it
-// (Liu, Bargteil, O'Brien and Kavan, "Fast simulation of mass-spring systems", 2013).
+// The matrix A = inertia + sum of stiffness (e_a - e_b) P (e_a - e_b)^T over the springs, where P =
+// n n^T + 0.05 (1 - n n^T) of a spring of direction n. At its rest length a spring resists along it
+// alone; the rest stands for what it resists when it is stretched, or has turned since.
 //
-// The ribbon is taken as mirrored in its selvages: only there, and by springs more, never fewer,
-// does A differ from that of the network. Then cosines across the ribbon are its modes, each of
-// which is solved along the ribbon as a band of five diagonals: no factor fills in, however wide
-// the ribbon is.
+// The springs of a family that lead from one row count alike, with the mean of their P, and those
+// of two families that cross with that of both. The ribbon is taken as mirrored in its selvages,
+// which adds springs there. So cosines across the ribbon are its modes, each of which is solved
+// along the ribbon as a band of five diagonals: no factor fills in, however wide the ribbon is.
 class QuasiNewtonMatrix {
  public:
   // Of a network whose families reach two rows at most, with each (rows, columns) also its mirror
@@ -25,22 +27,30 @@ class QuasiNewtonMatrix {
   QuasiNewtonMatrix(const SpringNetwork& network, double inertia,
                     const Eigen::ArrayXd& heaviness = {});
 
-  // Overwrites `displacement` with A^-1 force, both particles x 3.
+  // Of the springs as they lie between particles (particles x 3) that are there.
+  void factor(const Eigen::MatrixX3d& positions);
+
+  // Overwrites `displacement` with A^-1 force, both particles x 3. After factor().
   void solve(const Eigen::MatrixX3d& force, Eigen::MatrixX3d& displacement);
 
  private:
-  void factor(const SpringNetwork& network, double inertia, const Eigen::ArrayXd& heaviness);
-  void solve_along(Eigen::MatrixXd& amplitudes) const;
+  struct Family {
+    SpringFamily springs;                     // without rest lengths
+    double stiffness = 0;                     // N/m
+    std::vector<Fours<1>> cost;               // of each four of modes
+    std::vector<Eigen::Matrix3d> resistance;  // of each row: stiffness times the mean P, N/m
+  };
+
+  void look_along(int row, const Eigen::MatrixX3d& positions, Family& family) const;
+  void assemble(int four);
 
   RibbonGrid grid_;
-  Eigen::MatrixXd modes_;    // one in each row, orthonormal
-  Eigen::MatrixXd columns_;  // one mode in each: its transpose and inverse
-  // One column for each row of the ribbon, one row for each mode: A = L D L^T, what of L lies one
-  // and two rows before the diagonal, and the inverse of D.
-  Eigen::ArrayXXd one_before_;
-  Eigen::ArrayXXd two_before_;
-  Eigen::ArrayXXd inverse_;
-  std::array<Eigen::MatrixXd, 3> amplitudes_;  // of the modes, for each axis
+  CosineModes modes_;
+  Eigen::ArrayXd inertia_;  // of each row
+  std::vector<Family> families_;
+  // Of each four of modes:
+  std::vector<BlockBand> bands_;
+  std::vector<std::vector<FourVectors>> amplitudes_;
 };
 
 }  // namespace ribbon

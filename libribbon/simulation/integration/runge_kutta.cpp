@@ -6,11 +6,6 @@ namespace {
 
 using Eigen::MatrixX3d;
 
-// Likewise as symplectic_euler.cpp has it: without bound from 27 parts on, bending alone from 20,
-// but not with 13.
-constexpr int most_parts = 20;
-constexpr int most_parts_bending = 12;
-
 // Runge-Kutta stays stable up to |eigenvalue| * step = 2 sqrt 2 on the imaginary and 2.785 on the
 // real axis; the margin covers what lies between.
 constexpr double runge_kutta_stability_limit = 2.5;
@@ -27,6 +22,11 @@ class RungeKutta final : public Integrator {
                    springs.bends_most() ? most_parts_bending : most_parts) {}
 
  private:
+  // Likewise as symplectic_euler.cpp has it: without bound from 27 parts on, bending alone from 20,
+  // but not with 13.
+  static constexpr int most_parts = 20;
+  static constexpr int most_parts_bending = 12;
+
   // Of one stage, from positions x and velocities v.
   void accelerate(const MatrixX3d& x, const MatrixX3d& v, MatrixX3d& a) {
     spring_forces_on_mean(x, a);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "parallel/instruction_set.h"
-#include "parallel/parallel.h"
+#include "parallel/any_instructions.h"
+#include "parallel/any_threads.h"
 #include "simulation/state/cloth.h"
 
 namespace ribbon::internal_damping_test {
@@ -177,26 +177,13 @@ TEST(InternalDamping, does_not_divide_by_a_length_of_zero) {
   EXPECT_TRUE(cloth.velocities.isOnes());
 }
 
-TEST(InternalDamping, gives_the_same_bits_with_any_number_of_threads) {
-  const auto damped = [](int threads) {
-    set_thread_limit(threads);
+TEST(InternalDamping, gives_the_same_bits_with_any_threads_and_instructions) {
+  const auto damped = [] {
     Cloth cloth = crumpled();
     damp(network_of(10, 0.5), 0.01, cloth);
-    set_thread_limit(0);
     return cloth.velocities;
   };
-  EXPECT_EQ(damped(1), damped(2));
-}
-
-TEST(InternalDamping, gives_the_same_bits_with_any_instructions) {
-  const auto damped = [](InstructionSet set) {
-    choose_instruction_set(set);
-    Cloth cloth = crumpled();
-    damp(network_of(10, 0.5), 0.01, cloth);
-    choose_instruction_set(best_instruction_set());
-    return cloth.velocities;
-  };
-  EXPECT_EQ(damped(InstructionSet::baseline), damped(best_instruction_set()));
+  EXPECT_EQ(same_for_any_threads(damped), same_for_any_instructions(damped));
 }
 
 }  // namespace ribbon::internal_damping_test

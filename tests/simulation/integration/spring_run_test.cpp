@@ -5,15 +5,14 @@
 #include <cmath>
 #include <vector>
 
-#include "parallel/instruction_set.h"
+#include "parallel/any_instructions.h"
 
 namespace ribbon::spring_run_test {
 
 constexpr long count = 37;  // no whole number of registers
 
 // What springs of many lengths, one of them 0, pull with: x, y and z, then twice the energy.
-std::vector<double> tension_by(InstructionSet set) {
-  choose_instruction_set(set);
+std::vector<double> tension() {
   std::vector<double> stiffness(count);
   std::vector<double> start(3 * count);
   std::vector<double> end(3 * count);
@@ -33,17 +32,11 @@ std::vector<double> tension_by(InstructionSet set) {
     run.tension[c] = &result[c * count];
   }
   compute_tension(run);
-  choose_instruction_set(best_instruction_set());
   return result;
 }
 
 TEST(SpringRun, all_instruction_sets_give_the_same_bits) {
-  const std::vector<double> expected = tension_by(InstructionSet::baseline);
-  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
-    if (is_available(set)) {
-      EXPECT_EQ(tension_by(set), expected);
-    }
-  }
+  same_for_any_instructions(tension);
 }
 
 }  // namespace ribbon::spring_run_test
