@@ -5,7 +5,7 @@ namespace ribbon {
 using enum IntegrationMethod;
 
 const std::array<AccuracyLevel, 4> accuracy_levels = {{
-    {"draft", 0.02, symplectic_euler, 0.3, {.strain = 0.08, .most_rounds = 20, .most_sweeps = 60}},
+    {"draft", 0.02, symplectic_euler, 0.15, {.strain = 0.08, .most_rounds = 20, .most_sweeps = 60}},
     {"balanced",
      0.01,
      symplectic_euler,

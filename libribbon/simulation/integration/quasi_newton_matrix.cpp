@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "geometry/vectors.h"
 #include "parallel/parallel.h"
 
 namespace ribbon {
@@ -14,7 +13,6 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Matrix3d;
 using Eigen::MatrixX3d;
-using Eigen::RowVector3d;
 
 // Of the springs: the factor could not tell less from rounding.
 constexpr double least_inertia = 1e-12;
@@ -28,13 +26,38 @@ constexpr int rows_in_task = 64;
 // Squares of lengths below which a spring has no direction.
 constexpr double shortest_squared = 1e-300;
 
-// P of a spring. Without a direction it resists in all.
-Matrix3d resistance_of(const RowVector3d& spring) {
-  const double squared_length = squared_length_of(spring);
-  if (squared_length < shortest_squared) return Matrix3d::Identity();
-  return resistance_across * Matrix3d::Identity() +
-         (1 - resistance_across) / squared_length * spring.transpose() * spring;
-}
+// n n^T of springs, summed.
+class Directions {
+ public:
+  // Without a direction a spring counts in all.
+  void add(double x, double y, double z) {
+    const double squared_length = x * x + y * y + z * z;
+    ++count_;
+    if (squared_length < shortest_squared) {
+      sum_.diagonal().array() += 1;
+      return;
+    }
+    const double scale = 1 / squared_length;
+    sum_(0, 0) += scale * x * x;
+    sum_(0, 1) += scale * x * y;
+    sum_(0, 2) += scale * x * z;
+    sum_(1, 1) += scale * y * y;
+    sum_(1, 2) += scale * y * z;
+    sum_(2, 2) += scale * z * z;
+  }
+  // The mean P; 0 of none.
+  [[nodiscard]] Matrix3d mean_resistance() const {
+    if (count_ == 0) return Matrix3d::Zero();
+    Matrix3d mean = (1 - resistance_across) / count_ * sum_;
+    mean.triangularView<Eigen::StrictlyLower>() = mean.transpose();
+    mean.diagonal().array() += resistance_across;
+    return mean;
+  }
+
+ private:
+  Matrix3d sum_ = Matrix3d::Zero();  // its upper half
+  int count_ = 0;
+};
 
 // block += weight matrix
 void add(const Four& weight, const Matrix3d& matrix, FourBlocks& block) {
@@ -53,15 +76,16 @@ QuasiNewtonMatrix::QuasiNewtonMatrix(const SpringNetwork& network, double inerti
   double stiffness = 0;
   for (const SpringKind* kind : network.kinds()) {
     stiffness += kind->stiffness;
-    for (const SpringFamily& springs : kind->families) {
-      if (kind->stiffness == 0) continue;
-      Family& family = families_.emplace_back();
-      family.springs = {springs.rows, springs.columns};
-      family.stiffness = kind->stiffness;
-      family.cost.resize(modes_.four_count());
+    for (const auto& [rows, columns, rest_m, rests_m] : kind->families) {
+      if (kind->stiffness == 0 || columns < 0) continue;
+      Springs& springs = springs_.emplace_back();
+      springs.families.push_back({rows, columns});
+      if (rows > 0 && columns > 0) springs.families.push_back({rows, -columns});
+      springs.stiffness = kind->stiffness;
+      springs.cost.resize(modes_.four_count());
       for (int mode = 0; mode < grid_.across; ++mode)
-        family.cost[mode / 4][0][mode % 4] = modes_.cost(mode, std::abs(springs.columns));
-      family.resistance.resize(grid_.along);
+        springs.cost[mode / 4][0][mode % 4] = modes_.cost(mode, columns);
+      springs.resistance.resize(grid_.along);
     }
   }
   inertia_ = ArrayXd::Constant(grid_.along, std::max(inertia, 8 * least_inertia * stiffness));
@@ -70,9 +94,9 @@ QuasiNewtonMatrix::QuasiNewtonMatrix(const SpringNetwork& network, double inerti
 
 void QuasiNewtonMatrix::factor(const MatrixX3d& positions) {
   parallel_ranges(grid_.along, rows_in_task, [&](std::size_t begin, std::size_t end) {
-    for (Family& family : families_)
+    for (Springs& springs : springs_)
       for (std::size_t row = begin; row < end; ++row)
-        look_along(static_cast<int>(row), positions, family);
+        look_along(static_cast<int>(row), positions, springs);
   });
   parallel_ranges(bands_.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t four = begin; four < end; ++four) {
@@ -82,38 +106,42 @@ void QuasiNewtonMatrix::factor(const MatrixX3d& positions) {
   });
 }
 
-void QuasiNewtonMatrix::look_along(int row, const MatrixX3d& positions, Family& family) const {
-  Matrix3d& mean = family.resistance[row];
-  mean.setZero();
-  if (row + family.springs.rows >= grid_.along) return;
-  int count = 0;
-  for_each_spring_of_row(grid_, family.springs, row, [&](int a, int b) {
-    mean += resistance_of(positions.row(b) - positions.row(a));
-    ++count;
-  });
-  if (count > 0) mean *= family.stiffness / count;
+void QuasiNewtonMatrix::look_along(int row, const MatrixX3d& positions, Springs& springs) const {
+  Directions directions;
+  for (const SpringFamily& family : springs.families) {
+    if (row + family.rows >= grid_.along) continue;
+    for_each_spring_of_row(grid_, family, row, [&](int a, int b) {
+      directions.add(positions(b, 0) - positions(a, 0), positions(b, 1) - positions(a, 1),
+                     positions(b, 2) - positions(a, 2));
+    });
+  }
+  springs.resistance[row] = springs.stiffness * static_cast<double>(springs.families.size()) *
+                            directions.mean_resistance();
 }
 
-// A spring counts at both of its ends. Within a row, a family costs what the mode does; between two
-// rows of amplitudes a and b it costs a^2 + b^2 - 2 (1 - cost / 2) a b, half of what it costs
-// together with its mirror image.
+// A spring counts at both of its ends. Within a row, springs cost what the mode does; between two
+// rows of amplitudes a and b they cost a^2 + b^2 - 2 (1 - cost / 2) a b, a family half of what it
+// costs together with its mirror image.
 void QuasiNewtonMatrix::assemble(int four) {
+  const Four once = Four{} + 1;
   for (int row = 0; row < grid_.along; ++row) {
     BlockBand::Row& blocks = bands_[four].row(row);
     blocks = {};
-    add(Four{} + inertia_[row], Matrix3d::Identity(), blocks.diagonal);
-    for (const auto& [springs, stiffness, costs, resistance] : families_) {
-      const Four& cost = costs[four][0];
-      if (springs.rows == 0) {
-        add(cost, resistance[row], blocks.diagonal);
+    Matrix3d of_all_modes = inertia_[row] * Matrix3d::Identity();
+    for (const Springs& springs : springs_) {
+      const Four& cost = springs.cost[four][0];
+      const int rows = springs.families[0].rows;
+      if (rows == 0) {
+        add(cost, springs.resistance[row], blocks.diagonal);
         continue;
       }
-      add(Four{} + 1, resistance[row], blocks.diagonal);
-      if (row < springs.rows) continue;
-      const Matrix3d& before = resistance[row - springs.rows];
-      add(Four{} + 1, before, blocks.diagonal);
-      add(cost / 2 - 1, before, springs.rows == 1 ? blocks.one_before : blocks.two_before);
+      of_all_modes += springs.resistance[row];
+      if (row < rows) continue;
+      const Matrix3d& before = springs.resistance[row - rows];
+      of_all_modes += before;
+      add(cost / 2 - once, before, rows == 1 ? blocks.one_before : blocks.two_before);
     }
+    add(once, of_all_modes, blocks.diagonal);
   }
 }
 

@@ -34,20 +34,21 @@ class QuasiNewtonMatrix {
   void solve(const Eigen::MatrixX3d& force, Eigen::MatrixX3d& displacement);
 
  private:
-  struct Family {
-    SpringFamily springs;                     // without rest lengths
+  // A family and, if it has another, its mirror image, which costs each mode as much.
+  struct Springs {
+    std::vector<SpringFamily> families;       // without rest lengths
     double stiffness = 0;                     // N/m
     std::vector<Fours<1>> cost;               // of each four of modes
-    std::vector<Eigen::Matrix3d> resistance;  // of each row: stiffness times the mean P, N/m
+    std::vector<Eigen::Matrix3d> resistance;  // of each row, all of it: stiffness times P, N/m
   };
 
-  void look_along(int row, const Eigen::MatrixX3d& positions, Family& family) const;
+  void look_along(int row, const Eigen::MatrixX3d& positions, Springs& springs) const;
   void assemble(int four);
 
   RibbonGrid grid_;
   CosineModes modes_;
   Eigen::ArrayXd inertia_;  // of each row
-  std::vector<Family> families_;
+  std::vector<Springs> springs_;
   // Of each four of modes:
   std::vector<BlockBand> bands_;
   std::vector<std::vector<FourVectors>> amplitudes_;

@@ -25,7 +25,7 @@ void add_steps(std::vector<AccuracySetting>& settings) {
 
 void add_single_numbers(std::vector<AccuracySetting>& settings) {
   const AccuracyLevel& balanced = accuracy_levels[1];
-  for (const double tolerance : {0.3, 0.03, 0.01, 0.001}) {
+  for (const double tolerance : {0.3, 0.15, 0.03, 0.01, 0.001}) {
     AccuracyLevel numbers = balanced;
     numbers.integrator = IntegrationMethod::implicit;
     numbers.tolerance = tolerance;
