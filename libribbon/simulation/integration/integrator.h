@@ -111,8 +111,8 @@ std::unique_ptr<Integrator> runge_kutta(const SpringNetwork& springs,
 std::unique_ptr<Integrator> symplectic_euler(const SpringNetwork& springs,
                                              const MotionProperties& properties);
 
-// The implicit scheme solves in as many modes across the ribbon, each over all of its width. Within
-// the limit no cache size of a machine changes the order of its sums.
+// The implicit scheme solves in as many modes across the ribbon, each over all of its width: what
+// that takes grows with the square of the width.
 inline constexpr int most_across_implicit = 500;  // particles
 
 // Backward Euler, stable on any springs without substeps: what is fast for the step is damped. The
