@@ -85,7 +85,8 @@ class ImplicitEuler final : public Integrator {
       : Integrator(springs, properties, 1, 1),
         slowed_(1 / (1 + properties.step_s * properties.air_resistance_per_s)),
         inertia_(properties.particle_mass_kg / slowed_ / properties.step_s / properties.step_s),
-        masses_(properties.lightness) {
+        masses_(properties.lightness),
+        history_(springs_.empty() ? 0 : springs.grid.particle_count()) {
     if (!springs_.empty()) matrix_.emplace(springs, inertia_, masses_.of_rows(springs.grid));
   }
 

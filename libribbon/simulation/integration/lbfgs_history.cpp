@@ -10,10 +10,15 @@ namespace ribbon {
 using Eigen::Index;
 using Eigen::MatrixX3d;
 
-void LbfgsHistory::add(const Place& from, const Place& to, double least_curvature) {
-  const Index particles = from.displacement.rows();
+// All at once: a later step takes no memory, however soon those before it found their minimum.
+LbfgsHistory::LbfgsHistory(Index particles) : rest_(particles, 3) {
   offered_.displacement.resize(particles, 3);
   offered_.gradient_change.resize(particles, 3);
+  pairs_.fill(offered_);
+}
+
+void LbfgsHistory::add(const Place& from, const Place& to, double least_curvature) {
+  const Index particles = from.displacement.rows();
   const auto take_run = [&](Index first, Index count, std::array<double, 2>& sums) {
     const auto run = [&](auto& rows) { return rows.middleRows(first, count); };
     run(offered_.displacement) = run(to.displacement) - run(from.displacement);
@@ -48,7 +53,6 @@ double LbfgsHistory::toward_minimum(QuasiNewtonMatrix& matrix, const MatrixX3d& 
     for (int newer = 0; newer < age; ++newer) alpha[age] -= alpha[newer] * product(newer, age);
     alpha[age] /= product(age, age);
   }
-  rest_.resize(particles, 3);
   for_each_particle_run(particles, [&](Index first, Index count) {
     auto rest = rest_.middleRows(first, count);
     rest = -gradient.middleRows(first, count);

@@ -12,6 +12,8 @@ namespace ribbon {
 // The last few displacements, and the changes of the gradient that they brought.
 class LbfgsHistory {
  public:
+  explicit LbfgsHistory(Eigen::Index particles);
+
   void clear() { count_ = 0; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 

@@ -46,7 +46,8 @@ TEST(LbfgsHistory, knows_nothing_but_the_matrix_at_first) {
   QuasiNewtonMatrix matrix = inertia_alone();
   const MatrixX3d gradient = Places().next().gradient;
   MatrixX3d displacement;
-  const double slope = LbfgsHistory().toward_minimum(matrix, gradient, displacement);
+  const double slope =
+      LbfgsHistory(grid.particle_count()).toward_minimum(matrix, gradient, displacement);
   EXPECT_LT((displacement + gradient / 2).norm(), 1e-12);
   EXPECT_NEAR(slope, -gradient.squaredNorm() / 2, 1e-8);
 }
@@ -54,7 +55,7 @@ TEST(LbfgsHistory, knows_nothing_but_the_matrix_at_first) {
 // The condition by which it is defined, for any number of pairs.
 TEST(LbfgsHistory, answers_the_newest_change_of_the_gradient_with_the_way_that_brought_it) {
   QuasiNewtonMatrix matrix = inertia_alone();
-  LbfgsHistory history;
+  LbfgsHistory history(grid.particle_count());
   Places places;
   LbfgsHistory::Place from = places.next();
   for (int pair = 0; pair < 8; ++pair) {
@@ -69,7 +70,7 @@ TEST(LbfgsHistory, answers_the_newest_change_of_the_gradient_with_the_way_that_b
 
 TEST(LbfgsHistory, leads_to_the_minimum_of_a_parabola) {
   QuasiNewtonMatrix matrix = inertia_alone();
-  LbfgsHistory history;
+  LbfgsHistory history(grid.particle_count());
   LbfgsHistory::Place here = at(MatrixX3d::Zero(grid.particle_count(), 3));
   for (int i = 0; i < 60; ++i) {
     MatrixX3d displacement;
@@ -83,7 +84,7 @@ TEST(LbfgsHistory, leads_to_the_minimum_of_a_parabola) {
 
 TEST(LbfgsHistory, leaves_out_ways_along_which_the_gradient_does_not_grow) {
   QuasiNewtonMatrix matrix = inertia_alone();
-  LbfgsHistory history;
+  LbfgsHistory history(grid.particle_count());
   Places places;
   for (int pair = 0; pair < 6; ++pair) history.add(places.next(), places.next(), 1e-8);
   const LbfgsHistory::Place from = places.next();
@@ -101,7 +102,7 @@ TEST(LbfgsHistory, leaves_out_ways_along_which_the_gradient_does_not_grow) {
 TEST(LbfgsHistory, gives_the_same_bits_for_any_number_of_threads) {
   QuasiNewtonMatrix matrix = inertia_alone();
   same_for_any_threads([&] {
-    LbfgsHistory history;
+    LbfgsHistory history(grid.particle_count());
     Places places;
     for (int pair = 0; pair < 6; ++pair) history.add(places.next(), places.next(), 1e-8);
     MatrixX3d displacement;

@@ -42,8 +42,9 @@ TEST_P(StepMemory, is_not_taken_by_a_loose_step_once_warm) {
   EXPECT_EQ(allocations_after(5, scene), 0U);
 }
 
+// Lists of pairs grow, now and then, until nothing is drawn any tighter.
 TEST_P(StepMemory, is_not_taken_by_a_tight_step_once_warm) {
-  EXPECT_EQ(allocations_after(400, scene), 0U);
+  EXPECT_EQ(allocations_after(1000, scene), 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(WithAnyIntegrator, StepMemory,
