@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "parallel/instruction_set.h"
+#include "parallel/vector_loop.h"
 
 namespace ribbon {
 
@@ -90,43 +90,15 @@ namespace {
   }
 }
 
-void factor_plainly(std::vector<BlockBand::Row>& rows) {
-  factor_rows(rows);
-}
-
-void solve_plainly(const std::vector<BlockBand::Row>& rows, std::vector<FourVectors>& x) {
-  solve_rows(rows, x);
-}
-
-#ifdef __x86_64__
-[[gnu::target("avx2")]]
-#endif
-void factor_in_wide_registers(std::vector<BlockBand::Row>& rows) {
-  factor_rows(rows);
-}
-
-#ifdef __x86_64__
-[[gnu::target("avx2")]]
-#endif
-void solve_in_wide_registers(const std::vector<BlockBand::Row>& rows, std::vector<FourVectors>& x) {
-  solve_rows(rows, x);
-}
-
 }  // namespace
 
 void BlockBand::factor() {
-  if (instruction_set() == InstructionSet::baseline)
-    factor_plainly(rows_);
-  else
-    factor_in_wide_registers(rows_);
+  vectorised([this]() RIBBON_INLINED { factor_rows(rows_); });
 }
 
 void BlockBand::solve(std::vector<FourVectors>& x) const {
   assert(x.size() == rows_.size());
-  if (instruction_set() == InstructionSet::baseline)
-    solve_plainly(rows_, x);
-  else
-    solve_in_wide_registers(rows_, x);
+  vectorised([&]() RIBBON_INLINED { solve_rows(rows_, x); });
 }
 
 }  // namespace ribbon

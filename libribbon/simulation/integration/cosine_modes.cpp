@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "geometry/angles.h"
-#include "parallel/instruction_set.h"
+#include "parallel/vector_loop.h"
 
 namespace ribbon {
 
@@ -56,41 +56,6 @@ using Table = std::vector<Fours<1>>;
   }
 }
 
-[[gnu::always_inline]] inline void put_rows_together(
-    const std::vector<Table>& at_modes, const std::vector<std::vector<FourVectors>>& amplitudes,
-    int begin, int end, int columns, MatrixX3d& particles) {
-  for (int row = begin; row < end; ++row)
-    put_row_together(at_modes, amplitudes, row, columns, particles);
-}
-
-void take_apart_plainly(const Table& at_columns, const MatrixX3d& particles,
-                        std::vector<FourVectors>& amplitudes) {
-  take_apart_rows(at_columns, particles, amplitudes);
-}
-
-void put_together_plainly(const std::vector<Table>& at_modes,
-                          const std::vector<std::vector<FourVectors>>& amplitudes, int begin,
-                          int end, int columns, MatrixX3d& particles) {
-  put_rows_together(at_modes, amplitudes, begin, end, columns, particles);
-}
-
-#ifdef __x86_64__
-[[gnu::target("avx2")]]
-#endif
-void take_apart_in_wide_registers(const Table& at_columns, const MatrixX3d& particles,
-                                  std::vector<FourVectors>& amplitudes) {
-  take_apart_rows(at_columns, particles, amplitudes);
-}
-
-#ifdef __x86_64__
-[[gnu::target("avx2")]]
-#endif
-void put_together_in_wide_registers(const std::vector<Table>& at_modes,
-                                    const std::vector<std::vector<FourVectors>>& amplitudes,
-                                    int begin, int end, int columns, MatrixX3d& particles) {
-  put_rows_together(at_modes, amplitudes, begin, end, columns, particles);
-}
-
 }  // namespace
 
 CosineModes::CosineModes(int columns) : columns_(columns) {
@@ -113,18 +78,15 @@ double CosineModes::cost(int mode, int columns_apart) const {
 
 void CosineModes::take_apart(const MatrixX3d& particles, int four,
                              std::vector<FourVectors>& amplitudes) const {
-  if (instruction_set() == InstructionSet::baseline)
-    take_apart_plainly(at_columns_[four], particles, amplitudes);
-  else
-    take_apart_in_wide_registers(at_columns_[four], particles, amplitudes);
+  vectorised([&]() RIBBON_INLINED { take_apart_rows(at_columns_[four], particles, amplitudes); });
 }
 
 void CosineModes::put_together(const std::vector<std::vector<FourVectors>>& amplitudes, int begin,
                                int end, MatrixX3d& particles) const {
-  if (instruction_set() == InstructionSet::baseline)
-    put_together_plainly(at_modes_, amplitudes, begin, end, columns_, particles);
-  else
-    put_together_in_wide_registers(at_modes_, amplitudes, begin, end, columns_, particles);
+  vectorised([&]() RIBBON_INLINED {
+    for (int row = begin; row < end; ++row)
+      put_row_together(at_modes_, amplitudes, row, columns_, particles);
+  });
 }
 
 }  // namespace ribbon

@@ -4,9 +4,8 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <map>
+#include <cstdlib>
 #include <random>
-#include <utility>
 
 #include "parallel/any_instructions.h"
 #include "parallel/any_threads.h"
@@ -82,12 +81,11 @@ MatrixXd matrix_of(const SpringNetwork& network, const MatrixX3d& positions, dou
   const RibbonGrid& grid = network.grid;
   const Index size = 3 * Index{grid.particle_count()};
   MatrixXd matrix = inertia * MatrixXd::Identity(size, size);
-  const auto row_of = [&](int particle) { return grid.row(particle); };
   for_each_spring(network, [&](int a, int b, double, double stiffness) {
+    const int row = grid.row(a);
     const int columns = std::abs(grid.column(a) - grid.column(b));
-    add_spring(
-        stiffness * mean_resistance(grid, row_of(a), row_of(b) - row_of(a), columns, positions), a,
-        b, matrix);
+    add_spring(stiffness * mean_resistance(grid, row, grid.row(b) - row, columns, positions), a, b,
+               matrix);
   });
   // What mirroring adds: at both selvages a spring for each that would reach over it.
   for (int row = 0; row < grid.along; ++row)
