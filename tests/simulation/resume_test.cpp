@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "files/files.h"
 #include "parallel/parallel.h"
 #include "result/refusal.h"
 #include "simulation/fastening_processor.h"
@@ -133,6 +134,14 @@ TEST(Resume, goes_on_to_the_same_bits_from_any_step) {
       EXPECT_TRUE(are_equal(follower, uninterrupted)) << run.name;
     EXPECT_TRUE(contact_share > 0.05 || !run.scene.fastening || !run.obstacle) << run.name;
   }
+}
+
+TEST(Resume, a_state_begins_with_the_version_that_its_document_states) {
+  StateArchive archive(begun(runs().front()).state());
+  std::int64_t version = 0;
+  archive.visit(version, 1, std::numeric_limits<std::int64_t>::max());
+  EXPECT_THAT(read_file(RIBBON_STATE_DOCUMENT).value(),
+              HasSubstr("\n| version | i64 | " + std::to_string(version) + " |\n"));
 }
 
 // Two seconds of memory come round; the ribbon is tight, and both notice in the same step.
