@@ -125,7 +125,7 @@ MayBeGiven add_options(Arguments& arguments, CommandLine& line, Words& words) {
   arguments
       .add("-o,--output", request.output, "FILE",
            "Where to: .obj or .fbx with {frame} or {frame:04} for the number; all frames as .abc, "
-           ".usda, .mdd, .pc2 or .npy; their numbers as .csv; or .rbn")
+           ".fbx, .glb, .usda, .mdd, .pc2 or .npy; their numbers as .csv; or .rbn")
       .required();
   add_what(arguments, request, words);
   add_how(arguments, request, words);

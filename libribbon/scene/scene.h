@@ -191,7 +191,7 @@ struct RecordingScene {
   std::optional<double> max_position_error =
       std::nullopt;  // of the ribbon's length, per coordinate; 0: positions are recorded in single
                      // precision as they are; none: what suits the ribbon's edges
-  double checkpoint_every_s = 200;  // simulated time; 0: none but at the end
+  double checkpoint_every_s = 200;  // simulated time; 0: none but at the start and the end
 
   bool operator==(const RecordingScene&) const = default;
 };

@@ -16,8 +16,8 @@
 namespace ribbon {
 
 // They pull with the fastening force, or with a fraction of it where they yield, feel how the
-// ribbon resists, and know when it is tight. What the scene does not name, yield and max_speed, is
-// neither held nor computed.
+// ribbon resists, and know when it is tight. Where the scene has yield = "never" or no max_speed,
+// nothing of it is held or computed.
 class TwoHands : public Hands {
  public:
   // The scene has a fastening; cloth is the ribbon at its start.

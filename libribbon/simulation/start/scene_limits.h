@@ -22,16 +22,17 @@ double recorded_reach_m(const Scene& scene, const RestSize& size,
 
 // With a max_position_error above 0. A scene that wants no loss has the rounding to single
 // precision within its reach. One that names none has 1e-5, or less where edges would otherwise be
-// held to less than half of the paper's limit of strain, but at least least_position_error.
+// held to less than half of the paper's limit of strain (with contact = "paper" never less), but at
+// least least_position_error.
 Scene with_rounding(Scene scene, const RestSize& size, double reach_m);
 
-// positions: 3 x particles, the ribbon of `size`; lengths: of it, with single rounding. Fails,
+// positions: 3 x particles, the ribbon of `size`; lengths: of it, with rounding. Fails,
 // naming the setting and its limit, where
 // - a position is not finite or so far from the origin that arithmetic would blur the gap that the
 //   gate keeps (a thousandth of it),
 // - recorded coordinates, in single precision, cannot hold recording.max_position_error,
-// - what recording may move a coordinate by uses up that gap (not with contact = "paper", which
-//   keeps none).
+// - what recording may move a coordinate by uses up that gap (a scene that wants no loss) or leaves
+//   strain correction too little to aim at (any other); not with contact = "paper".
 Result<void> check_precision(const Scene& as_read, const RestSize& size,
                              const ContactLengths& lengths, const Eigen::Matrix3Xd& positions,
                              const std::optional<TriangleMesh>& obstacle);
