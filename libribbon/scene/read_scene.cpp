@@ -285,9 +285,7 @@ std::vector<Key> time_keys() {
            one_of<RunsUntil>({{"duration", RunsUntil::duration}, {"tight", RunsUntil::tight}}))},
       {"integrator", optional, "\"rk4\"",
        set(in(&Scene::time, &TimeScene::integrator),
-           one_of<IntegrationMethod>({{"rk4", IntegrationMethod::rk4},
-                                      {"symplectic_euler", IntegrationMethod::symplectic_euler},
-                                      {"implicit", IntegrationMethod::implicit}}))},
+           one_of<IntegrationMethod>({integration_methods.begin(), integration_methods.end()}))},
   };
 }
 

@@ -10,6 +10,7 @@
 
 #include "result/result.h"
 #include "scene/fabric.h"
+#include "scene/integration_method.h"
 #include "scene/named_file.h"
 #include "scene/stage_scene.h"
 #include "scene/width_profile.h"
@@ -135,10 +136,6 @@ struct ObstacleScene {
 // How contact is dealt with: `gate` keeps every pair of features apart; `paper` is the published
 // method with its recovery schemes A, B and C.
 enum class ContactMethod { gate, paper };
-
-// How the displacement of a step is computed: fourth-order Runge-Kutta as in the paper, symplectic
-// Euler, or backward Euler.
-enum class IntegrationMethod { rk4, symplectic_euler, implicit };
 
 // Where the ribbon is pulled: everywhere as in the paper, or at its two ends alone.
 enum class FasteningPull { distributed, ends };

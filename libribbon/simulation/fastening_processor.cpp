@@ -199,6 +199,14 @@ const StartReport& FasteningProcessor::start() const {
 
 // ---- The steps
 
+IntegrationMethod FasteningProcessor::integrator() const {
+  return parts_->time_step.integrator().method();
+}
+
+int FasteningProcessor::substeps() const {
+  return parts_->time_step.integrator().substeps();
+}
+
 StepReport FasteningProcessor::step() {
   ++parts_->steps;
   if (parts_->staged != nullptr) {

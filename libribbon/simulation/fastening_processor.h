@@ -11,6 +11,7 @@
 #include "geometry/rest_size.h"
 #include "geometry/triangle_mesh.h"
 #include "result/result.h"
+#include "scene/integration_method.h"
 #include "simulation/start/start_report.h"
 #include "simulation/step/stage_clock.h"
 #include "simulation/step/step_report.h"
@@ -63,6 +64,11 @@ class FasteningProcessor {
 
   // How the ribbon came to its start.
   [[nodiscard]] const StartReport& start() const;
+
+  // What computes the displacement of a step: what the scene names or, where it names nothing, what
+  // suits its springs. And into how many parts that divides a step.
+  [[nodiscard]] IntegrationMethod integrator() const;
+  [[nodiscard]] int substeps() const;
 
   StepReport step();
 

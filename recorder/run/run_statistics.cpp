@@ -103,7 +103,8 @@ Json stages_json(const StageSums& stages) {
 std::string profile_text(const RunStatistics& statistics) {
   const double all_s = statistics.simulation_s + statistics.measuring_s + statistics.recording_s;
   const int frames = statistics.frames - statistics.first_frame;
-  std::string text = filled_in("a step, {} times:\n", statistics.computed_steps);
+  std::string text = filled_in("a step, {} times, by {} in {} parts:\n", statistics.computed_steps,
+                               statistics.integrator, statistics.substeps);
   // A step truncates or recovers; the other takes no time.
   for (std::size_t stage = 0; stage < step_stage_count; ++stage)
     if (const double time_s = statistics.stages.time_s[stage]; time_s > 0)
@@ -148,6 +149,8 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"across", statistics.across},
       {"start", statistics.start},
       {"start_s", statistics.start_s},
+      {"integrator", statistics.integrator},
+      {"substeps", statistics.substeps},
       {"steps", statistics.steps},
       {"computed_steps", statistics.computed_steps},
       {"frames", statistics.frames},

@@ -17,9 +17,11 @@ struct RunStatistics {
   std::string scene_name = {};
   int along = 0;
   int across = 0;
-  std::string start = {};  // how it was made: "free", "grown" or "recovered"
-  double start_s = 0;      // wall time that took
-  std::int64_t steps = 0;  // that led to the last frame
+  std::string start = {};       // how it was made: "free", "grown" or "recovered"
+  double start_s = 0;           // wall time that took
+  std::string integrator = {};  // as scenes name it
+  int substeps = 0;             // of each step
+  std::int64_t steps = 0;       // that led to the last frame
   // By this run: others may have been before it.
   std::int64_t computed_steps = 0;
   int frames = 0;

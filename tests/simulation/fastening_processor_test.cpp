@@ -70,6 +70,22 @@ TEST(FasteningProcessor, tells_where_the_time_of_its_steps_went) {
   }
 }
 
+TEST(FasteningProcessor, tells_what_integrates_its_steps) {
+  Scene scene = scene_of_loop();
+  EXPECT_EQ(processor(scene, std::nullopt).integrator(), IntegrationMethod::symplectic_euler);
+  const int few = processor(scene, std::nullopt).substeps();
+  scene.springs.stretch *= 100;
+  EXPECT_EQ(processor(scene, std::nullopt).integrator(), IntegrationMethod::symplectic_euler);
+  EXPECT_GT(processor(scene, std::nullopt).substeps(), few);
+  // Too stiff for the usual one, and the scene names none.
+  scene.springs.stretch = 1e9;
+  EXPECT_EQ(processor(scene, std::nullopt).integrator(), IntegrationMethod::implicit);
+  EXPECT_EQ(processor(scene, std::nullopt).substeps(), 1);
+  scene.springs.stretch = 10;
+  scene.time.integrator = IntegrationMethod::rk4;
+  EXPECT_EQ(processor(scene, std::nullopt).integrator(), IntegrationMethod::rk4);
+}
+
 TEST(FasteningProcessor, gives_the_same_bits_for_any_number_of_threads) {
   same_for_any_threads([] {
     FasteningProcessor fastening = processor(scene_of_loop(), post(0.3));

@@ -90,6 +90,8 @@ class ImplicitEuler final : public Integrator {
     if (!springs_.empty()) matrix_.emplace(springs, inertia_, masses_.of_rows(springs.grid));
   }
 
+  [[nodiscard]] IntegrationMethod method() const override { return IntegrationMethod::implicit; }
+
  private:
   // A displacement over the step, the objective there and its gradient.
   struct Iterate : LbfgsHistory::Place {

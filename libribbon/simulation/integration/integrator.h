@@ -57,6 +57,8 @@ class Integrator {
   // With the next force gravity counts with that fraction, 0 to 1.
   void ease_gravity(double fraction) { gravity_fraction_ = fraction; }
 
+  [[nodiscard]] virtual IntegrationMethod method() const = 0;
+
   // Into how many parts it divides a step to stay stable on its springs and in its air, however the
   // ribbon lies.
   [[nodiscard]] int substeps() const { return substeps_; }

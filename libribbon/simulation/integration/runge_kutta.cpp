@@ -21,6 +21,8 @@ class RungeKutta final : public Integrator {
                                    runge_kutta_stability_limit),
                    springs.bends_most() ? most_parts_bending : most_parts) {}
 
+  [[nodiscard]] IntegrationMethod method() const override { return IntegrationMethod::rk4; }
+
  private:
   // Likewise as symplectic_euler.cpp has it: without bound from 27 parts on, bending alone from 20,
   // but not with 13.

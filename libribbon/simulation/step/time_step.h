@@ -75,8 +75,6 @@ class TimeStep {
     integrator_->set_gravity(acceleration_m_s2);
   }
 
-  // Into how many parts the springs divide a step.
-  [[nodiscard]] int substeps() const { return integrator_->substeps(); }
   [[nodiscard]] const Integrator& integrator() const { return *integrator_; }
   // Charged with the stages of all steps.
   [[nodiscard]] StageClock& clock() { return clock_; }
@@ -85,6 +83,7 @@ class TimeStep {
  private:
   StepReport advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth);
   StepReport advance_as_published(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
+  [[nodiscard]] int substeps() const { return integrator_->substeps(); }
   [[nodiscard]] int gates_for(const Cloth& cloth) const;
   StepReport advance_with_gates(int gates, const Eigen::Matrix3Xd& force, Bodies& bodies,
                                 Cloth& cloth);

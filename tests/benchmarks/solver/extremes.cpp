@@ -28,11 +28,6 @@ struct Options {
   int most_steps = std::numeric_limits<int>::max();
 };
 
-constexpr std::array<std::pair<const char*, IntegrationMethod>, 3> integrators = {
-    {{"rk4", IntegrationMethod::rk4},
-     {"symplectic_euler", IntegrationMethod::symplectic_euler},
-     {"implicit", IntegrationMethod::implicit}}};
-
 bool holds(const Outcome& outcome) {
   return outcome.is_finite && !outcome.is_explosion && outcome.intersecting_pairs == 0;
 }
@@ -96,7 +91,7 @@ void describe(CLI::App& app, Options& options) {
 void print_heading() {
   std::string names;
   std::string rule;
-  for (const auto& [name, method] : integrators) {
+  for (const auto& [name, method] : integration_methods) {
     names += " `" + std::string(name) + "` |";
     rule += "---|";
   }
@@ -106,7 +101,7 @@ void print_heading() {
 // By each integrator.
 std::vector<Outcome> run_all(ExtremeScene extreme, int most_steps) {
   std::vector<Outcome> outcomes;
-  for (const auto& [name, method] : integrators) {
+  for (const auto& [name, method] : integration_methods) {
     extreme.scene.time.integrator = method;
     outcomes.push_back(outcome_of(extreme, most_steps));
   }
@@ -126,8 +121,8 @@ void print(const std::string& extreme, const std::vector<Outcome>& outcomes, Not
 
 Json json(const std::string& extreme, const std::vector<Outcome>& outcomes) {
   Json row = {{"extreme", extreme}};
-  for (std::size_t i = 0; i < integrators.size(); ++i)
-    row[integrators[i].first] = json(outcomes[i]);
+  for (std::size_t i = 0; i < integration_methods.size(); ++i)
+    row[std::string(integration_methods[i].first)] = json(outcomes[i]);
   return row;
 }
 

@@ -36,16 +36,12 @@ struct Options {
 // The smallest is over before it can be measured.
 constexpr auto sizes = std::span(ribbon_sizes).subspan<1>();
 
-const std::map<std::string, IntegrationMethod> integrators = {
-    {"rk4", IntegrationMethod::rk4},
-    {"symplectic_euler", IntegrationMethod::symplectic_euler},
-    {"implicit", IntegrationMethod::implicit}};
-
 void describe(CLI::App& app, Options& options) {
   app.add_option("--tight", options.tight, "the recording whose last frame is refined")
       ->type_name("RECORDING");
   app.add_option("--integrator", options.integrator, "instead of the sample's")
-      ->transform(CLI::CheckedTransformer(integrators))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, IntegrationMethod>(
+          integration_methods.begin(), integration_methods.end())))
       ->option_text("rk4, symplectic_euler or implicit");
   app.add_option("--step", options.step_s, "seconds, instead of the sample's")
       ->check(CLI::PositiveNumber);

@@ -14,6 +14,8 @@ RunStatistics example() {
       {.time_s = 0, .worst_strain = 0.3, .penetrating_edges = 5, .recovery_iterations = 0});
   statistics.add(
       {.time_s = 1, .worst_strain = 0.1, .penetrating_edges = 2, .recovery_iterations = 7});
+  statistics.integrator = "rk4";
+  statistics.substeps = 4;
   statistics.steps = 100;
   statistics.computed_steps = 100;
   statistics.simulation_s = 4;
@@ -59,7 +61,7 @@ TEST(RunStatistics, tell_where_the_time_went) {
   // By hand: 5 s in all, so detection takes 40 % and 20 ms of each of 100 steps.
   EXPECT_EQ(
       profile_text(statistics),
-      "a step, 100 times:\n"
+      "a step, 100 times, by rk4 in 4 parts:\n"
       "  fastening force     2.0 %      1.000 ms\n"
       "  integration         8.0 %      4.000 ms\n"
       "  detection          40.0 %     20.000 ms\n"
@@ -80,6 +82,8 @@ TEST(RunStatistics, are_told_to_programs_as_json) {
   const auto json = nlohmann::json::parse(statistics_json(example()));
   EXPECT_EQ(json["scene"], "knot");
   EXPECT_EQ(json["start"], "grown");
+  EXPECT_EQ(json["integrator"], "rk4");
+  EXPECT_EQ(json["substeps"], 4);
   EXPECT_EQ(json["steps"], 100);
   EXPECT_EQ(json["worst_penetrating_edges"], 5);
   EXPECT_EQ(json["ending"], "unknown");
@@ -103,7 +107,7 @@ TEST(RunStatistics, of_a_run_that_went_on_tell_what_it_did_itself) {
   EXPECT_EQ(json["first_frame"], 1);
   EXPECT_EQ(json["recording_share"], 0.2);
   EXPECT_EQ(json["longest_queue"], 7);
-  EXPECT_THAT(profile_text(statistics), StartsWith("a step, 100 times:"));
+  EXPECT_THAT(profile_text(statistics), StartsWith("a step, 100 times,"));
   EXPECT_THAT(profile_text(statistics), HasSubstr("a frame, 1 times:"));
 }
 

@@ -60,9 +60,9 @@ TEST(TimeStep, settles_to_the_width_that_it_was_made_for) {
 
 TEST(TimeStep, stiffer_springs_divide_the_step_into_more_parts) {
   Band band;
-  const int few = band.time_step(1).substeps();
+  const int few = band.time_step(1).integrator().substeps();
   band.scene.springs.stretch *= 100;
-  EXPECT_GT(band.time_step(1).substeps(), 3 * few);
+  EXPECT_GT(band.time_step(1).integrator().substeps(), 3 * few);
 }
 
 }  // namespace ribbon::time_step_test
