@@ -42,11 +42,14 @@ has_browsers() {
 }
 
 # in_browser NAME SCRIPT...: a Python script that drives chromium or firefox. Firefox has WebGL only where
-# it has a display.
+# it has a display. Chromium leaves its locks among the temporary files.
 in_browser() {
-  local display=()
+  local display=() folder status=0
   [[ $1 != firefox ]] || display=(xvfb-run --auto-servernum --server-args='-screen 0 1280x1024x24')
-  BROWSER=$1 PYTHONDONTWRITEBYTECODE=1 "${display[@]}" /usr/bin/python3 "${@:2}"
+  folder=$(mktemp -d)
+  TMPDIR=$folder BROWSER=$1 PYTHONDONTWRITEBYTECODE=1 "${display[@]}" /usr/bin/python3 "${@:2}" || status=$?
+  rm -rf "$folder"
+  return "$status"
 }
 
 as_root() {
