@@ -1,6 +1,7 @@
 // Sequences that are interrupted, go on, and are shared by several machines.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -179,13 +180,16 @@ TEST_F(LongJob, shards_say_which_instructions_so_that_two_kinds_of_machine_never
 
 TEST_F(LongJob, kill_at_any_moment_then_a_rerun_gives_identical_files) {
   write_sample_recording(recording_, 30);
+  const auto before = std::chrono::steady_clock::now();
   ASSERT_EQ(render_into("whole").exit_code, 0);
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - before;
   std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0.1, 1);  // of that time
   std::size_t most_seen = 0;
   for (int kill = 0; kill < 12; ++kill) {
     const pid_t tool = spawned({RIBBON_PLAY, recording_, "--size", "64x48", "--samples", "1",
                                 "--resume", "--quiet", "-o", folder_ / "killed/{frame:02}.png"});
-    std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 60));
+    std::this_thread::sleep_for(share(random) * whole);
     ::kill(tool, SIGKILL);
     (void)waited_for(tool);
     if (!fs::exists(folder_ / "killed")) continue;
