@@ -21,9 +21,9 @@ double recorded_reach_m(const Scene& scene, const RestSize& size,
                         const Eigen::Matrix3Xd& positions);
 
 // With a max_position_error above 0. A scene that wants no loss has the rounding to single
-// precision within its reach. One that names none has 1e-5, or less where edges would otherwise be
-// held to less than half of the paper's limit of strain (with contact = "paper" never less), but at
-// least least_position_error.
+// precision within its reach. One that names none has 1e-5, or less where strain correction would
+// otherwise aim at less than 5 % for an edge, or 7 % for one along the ribbon (with contact =
+// "paper" never less), but at least least_position_error.
 Scene with_rounding(Scene scene, const RestSize& size, double reach_m);
 
 // positions: 3 x particles, the ribbon of `size`; lengths: of it, with rounding. Fails,

@@ -68,27 +68,40 @@ TEST(SceneLimits, a_recording_too_coarse_for_edges_and_gap_is_refused_with_an_er
   EXPECT_EQ(refusal(scene, mesh), "");
 }
 
-TEST(SceneLimits, an_error_that_is_left_out_is_as_small_as_the_edges_need) {
-  const auto error = [](Scene scene) {
-    scene.recording.max_position_error.reset();
-    return with_rounding(scene, rest_size(mesh_of_loop(scene), 1), 0)
-        .recording.max_position_error.value();
-  };
+// Of the ribbon's length, where the scene leaves it out.
+double usual_error(Scene scene) {
+  scene.recording.max_position_error.reset();
+  return with_rounding(scene, rest_size(mesh_of_loop(scene), 1), 0)
+      .recording.max_position_error.value();
+}
+
+TEST(SceneLimits, an_error_that_is_left_out_is_as_small_as_edges_along_need) {
   Scene scene = scene_of_loop();
-  EXPECT_EQ(error(scene), 1e-5);
+  scene.ribbon.along = 600;
+  EXPECT_EQ(usual_error(scene), 1e-5);
+  scene.ribbon.along = 1200;
+  const RestSize size = rest_size(mesh_of_loop(scene), 1);
+  EXPECT_LT(usual_error(scene), 6e-6);
+  EXPECT_NEAR(aimed_strain(0.08, size.along_m(), usual_error(scene) * size.length_m), 0.07, 1e-9);
+}
+
+TEST(SceneLimits, an_error_that_is_left_out_is_as_small_as_the_edges_need) {
+  Scene scene = scene_of_loop();
+  EXPECT_EQ(usual_error(scene), 1e-5);
   scene.ribbon.across = 40;  // too many for that error
   const RestSize size = rest_size(mesh_of_loop(scene), 1);
   EXPECT_THAT(refusal(scene, mesh_of_loop(scene)), HasSubstr("or fewer particles"));
-  EXPECT_LT(error(scene), 1e-5);
-  EXPECT_NEAR(aimed_strain(0.08, size.shortest_edge_m(), error(scene) * size.length_m), 0.05, 1e-9);
+  EXPECT_LT(usual_error(scene), 1e-5);
+  EXPECT_NEAR(aimed_strain(0.08, size.shortest_edge_m(), usual_error(scene) * size.length_m), 0.05,
+              1e-9);
   scene.recording.max_position_error.reset();
   const auto fastening = FasteningProcessor::create(scene, mesh_of_loop(scene), std::nullopt);
   ASSERT_TRUE(fastening.has_value());
-  EXPECT_EQ(fastening->max_position_error_m(), error(scene) * size.length_m);
+  EXPECT_EQ(fastening->max_position_error_m(), usual_error(scene) * size.length_m);
   scene.ribbon.across = 4000;
-  EXPECT_EQ(error(scene), 1e-7);
+  EXPECT_EQ(usual_error(scene), 1e-7);
   scene.contact = ContactMethod::paper;  // which promises nothing
-  EXPECT_EQ(error(scene), 1e-5);
+  EXPECT_EQ(usual_error(scene), 1e-5);
 }
 
 TEST(SceneLimits, without_loss_the_gap_survives_rounding_to_single_precision) {
