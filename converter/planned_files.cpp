@@ -7,6 +7,7 @@
 #include "converter/companions.h"
 #include "converter/motion_format.h"
 #include "converter/sequence_names.h"
+#include "files/files.h"
 
 namespace ribbon {
 
@@ -26,6 +27,17 @@ PlannedFiles files_of_sequence(const SequenceNames& names) {
   files.own = names.frames();
   files.log = names.log();
   return files;
+}
+
+// They are written under the output's name, which may be that of the other's file.
+Result<void> check_pictures(const ConversionRequest& request, const PlannedFiles& files) {
+  std::error_code code;
+  for (const std::filesystem::path& texture : {request.texture, request.texture_back})
+    for (const auto& [file, content] : files.shared)
+      if (std::filesystem::equivalent(file, texture, code) && read_file(file) != *content)
+        return failure(file.string(), "is a picture that the ribbon shows, which would be lost",
+                       "write to another folder");
+  return {};
 }
 
 }  // namespace
@@ -51,6 +63,7 @@ Result<PlannedFiles> planned_files(const ConversionRequest& request, const Conve
   for (const std::filesystem::path& folder : folders)
     for (const Companion& companion : companions_of(request, job))
       files.shared.push_back({.file = folder / companion.name, .content = companion.content});
+  if (auto kept = check_pictures(request, files); !kept) return tl::unexpected(kept.error());
   return files;
 }
 

@@ -8,7 +8,7 @@
 namespace ribbon {
 
 // Frames come in their order. Fails when the output has no good place for their numbers, or
-// is the recording itself.
+// replaces what is read: the recording, or a picture.
 Result<PlannedFiles> planned_files(const ConversionRequest& request, const ConversionJob& job);
 
 }  // namespace ribbon

@@ -507,6 +507,16 @@ TEST_F(TexturedTool, the_back_of_a_solid_can_show_another_picture) {
   EXPECT_THAT(bytes("5/a.usda"), HasSubstr("asset inputs:file = @./a_back.png@\n"));
 }
 
+TEST_F(TexturedTool, one_picture_never_replaces_the_other) {
+  record(without_obstacle());
+  const std::string lining = sample_png() + "another";
+  ASSERT_TRUE(write_file(folder_ / "a.png", lining));
+  expect_refusal(
+      convert_to("a.obj --texture-back a.png --thickness 0.002 --frames 1 --force"),
+      "a.png: is a picture that the ribbon shows, which would be lost; write to another folder");
+  EXPECT_EQ(bytes("a.png"), lining);
+}
+
 TEST_F(TexturedTool, the_back_of_a_surface_cannot) {
   expect_refusal(convert_to("a.usda --texture-back cloth.png"),
                  "one surface, which shows one texture; add --thickness");
