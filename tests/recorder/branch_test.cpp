@@ -78,6 +78,19 @@ TEST_F(Branch, a_faster_take_is_drawn_farther) {
   EXPECT_GT(way_m(take), 1.3 * way_m(frames_));
 }
 
+TEST_F(Branch, of_a_scene_without_a_name_is_named_after_the_scene_s_file) {
+  std::string text = small_scene_text("2");
+  text.erase(0, text.find('\n') + 1);
+  ASSERT_TRUE(write_file(folder_ / "knot.toml", text).has_value());
+  record_source(read_scene(folder_ / "knot.toml").value());
+  ASSERT_EQ(refusal(20, {"fastening.speed=1"}), "");
+  const RecordingHeader header = RecordingReader::open(target())->header();
+  EXPECT_EQ(header.scene_name, "knot");
+  EXPECT_EQ(header.origin->scene_name, "knot");
+  ASSERT_EQ(refusal(20, {"name=fast"}), "");
+  EXPECT_EQ(RecordingReader::open(target())->header().scene_name, "fast");
+}
+
 TEST_F(Branch, its_header_tells_where_it_came_from_and_holds_its_own_scene) {
   ASSERT_EQ(refusal(20, {"fastening.speed=1", "name=fast"}), "");
   const auto before = RecordingReader::open(source()).value();
