@@ -53,14 +53,7 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
 // The recorded scene with the changes, as far as they are possible.
 Result<RunPlan> plan_of_take(const Scene& recorded, const std::optional<TriangleMesh>& obstacle,
                              const std::vector<std::string>& settings, const RunLimit& limit) {
-  // A scene without a name has that of its file, which the recording's need not be.
-  const auto with_its_name = [&](Scene scene) {
-    const auto unchanged = read_scene(recorded.file, recorded.text);
-    if (unchanged && scene.name == unchanged->name) scene.name = recorded.name;
-    return scene;
-  };
-  auto plan = read_scene(recorded.file, recorded.text, settings)
-                  .map(with_its_name)
+  auto plan = read_scene(recorded.file, recorded.text, settings, recorded.name)
                   .and_then([&](const Scene& scene) { return with_marks_found(scene, obstacle); })
                   .and_then([&](const Scene& scene) { return plan_of(scene, limit); });
   if (!plan) return plan;

@@ -493,13 +493,14 @@ Result<Scene> read_scene(const std::filesystem::path& file,
 }
 
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
-                         const std::vector<std::string>& settings) {
+                         const std::vector<std::string>& settings, const std::string& name) {
   for (const std::string& setting : settings) {
     auto changed = with_setting(file, text, setting);
     if (!changed) return tl::unexpected(changed.error());
     text = *std::move(changed);
   }
   return parse_document(file, text).and_then(scene_of).map([&](Scene scene) {
+    if (scene.name.empty()) scene.name = name.empty() ? file.stem().string() : name;
     scene.file = file;
     scene.text = std::move(text);
     return scene;

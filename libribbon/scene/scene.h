@@ -226,8 +226,10 @@ std::vector<std::filesystem::path> files_of(const Scene& scene);
 Result<Scene> read_scene(const std::filesystem::path& file,
                          const std::vector<std::string>& settings = {});
 
-// Likewise, of the text of a scene; `file` says where it stands and in which folder to look.
+// Likewise, of the text of a scene; `file` says where it stands and in which folder to look. Where
+// the text does not name the scene, it is called `name` or, where that is empty, after the file.
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
-                         const std::vector<std::string>& settings = {});
+                         const std::vector<std::string>& settings = {},
+                         const std::string& name = "");
 
 }  // namespace ribbon

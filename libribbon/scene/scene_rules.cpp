@@ -173,7 +173,6 @@ void set_defaults_of_stages(Scene& scene) {
 }  // namespace
 
 void set_defaults(const Document& document, Scene& scene) {
-  if (scene.name.empty()) scene.name = document.file.stem().string();
   scene.ribbon.width_m = mean_width_m(scene.ribbon);
   set_cloth(document, scene);
   if (scene.curve.clearance_m == 0)

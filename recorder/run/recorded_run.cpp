@@ -111,9 +111,9 @@ Result<RecordedRun> RecordedRun::open(const fs::path& file, std::optional<int> b
     for (std::string line; std::getline(lines, line);)
       if (!line.empty() && !(is_later && line == drawn_on)) settings.push_back(line);
   }
-  auto scene = read_scene(file, reader->header().scene_text, settings);
+  const RecordingHeader& header = reader->header();
+  auto scene = read_scene(file, header.scene_text, settings, header.scene_name);
   if (!scene) return tl::unexpected(scene.error());
-  scene->name = reader->header().scene_name;
   return RecordedRun{file, *std::move(reader), *std::move(scene)};
 }
 

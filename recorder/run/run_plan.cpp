@@ -15,12 +15,6 @@ int frames_within(double duration_s, double frames_per_second) {
   return static_cast<int>(std::floor(duration_s * frames_per_second * (1 + 1e-12))) + 1;
 }
 
-Result<Scene> lasting(double duration_s, const Scene& scene) {
-  auto longer = read_scene(scene.file, scene.text, {setting_of("time.duration", duration_s)});
-  if (longer) longer->name = scene.name;
-  return longer;
-}
-
 }  // namespace
 
 Result<RunPlan> plan_of(const Scene& scene, const RunLimit& limit) {
@@ -30,7 +24,9 @@ Result<RunPlan> plan_of(const Scene& scene, const RunLimit& limit) {
   const int limited =
       limit.frames ? *limit.frames : frames_within(*limit.until_s, frames_per_second);
   if (limited > plan.frames) {
-    auto longer = lasting(limit.until_s.value_or((limited - 1) / frames_per_second), scene);
+    const double duration_s = limit.until_s.value_or((limited - 1) / frames_per_second);
+    auto longer =
+        read_scene(scene.file, scene.text, {setting_of("time.duration", duration_s)}, scene.name);
     if (!longer) return tl::unexpected(longer.error());
     const int frames = frame_count(*longer);
     plan = {*std::move(longer), frames};
