@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "curve/path_data.h"
+#include "curve/style_sheet.h"
 #include "files/files.h"
 #include "geometry/vectors.h"
 
@@ -17,11 +18,16 @@ namespace {
 
 constexpr double largest_coordinate = 1e9;  // far from where squares lose their last digits
 
+// Of a style sheet and of styles.
+const std::vector<std::string_view> properties = {"display", "visibility", "stroke-dasharray",
+                                                  "transform"};
+
 // A parsed file that can say on which line something stands.
 struct SvgFile {
   std::string name;
   std::string bytes;
   pugi::xml_document document;
+  StyleSheet rules;
 
   [[nodiscard]] std::string place(std::ptrdiff_t offset) const {
     if (offset < 0 || static_cast<std::size_t>(offset) > bytes.size()) return name;
@@ -52,35 +58,42 @@ bool is_path(std::string_view name) {
   return name == "path" || name == "polyline" || name == "line";
 }
 
-// Without blanks.
-std::string style_of(const pugi::xml_node& node) {
-  std::string style = node.attribute("style").value();
-  std::erase_if(style, [](char c) { return c == ' ' || c == '\t' || c == '\n'; });
-  return style;
-}
-
-bool is_hidden(const pugi::xml_node& node) {
-  return node.attribute("display").value() == std::string_view("none") ||
-         (";" + style_of(node) + ";").find(";display:none;") != std::string::npos;
-}
-
 bool is_circle(std::string_view name) {
   return name == "circle" || name == "ellipse";
 }
 
+std::optional<std::string> styled(const SvgFile& file, const pugi::xml_node& node,
+                                  const char* property) {
+  return file.rules.value_of(
+      property, {svg_name(node), node.attribute("id").value(), node.attribute("class").value(),
+                 node.attribute("style").value()});
+}
+
+// As the element itself has it; empty: it says nothing of it.
+std::string property_of(const SvgFile& file, const pugi::xml_node& node, const char* property) {
+  return styled(file, node, property).value_or(node.attribute(property).value());
+}
+
 // What the viewer sees of some shapes, in document order.
-std::vector<pugi::xml_node> visible(bool (&is_wanted)(std::string_view),
-                                    const pugi::xml_node& root) {
+std::vector<pugi::xml_node> visible(bool (&is_wanted)(std::string_view), const SvgFile& file) {
+  struct Found {
+    pugi::xml_node node;
+    bool is_visible;  // what a part of a group that is not says of itself holds
+  };
+  const pugi::xml_node root = file.document.document_element();
   std::vector<pugi::xml_node> shapes;
-  std::vector<pugi::xml_node> stack{root};
+  std::vector<Found> stack{{root, true}};
   while (!stack.empty()) {
-    const pugi::xml_node node = stack.back();
+    auto [node, is_visible] = stack.back();
     stack.pop_back();
-    if (is_hidden(node)) continue;
-    if (is_wanted(svg_name(node))) shapes.push_back(node);
+    if (property_of(file, node, "display") == "none") continue;
+    const std::string visibility = property_of(file, node, "visibility");
+    if (visibility == "hidden" || visibility == "collapse") is_visible = false;
+    if (visibility == "visible") is_visible = true;
+    if (is_visible && is_wanted(svg_name(node))) shapes.push_back(node);
     if (node != root && !is_container(svg_name(node))) continue;
     for (pugi::xml_node child = node.last_child(); child; child = child.previous_sibling())
-      stack.push_back(child);
+      stack.push_back({child, is_visible});
   }
   return shapes;
 }
@@ -111,10 +124,30 @@ std::string choice_among(const std::vector<pugi::xml_node>& paths, const PathKey
          key.table + ", or delete the others";
 }
 
+// The rules of all <style> elements.
+Result<StyleSheet> read_rules(const SvgFile& file) {
+  std::string css;
+  pugi::xml_node last;
+  file.document.find_node([&](const pugi::xml_node& node) {
+    if (svg_name(node) != "style") return false;
+    for (const pugi::xml_node& text : node) css += text.value();
+    css += '\n';
+    last = node;
+    return false;
+  });
+  StyleSheet rules(css, properties);
+  if (const auto& selector = rules.not_followed())
+    return failure(file.place(last),
+                   "whom the style rule '" + *selector + "' means is not followed",
+                   "save the drawing with its styles as attributes (presentation attributes), or "
+                   "give those that it means a class");
+  return rules;
+}
+
 Result<SvgFile> load(const std::filesystem::path& path) {
   auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  SvgFile file{path.string(), std::move(*bytes), {}};
+  SvgFile file{path.string(), std::move(*bytes), {}, {}};
   const auto parsed = file.document.load_buffer(file.bytes.data(), file.bytes.size());
   if (!parsed)
     return failure(file.place(parsed.offset),
@@ -124,6 +157,9 @@ Result<SvgFile> load(const std::filesystem::path& path) {
     return failure(file.place(file.document.document_element()),
                    std::string("is not SVG but <") + file.document.document_element().name() + ">",
                    "save the drawing as plain SVG");
+  auto rules = read_rules(file);
+  if (!rules) return tl::unexpected(rules.error());
+  file.rules = *std::move(rules);
   return file;
 }
 
@@ -174,20 +210,6 @@ bool has_class(const pugi::xml_node& node, const std::string& name) {
   return classes.find(" " + name + " ") != std::string::npos;
 }
 
-// What the node says itself of its strokes' dashes: nothing, that there are none, or some.
-std::optional<bool> says_dashed(const pugi::xml_node& node) {
-  constexpr std::string_view property = "stroke-dasharray:";
-  const std::string style = style_of(node);
-  const std::size_t at = (";" + style).find(";" + std::string(property));
-  std::string dashes = node.attribute("stroke-dasharray").value();
-  if (at != std::string::npos) {
-    const std::size_t begin = at + property.size();
-    dashes = style.substr(begin, style.find(';', begin) - begin);
-  }
-  if (dashes.empty()) return std::nullopt;
-  return dashes.find_first_of("123456789") != std::string::npos;
-}
-
 Depth depth_by_class(pugi::xml_node node) {
   for (; node; node = node.parent()) {
     if (has_class(node, "behind")) return Depth::behind;
@@ -196,20 +218,23 @@ Depth depth_by_class(pugi::xml_node node) {
   return Depth::untold;
 }
 
-bool is_dashed(pugi::xml_node node) {
-  for (; node; node = node.parent())
-    if (const auto dashed = says_dashed(node)) return *dashed;
-  return false;
+// As the nearest says that says anything of dashes.
+bool is_dashed(const SvgFile& file, pugi::xml_node node) {
+  std::string dashes;
+  for (; node && dashes.empty(); node = node.parent())
+    dashes = property_of(file, node, "stroke-dasharray");
+  return dashes.find_first_of("123456789") != std::string::npos;
 }
 
-// Where all strokes are dashed, that is a matter of taste.
-std::vector<Depth> depths_of(const std::vector<pugi::xml_node>& paths) {
-  const bool dashes_tell = !std::all_of(paths.begin(), paths.end(), is_dashed);
+std::vector<Depth> depths_of(const SvgFile& file, const std::vector<pugi::xml_node>& paths) {
+  std::vector<bool> dashed;
+  for (const pugi::xml_node& path : paths) dashed.push_back(is_dashed(file, path));
+  // Where all strokes are dashed, that is a matter of taste.
+  const bool dashes_tell = std::find(dashed.begin(), dashed.end(), false) != dashed.end();
   std::vector<Depth> depths;
-  for (const pugi::xml_node& path : paths) {
-    depths.push_back(depth_by_class(path));
-    if (depths.back() == Depth::untold && dashes_tell && is_dashed(path))
-      depths.back() = Depth::behind;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    depths.push_back(depth_by_class(paths[i]));
+    if (depths.back() == Depth::untold && dashes_tell && dashed[i]) depths.back() = Depth::behind;
   }
   return depths;
 }
@@ -218,6 +243,11 @@ Result<Eigen::Affine2d> root_from_path(const SvgFile& file, const pugi::xml_node
   Eigen::Affine2d transform = Eigen::Affine2d::Identity();
   for (pugi::xml_node node = path; node; node = node.parent()) {
     const pugi::xml_attribute attribute = node.attribute("transform");
+    // A style's has other words and units, and a middle of its own.
+    if (const auto style = styled(file, node, "transform");
+        style && (*style != "none" || attribute))
+      return failure(file.place(node), "its style has a transform, which is not read",
+                     "write it as an attribute: transform=\"...\"");
     if (!attribute) continue;
     const auto own = read_transform(attribute.value());
     if (!own)
@@ -239,6 +269,16 @@ std::string path_data(const pugi::xml_node& node) {
     data += ' ';
   }
   return data;
+}
+
+// In the words of path data, too: where a line of any length begins.
+std::optional<Eigen::Vector2d> middle_of(const pugi::xml_node& circle,
+                                         const Eigen::Affine2d& root_from_path) {
+  const auto line = flatten_path_data(std::string("M") + circle.attribute("cx").as_string("0") +
+                                          " " + circle.attribute("cy").as_string("0") + "h1",
+                                      root_from_path, 1);
+  if (!line || line->pieces.empty()) return std::nullopt;
+  return line->pieces.front().front();
 }
 
 bool is_in_range(const Eigen::Vector2d& point) {
@@ -288,10 +328,10 @@ Result<std::vector<SvgPath>> find_svg_paths(const std::filesystem::path& file,
                                             const std::string& id, const PathKey& key) {
   const auto svg = load(file);
   if (!svg) return tl::unexpected(svg.error());
-  const auto shown = visible(is_path, svg->document.document_element());
+  const auto shown = visible(is_path, *svg);
   const auto nodes = id.empty() ? only_path(*svg, shown, key) : paths_by_id(*svg, shown, id, key);
   if (!nodes) return tl::unexpected(nodes.error());
-  const std::vector<Depth> depths = depths_of(*nodes);
+  const std::vector<Depth> depths = depths_of(*svg, *nodes);
   std::vector<SvgPath> paths;
   for (const pugi::xml_node& node : *nodes) {
     const auto transform = root_from_path(*svg, node);
@@ -319,17 +359,20 @@ Result<std::vector<DrawnMark>> find_svg_marks(const std::filesystem::path& file)
   const auto svg = load(file);
   if (!svg) return tl::unexpected(svg.error());
   std::vector<DrawnMark> marks;
-  for (const pugi::xml_node& circle : visible(is_circle, svg->document.document_element())) {
+  for (const pugi::xml_node& circle : visible(is_circle, *svg)) {
     if (id_of(circle).empty()) continue;
     const auto transform = root_from_path(*svg, circle);
     if (!transform) return tl::unexpected(transform.error());
-    const Eigen::Vector2d middle(circle.attribute("cx").as_double(),
-                                 circle.attribute("cy").as_double());
-    marks.push_back({id_of(circle), *transform * middle});
-    if (!is_in_range(marks.back().middle))
+    const auto middle = middle_of(circle, *transform);
+    if (!middle)
+      return failure(svg->place(circle),
+                     "the middle of mark '" + id_of(circle) + "' cannot be read",
+                     "write its cx and cy as numbers without a unit, in drawing units");
+    if (!is_in_range(*middle))
       return failure(svg->place(circle),
                      "mark '" + id_of(circle) + "' lies beyond 1e9 drawing units",
                      "correct its place");
+    marks.push_back({id_of(circle), *middle});
   }
   return marks;
 }

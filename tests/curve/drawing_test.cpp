@@ -230,8 +230,20 @@ TEST(SvgFile, what_is_not_drawn_is_ignored) {
     body += std::string("<") + name + ">" + hidden + "</" + name + ">";
   body += "<g style='display: none'>" + hidden + "</g><g display='none'>" + hidden + "</g>";
   body += "<path style='stroke:red;display:none' d='M 9 9 L 8 8'/>";
+  body += "<path style='display:none !important' d='M 9 9 L 8 8'/>";
+  body +=
+      "<g visibility='hidden'>" + hidden + "</g><g style='visibility:collapse'>" + hidden + "</g>";
+  body +=
+      "<style type='text/css'><![CDATA[.st0{display:none;} path.st1{visibility:hidden}]]></style>";
+  body += "<g class='st1 st0'>" + hidden + "</g><path class='st1' d='M 9 9 L 8 8'/>";
   body += "<rect width='3' height='3'/><circle r='3'/><text>M 1 1</text>";
   expect_points(drawing_of(body + path_of("M 1 1 L 2 2")), {{1, 1}, {2, 2}});
+}
+
+TEST(SvgFile, what_is_shown_in_a_hidden_group_is_drawn) {
+  expect_points(drawing_of("<g visibility='hidden'>" + path_of("M 9 9 L 8 8") +
+                           "<path visibility='visible' d='M 1 1 L 2 2'/></g>"),
+                {{1, 1}, {2, 2}});
 }
 
 TEST(SvgFile, prefixed_svg_is_svg) {
@@ -311,6 +323,18 @@ TEST(SvgErrors, malformed_data_and_transforms) {
   expect_problem(problem_of(svg_with("<line x1='1mm' x2='3'/>")), ".svg:2", "cannot be read");
 }
 
+TEST(SvgErrors, styles_that_are_not_read_are_told) {
+  const std::string path = path_of("M 0 0 L 1 1");
+  expect_problem(problem_of(svg_with("<g style='transform:translate(5px)'>" + path + "</g>")),
+                 ".svg:2", "write it as an attribute");
+  expect_problem(problem_of(svg_with("<style>g{transform:scale(2)}</style><g>" + path + "</g>")),
+                 ".svg:2", "write it as an attribute");
+  expect_points(drawing_of("<g style='transform:none'>" + path + "</g>"), {{0, 0}, {1, 1}});
+  expect_problem(problem_of(svg_with("\n<style>g > path{display:none}</style>" + path)), ".svg:3",
+                 "'g > path'");
+  expect_points(drawing_of("<style>g > path{fill:none}</style>" + path), {{0, 0}, {1, 1}});
+}
+
 TEST(SvgErrors, coordinates_out_of_range) {
   for (const char* data : {"M 0 0 L 1e300 1", "M 0 0 L 2e9 1", "M 0 0 C 1e308 0 1e308 1 0 1"})
     EXPECT_THAT(problem_of(svg_with(path_of(data))), HasSubstr(".svg:2")) << data;
@@ -353,9 +377,40 @@ TEST(SvgDepth, is_behind_for_dashed_strokes_among_others) {
             (std::vector{Depth::behind, Depth::untold, Depth::behind, Depth::untold}));
 }
 
+TEST(SvgDepth, rules_tell_of_dashes) {
+  EXPECT_EQ(depths_of("<style>.st1{stroke-dasharray:4,2} .st2{stroke-dasharray:none}</style>"
+                      "<path class='st1'/><path/><g class='st1'><path class='st2'/><path/></g>",
+                      "band"),
+            (std::vector{Depth::behind, Depth::untold, Depth::untold, Depth::behind}));
+}
+
 TEST(SvgDepth, is_untold_where_all_is_dashed) {
   EXPECT_EQ(depths_of("<g style='stroke-dasharray:2'><path/><path/></g>", "band"),
             (std::vector{Depth::untold, Depth::untold}));
+}
+
+TEST(SvgMarks, are_circles_with_an_id_that_are_seen) {
+  const auto marks = find_svg_marks(
+      svg_with("<style>.st0{display:none}</style><circle r='3'/><circle id='a' class='st0'/>"
+               "<g transform='translate(10 0) scale(2)'><circle id='b' cx='1' cy=' -2.5e0 '/></g>"
+               "<ellipse id='c' cx='1e300'  transform='scale(0)'/>"));
+  ASSERT_TRUE(marks.has_value()) << marks.error().sentence();
+  ASSERT_EQ(marks->size(), 2U);
+  EXPECT_EQ(marks->at(0).id, "b");
+  EXPECT_EQ(marks->at(0).middle, Vector2d(12, -5));
+  EXPECT_EQ(marks->at(1).middle, Vector2d(0, 0));
+}
+
+TEST(SvgMarks, with_units_are_told) {
+  for (const char* place : {"cx='10%'", "cy='3mm'", "cx='left'", "cx='1 2'", "cy=''"}) {
+    const auto marks = find_svg_marks(svg_with(std::string("<circle id='a' ") + place + "/>"));
+    ASSERT_FALSE(marks.has_value()) << place;
+    expect_problem(marks.error().sentence(), ".svg:2: the middle of mark 'a' cannot be read",
+                   "without a unit");
+  }
+  const auto far = find_svg_marks(svg_with("<circle id='a' cx='1e300'/>"));
+  ASSERT_FALSE(far.has_value());
+  expect_problem(far.error().sentence(), ".svg:2", "beyond 1e9");
 }
 
 }  // namespace ribbon::drawing_test
