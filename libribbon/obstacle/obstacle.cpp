@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -125,22 +127,35 @@ std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
+// Of which assimp reads the first triangle of each.
+bool holds_triangle_strips(const std::filesystem::path& path) {
+  if (path.extension() != ".ply" && path.extension() != ".PLY") return false;
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line) && line.rfind("end_header", 0) != 0;)
+    if (line.rfind("element tristrips", 0) == 0) return true;
+  return false;
+}
+
 // Why assimp could not read a file that is there. What it says itself is for programmers.
 tl::unexpected<Error> not_read(const NamedFile& file) {
   const std::string ending = file.path.extension().string();
   if (!Assimp::Importer().IsExtensionSupported(ending))
     return failure(file, "is no kind of mesh file that can be read",
                    "export the object as .obj, .ply, .stl, .glb or .fbx");
-  return failure(file,
-                 "gives no triangles: it is damaged, of another kind than " + ending +
-                     ", or holds nothing but points and lines",
-                 "export the object again with its faces, for example as .obj");
+  return failure(
+      file,
+      "gives no triangles: it is damaged, of another kind than " + ending +
+          ", holds nothing but points and lines, or is written in a way that is not read",
+      "export the object again with its faces, for example as .obj");
 }
 
 }  // namespace
 
 Result<TriangleMesh> read_obstacle(const ObstacleScene& scene) {
   if (auto there = check_readable(scene.file); !there) return tl::unexpected(there.error());
+  if (holds_triangle_strips(scene.file.path))
+    return failure(scene.file, "holds triangle strips, which are not read",
+                   "export the object with single triangles, for example as .obj");
   auto read = read_mesh(scene.file.path);
   if (!read) return not_read(scene.file);
   TriangleMesh mesh = *std::move(read);

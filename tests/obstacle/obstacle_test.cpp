@@ -73,10 +73,31 @@ TEST(Obstacle, what_cannot_be_read_is_told_with_its_place_in_the_scene) {
   for (const std::string name : {"points.obj", "points.ply"})
     EXPECT_EQ(problem_of(written(name, "v 0 0 0\nv 1 0 0\n")),
               in_folder(name) + "gives no triangles: it is damaged, of another kind than " +
-                  name.substr(6) + ", or holds nothing but points and lines");
+                  name.substr(6) +
+                  ", holds nothing but points and lines, or is written in a way that is not read");
   EXPECT_EQ(problem_of(written("letter.txt", "Dear Sir\n")),
             in_folder("letter.txt") + "is no kind of mesh file that can be read");
   EXPECT_EQ(read_obstacle(scene_of("/no/such/mesh.obj")).error().place, "/no/such/mesh.obj");
+}
+
+// Where assimp reads one triangle of the four, and no error.
+TEST(Obstacle, triangle_strips_are_refused) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+      "property float z\n";
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n";
+  EXPECT_THAT(
+      refusal_of(read_obstacle(scene_of(written(
+          "strip.ply", head + "element tristrips 1\nproperty list int int vertex_indices\n" +
+                           "end_header\n" + vertices + "6 0 1 2 3 4 5\n")))),
+      HasSubstr("strip.ply: holds triangle strips, which are not read; export"));
+  const auto triangle = read_obstacle(
+      scene_of(written("face.ply", head +
+                                       "comment element tristrips 1\nelement face 1\n"
+                                       "property list uchar int vertex_indices\nend_header\n" +
+                                       vertices + "3 0 1 2\n")));
+  ASSERT_TRUE(triangle.has_value()) << triangle.error().sentence();
+  EXPECT_EQ(triangle->triangles.cols(), 1);
 }
 
 // What fuzzing found: the first makes assimp 5.2 read at the end of the file for ever, the second
