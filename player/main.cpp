@@ -84,7 +84,7 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
 
 // It plays all of the recording, and is looked at as whoever opens it likes.
 Result<ExitCode> render_page(const RecordingReader& reader, const Options& options) {
-  const auto free = check_place(options.pictures, options.force).and_then([&] {
+  const auto free = check_place(options.pictures, options.replaceable).and_then([&] {
     return check_page_options(options.given);
   });
   if (!free) return tl::unexpected(free.error());

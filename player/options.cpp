@@ -9,6 +9,7 @@
 #include "files/files.h"
 #include "player/look_options.h"
 #include "player/order_options.h"
+#include "player/output/picture_format.h"
 #include "player/preview_options.h"
 #include "text/number_text.h"
 
@@ -101,15 +102,21 @@ void add_view_options(Arguments& arguments, Options& options, Texts& texts, Argu
 }
 
 Result<void> check_plot(const std::filesystem::path& file) {
-  if (file.empty() || file.extension() == ".svg" || file.extension() == ".png") return {};
+  const std::string ending = lower_case_extension(file.string());
+  if (file.empty() || ending == ".svg" || ending == ".png") return {};
   return failure("--plot " + file.string(), "is neither .svg nor .png",
                  "let the name end in one of them");
 }
 
-// Files to write are not one another's, nor the recording itself.
+Result<void> check_sheet(const std::filesystem::path& file) {
+  if (file.empty() || lower_case_extension(file.string()) == ".png") return {};
+  return failure("--sheet " + file.string(), "is no .png", "let the name end in it");
+}
+
+// Files to write are not one another's.
 Result<void> check_names(const Options& options) {
   const std::filesystem::path pictures = options.pictures == "-" ? "" : options.pictures;
-  std::vector<std::filesystem::path> named{options.recording};
+  std::vector<std::filesystem::path> named;
   for (const auto& file : {pictures, options.sheet, options.plot}) {
     if (file.empty()) continue;
     for (const auto& other : named)
@@ -121,7 +128,7 @@ Result<void> check_names(const Options& options) {
 }
 
 void add_job_options(Arguments& arguments, Options& options, Texts& texts, Argument follow) {
-  arguments.flag("--force", options.force, "replace files that are there");
+  arguments.flag("--force", options.replaceable.all, "replace files that are there");
   arguments
       .flag("--resume", options.resume, "keep pictures that are complete and were made of the same")
       .excludes(follow);
@@ -210,6 +217,13 @@ Result<Shard> read_shard(const std::string& text, const std::string& isa) {
   return shard;
 }
 
+std::vector<std::filesystem::path> files_read(const Options& options, const LookTexts& look) {
+  std::vector<std::filesystem::path> files{options.recording, look.texture, look.texture_back,
+                                           look.environment, options.camera_path};
+  std::erase(files, std::filesystem::path());
+  return files;
+}
+
 // Puts what a text stands for where it belongs.
 template <class Value>
 Result<void> take(Result<Value> read, Value& value) {
@@ -220,6 +234,7 @@ Result<void> take(Result<Value> read, Value& value) {
 
 Result<void> understand(const Texts& texts, Options& options) {
   options.progress = progress_style(texts.progress, options.quiet);
+  options.replaceable.never = files_read(options, texts.look);
   return take(parse_size(texts.size), options.size)
       .and_then([&] { return take(read_look(texts.look), options.render); })
       .and_then([&] { return take(parse_views(texts.views), options.views); })
@@ -232,6 +247,7 @@ Result<void> understand(const Texts& texts, Options& options) {
         if (!texts.preview) return {};
         return take(read_preview(options, texts.look.samples), options.preview.emplace());
       })
+      .and_then([&] { return check_sheet(options.sheet); })
       .and_then([&] { return check_plot(options.plot); })
       .and_then([&] { return check_names(options); });
 }

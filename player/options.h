@@ -10,6 +10,7 @@
 #include "commandline/arguments.h"
 #include "commandline/progress.h"
 #include "player/appearance.h"
+#include "player/output/existing_file.h"
 #include "player/output/play_order.h"
 #include "player/picture/picture.h"
 #include "player/preview/preview_settings.h"
@@ -45,9 +46,9 @@ struct Options {
   bool quiet = false;
   PlayOrder order;
   Shard shard;
-  bool resume = false;  // keep pictures that are complete
-  bool force = false;   // replace files
-  std::string isa;      // vector instructions of the ray tracer; empty: the best there are
+  bool resume = false;      // keep pictures that are complete
+  Replaceable replaceable;  // never the recording and what else is read
+  std::string isa;          // vector instructions of the ray tracer; empty: the best there are
   std::vector<GivenArgument> given;  // all that was given, as it was written
   ProgressStyle progress = ProgressStyle::line;
 };

@@ -22,7 +22,7 @@ OutputRequest request_of(const RecordingReader& reader, const Options& options, 
           .made_of = {},
           .shard = options.shard,
           .resumes = options.resume,
-          .replaces = options.force};
+          .replaceable = options.replaceable};
 }
 
 // What is to be done for each shot.

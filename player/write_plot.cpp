@@ -5,6 +5,7 @@
 #include "files/files.h"
 #include "player/chart/chart_page.h"
 #include "player/output/existing_file.h"
+#include "player/output/picture_format.h"
 #include "player/picture/png_encoder.h"
 #include "text/number_text.h"
 
@@ -28,7 +29,7 @@ std::string subtitle(const RecordingInfo& info, std::size_t frames, std::size_t 
 
 Result<std::string> write_plot(const RecordingInfo& info, std::vector<int> frames,
                                const Options& options) {
-  if (auto free = check_place(options.plot, options.force); !free)
+  if (auto free = check_place(options.plot, options.replaceable); !free)
     return tl::unexpected(free.error());
   std::sort(frames.begin(), frames.end());
   std::vector<std::optional<FrameNumbers>> numbers;
@@ -38,7 +39,7 @@ Result<std::string> write_plot(const RecordingInfo& info, std::vector<int> frame
       static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), std::nullopt));
   const Drawing page = chart_page(info.header.scene_name, subtitle(info, frames.size(), lost),
                                   time_charts(info.header, numbers));
-  const bool is_svg = options.plot.extension() == ".svg";
+  const bool is_svg = lower_case_extension(options.plot.string()) == ".svg";
   return write_file(options.plot, is_svg ? svg_text(page) : png_bytes(painted(page, png_scale)))
       .map([&] { return "charts: " + options.plot.string(); });
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr int sheet_columns = 5;
 constexpr int most_stage_columns = 12;
 
-// Of a ribbon that is fastened in stages: its start, and how each of them ended.
+// Of a ribbon that is fastened in stages: its start, how each of them ended, and its end.
 std::vector<int> frames_to_show(const std::vector<int>& frames, const RecordingInfo& info) {
   std::vector<int> ends;
   for (const StageFrames& stage : info.stages()) ends.push_back(stage.last - 1);
@@ -25,6 +25,7 @@ std::vector<int> frames_to_show(const std::vector<int>& frames, const RecordingI
       ends, [&](int end) { return std::ranges::find(frames, end) != frames.end(); });
   if (ends.empty() || !all_are_wanted) return spread_frames(frames, sheet_columns);
   if (ends.front() != frames.front()) ends.insert(ends.begin(), frames.front());
+  if (ends.back() != frames.back()) ends.push_back(frames.back());
   return spread_frames(ends, most_stage_columns);
 }
 
@@ -34,7 +35,7 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
                                 const std::vector<int>& frames, const Options& options) {
   const std::vector<Shot> shots{{three_quarter_view, sheet_cell}, {knot_view, sheet_cell}};
   const CameraWork cameras(reader, shots);
-  if (auto free = check_place(options.sheet, options.force); !free)
+  if (auto free = check_place(options.sheet, options.replaceable); !free)
     return tl::unexpected(free.error());
   auto painter = FramePainter::create(reader, options, frames);
   if (!painter) return tl::unexpected(painter.error());

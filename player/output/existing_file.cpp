@@ -1,11 +1,17 @@
 #include "player/output/existing_file.h"
 
+#include <algorithm>
+
 #include "files/files.h"
 
 namespace ribbon {
 
-Result<void> check_place(const std::filesystem::path& file, bool replaces) {
-  if (replaces || !is_taken(file)) return {};
+Result<void> check_place(const std::filesystem::path& file, const Replaceable& replaceable) {
+  if (!is_taken(file)) return {};
+  const auto is_it = [&](const std::filesystem::path& read) { return is_same_file(file, read); };
+  if (std::ranges::any_of(replaceable.never, is_it))
+    return failure(file.string(), "is read for what would be written there", "choose another name");
+  if (replaceable.all) return {};
   return failure(
       file.string(), "exists already",
       "choose another name, replace it by --force, or go on with a sequence by --resume");

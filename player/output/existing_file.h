@@ -2,12 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "result/result.h"
 
 namespace ribbon {
 
+// What may be replaced of what is there.
+struct Replaceable {
+  bool all = false;                          // files, but
+  std::vector<std::filesystem::path> never;  // those that are read for what is written
+};
+
 // Fails where a file of this name is there and is not to be replaced.
-Result<void> check_place(const std::filesystem::path& file, bool replaces);
+Result<void> check_place(const std::filesystem::path& file, const Replaceable& replaceable);
 
 }  // namespace ribbon

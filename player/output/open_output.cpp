@@ -23,7 +23,7 @@ Result<std::unique_ptr<PictureSink>> open_stream(const OutputRequest& request,
   if (request.name.find("{frame") != std::string::npos)
     return failure(request.name, "has a place for the frame number, but holds all frames",
                    "leave {frame} out");
-  return Video::open(request.name, request.size, request.frames_per_second, request.replaces);
+  return Video::open(request.name, request.size, request.frames_per_second, request.replaceable);
 }
 
 Result<Output> background(const OutputRequest& request, PictureFormat format,
@@ -43,8 +43,8 @@ Result<Output> open_files(const OutputRequest& request, PictureFormat format,
   if (!pattern) return tl::unexpected(pattern.error());
   const std::vector<PlayedFrame> part = part_of(film, request.shard);
   // Otherwise before the manifest is begun.
-  if (!request.resumes && !request.replaces)
-    if (auto free = check_places(part, *pattern, std::nullopt); !free)
+  if (!request.resumes)
+    if (auto free = check_places(part, *pattern, std::nullopt, request.replaceable); !free)
       return tl::unexpected(free.error());
   std::optional<Manifest> manifest;
   std::vector<PlayedFrame> frames = part;
@@ -54,13 +54,12 @@ Result<Output> open_files(const OutputRequest& request, PictureFormat format,
     manifest = *std::move(opened);
   }
   if (request.resumes) frames = still_to_render(std::move(frames), *pattern, *manifest);
-  if (!request.replaces)
-    if (auto free = check_places(frames, *pattern, manifest); !free)
-      return tl::unexpected(free.error());
+  if (auto free = check_places(frames, *pattern, manifest, request.replaceable); !free)
+    return tl::unexpected(free.error());
   const std::size_t complete = part.size() - frames.size();
-  auto output =
-      background(request, format,
-                 std::make_unique<PictureFiles>(*pattern, std::move(manifest), request.replaces));
+  auto output = background(
+      request, format,
+      std::make_unique<PictureFiles>(*pattern, std::move(manifest), request.replaceable));
   if (!frames.empty()) output->last = pattern->file(frames.back().number);
   output->frames = std::move(frames);
   output->complete = complete;
@@ -86,7 +85,7 @@ Result<Output> open_live_output(const OutputRequest& request) {
   const auto pattern = FramePattern::parse(request.name);
   if (!pattern) return tl::unexpected(pattern.error());
   return background(request, *format,
-                    std::make_unique<PictureFiles>(*pattern, std::nullopt, request.replaces));
+                    std::make_unique<PictureFiles>(*pattern, std::nullopt, request.replaceable));
 }
 
 }  // namespace ribbon

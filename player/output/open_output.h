@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "player/output/existing_file.h"
 #include "player/output/manifest.h"
 #include "player/output/picture_format.h"
 #include "player/output/picture_sink.h"
@@ -18,8 +19,8 @@ struct OutputRequest {
   double frames_per_second = 0;  // of a video
   MadeOf made_of;
   Shard shard = {};
-  bool resumes = false;   // keeps what is complete; otherwise nothing may be there
-  bool replaces = false;  // what is there
+  bool resumes = false;  // keeps what is complete; otherwise nothing may be there but
+  Replaceable replaceable = {};
 };
 
 struct Output {

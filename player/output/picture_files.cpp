@@ -7,7 +7,6 @@
 
 #include "files/files.h"
 #include "files/pending_file.h"
-#include "player/output/existing_file.h"
 #include "player/picture/exr_encoder.h"
 #include "player/picture/png_encoder.h"
 
@@ -24,8 +23,9 @@ std::string encoded(const OutputPicture& picture) {
 
 // The manifest knows what may be replaced.
 Result<void> check_place_of(const fs::path& file, int number,
-                            const std::optional<Manifest>& manifest) {
-  return check_place(file, manifest && manifest->is_known(number));
+                            const std::optional<Manifest>& manifest, Replaceable replaceable) {
+  if (manifest && manifest->is_known(number)) replaceable.all = true;
+  return check_place(file, replaceable);
 }
 
 // What a kill has left under temporary names.
@@ -49,13 +49,15 @@ void remove_leftovers(const std::vector<PlayedFrame>& frames, const FramePattern
 
 }  // namespace
 
-PictureFiles::PictureFiles(FramePattern pattern, std::optional<Manifest> manifest, bool replaces)
-    : pattern_(std::move(pattern)), manifest_(std::move(manifest)), replaces_(replaces) {}
+PictureFiles::PictureFiles(FramePattern pattern, std::optional<Manifest> manifest,
+                           Replaceable replaceable)
+    : pattern_(std::move(pattern)),
+      manifest_(std::move(manifest)),
+      replaceable_(std::move(replaceable)) {}
 
 Result<void> PictureFiles::put(OutputPicture picture) {
   const fs::path file = pattern_.file(picture.number);
-  if (!replaces_)
-    if (auto free = check_place_of(file, picture.number, manifest_); !free) return free;
+  if (auto free = check_place_of(file, picture.number, manifest_, replaceable_); !free) return free;
   const std::string bytes = encoded(picture);
   if (manifest_)
     if (auto noted = manifest_->note(picture.number, picture.frame, bytes); !noted) return noted;
@@ -72,9 +74,10 @@ std::vector<PlayedFrame> still_to_render(std::vector<PlayedFrame> frames,
 }
 
 Result<void> check_places(const std::vector<PlayedFrame>& frames, const FramePattern& pattern,
-                          const std::optional<Manifest>& manifest) {
+                          const std::optional<Manifest>& manifest, const Replaceable& replaceable) {
   for (const PlayedFrame& frame : frames)
-    if (auto free = check_place_of(pattern.file(frame.number), frame.number, manifest); !free)
+    if (auto free = check_place_of(pattern.file(frame.number), frame.number, manifest, replaceable);
+        !free)
       return free;
   return {};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "commandline/frame_pattern.h"
+#include "player/output/existing_file.h"
 #include "player/output/manifest.h"
 #include "player/output/picture_sink.h"
 
@@ -13,9 +14,8 @@ namespace ribbon {
 // Encodes pictures as PNG and linear light as EXR, into files that appear complete or not at all.
 class PictureFiles final : public PictureSink {
  public:
-  // replaces: an older file of the name, also one that the manifest, if there is one, does not
-  // know.
-  PictureFiles(FramePattern pattern, std::optional<Manifest> manifest, bool replaces);
+  // What the manifest, if there is one, knows is replaceable, too.
+  PictureFiles(FramePattern pattern, std::optional<Manifest> manifest, Replaceable replaceable);
 
   Result<void> put(OutputPicture picture) override;
   Result<void> finish() override { return {}; }
@@ -23,7 +23,7 @@ class PictureFiles final : public PictureSink {
  private:
   FramePattern pattern_;
   std::optional<Manifest> manifest_;
-  bool replaces_;
+  Replaceable replaceable_;
 };
 
 // Those that are still to be rendered of a sequence that goes on: all that are not complete.
@@ -31,9 +31,9 @@ class PictureFiles final : public PictureSink {
 std::vector<PlayedFrame> still_to_render(std::vector<PlayedFrame> frames,
                                          const FramePattern& pattern, const Manifest& manifest);
 
-// Fails where one of these would take the place of a file that the manifest, if there is one, does
-// not know: to be asked before the long work that comes first.
+// Fails where one of these would take the place of a file that is not replaceable and that the
+// manifest, if there is one, does not know: to be asked before the long work that comes first.
 Result<void> check_places(const std::vector<PlayedFrame>& frames, const FramePattern& pattern,
-                          const std::optional<Manifest>& manifest);
+                          const std::optional<Manifest>& manifest, const Replaceable& replaceable);
 
 }  // namespace ribbon

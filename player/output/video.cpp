@@ -107,8 +107,9 @@ Video::Video(fs::path file, fs::path temporary)
     : file_(std::move(file)), temporary_(std::move(temporary)) {}
 
 Result<std::unique_ptr<PictureSink>> Video::open(const fs::path& file, PictureSize size,
-                                                 double frames_per_second, bool replaces) {
-  if (auto free = check_place(file, replaces); !free) return tl::unexpected(free.error());
+                                                 double frames_per_second,
+                                                 const Replaceable& replaceable) {
+  if (auto free = check_place(file, replaceable); !free) return tl::unexpected(free.error());
   if (lower_case_extension(file) == ".gif" && frames_per_second > fastest_gif)
     return failure(file.string(),
                    filled_in("cannot show {:.6g} pictures a second, a GIF has at most {:.6g}",

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "files/descriptor.h"
+#include "player/output/existing_file.h"
 #include "player/output/picture_sink.h"
 
 namespace ribbon {
@@ -19,7 +20,7 @@ class Video final : public PictureSink {
   // not there, the file exists and is not to be replaced, or a GIF would be too fast.
   static Result<std::unique_ptr<PictureSink>> open(const std::filesystem::path& file,
                                                    PictureSize size, double frames_per_second,
-                                                   bool replaces);
+                                                   const Replaceable& replaceable);
   // Ends ffmpeg.
   ~Video() override;
 

@@ -185,6 +185,8 @@ TEST_F(RibbonPlay, followed_pictures_have_colours_and_overlays) {
 TEST_F(RibbonPlay, charts_are_svg_or_png_as_the_name_says) {
   EXPECT_THAT(output_of(run("knot.rbn --plot out/knot.svg")), HasSubstr("charts: out/knot.svg"));
   EXPECT_THAT(bytes("out/knot.svg"), HasSubstr("recovery iterations"));
+  EXPECT_EQ(run("knot.rbn --plot capital.SVG").exit_code, 0);
+  EXPECT_TRUE(bytes("capital.SVG") == bytes("out/knot.svg"));
   EXPECT_EQ(run("knot.rbn --plot knot.png").exit_code, 0);
   EXPECT_GT(png_size(bytes("knot.png")).width, 800);
   expect_refusal(run("knot.rbn --plot knot.pdf"), "is neither .svg nor .png");
@@ -195,9 +197,31 @@ TEST_F(RibbonPlay, no_two_files_have_one_name) {
   const std::string recording = bytes("knot.rbn");
   expect_refusal(run("knot.rbn --sheet a.png --plot ./a.png"), "./a.png: is the name of two files");
   expect_refusal(run("knot.rbn -o a.png --frames 1 --sheet a.png --force"), "two files");
-  expect_refusal(run("knot.rbn --sheet knot.rbn --force"), "knot.rbn: is the name of two files");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
   EXPECT_TRUE(bytes("knot.rbn") == recording);
+}
+
+// Not even by --force.
+TEST_F(RibbonPlay, nothing_that_is_read_is_replaced) {
+  ASSERT_EQ(run("knot.rbn -o 1.png --frames 1 --size 32x16").exit_code, 0);
+  ASSERT_EQ(run("knot.rbn -o front.png --frames 2 --size 32x16").exit_code, 0);
+  ASSERT_TRUE(write_file(folder_ / "path.png", "time,azimuth\n0,10\n1,20\n").has_value());
+  const std::string recording = bytes("knot.rbn");
+  const std::string picture = bytes("1.png");
+  const std::string path = bytes("path.png");
+  for (const char* output : {"-o 1.png --frames 1", "-o ./{frame:01}.png", "--sheet 1.png",
+                             "--plot 1.png", "-o {frame:01}.png --resume"})
+    for (const char* input :
+         {"--texture 1.png", "--texture front.png --texture-back 1.png", "--environment 1.png"})
+      expect_refusal(run(std::string("knot.rbn --force --size 32x16 ") + output + " " + input),
+                     "1.png: is read for what would be written there; choose another name");
+  expect_refusal(run("knot.rbn -o path.png --frames 1 --force --camera-path path.png"),
+                 "path.png: is read");
+  expect_refusal(run("knot.rbn --sheet knot.rbn --force"), "is no .png");
+  expect_refusal(run("knot.rbn -o knot.rbn --force"), "knot.rbn");
+  EXPECT_TRUE(bytes("1.png") == picture && bytes("path.png") == path);
+  EXPECT_TRUE(bytes("knot.rbn") == recording);
+  EXPECT_EQ(run("knot.rbn -o 2.png --frames 1 --size 32x16 --texture 1.png").exit_code, 0);
 }
 
 TEST_F(RibbonPlay, charts_of_a_damaged_recording_have_gaps_and_say_so) {
