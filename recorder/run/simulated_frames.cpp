@@ -1,5 +1,6 @@
 #include "recorder/run/simulated_frames.h"
 
+#include <optional>
 #include <utility>
 
 #include "recorder/run/stopwatch.h"
@@ -50,14 +51,15 @@ std::optional<TightnessNumbers> tightness_numbers(FasteningProcessor& fastening,
       .rope_length = static_cast<float>(tightness->rope_length)};
 }
 
+// stage: of the last step, from 0; nothing: of none.
 FrameNumbers frame_numbers(FasteningProcessor& fastening, const StepSums& sums,
-                           Eigen::Index particles) {
+                           std::optional<int> stage, Eigen::Index particles) {
   return {.time_s = fastening.time_s(),
           .worst_strain = fastening.strain(),
           .penetrating_edges = sums.penetrating_edges(),
           .recovery_iterations = sums.recovery_iterations(),
           .tightness = tightness_numbers(fastening, sums, particles),
-          .stage = static_cast<std::uint8_t>(fastening.stage().value_or(-1) + 1)};
+          .stage = static_cast<std::uint8_t>(stage.value_or(-1) + 1)};
 }
 
 }  // namespace
@@ -74,10 +76,15 @@ SimulatedFrame SimulatedFrames::next() {
     sums.add({.recovery_iterations = fastening_.start().recovery_iterations,
               .penetrating_edges = fastening_.start().penetrating_edges});
   const std::int64_t last = fastening_.steps_at(index_ / frames_per_second_);
-  for (; fastening_.steps() < last; ++effort_.steps) sums.add(fastening_.step());
+  auto stage = fastening_.stage();
+  for (; fastening_.steps() < last; ++effort_.steps) {
+    const bool hands_have_let_go = fastening_.stages_are_over();
+    sums.add(fastening_.step());
+    stage = hands_have_let_go ? std::nullopt : fastening_.stage();
+  }
   effort_.simulation_s += stopwatch.lap();
   SimulatedFrame frame{.index = index_, .numbers = {}, .positions = fastening_.positions()};
-  frame.numbers = frame_numbers(fastening_, sums, frame.positions.cols());
+  frame.numbers = frame_numbers(fastening_, sums, stage, frame.positions.cols());
   effort_.measuring_s += stopwatch.lap();
   return frame;
 }

@@ -136,6 +136,25 @@ TEST_F(RibbonPlay, a_contact_sheet_is_one_file) {
   EXPECT_GT(png_size(bytes("out/sheet.png")).width, 5 * 520);
 }
 
+TEST_F(RibbonPlay, a_contact_sheet_of_stages_shows_where_they_end_and_the_last_frame) {
+  RecordingHeader header = sample_header();
+  header.stages = {"half knot", "bow"};
+  auto writer = RecordingWriter::create(recording_, header, Overwrite::yes).value();
+  for (int frame = 0; frame < 7; ++frame) {
+    FrameNumbers numbers = sample_numbers(frame);
+    numbers.stage = frame < 3 ? 1 : frame < 5 ? 2 : 0;
+    ASSERT_TRUE(writer.append(numbers, sample_positions(frame)).has_value());
+  }
+  ASSERT_TRUE(writer.finish().has_value());
+  const auto columns_of = [&](const std::string& frames) {
+    EXPECT_EQ(play_small("--force --sheet sheet.png --frames " + frames).exit_code, 0);
+    return png_size(bytes("sheet.png")).width / 520;
+  };
+  EXPECT_EQ(columns_of("1:7"), 4) << "1, 3, 5, 7";
+  EXPECT_EQ(columns_of("1:5"), 3) << "1, 3, 5";
+  EXPECT_EQ(columns_of("3:5"), 2) << "3, 5";
+}
+
 TEST_F(RibbonPlay, a_ribbon_is_coloured_by_what_is_measured) {
   ASSERT_EQ(play_small("-o cloth.png --frames 5").exit_code, 0);
   std::set<std::string> pictures = {bytes("cloth.png")};
