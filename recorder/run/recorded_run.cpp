@@ -70,7 +70,13 @@ class Comparison {
   [[nodiscard]] Result<void> numbers_agree(const SimulatedFrame& frame) const {
     const auto recorded = reader_.numbers(frame.index);
     if (!recorded || *recorded == frame.numbers) return {};
-    return otherwise(frame.index);
+    return recorded->time_s == frame.numbers.time_s ? otherwise(frame.index) : is_converted();
+  }
+
+  // Rounded as a run would round them.
+  [[nodiscard]] Result<void> errors_agree(SimulatedFrames& frames) const {
+    const double error_m = reader_.header().max_position_error_m;
+    return frames.fastening().max_position_error_m() == error_m ? Result<void>() : is_converted();
   }
 
   Result<void> positions_agree(int index, const Eigen::Matrix3Xd& positions) {
@@ -88,6 +94,12 @@ class Comparison {
                    filled_in("go on with the program that recorded it, {}, on the same kind of "
                              "processor",
                              reader_.header().writer));
+  }
+
+  [[nodiscard]] Result<void> is_converted() const {
+    return failure(file_.string(),
+                   "it was converted from another recording, with frames left out or rounded again",
+                   "go on with that one");
   }
 
   const fs::path& file_;
@@ -127,8 +139,8 @@ Result<std::optional<SimulatedFrames>> RecordedRun::simulated_again(
   if (!frames) return tl::unexpected(frames.error());
   Comparison comparison(*this);
   const int first = frames->index() + 1;
-  Result<void> agree;
-  if (first > 0)
+  Result<void> agree = comparison.errors_agree(*frames);
+  if (agree && first > 0)
     agree = comparison.positions_agree(frames->index(), frames->fastening().positions());
   while (agree && frames->index() < index) {
     const SimulatedFrame frame = frames->next();

@@ -122,6 +122,31 @@ TEST_F(ResumeRun, a_damaged_checkpoint_falls_back_to_the_one_before) {
   expect_whole();
 }
 
+// As ribbon-convert writes it.
+TEST_F(ResumeRun, of_a_converted_recording_is_refused_as_such) {
+  const auto written = [&](RecordingHeader header, std::size_t first, std::size_t step) {
+    auto writer = RecordingWriter::create(file_, header).value();
+    for (std::size_t frame = first; frame < 20; frame += step)
+      (void)writer.append(*whole_[frame].numbers, whole_[frame].positions.cast<double>());
+    return writer.finish().has_value();
+  };
+  const auto expect_refused = [&] {
+    EXPECT_EQ(refusal(), file_.string() +
+                             ": it was converted from another recording, with frames left out or "
+                             "rounded again; go on with that one");
+  };
+  RecordingHeader header = RecordingReader::open(folder_ / "whole.rbn")->header();
+  ASSERT_TRUE(written(header, 5, 1));
+  expect_refused();
+  header.frames_per_second /= 2;
+  ASSERT_TRUE(written(header, 0, 2));
+  expect_refused();
+  header.frames_per_second *= 2;
+  header.max_position_error_m *= 2;
+  ASSERT_TRUE(written(header, 0, 1));
+  expect_refused();
+}
+
 // The writer alone, as if it had been killed before its first checkpoint.
 TEST_F(ResumeRun, without_a_checkpoint_it_begins_at_the_start_again) {
   const auto header = RecordingReader::open(folder_ / "whole.rbn")->header();
