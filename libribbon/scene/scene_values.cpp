@@ -54,11 +54,17 @@ Result<std::vector<SizeAt>> sizes_along(const Value& value, const Sizes& sizes) 
   return all;
 }
 
+// 120.0 is no whole number, and is not to look like one.
+std::string real_number(double number) {
+  const std::string text = shortest(number);
+  return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
 }  // namespace
 
 std::string written(const TomlValue& value) {
   if (const auto* number = value.as<std::int64_t>()) return std::to_string(*number);
-  if (const auto* number = value.as<double>()) return shortest(*number);
+  if (const auto* number = value.as<double>()) return real_number(*number);
   if (const auto* text = value.as<std::string>()) return "the text " + in_quotes(*text);
   if (const auto* truth = value.as<bool>()) return *truth ? "true" : "false";
   if (const auto* array = value.as<TomlArray>())

@@ -56,8 +56,15 @@ std::string remedy_for(const std::string& name, const RibbonMesh& drawn) {
 Result<void> check_name(const NamedKnot& knot, std::string_view key,
                         const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), knot.name) != known.end()) return {};
+  const std::string problem = "no knot is known as '" + knot.name + "'";
+  for (const std::string_view hand : {", left-handed", ", right-handed"})
+    if (knot.name.ends_with(hand)) {
+      const std::string name = knot.name.substr(0, knot.name.size() - hand.size());
+      if (std::find(known.begin(), known.end(), name) != known.end())
+        return failure(knot.place, problem, "write '" + std::string(key) + " = \"" + name + "\"'");
+    }
   const auto meant = nearest_word(knot.name, {known.begin(), known.end()});
-  return failure(knot.place, "no knot is known as '" + knot.name + "'",
+  return failure(knot.place, problem,
                  meant ? "did you mean '" + std::string(*meant) + "'?"
                        : "write for example '" + std::string(key) +
                              " = \"reef knot\"'; docs/scene.md lists all");

@@ -335,6 +335,9 @@ INSTANTIATE_TEST_SUITE_P(
         Impossible{"fraction_for_a_count", ribbon_line("400", "1.5"),
                    "5:9: 'along' must be a whole number of at least 2, not 1.5; "
                    "write for example 'along = 400'"},
+        Impossible{"real_number_for_a_count", ribbon_line("400", "4e2"),
+                   "5:9: 'along' must be a whole number of at least 2, not 400.0; "
+                   "write for example 'along = 400'"},
         Impossible{"one_particle", ribbon_line("across = 8", "across = 1"),
                    "6:10: 'across' must be a whole number of at least 2, not 1; "
                    "write for example 'across = 8'"},

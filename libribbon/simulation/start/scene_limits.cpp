@@ -71,13 +71,15 @@ Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size
   const double edge_m = size.shortest_edge_m();
   const double most_m = coarsest_rounding_m(edge_m, least_aimed_strain);
   if (lengths.rounding_m <= most_m) return {};
+  const double least = 0.99 * most_m / size.length_m;
   return failure(scene.name,
                  "recording may move coordinates by " + metres(lengths.rounding_m) +
                      ", too much to keep edges of " + metres(edge_m) + " within " +
                      short_number(100 * paper_strain_limit, 3) + " % of their rest length",
-                 "set recording.max_position_error to " +
-                     short_number(0.99 * most_m / size.length_m, 3) +
-                     " or less, or fewer particles");
+                 least > least_position_error
+                     ? "set recording.max_position_error to " + short_number(least, 3) +
+                           " or less, or fewer particles"
+                     : "set fewer particles, or a shorter ribbon");
 }
 
 // Of the ribbon's length. Cloth that may hardly be strained takes the correction several times as

@@ -53,6 +53,10 @@ TEST(DrawnKnot, that_no_list_helps_is_refused_all_the_same) {
 TEST(DrawnKnot, whose_name_nobody_knows_is_asked_for) {
   EXPECT_THAT(refusal("", "rief knot"), HasSubstr("no knot is known as 'rief knot'; did you mean "
                                                   "'reef knot'?"));
+  EXPECT_THAT(refusal("", "figure-eight knot, left-handed"),
+              HasSubstr("no knot is known as 'figure-eight knot, left-handed'; write 'expect = "
+                        "\"figure-eight knot\"'"))
+      << "it is its own mirror image";
   EXPECT_THAT(refusal("", "quetzalcoatlus"), HasSubstr("'expect = \"reef knot\"'"));
 }
 

@@ -100,6 +100,8 @@ TEST(SceneLimits, an_error_that_is_left_out_is_as_small_as_the_edges_need) {
   EXPECT_EQ(fastening->max_position_error_m(), usual_error(scene) * size.length_m);
   scene.ribbon.across = 4000;
   EXPECT_EQ(usual_error(scene), 1e-7);
+  EXPECT_THAT(refusal(scene, mesh_of_loop(scene)), HasSubstr("; set fewer particles, or"))
+      << "no smaller error can be asked for";
   scene.contact = ContactMethod::paper;  // which promises nothing
   EXPECT_EQ(usual_error(scene), 1e-5);
 }
