@@ -36,7 +36,7 @@ Camera Framing::camera() const {
   const float needed =
       std::max((reach_[0] + reach_[1]) / (2 * wide), (reach_[2] + reach_[3]) / (2 * high));
   // A single point would pull the eye into itself.
-  const float clearance = 1e-3F * std::max(1.0F, std::abs(nearest_));
+  const float clearance = 1e-4F * std::max(1e-3F, std::abs(nearest_));
   const Eigen::Vector3f eye((reach_[1] - reach_[0]) / 2, (reach_[3] - reach_[2]) / 2,
                             std::max(needed, nearest_ + clearance));
   Camera camera = camera_;

@@ -44,6 +44,12 @@ TEST(Framing, every_point_is_inside_with_a_margin_and_some_point_touches_it) {
     }
 }
 
+TEST(Framing, what_is_tiny_fills_the_picture_as_well) {
+  for (const float scale : {1e-2F, 1e-3F, 2e-4F})
+    EXPECT_NEAR(widest(camera_of(three_quarter_view, {cloud(scale)}), cloud(scale)), 0.92F, 0.01F)
+        << scale;
+}
+
 TEST(Framing, the_order_of_points_does_not_matter) {
   EXPECT_EQ(camera_of(three_quarter_view, {cloud(1), cloud(2)}).eye,
             camera_of(three_quarter_view, {cloud(2), cloud(1)}).eye);
