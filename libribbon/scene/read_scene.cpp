@@ -475,6 +475,18 @@ Result<Scene> scene_of(const Document& document) {
   return scene;
 }
 
+// Of texts, each with one setting more, the last of which cannot be read. Their lines are not those
+// of the file: which setting spoils a scene that can be read without it is told instead.
+Error blamed(Error error, const std::filesystem::path& file, const std::vector<std::string>& texts,
+             const std::vector<std::string>& settings) {
+  for (std::size_t i = settings.size(); i > 0; --i)
+    if (parse_document(file, texts[i - 1]).and_then(scene_of)) {
+      error.place = file.string() + " with " + in_quotes(settings[i - 1]);
+      break;
+    }
+  return error;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> files_of(const Scene& scene) {
@@ -494,17 +506,18 @@ Result<Scene> read_scene(const std::filesystem::path& file,
 
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
                          const std::vector<std::string>& settings, const std::string& name) {
+  std::vector<std::string> texts{std::move(text)};
   for (const std::string& setting : settings) {
-    auto changed = with_setting(file, text, setting);
+    auto changed = with_setting(file, texts.back(), setting);
     if (!changed) return tl::unexpected(changed.error());
-    text = *std::move(changed);
+    texts.push_back(*std::move(changed));
   }
-  return parse_document(file, text).and_then(scene_of).map([&](Scene scene) {
-    if (scene.name.empty()) scene.name = name.empty() ? file.stem().string() : name;
-    scene.file = file;
-    scene.text = std::move(text);
-    return scene;
-  });
+  auto scene = parse_document(file, texts.back()).and_then(scene_of);
+  if (!scene) return tl::unexpected(blamed(scene.error(), file, texts, settings));
+  if (scene->name.empty()) scene->name = name.empty() ? file.stem().string() : name;
+  scene->file = file;
+  scene->text = std::move(texts.back());
+  return scene;
 }
 
 }  // namespace ribbon

@@ -222,7 +222,8 @@ std::vector<std::filesystem::path> files_of(const Scene& scene);
 
 // Reads and checks a scene file in which settings have been changed, one after the other
 // (with_setting()). Relative file names in it are taken from its own folder. Fails with file, line
-// and column when a key is unknown, has the wrong type or an impossible value.
+// and column, or the setting that spoils it, when a key is unknown, has the wrong type or an
+// impossible value.
 Result<Scene> read_scene(const std::filesystem::path& file,
                          const std::vector<std::string>& settings = {});
 

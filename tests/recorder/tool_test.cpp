@@ -182,7 +182,8 @@ TEST_F(RibbonRecord, settings_change_a_scene_as_if_they_stood_in_it) {
   EXPECT_TRUE(RecordingReader::open(folder_ / "fine.rbn")->sessions().empty());
   ASSERT_EQ(run("--resume knot.rbn --until 0.3 --quiet").exit_code, 0);
   expect_refusal(run("small.toml -o new.rbn --set fastening.spede=1"),
-                 "small.toml:17:1: unknown key 'spede' in [fastening]; did you mean 'speed'?");
+                 "small.toml with 'fastening.spede=1': unknown key 'spede' in [fastening]; did you "
+                 "mean 'speed'?");
   expect_refusal(run("small.toml -o new.rbn --set ribbon.width=-1"), "'width' must be a number");
   EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
 }
