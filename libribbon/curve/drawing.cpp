@@ -18,10 +18,6 @@ namespace {
 
 constexpr double largest_coordinate = 1e9;  // far from where squares lose their last digits
 
-// Of a style sheet and of styles.
-const std::vector<std::string_view> properties = {"display", "visibility", "stroke-dasharray",
-                                                  "transform"};
-
 // A parsed file that can say on which line something stands.
 struct SvgFile {
   std::string name;
@@ -135,7 +131,7 @@ Result<StyleSheet> read_rules(const SvgFile& file) {
     last = node;
     return false;
   });
-  StyleSheet rules(css, properties);
+  StyleSheet rules(css, {"display", "visibility", "stroke-dasharray", "transform"});
   if (const auto& selector = rules.not_followed())
     return failure(file.place(last),
                    "whom the style rule '" + *selector + "' means is not followed",
@@ -271,18 +267,25 @@ std::string path_data(const pugi::xml_node& node) {
   return data;
 }
 
-// In the words of path data, too: where a line of any length begins.
-std::optional<Eigen::Vector2d> middle_of(const pugi::xml_node& circle,
-                                         const Eigen::Affine2d& root_from_path) {
-  const auto line = flatten_path_data(std::string("M") + circle.attribute("cx").as_string("0") +
-                                          " " + circle.attribute("cy").as_string("0") + "h1",
-                                      root_from_path, 1);
-  if (!line || line->pieces.empty()) return std::nullopt;
-  return line->pieces.front().front();
-}
-
 bool is_in_range(const Eigen::Vector2d& point) {
   return point.allFinite() && point.cwiseAbs().maxCoeff() <= largest_coordinate;
+}
+
+// In the words of path data, too: where a line of any length begins.
+Result<Eigen::Vector2d> middle_of(const SvgFile& file, const pugi::xml_node& circle) {
+  const auto transform = root_from_path(file, circle);
+  if (!transform) return tl::unexpected(transform.error());
+  const auto line = flatten_path_data(std::string("M") + circle.attribute("cx").as_string("0") +
+                                          " " + circle.attribute("cy").as_string("0") + "h1",
+                                      *transform, 1);
+  if (!line || line->pieces.empty())
+    return failure(file.place(circle), "the middle of mark '" + id_of(circle) + "' cannot be read",
+                   "write its cx and cy as numbers without a unit, in drawing units");
+  const Eigen::Vector2d& middle = line->pieces.front().front();
+  if (!is_in_range(middle))
+    return failure(file.place(circle), "mark '" + id_of(circle) + "' lies beyond 1e9 drawing units",
+                   "correct its place");
+  return middle;
 }
 
 Result<FlatPath> flat(const SvgPath& path, double tolerance) {
@@ -359,21 +362,8 @@ Result<std::vector<DrawnMark>> find_svg_marks(const std::filesystem::path& file)
   const auto svg = load(file);
   if (!svg) return tl::unexpected(svg.error());
   std::vector<DrawnMark> marks;
-  for (const pugi::xml_node& circle : visible(is_circle, *svg)) {
-    if (id_of(circle).empty()) continue;
-    const auto transform = root_from_path(*svg, circle);
-    if (!transform) return tl::unexpected(transform.error());
-    const auto middle = middle_of(circle, *transform);
-    if (!middle)
-      return failure(svg->place(circle),
-                     "the middle of mark '" + id_of(circle) + "' cannot be read",
-                     "write its cx and cy as numbers without a unit, in drawing units");
-    if (!is_in_range(*middle))
-      return failure(svg->place(circle),
-                     "mark '" + id_of(circle) + "' lies beyond 1e9 drawing units",
-                     "correct its place");
-    marks.push_back({id_of(circle), *middle});
-  }
+  for (const pugi::xml_node& circle : visible(is_circle, *svg))
+    if (!id_of(circle).empty()) marks.push_back({id_of(circle), middle_of(*svg, circle)});
   return marks;
 }
 

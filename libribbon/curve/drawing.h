@@ -52,7 +52,9 @@ Result<Drawing> flattened_outline(const SvgPath& path, double tolerance);
 // A circle that is not hidden and has an id: a place in the drawing that a scene can name.
 struct DrawnMark {
   std::string id;
-  Eigen::Vector2d middle;  // drawing units, all transforms applied
+  // Drawing units, all transforms applied. Fails, with the circle's place, where it cannot be read
+  // or lies beyond 1e9 units.
+  Result<Eigen::Vector2d> middle;
 };
 
 // In document order. Fails where the file cannot be read.

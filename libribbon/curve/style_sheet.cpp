@@ -93,6 +93,13 @@ std::vector<Declaration> read_declarations(std::string_view text) {
   return declarations;
 }
 
+// Means elements only while someone points at them.
+bool is_of_a_moment(std::string_view selector) {
+  return selector.find(":hover") != std::string_view::npos ||
+         selector.find(":focus") != std::string_view::npos ||
+         selector.find(":active") != std::string_view::npos;
+}
+
 bool is_one_of(std::string_view word, std::string_view words) {
   while (!words.empty()) {
     const std::size_t end = std::min(words.find_first_of(blanks), words.size());
@@ -132,7 +139,7 @@ void StyleSheet::add_rule(std::string_view selectors,
     const std::string_view text = trimmed(take_until(selectors, ","));
     const auto selector = read_selector(text);
     if (selector) rules_.push_back({*selector, declarations});
-    if (!selector && !not_followed_) not_followed_ = std::string(text);
+    if (!selector && !not_followed_ && !is_of_a_moment(text)) not_followed_ = std::string(text);
   }
 }
 

@@ -33,7 +33,8 @@ class StyleSheet {
   StyleSheet(std::string_view css, const std::vector<std::string_view>& properties);
 
   // The first of the selectors that set one of the properties and are more than names, classes and
-  // ids of one element ("g > path"): whom they mean is not followed. Nothing: there are none.
+  // ids of one element ("g > path"): whom they mean is not followed. Nothing: there are none, but
+  // for what is said of an element while someone points at it.
   [[nodiscard]] const std::optional<std::string>& not_followed() const { return not_followed_; }
 
   // What `property` (one of those told) is by the rules and the element's own `style`, in lower

@@ -71,9 +71,10 @@ std::vector<double> distances_m(const CurveScene& curve, const RibbonMesh& ribbo
   return distances;
 }
 
-// Of the nearest row; fails without a place.
+// Of the nearest row; fails without a place, or with that of the mark in its drawing.
 Result<double> share_at(const CurveScene& curve, const RibbonMesh& ribbon, const DrawnMark& mark) {
-  const std::vector<double> distances = distances_m(curve, ribbon, mark.middle);
+  if (!mark.middle) return tl::unexpected(mark.middle.error());
+  const std::vector<double> distances = distances_m(curve, ribbon, *mark.middle);
   const auto nearest = std::min_element(distances.begin(), distances.end());
   const double row_m = ribbon.length_m / (ribbon.grid.along - 1);
   const auto row = static_cast<double>(nearest - distances.begin());

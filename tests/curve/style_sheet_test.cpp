@@ -48,10 +48,12 @@ TEST(StyleSheet, what_drawing_programs_write_around_rules_does_not_matter) {
 
 TEST(StyleSheet, a_selector_that_is_not_followed_is_told_where_it_matters) {
   for (const char* selector :
-       {"g > path", "g path", "path:hover", "[id=x]", "a+path", "a ~path", ".", "path.", "#"})
+       {"g > path", "g path", "path:first-child", "[id=x]", "a+path", "a ~path", ".", "path.", "#"})
     EXPECT_EQ(StyleSheet(std::string(selector) + "{display:none}", {"display"}).not_followed(),
               std::string(selector));
   EXPECT_EQ(StyleSheet(".a, g path{display:none}", {"display"}).not_followed(), "g path");
+  EXPECT_EQ(StyleSheet(".a:hover, g:focus path{display:none}", {"display"}).not_followed(),
+            std::nullopt);
   EXPECT_EQ(StyleSheet("g path{fill:none} .a{display:none}", {"display"}).not_followed(),
             std::nullopt);
 }
