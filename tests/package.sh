@@ -117,6 +117,18 @@ files_of_ribbon() {
     -path ./var/log -o -path ./var/cache \) -prune -o -name '*ribbon*' -print)
 }
 
+# With all packages there.
+links_lead_somewhere() {
+  echo "== Links of the documents"
+  local documents=$here/development/usr/share/doc/ribbon
+  local file link
+  for file in "$documents"/docs/*.md "$documents"/libribbon/*/*.md; do
+    while read -r link; do
+      [[ -e $(dirname "$file")/$link ]] || fail "$file links to $link, which is not there"
+    done < <(grep --only-matching --perl-regexp '\]\(\K(?!https?:|#)[^)#]+' "$file")
+  done
+}
+
 # The same packages under an older version with a file that the newer has no more.
 older_packages() {
   local package folder
@@ -152,5 +164,6 @@ tools_work
 completion_works
 documents_are_whole
 library_and_python_work
+links_lead_somewhere
 goes_up_and_away
 echo "The packages are as they should be."
