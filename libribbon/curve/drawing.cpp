@@ -23,7 +23,7 @@ struct SvgFile {
   std::string name;
   std::string bytes;
   pugi::xml_document document;
-  StyleSheet rules;
+  StyleSheet rules{{"display", "visibility", "stroke-dasharray", "transform"}};
 
   [[nodiscard]] std::string place(std::ptrdiff_t offset) const {
     if (offset < 0 || static_cast<std::size_t>(offset) > bytes.size()) return name;
@@ -58,11 +58,18 @@ bool is_circle(std::string_view name) {
   return name == "circle" || name == "ellipse";
 }
 
+StyledElement element_of(const pugi::xml_node& node) {
+  const auto parent = [node]() -> std::optional<StyledElement> {
+    if (node.parent().type() != pugi::node_element) return std::nullopt;
+    return element_of(node.parent());
+  };
+  return {svg_name(node), node.attribute("id").value(), node.attribute("class").value(),
+          node.attribute("style").value(), parent};
+}
+
 std::optional<std::string> styled(const SvgFile& file, const pugi::xml_node& node,
                                   const char* property) {
-  return file.rules.value_of(
-      property, {svg_name(node), node.attribute("id").value(), node.attribute("class").value(),
-                 node.attribute("style").value()});
+  return file.rules.value_of(property, element_of(node));
 }
 
 // As the element itself has it; empty: it says nothing of it.
@@ -120,30 +127,33 @@ std::string choice_among(const std::vector<pugi::xml_node>& paths, const PathKey
          key.table + ", or delete the others";
 }
 
-// The rules of all <style> elements.
-Result<StyleSheet> read_rules(const SvgFile& file) {
-  std::string css;
-  pugi::xml_node last;
+std::vector<pugi::xml_node> style_sheets(const SvgFile& file) {
+  std::vector<pugi::xml_node> sheets;
   file.document.find_node([&](const pugi::xml_node& node) {
-    if (svg_name(node) != "style") return false;
-    for (const pugi::xml_node& text : node) css += text.value();
-    css += '\n';
-    last = node;
-    return false;
+    const bool is_for_print = node.attribute("media").value() == std::string_view("print");
+    if (svg_name(node) == "style" && !is_for_print) sheets.push_back(node);
+    return false;  // and so on
   });
-  StyleSheet rules(css, {"display", "visibility", "stroke-dasharray", "transform"});
-  if (const auto& selector = rules.not_followed())
-    return failure(file.place(last),
-                   "whom the style rule '" + *selector + "' means is not followed",
-                   "save the drawing with its styles as attributes (presentation attributes), or "
-                   "give those that it means a class");
-  return rules;
+  return sheets;
+}
+
+Result<void> read_rules(SvgFile& file) {
+  for (const pugi::xml_node& sheet : style_sheets(file)) {
+    std::string css;
+    for (const pugi::xml_node& text : sheet) css += text.value();
+    if (const auto selector = file.rules.add(css))
+      return failure(file.place(sheet),
+                     "whom the style rule '" + *selector + "' means is not followed",
+                     "save the drawing with its styles as attributes (presentation attributes), or "
+                     "give those that it means a class");
+  }
+  return {};
 }
 
 Result<SvgFile> load(const std::filesystem::path& path) {
   auto bytes = read_file(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  SvgFile file{path.string(), std::move(*bytes), {}, {}};
+  SvgFile file{path.string(), std::move(*bytes), {}};
   const auto parsed = file.document.load_buffer(file.bytes.data(), file.bytes.size());
   if (!parsed)
     return failure(file.place(parsed.offset),
@@ -153,9 +163,7 @@ Result<SvgFile> load(const std::filesystem::path& path) {
     return failure(file.place(file.document.document_element()),
                    std::string("is not SVG but <") + file.document.document_element().name() + ">",
                    "save the drawing as plain SVG");
-  auto rules = read_rules(file);
-  if (!rules) return tl::unexpected(rules.error());
-  file.rules = *std::move(rules);
+  if (auto rules = read_rules(file); !rules) return tl::unexpected(rules.error());
   return file;
 }
 
@@ -198,18 +206,11 @@ Result<std::vector<pugi::xml_node>> paths_by_id(const SvgFile& file,
                                      ": there are " + list_ids(paths));
 }
 
-// One of the words between blanks.
-bool has_class(const pugi::xml_node& node, const std::string& name) {
-  std::string classes = std::string(" ") + node.attribute("class").value() + " ";
-  std::replace_if(
-      classes.begin(), classes.end(), [](char c) { return c == '\t' || c == '\n'; }, ' ');
-  return classes.find(" " + name + " ") != std::string::npos;
-}
-
 Depth depth_by_class(pugi::xml_node node) {
   for (; node; node = node.parent()) {
-    if (has_class(node, "behind")) return Depth::behind;
-    if (has_class(node, "front")) return Depth::front;
+    const std::string_view classes = node.attribute("class").value();
+    if (is_word_of(classes, "behind")) return Depth::behind;
+    if (is_word_of(classes, "front")) return Depth::front;
   }
   return Depth::untold;
 }
@@ -255,15 +256,40 @@ Result<Eigen::Affine2d> root_from_path(const SvgFile& file, const pugi::xml_node
   return transform;
 }
 
+std::string_view digits_of(std::string_view text) {
+  return text.substr(0, std::min(text.find_first_not_of("0123456789"), text.size()));
+}
+
+// Of SVG: "-1", ".5", "2.5e3".
+bool is_number(std::string_view text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  const std::size_t whole = digits_of(text).size();
+  text.remove_prefix(whole);
+  const bool has_point = text.starts_with('.');
+  if (has_point) text.remove_prefix(1);
+  const std::size_t part = has_point ? digits_of(text).size() : 0;
+  text.remove_prefix(part);
+  if (has_point ? part == 0 : whole == 0) return false;
+  if (text.empty()) return true;
+  if (text.front() != 'e' && text.front() != 'E') return false;
+  text.remove_prefix(1);
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return !text.empty() && digits_of(text) == text;
+}
+
+// As path data take it: a number alone or in pixels, which are its unit. What is none, they refuse.
+std::string coordinate(const pugi::xml_node& node, const char* name) {
+  std::string_view text = trimmed(node.attribute(name).as_string("0"));
+  if (text.ends_with("px")) text.remove_suffix(2);
+  return is_number(text) ? std::string(text) + ' ' : "? ";
+}
+
 // Polylines and lines say the same as path data, in other words.
 std::string path_data(const pugi::xml_node& node) {
   if (svg_name(node) == "path") return node.attribute("d").value();
   std::string data = "M";
   if (svg_name(node) == "polyline") return data + node.attribute("points").value();
-  for (const char* name : {"x1", "y1", "x2", "y2"}) {
-    data += node.attribute(name).as_string("0");
-    data += ' ';
-  }
+  for (const char* name : {"x1", "y1", "x2", "y2"}) data += coordinate(node, name);
   return data;
 }
 
@@ -275,9 +301,8 @@ bool is_in_range(const Eigen::Vector2d& point) {
 Result<Eigen::Vector2d> middle_of(const SvgFile& file, const pugi::xml_node& circle) {
   const auto transform = root_from_path(file, circle);
   if (!transform) return tl::unexpected(transform.error());
-  const auto line = flatten_path_data(std::string("M") + circle.attribute("cx").as_string("0") +
-                                          " " + circle.attribute("cy").as_string("0") + "h1",
-                                      *transform, 1);
+  const auto line = flatten_path_data(
+      "M" + coordinate(circle, "cx") + coordinate(circle, "cy") + "h1", *transform, 1);
   if (!line || line->pieces.empty())
     return failure(file.place(circle), "the middle of mark '" + id_of(circle) + "' cannot be read",
                    "write its cx and cy as numbers without a unit, in drawing units");

@@ -1,7 +1,10 @@
 // The part of CSS that drawing programs write into SVG files: rules that set properties of elements
-// by their name, class or id (Cascading Style Sheets, level 2.1).
+// by their names, classes and ids, and by what they are in (Cascading Style Sheets, level 2.1).
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +18,7 @@ struct StyledElement {
   std::string_view id;       // of its `id` attribute, and so on; empty: none
   std::string_view classes;  // words between blanks
   std::string_view style;    // declarations
+  std::function<std::optional<StyledElement>()> parent;  // empty: it is in none
 };
 
 // "stroke: Red !important", without blanks and in lower case.
@@ -24,42 +28,56 @@ struct Declaration {
   bool is_important = false;
 };
 
+// Without the blanks at both ends.
+std::string_view trimmed(std::string_view text);
+
+// Is it one of the words between blanks?
+bool is_word_of(std::string_view words, std::string_view word);
+
 class StyleSheet {
  public:
-  StyleSheet() = default;  // without rules
+  // Those that matter, in lower case.
+  explicit StyleSheet(std::vector<std::string> properties);
 
-  // The rules of the texts of a drawing's <style> elements, in their order, as far as they set one
-  // of `properties` (lower case). What stands in an @ rule, as of other media, is left out.
-  StyleSheet(std::string_view css, const std::vector<std::string_view>& properties);
+  // Reads the rules of a <style> element, after those of the elements before it, as far as they set
+  // one of the properties. Returns the first of the selectors (or @ rules) that would, but whom it
+  // means is not followed: one by an attribute, a sibling or a place ("path:first-child"). Nothing:
+  // there is none. What holds only in print, or while someone points at an element, is left out.
+  std::optional<std::string> add(std::string_view css);
 
-  // The first of the selectors that set one of the properties and are more than names, classes and
-  // ids of one element ("g > path"): whom they mean is not followed. Nothing: there are none, but
-  // for what is said of an element while someone points at it.
-  [[nodiscard]] const std::optional<std::string>& not_followed() const { return not_followed_; }
-
-  // What `property` (one of those told) is by the rules and the element's own `style`, in lower
-  // case and without blanks; nothing if neither sets it.
+  // What `property` (one of those) is by the rules and the element's own `style`, in lower case and
+  // without blanks; nothing if neither sets it. Of what it is in, a thousand levels are looked at.
   [[nodiscard]] std::optional<std::string> value_of(std::string_view property,
                                                     const StyledElement& element) const;
 
  private:
   // What an element must have. None of it: any element.
-  struct Selector {
+  struct Compound {
     std::string name;
     std::vector<std::string> ids;
     std::vector<std::string> classes;
   };
+  using Family = std::vector<Compound>;  // each is the parent of the next: "g > path"
+  using Selector = std::vector<Family>;  // each is somewhere in the one before: "#band path"
+  using Specificity = std::array<std::size_t, 3>;  // how many ids, classes and names it has
   struct Rule {
     Selector selector;
+    Specificity specificity;
     std::vector<Declaration> declarations;
   };
 
+  static std::optional<Compound> read_compound(std::string_view text);
   static std::optional<Selector> read_selector(std::string_view text);
+  static Specificity specificity_of(const Selector& selector);
+  static bool fits(const Compound& compound, const StyledElement& element);
+  static std::optional<StyledElement> head_of(const Family& family, const StyledElement& last);
   static bool means(const Selector& selector, const StyledElement& element);
-  void add_rule(std::string_view selectors, const std::vector<Declaration>& declarations);
+  [[nodiscard]] std::vector<Declaration> wanted(std::string_view declarations) const;
+  std::optional<std::string> add_block(std::string_view prelude, std::string_view block);
+  std::optional<std::string> add_rule(std::string_view selectors, std::string_view declarations);
 
+  std::vector<std::string> properties_;
   std::vector<Rule> rules_;
-  std::optional<std::string> not_followed_;
 };
 
 }  // namespace ribbon
