@@ -475,16 +475,22 @@ Result<Scene> scene_of(const Document& document) {
   return scene;
 }
 
-// Of texts, each with one setting more, the last of which cannot be read. Their lines are not those
-// of the file: which setting spoils a scene that can be read without it is told instead.
-Error blamed(Error error, const std::filesystem::path& file, const std::vector<std::string>& texts,
-             const std::vector<std::string>& settings) {
-  for (std::size_t i = settings.size(); i > 0; --i)
-    if (parse_document(file, texts[i - 1]).and_then(scene_of)) {
-      error.place = file.string() + " with " + in_quotes(settings[i - 1]);
-      break;
+// Lines of a text with settings are not those of the file. Where it can be read without one of
+// them, but not with it, nor with those that come after, that one is told.
+Result<Scene> blamed(Result<Scene> refused, const std::filesystem::path& file,
+                     const std::string& text, std::vector<std::string> settings) {
+  while (!refused && !settings.empty()) {
+    const std::string last = settings.back();
+    settings.pop_back();
+    if (auto without = read_scene(file, text, settings); !without) {
+      refused = std::move(without);
+      continue;
     }
-  return error;
+    if (!refused.error().place.empty())
+      refused.error().place = file.string() + " with " + in_quotes(last);
+    break;
+  }
+  return refused;
 }
 
 }  // namespace
@@ -500,24 +506,24 @@ std::vector<std::filesystem::path> files_of(const Scene& scene) {
 
 Result<Scene> read_scene(const std::filesystem::path& file,
                          const std::vector<std::string>& settings) {
-  return read_file(file).and_then(
-      [&](std::string text) { return read_scene(file, std::move(text), settings); });
+  return read_file(file).and_then([&](const std::string& text) {
+    return blamed(read_scene(file, text, settings), file, text, settings);
+  });
 }
 
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
                          const std::vector<std::string>& settings, const std::string& name) {
-  std::vector<std::string> texts{std::move(text)};
   for (const std::string& setting : settings) {
-    auto changed = with_setting(file, texts.back(), setting);
+    auto changed = with_setting(file, text, setting);
     if (!changed) return tl::unexpected(changed.error());
-    texts.push_back(*std::move(changed));
+    text = *std::move(changed);
   }
-  auto scene = parse_document(file, texts.back()).and_then(scene_of);
-  if (!scene) return tl::unexpected(blamed(scene.error(), file, texts, settings));
-  if (scene->name.empty()) scene->name = name.empty() ? file.stem().string() : name;
-  scene->file = file;
-  scene->text = std::move(texts.back());
-  return scene;
+  return parse_document(file, text).and_then(scene_of).map([&](Scene scene) {
+    if (scene.name.empty()) scene.name = name.empty() ? file.stem().string() : name;
+    scene.file = file;
+    scene.text = std::move(text);
+    return scene;
+  });
 }
 
 }  // namespace ribbon

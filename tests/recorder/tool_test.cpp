@@ -184,6 +184,8 @@ TEST_F(RibbonRecord, settings_change_a_scene_as_if_they_stood_in_it) {
   expect_refusal(run("small.toml -o new.rbn --set fastening.spede=1"),
                  "small.toml with 'fastening.spede=1': unknown key 'spede' in [fastening]; did you "
                  "mean 'speed'?");
+  expect_refusal(run("small.toml -o new.rbn --set fastening.spede=1 --set ribbon.widht=1"),
+                 "small.toml with 'fastening.spede=1': unknown key 'spede' in [fastening]");
   expect_refusal(run("small.toml -o new.rbn --set ribbon.width=-1"), "'width' must be a number");
   EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
 }
