@@ -136,6 +136,7 @@ TEST_F(ResumeRun, of_a_converted_recording_is_refused_as_such) {
                              "rounded again; go on with that one");
   };
   RecordingHeader header = RecordingReader::open(folder_ / "whole.rbn")->header();
+  header.writer = "ribbon-convert 0.2.0";
   ASSERT_TRUE(written(header, 5, 1));
   expect_refused();
   header.frames_per_second /= 2;
@@ -143,8 +144,13 @@ TEST_F(ResumeRun, of_a_converted_recording_is_refused_as_such) {
   expect_refused();
   header.frames_per_second *= 2;
   header.max_position_error_m *= 2;
+  header.quantisation_step_m *= 2;
   ASSERT_TRUE(written(header, 0, 1));
   expect_refused();
+  header.writer = "ribbon-record 0.1.0";
+  ASSERT_TRUE(written(header, 5, 1));
+  EXPECT_THAT(refusal(),
+              testing::HasSubstr("go on with the program that recorded it, ribbon-record 0.1.0"));
 }
 
 // The writer alone, as if it had been killed before its first checkpoint.

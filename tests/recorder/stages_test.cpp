@@ -13,6 +13,7 @@
 #include "recorder/resume.h"
 #include "recorder/small_scene.h"
 #include "recorder/test_runs.h"
+#include "recording/writer/recording_writer.h"
 #include "result/refusal.h"
 #include "scene/scene.h"
 
@@ -79,6 +80,30 @@ TEST_F(Stages, a_run_that_was_cut_short_goes_on_to_the_same_bits) {
     ASSERT_TRUE(resume(file(), "test", goes_on).has_value());
     EXPECT_EQ(first_difference(frames_of(file()), whole), -1) << frames;
   }
+}
+
+// As it was before 0.2: all frames behind the last stage bore its number.
+TEST_F(Stages, an_older_recording_goes_on_to_the_same_bits) {
+  ASSERT_EQ(refusal_of(recorded()), "");
+  const auto whole = frames_of(file());
+  const RecordingHeader header = RecordingReader::open(file())->header();
+  {
+    auto writer = RecordingWriter::create(file(), header).value();
+    for (int frame = 0; frame < 55; ++frame) {
+      FrameNumbers numbers = *whole[frame].numbers;
+      if (numbers.stage == 0) numbers.stage = 2;
+      ASSERT_TRUE(writer.append(numbers, whole[frame].positions.cast<double>()).has_value());
+    }
+  }
+  ASSERT_EQ(refusal_of(resume(file(), "test", goes_on)), "");
+  EXPECT_EQ(frames_in_stages(file()), (std::array{6, 16, 39}));
+  EXPECT_EQ(frames_of(file()).back().positions, whole.back().positions);
+}
+
+// 1.21 s lie between two frames.
+TEST_F(Stages, that_end_between_two_frames_are_not_told_of_the_later_one) {
+  ASSERT_EQ(refusal_of(recorded({"stage[2].until=0.71"})), "");
+  EXPECT_EQ(frames_in_stages(file()), (std::array{24, 16, 21}));
 }
 
 TEST_F(Stages, a_take_can_time_them_anew) {
