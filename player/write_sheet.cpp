@@ -24,8 +24,10 @@ std::vector<int> frames_to_show(const std::vector<int>& frames, const RecordingI
   const bool all_are_wanted = std::ranges::all_of(
       ends, [&](int end) { return std::ranges::find(frames, end) != frames.end(); });
   if (ends.empty() || !all_are_wanted) return spread_frames(frames, sheet_columns);
-  if (ends.front() != frames.front()) ends.insert(ends.begin(), frames.front());
-  if (ends.back() != frames.back()) ends.push_back(frames.back());
+  const int first = std::ranges::min(frames);
+  if (first < ends.front()) ends.insert(ends.begin(), first);
+  const int last = std::ranges::max(frames);
+  if (last > ends.back() + 1) ends.push_back(last);
   return spread_frames(ends, most_stage_columns);
 }
 

@@ -82,7 +82,8 @@ class FasteningProcessor {
   // a fastening.
   [[nodiscard]] bool is_tight() const;
 
-  // The stage of the last step, from 0; nothing where the scene has none.
+  // The stage of the last step, from 0, and the last one also when all are over; nothing where the
+  // scene has none.
   [[nodiscard]] std::optional<int> stage() const;
   // Are all stages over? Never without them.
   [[nodiscard]] bool stages_are_over() const;

@@ -151,6 +151,8 @@ TEST_F(RibbonPlay, a_contact_sheet_of_stages_shows_where_they_end_and_the_last_f
     return png_size(bytes("sheet.png")).width / 520;
   };
   EXPECT_EQ(columns_of("1:7"), 4) << "1, 3, 5, 7";
+  EXPECT_EQ(columns_of("7:1:-1"), 4);
+  EXPECT_EQ(columns_of("1:6"), 3) << "1, 3, 5: the sixth is hardly another";
   EXPECT_EQ(columns_of("1:5"), 3) << "1, 3, 5";
   EXPECT_EQ(columns_of("3:5"), 2) << "3, 5";
 }
