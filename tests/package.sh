@@ -117,16 +117,18 @@ files_of_ribbon() {
     -path ./var/log -o -path ./var/cache \) -prune -o -name '*ribbon*' -print)
 }
 
-# With all packages there.
+# With all packages there. (The README leads to sources, too.)
 links_lead_somewhere() {
   echo "== Links of the documents"
   local documents=$here/development/usr/share/doc/ribbon
-  local file link
+  local file link followed=0
   for file in "$documents"/docs/*.md "$documents"/libribbon/*/*.md; do
     while read -r link; do
       [[ -e $(dirname "$file")/$link ]] || fail "$file links to $link, which is not there"
+      followed=$((followed + 1))
     done < <(grep --only-matching --perl-regexp '\]\(\K(?!https?:|#)[^)#]+' "$file")
   done
+  [[ $followed -gt 50 ]] || fail "only $followed links were found"
 }
 
 # The same packages under an older version with a file that the newer has no more.

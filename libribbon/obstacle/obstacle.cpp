@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -129,10 +130,18 @@ std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
 
 // Of which assimp reads the first triangle of each.
 bool holds_triangle_strips(const std::filesystem::path& path) {
-  if (path.extension() != ".ply" && path.extension() != ".PLY") return false;
   std::ifstream file(path, std::ios::binary);
-  for (std::string line; std::getline(file, line) && line.rfind("end_header", 0) != 0;)
-    if (line.rfind("element tristrips", 0) == 0) return true;
+  std::string line;
+  if (!std::getline(file, line) || !line.starts_with("ply")) return false;
+  while (std::getline(file, line) && !line.starts_with("end_header")) {
+    std::istringstream words(line);
+    std::string element;
+    std::string name;
+    std::uint64_t count = 0;
+    if (words >> element >> name >> count && element == "element" && name == "tristrips" &&
+        count > 0)
+      return true;
+  }
   return false;
 }
 
