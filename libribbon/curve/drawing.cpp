@@ -224,8 +224,9 @@ bool is_dashed(const SvgFile& file, pugi::xml_node node) {
 }
 
 std::vector<Depth> depths_of(const SvgFile& file, const std::vector<pugi::xml_node>& paths) {
-  std::vector<bool> dashed;
-  for (const pugi::xml_node& path : paths) dashed.push_back(is_dashed(file, path));
+  std::vector<bool> dashed(paths.size());
+  std::transform(paths.begin(), paths.end(), dashed.begin(),
+                 [&](const pugi::xml_node& path) { return is_dashed(file, path); });
   // Where all strokes are dashed, that is a matter of taste.
   const bool dashes_tell = std::find(dashed.begin(), dashed.end(), false) != dashed.end();
   std::vector<Depth> depths;
