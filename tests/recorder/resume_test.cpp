@@ -124,7 +124,7 @@ TEST_F(ResumeRun, a_damaged_checkpoint_falls_back_to_the_one_before) {
 
 // As ribbon-convert writes it.
 TEST_F(ResumeRun, of_a_converted_recording_is_refused_as_such) {
-  const auto written = [&](RecordingHeader header, std::size_t first, std::size_t step) {
+  const auto written = [&](const RecordingHeader& header, std::size_t first, std::size_t step) {
     auto writer = RecordingWriter::create(file_, header).value();
     for (std::size_t frame = first; frame < 20; frame += step)
       (void)writer.append(*whole_[frame].numbers, whole_[frame].positions.cast<double>());
