@@ -53,9 +53,11 @@ Result<Output> open_files(const OutputRequest& request, PictureFormat format,
     if (!opened) return tl::unexpected(opened.error());
     manifest = *std::move(opened);
   }
-  if (request.resumes) frames = still_to_render(std::move(frames), *pattern, *manifest);
-  if (auto free = check_places(frames, *pattern, manifest, request.replaceable); !free)
-    return tl::unexpected(free.error());
+  if (request.resumes) {
+    frames = still_to_render(std::move(frames), *pattern, *manifest);
+    if (auto free = check_places(frames, *pattern, manifest, request.replaceable); !free)
+      return tl::unexpected(free.error());
+  }
   const std::size_t complete = part.size() - frames.size();
   auto output = background(
       request, format,
