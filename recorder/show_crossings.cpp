@@ -55,6 +55,12 @@ std::string text_of(const std::vector<ObjectRun>& runs) {
       runs.size() == 1 ? "once" : filled_in("{} times", runs.size()));
 }
 
+// The numbers are in the file for who mends it.
+tl::unexpected<Error> with_numbers(Error why, const std::filesystem::path& file) {
+  why.remedy += filled_in(" ('{}' shows the passages with their numbers)", file.string());
+  return tl::unexpected(std::move(why));
+}
+
 }  // namespace
 
 Result<std::string> show_crossings(const Scene& scene, const std::filesystem::path& file,
@@ -78,8 +84,8 @@ Result<std::string> show_crossings(const Scene& scene, const std::filesystem::pa
   if (auto written = write_file(file, diagram_svg(drawing->points, drawn.crossings, drawn.objects));
       !written)
     return tl::unexpected(written.error());
-  if (!objects) return tl::unexpected(objects.error());
-  if (!crossings) return tl::unexpected(crossings.error());
+  if (!objects) return with_numbers(objects.error(), file);
+  if (!crossings) return with_numbers(crossings.error(), file);
   return text_of(*crossings, *objects) +
          (runs && runs->size() > objects->size() ? text_of(*runs) : std::string());
 }

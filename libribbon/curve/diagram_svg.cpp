@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "geometry/vectors.h"
 #include "text/number_text.h"
@@ -101,14 +102,19 @@ std::vector<DrawnPassage> drawn_passages(const MeasuredDrawing& drawing,
   for (const CountedPassage& passage : all) lengths.push_back(drawing.length_at(passage.parameter));
   std::vector<DrawnPassage> drawn;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const double before = i == 0 ? lengths[i] : lengths[i] - lengths[i - 1];
-    const double next = i + 1 == lengths.size() ? drawing.length() : lengths[i + 1];
-    const double room = std::min(before, next - lengths[i]);
+    const bool is_first = i == 0;
+    const bool is_last = i + 1 == lengths.size();
+    const double before = is_first ? lengths[i] : lengths[i] - lengths[i - 1];
+    const double after = (is_last ? drawing.length() : lengths[i + 1]) - lengths[i];
+    const double room = std::min(before, after);
+    // A number may stand beyond the ends.
+    const double free = std::numeric_limits<double>::infinity();
+    const double room_of_letter = std::min(is_first ? free : before, is_last ? free : after);
     const bool is_under = !all[i].of_object && !passages[all[i].index].over;
     drawn.push_back(
         {lengths[i],
          is_under ? std::min(half_gap_per_room * room, widest_half_gap * diagonal) : 0.0,
-         std::min(letter_per_room * room, largest_letter * diagonal)});
+         std::min(letter_per_room * room_of_letter, largest_letter * diagonal)});
   }
   return drawn;
 }

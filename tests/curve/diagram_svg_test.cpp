@@ -69,6 +69,13 @@ TEST(DiagramSvg, passages_are_numbered_from_one) {
   EXPECT_THAT(svg, Not(HasSubstr(">7</text>")));
 }
 
+TEST(DiagramSvg, the_number_of_a_passage_at_the_very_start_can_be_read) {
+  const ObjectRun run{0, 0.5, Eigen::Vector2d(0, 0), Eigen::Vector2d(1.5, 2), {-1, 1}};
+  const std::string svg = diagram_svg({{0, 0}, {3, 4}}, {}, {{run, true}});
+  EXPECT_THAT(svg, HasSubstr(">1</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr("font-size=\"0\"")));
+}
+
 TEST(DiagramSvg, a_drawing_without_crossings_is_one_piece) {
   const std::string svg = diagram_svg({{0, 0}, {3, 4}}, {}, {});
   EXPECT_THAT(svg, HasSubstr("<path d=\"M 0 0 3 4\"/>"));

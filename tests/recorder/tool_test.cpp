@@ -241,8 +241,10 @@ TEST_F(RibbonRecord, shows_the_crossings_of_a_drawing_and_which_knot_it_is) {
 }
 
 TEST_F(RibbonRecord, numbers_the_passages_of_a_drawing_whose_list_is_wrong) {
-  expect_refusal(run(R"(small.toml --crossings small.svg --set curve.crossings=\"UOU\")"),
-                 "the drawing has 2 passages");
+  const ToolRun run_with_wrong_list =
+      run(R"(small.toml --crossings small.svg --set curve.crossings=\"UOU\")");
+  expect_refusal(run_with_wrong_list, "the drawing has 2 passages");
+  expect_refusal(run_with_wrong_list, "small.svg' shows the passages with their numbers");
   EXPECT_THAT(read_file(folder_ / "small.svg").value(), HasSubstr(">2</text>"));
 }
 
