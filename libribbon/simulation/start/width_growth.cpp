@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "geometry/vectors.h"
@@ -18,6 +19,9 @@ constexpr double growth = 1.05;            // of the width, from one stage to th
 constexpr int strained_edges_percent = 1;  // that a settled band may have
 constexpr int steps_per_stage = 60;        // at most, to settle
 constexpr int rounds_a_width = 2;          // after each of them
+constexpr double torn_strain = 1;          // of an edge that has been led round something
+constexpr double noticeable = 0.01;        // of that strain
+constexpr int vain_steps = 3;              // without noticeable progress
 
 struct StrainedEdges {
   int count = 0;
@@ -43,6 +47,21 @@ bool are_few(const StrainedEdges& edges, const RibbonGrid& grid) {
   const long all = 2L * grid.particle_count() - grid.along - grid.across;
   return 100L * edges.count <= strained_edges_percent * all;
 }
+
+// An edge that is far too long and stays so is held apart by what it cannot pass: no step helps.
+class TornEdge {
+ public:
+  bool remains(const StrainedEdges& edges) {
+    const bool nears = edges.worst < (1 - noticeable) * least_;
+    in_vain_ = nears ? 0 : in_vain_ + 1;
+    least_ = std::min(least_, edges.worst);
+    return edges.worst > torn_strain && in_vain_ >= vain_steps;
+  }
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  int in_vain_ = 0;
+};
 
 }  // namespace
 
@@ -73,11 +92,14 @@ GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fra
     TimeStep time_step(scene, size, contact_lengths(scene, size), cloth.particle_mass_kg);
     time_step.move(rows_scaled(size.grid, scale, cloth.positions), bodies, cloth);
     StrainedEdges edges;
+    TornEdge torn_edge;
     for (int step = 0; step < steps_per_stage; ++step) {
       time_step.advance(Matrix3Xd(3, 0), bodies, cloth);
       time_step.settle(rounds_a_width, bodies, cloth);
+      ++report.steps;
       edges = strained_edges(size, cloth.positions);
       if (edges.count == 0 || (fraction < 1 && are_few(edges, size.grid))) break;
+      if (torn_edge.remains(edges)) break;
     }
     report.strained_particle = edges.particle;
     if (!are_few(edges, size.grid)) return report;

@@ -23,6 +23,7 @@ struct GrowthReport {
   bool complete = false;        // the band has all of its width
   double settled_fraction = 0;  // the largest fraction of it at which the band settled
   int strained_particle = 0;    // at the edge that is strained most
+  int steps = 0;                // taken, at all widths
 };
 
 // Raises the rest width of the band, which lies free at a fraction of it, to all of it, by 5 % at a
@@ -30,7 +31,8 @@ struct GrowthReport {
 // steps without force, at rest before each, until it has settled: until at most 1 % of its edges,
 // along and across, are off their rest length by more than 15 %. At its full width it goes on,
 // within the same number of steps, until none is. Ends early where it does not settle: it has no
-// room. All motion passes the contact of the scene, which must be the gate.
+// room, or an edge is held apart for good. All motion passes the contact of the scene, which must
+// be the gate.
 GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fraction,
                         const StartObserver& observer, Bodies& bodies, Cloth& cloth);
 
