@@ -17,7 +17,7 @@ using Eigen::Matrix3Xd;
 
 constexpr double growth = 1.05;            // of the width, from one stage to the next
 constexpr int strained_edges_percent = 1;  // that a settled band may have
-constexpr int steps_per_stage = 60;        // at most, to settle
+constexpr int steps_per_stage = 12;        // at most, to settle; one is nearly always enough
 constexpr int rounds_a_width = 2;          // after each of them
 constexpr double torn_strain = 1;          // of an edge that has been led round something
 constexpr double noticeable = 0.01;        // of that strain
