@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "geometry/vectors.h"
 #include "parallel/parallel.h"
@@ -16,9 +17,9 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-// The largest difference between the displacements of a vertex of the one and a vertex of the other
-// feature.
-double largest_difference_m(FeaturePair::Kind kind, const Eigen::Matrix<double, 3, 4>& d) {
+// The square of the largest difference between the displacements of a vertex of the one and a
+// vertex of the other feature.
+double largest_squared_difference(FeaturePair::Kind kind, const Eigen::Matrix<double, 3, 4>& d) {
   double squared =
       std::max(squared_length_of(d.col(0) - d.col(2)), squared_length_of(d.col(0) - d.col(3)));
   if (kind == FeaturePair::Kind::edge_edge)
@@ -26,7 +27,15 @@ double largest_difference_m(FeaturePair::Kind kind, const Eigen::Matrix<double, 
         {squared, squared_length_of(d.col(1) - d.col(2)), squared_length_of(d.col(1) - d.col(3))});
   else
     squared = std::max(squared, squared_length_of(d.col(0) - d.col(1)));
-  return std::sqrt(squared);
+  return squared;
+}
+
+// By how differently the vertices of the one and of the other feature are displaced.
+bool is_exceeded(double room_m, const FeaturePair& pair, const Matrix3Xd& displacement) {
+  if (room_m <= 0) return true;
+  if (std::isinf(room_m)) return false;
+  return largest_squared_difference(pair.kind, displacements(pair, displacement)) >=
+         room_m * room_m;
 }
 
 constexpr std::size_t particles_at_a_time = 1024;
@@ -126,7 +135,8 @@ void BroadPhase::add_near_pairs(const Bodies& bodies) {
       const double last_m = std::max(freedoms_m[2], freedoms_m[3]);
       const double freedom_m = edges ? std::max(freedoms_m[0], freedoms_m[1]) + last_m
                                      : freedoms_m[0] + std::max(freedoms_m[1], last_m);
-      const double approach_m = largest_difference_m(pair.kind, displacements) + freedom_m;
+      const double approach_m =
+          std::sqrt(largest_squared_difference(pair.kind, displacements)) + freedom_m;
       is_near_[i] = distances_m_[i] <= lengths_.reach_m + approach_m ? 1 : 0;
     }
   });
@@ -141,6 +151,39 @@ const std::vector<std::size_t>& ApproachingPairs::find(const ContactCandidates& 
                                                        const Matrix3Xd& positions,
                                                        const Matrix3Xd& displacement,
                                                        double distance_m) {
+  measure(candidates, positions, displacement);
+  const auto moved_m = [&](int vertex) {
+    return vertex < std::ssize(moved_m_) ? moved_m_[vertex] : 0;
+  };
+  const std::vector<FeaturePair>& pairs = candidates.pairs;
+  rooms_m_.resize(pairs.size());
+  is_approaching_.resize(pairs.size());
+  parallel_ranges(pairs.size(), pairs_at_a_time, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      // What hardly moves is told by that alone; the rest by how differently it moves.
+      const FeaturePair& pair = pairs[i];
+      const auto& v = pair.vertices;
+      const double most_m = std::max({moved_m(v[0]), moved_m(v[1]), moved_m(v[2]), moved_m(v[3])});
+      const double room_m = candidates.distances_m[i] - distance_m;
+      if (2 * most_m < room_m)
+        rooms_m_[i] = std::numeric_limits<double>::infinity();
+      else if (has_gone_)
+        rooms_m_[i] =
+            room_m - std::sqrt(largest_squared_difference(pair.kind, displacements(pair, gone_)));
+      else
+        rooms_m_[i] = room_m;
+      is_approaching_[i] = is_exceeded(rooms_m_[i], pair, displacement) ? 1 : 0;
+    }
+  });
+  found_.clear();
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (is_approaching_[i] != 0) found_.push_back(i);
+  return found_;
+}
+
+void ApproachingPairs::measure(const ContactCandidates& candidates, const Matrix3Xd& positions,
+                               const Matrix3Xd& displacement) {
+  has_gone_ = positions != candidates.from;
   gone_.resize(3, positions.cols());
   moved_m_.resize(positions.cols());
   parallel_ranges(moved_m_.size(), particles_at_a_time, [&](std::size_t begin, std::size_t end) {
@@ -149,29 +192,21 @@ const std::vector<std::size_t>& ApproachingPairs::find(const ContactCandidates& 
       moved_m_[particle] = length_of(gone_.col(particle)) + length_of(displacement.col(particle));
     }
   });
-  const auto moved_m = [&](int vertex) {
-    return vertex < std::ssize(moved_m_) ? moved_m_[vertex] : 0;
-  };
-  const std::vector<FeaturePair>& pairs = candidates.pairs;
+}
+
+const std::vector<std::size_t>& ApproachingPairs::find_among(std::span<const std::size_t> pairs,
+                                                             const ContactCandidates& candidates,
+                                                             const Matrix3Xd& displacement) {
   is_approaching_.resize(pairs.size());
   parallel_ranges(pairs.size(), pairs_at_a_time, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      // What has hardly moved is told by that alone; the rest by how differently it moved.
-      const FeaturePair& pair = pairs[i];
-      const double room_m = candidates.distances_m[i] - distance_m;
-      const auto& v = pair.vertices;
-      const double most_m = std::max({moved_m(v[0]), moved_m(v[1]), moved_m(v[2]), moved_m(v[3])});
-      const bool is_approaching =
-          !(2 * most_m < room_m) &&
-          largest_difference_m(pair.kind, displacements(pair, gone_)) +
-                  largest_difference_m(pair.kind, displacements(pair, displacement)) >=
-              room_m;
-      is_approaching_[i] = is_approaching ? 1 : 0;
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::size_t i = pairs[n];
+      is_approaching_[n] = is_exceeded(rooms_m_[i], candidates.pairs[i], displacement) ? 1 : 0;
     }
   });
   found_.clear();
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (is_approaching_[i] != 0) found_.push_back(i);
+  for (std::size_t n = 0; n < pairs.size(); ++n)
+    if (is_approaching_[n] != 0) found_.push_back(pairs[n]);
   return found_;
 }
 

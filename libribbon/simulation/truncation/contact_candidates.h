@@ -86,9 +86,20 @@ class ApproachingPairs {
                                        const Eigen::Matrix3Xd& positions,
                                        const Eigen::Matrix3Xd& displacement, double distance_m);
 
+  // Likewise, of the listed pairs with these indices alone, after find() with the same candidates,
+  // positions and distance, and where no particle goes farther than it would have gone there.
+  const std::vector<std::size_t>& find_among(std::span<const std::size_t> pairs,
+                                             const ContactCandidates& candidates,
+                                             const Eigen::Matrix3Xd& displacement);
+
  private:
-  std::vector<double> moved_m_;  // by each particle
-  Eigen::Matrix3Xd gone_;
+  void measure(const ContactCandidates& candidates, const Eigen::Matrix3Xd& positions,
+               const Eigen::Matrix3Xd& displacement);
+
+  bool has_gone_ = false;             // has any particle, since the detection?
+  Eigen::Matrix3Xd gone_;             // by each particle
+  std::vector<double> moved_m_;       // that, and what it is to be displaced by
+  std::vector<double> rooms_m_;       // of the pairs: by so much their displacements may differ
   std::vector<char> is_approaching_;  // of the pairs
   std::vector<std::size_t> found_;
 };

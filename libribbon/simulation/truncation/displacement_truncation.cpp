@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "geometry/vectors.h"
@@ -18,28 +19,32 @@ constexpr double roomy = 1 + 1e-4;
 using Eigen::Matrix3Xd;
 
 constexpr std::size_t particles_at_a_time = 1024;
+constexpr int bounded = std::numeric_limits<int>::max();  // later than all rounds
 
 }  // namespace
 
-// Pairs whose vertices move together stay apart by themselves, as long as each goes all of its
-// displacement. So first the others are bounded, and then, until no more particles are truncated,
-// those that move together no longer.
+// Pairs whose vertices move together stay apart by themselves. So first the others are bounded, and
+// then, until no more particles are truncated, those whose vertices no longer move together because
+// one of them was.
 void DisplacementTruncation::find_least_fractions(const Motion& motion,
                                                   const Matrix3Xd& positions) {
-  const std::vector<FeaturePair>& pairs = motion.candidates.pairs;
+  const ContactCandidates& candidates = motion.candidates;
   fractions_.assign(displacement_.cols(), 1);
-  truncated_ = 0;
-  const std::vector<std::size_t>& approaching =
-      approaching_.find(motion.candidates, positions, displacement_,
-                        motion.distances.largest_min_separation_m() * roomy);
-  bound(motion, approaching);
-  if (truncated_ == 0) return;
-  is_bounded_.assign(pairs.size(), 0);
-  for (const std::size_t i : approaching) is_bounded_[i] = 1;
-  for (int before = 0; truncated_ > before;) {
-    before = truncated_;
-    find_unbounded_pairs_of_truncated(pairs);
-    bound(motion, unbounded_);
+  is_lowered_.assign(displacement_.cols(), 0);
+  last_looked_at_.assign(candidates.pairs.size(), -1);
+  bound(motion, approaching_.find(candidates, positions, displacement_,
+                                  motion.distances.largest_min_separation_m() * roomy));
+  if (!lowered_.empty()) allowed_ = displacement_;
+  for (int round = 0; !lowered_.empty(); ++round) {
+    take_lowered();
+    // Mostly there is but this round, for which sorting would take longer.
+    if (round == 0) {
+      find_touched_among(candidates.pairs);
+    } else {
+      if (round == 1) pairs_of_.sort(candidates.pairs, static_cast<int>(displacement_.cols()));
+      find_touched(round);
+    }
+    bound(motion, approaching_.find_among(touched_, candidates, allowed_));
   }
 }
 
@@ -54,30 +59,52 @@ void DisplacementTruncation::bound(const Motion& motion, std::span<const std::si
                                            motion.distances.min_separation_m(pair));
     }
   });
-  for (std::size_t n = 0; n < pairs.size(); ++n)
+  for (std::size_t n = 0; n < pairs.size(); ++n) {
+    last_looked_at_[pairs[n]] = bounded;
     for (int k = 0; k < 4; ++k)
       if (const int vertex = all[pairs[n]].vertices[k]; is_particle(vertex))
         lower(vertex, of_pair_[n][k]);
+  }
 }
 
 void DisplacementTruncation::lower(int particle, double fraction) {
   double& least = fractions_[particle];
-  if (least == 1 && fraction < 1) ++truncated_;
-  least = std::min(least, fraction);
+  if (fraction >= least) return;
+  least = fraction;
+  if (is_lowered_[particle] == 0) lowered_.push_back(particle);
+  is_lowered_[particle] = 1;
 }
 
-void DisplacementTruncation::find_unbounded_pairs_of_truncated(std::span<const FeaturePair> pairs) {
+void DisplacementTruncation::take_lowered() {
+  taken_.swap(lowered_);
+  lowered_.clear();
+  for (const int particle : taken_) {
+    is_lowered_[particle] = 0;
+    allowed_.col(particle) = fractions_[particle] * displacement_.col(particle);
+  }
+}
+
+void DisplacementTruncation::find_touched_among(std::span<const FeaturePair> pairs) {
   const auto is_truncated = [this](int vertex) {
     return is_particle(vertex) && fractions_[vertex] < 1;
   };
-  unbounded_.clear();
+  touched_.clear();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& vertices = pairs[i].vertices;
-    if (is_bounded_[i] != 0 || std::none_of(vertices.begin(), vertices.end(), is_truncated))
-      continue;
-    is_bounded_[i] = 1;
-    unbounded_.push_back(i);
+    if (last_looked_at_[i] != bounded &&
+        std::any_of(vertices.begin(), vertices.end(), is_truncated))
+      touched_.push_back(i);
   }
+}
+
+void DisplacementTruncation::find_touched(int round) {
+  touched_.clear();
+  for (const int particle : taken_)
+    for (const std::size_t i : pairs_of_[particle]) {
+      if (last_looked_at_[i] >= round) continue;
+      last_looked_at_[i] = round;
+      touched_.push_back(i);
+    }
 }
 
 // Makes reached_ what the fractions leave of the displacements.

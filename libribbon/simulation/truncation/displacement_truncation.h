@@ -10,6 +10,7 @@
 #include "simulation/contact/pair_distances.h"
 #include "simulation/detection/vertex_positions.h"
 #include "simulation/truncation/contact_candidates.h"
+#include "simulation/truncation/pairs_of_particles.h"
 
 namespace ribbon {
 
@@ -27,8 +28,9 @@ class DisplacementTruncation {
   // features that share no vertex come closer than their minimum separation (at most the broad
   // phase's reach), or, where they are closer already, any closer at all.
   //
-  // Each listed pair bounds the displacements of its vertices by a plane
-  // (displacement_fractions); a particle takes the shortest of its displacements and stays
+  // The vertices of most listed pairs are displaced so much alike, truncated as they are, that
+  // they cannot come that close. Each other pair bounds the displacements of its vertices by a
+  // plane (displacement_fractions); a particle takes the shortest of its displacements and stays
   // inside its bound. Truncating a displacement keeps a particle on its side of every plane,
   // so all planes hold at every instant of the straight motion; a pair that is not listed
   // cannot meet inside the bounds. What is truncated because another layer was still in the
@@ -57,7 +59,9 @@ class DisplacementTruncation {
   void find_least_fractions(const Motion& motion, const Eigen::Matrix3Xd& positions);
   void bound(const Motion& motion, std::span<const std::size_t> pairs);
   void lower(int particle, double fraction);
-  void find_unbounded_pairs_of_truncated(std::span<const FeaturePair> pairs);
+  void take_lowered();
+  void find_touched_among(std::span<const FeaturePair> pairs);
+  void find_touched(int round);
   void advance(const ContactCandidates& candidates, const Eigen::Matrix3Xd& target,
                const Eigen::Matrix3Xd& positions);
   [[nodiscard]] bool is_particle(int vertex) const { return vertex < displacement_.cols(); }
@@ -67,10 +71,14 @@ class DisplacementTruncation {
   Eigen::Matrix3Xd reached_;       // the targets inside the bounds, then what of them is reached
   Eigen::Matrix3Xd displacement_;  // to these targets
   std::vector<double> fractions_;  // of its displacement, that each particle may go
+  Eigen::Matrix3Xd allowed_;       // what these leave of the displacements
   std::vector<Eigen::Vector4d> of_pair_;
-  int truncated_ = 0;             // so many particles
-  std::vector<char> is_bounded_;  // of the pairs
-  std::vector<std::size_t> unbounded_;
+  std::vector<int> last_looked_at_;  // the pairs, in this round; the last one when they are bounded
+  std::vector<int> lowered_;         // particles whose fractions were, in the present round
+  std::vector<char> is_lowered_;     // is the particle one of them?
+  std::vector<int> taken_;           // those of the round before
+  PairsOfParticles pairs_of_;
+  std::vector<std::size_t> touched_;  // pairs that have one of these and are not bounded
   std::vector<Outcome> outcomes_;
 };
 

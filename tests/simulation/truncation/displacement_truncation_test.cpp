@@ -138,6 +138,26 @@ TEST(DisplacementTruncation, layers_that_fly_together_are_free_until_one_is_stop
   EXPECT_GE(smallest_gap_m(bodies, x, 0.05), 0.02 - 1e-12);
 }
 
+TEST(DisplacementTruncation, layers_that_fly_together_go_on_when_one_is_hardly_held_up) {
+  const RibbonGrid grid{21, 5};
+  const Matrix3Xd start = folded_ribbon(grid, 0.5);
+  const int front = grid.particle(20, 2);
+  Matrix3Xd peg(3, 3);
+  peg << -0.1, 0.1, 0, 0, 0, 0, -0.1, -0.1, 0.2;
+  peg.colwise() += start.col(front) + Vector3d(0, 2.9, 0);
+  Bodies bodies{grid, ObstacleBody(Eigen::Vector3i(0, 1, 2), peg)};
+  Matrix3Xd target = start;
+  target.row(1).array() += 3;
+  Matrix3Xd x = start;
+  const int truncated = truncate(bodies, 0.02, target, x).truncated;
+  EXPECT_GE(truncated, 1);
+  EXPECT_LE(truncated, 9);  // the particle and its neighbours
+  EXPECT_LT(x(1, front), peg(1, 0));
+  EXPECT_EQ(x.col(grid.particle(0, 2)), target.col(grid.particle(0, 2)));
+  EXPECT_EQ(count_penetrating_edges(bodies, x), 0);
+  EXPECT_GE(smallest_gap_m(bodies, x, 0.05), 0.02 - 1e-12);
+}
+
 // All of a fast sheet is stopped early on its way through a floor, where the detection around its
 // flight did not expect it.
 TEST(DisplacementTruncation,
