@@ -66,7 +66,7 @@ class FasteningProcessor {
   [[nodiscard]] const StartReport& start() const;
 
   // What computes the displacement of a step: what the scene names or, where it names nothing, what
-  // suits its springs. And into how many parts that divides a step.
+  // suits its springs. And into how many parts that divided the last step.
   [[nodiscard]] IntegrationMethod integrator() const;
   [[nodiscard]] int substeps() const;
 

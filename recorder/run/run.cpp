@@ -85,7 +85,6 @@ Result<RunStatistics> Run::finish(RunEnding ending) {
   statistics_.limit_reached = plan_.is_cut_short && ending_at(frames_, plan_) == RunEnding::stopped;
   statistics_.until_tight = plan_.until_tight();
   statistics_.integrator = std::string(word_for(fastening.integrator()));
-  statistics_.substeps = fastening.substeps();
   statistics_.steps = fastening.steps();
   statistics_.stages = fastening.stage_sums();
   statistics_.bytes = file_.bytes_written();

@@ -24,6 +24,12 @@ double RunStatistics::steps_per_second() const {
   return simulation_s > 0 ? static_cast<double>(computed_steps) / simulation_s : 0;
 }
 
+double RunStatistics::substeps() const {
+  return computed_steps > 0
+             ? static_cast<double>(stages.parts) / static_cast<double>(computed_steps)
+             : 0;
+}
+
 double RunStatistics::share_of_recording() const {
   const double all_s = simulation_s + measuring_s + recording_s;
   return all_s > 0 ? recording_s / all_s : 0;
@@ -103,8 +109,9 @@ Json stages_json(const StageSums& stages) {
 std::string profile_text(const RunStatistics& statistics) {
   const double all_s = statistics.simulation_s + statistics.measuring_s + statistics.recording_s;
   const int frames = statistics.frames - statistics.first_frame;
-  std::string text = filled_in("a step, {} times, by {} in {} parts:\n", statistics.computed_steps,
-                               statistics.integrator, statistics.substeps);
+  std::string text =
+      filled_in("a step, {} times, by {} in {:.1f} parts:\n", statistics.computed_steps,
+                statistics.integrator, statistics.substeps());
   // A step truncates or recovers; the other takes no time.
   for (std::size_t stage = 0; stage < step_stage_count; ++stage)
     if (const double time_s = statistics.stages.time_s[stage]; time_s > 0)
@@ -150,7 +157,7 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"start", statistics.start},
       {"start_s", statistics.start_s},
       {"integrator", statistics.integrator},
-      {"substeps", statistics.substeps},
+      {"substeps", statistics.substeps()},
       {"steps", statistics.steps},
       {"computed_steps", statistics.computed_steps},
       {"frames", statistics.frames},

@@ -20,7 +20,6 @@ struct RunStatistics {
   std::string start = {};       // how it was made: "free", "grown" or "recovered"
   double start_s = 0;           // wall time that took
   std::string integrator = {};  // as scenes name it
-  int substeps = 0;             // of each step
   std::int64_t steps = 0;       // that led to the last frame
   // By this run: others may have been before it.
   std::int64_t computed_steps = 0;
@@ -49,6 +48,8 @@ struct RunStatistics {
 
   void add(const FrameNumbers& frame);
   [[nodiscard]] double steps_per_second() const;
+  // Into how many parts a step was divided, in the mean.
+  [[nodiscard]] double substeps() const;
   // Of the wall time of this run.
   [[nodiscard]] double share_of_recording() const;
   [[nodiscard]] double bits_per_vertex_and_frame() const;

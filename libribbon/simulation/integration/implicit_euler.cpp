@@ -24,6 +24,7 @@ using Eigen::RowVector3d;
 
 // Beyond it the step ends where it is: lower than where it began, but not at the minimum.
 constexpr int most_iterations = 50;
+constexpr int most_parts = 8;                 // of a step
 constexpr int most_trials = 8;                // of one line search
 constexpr double sufficient_decrease = 1e-4;  // of the descent that the slope promises (Armijo)
 constexpr double least_curvature = 1e-8;      // of the inertia's
@@ -82,17 +83,29 @@ class Masses {
 class ImplicitEuler final : public Integrator {
  public:
   ImplicitEuler(const SpringNetwork& springs, const MotionProperties& properties)
-      : Integrator(springs, properties, 1, 1),
-        slowed_(1 / (1 + properties.step_s * properties.air_resistance_per_s)),
-        inertia_(properties.particle_mass_kg / slowed_ / properties.step_s / properties.step_s),
+      : Integrator(springs, properties, 1, most_parts),
         masses_(properties.lightness),
         history_(springs_.empty() ? 0 : springs.grid.particle_count()) {
+    set_part(properties.step_s);
     if (!springs_.empty()) matrix_.emplace(springs, inertia_, masses_.of_rows(springs.grid));
   }
 
   [[nodiscard]] IntegrationMethod method() const override { return IntegrationMethod::implicit; }
 
+  void divide_steps(int parts) override {
+    if (parts == substeps()) return;
+    set_substeps(parts);
+    set_part(properties_.step_s / parts);
+    if (matrix_) matrix_->set_inertia(inertia_);
+  }
+
  private:
+  void set_part(double part_s) {
+    part_s_ = part_s;
+    slowed_ = 1 / (1 + part_s * properties_.air_resistance_per_s);
+    inertia_ = properties_.particle_mass_kg / slowed_ / part_s / part_s;
+  }
+
   // A displacement over the step, the objective there and its gradient.
   struct Iterate : LbfgsHistory::Place {
     double elastic_j = 0;
@@ -162,7 +175,7 @@ class ImplicitEuler final : public Integrator {
   // Begins where the last velocities lead, or without deformation where that is lower.
   void start() {
     const RowVector3d mean = masses_.centre(inertial_);
-    expected_ = properties_.step_s * state_.velocities;
+    expected_ = part_s_ * state_.velocities;
     masses_.set_centre(mean, expected_);
     current_.displacement = mean.replicate(inertial_.rows(), 1);
     evaluate(current_);
@@ -224,16 +237,16 @@ class ImplicitEuler final : public Integrator {
     double energy_j = undeformed_j_ + m / 2 * masses_.sum_of_squares(before_);
     energy_j += energy_rounding * energy_j;
     if (state_.accelerations.rows() > 0)
-      energy_j +=
-          m * properties_.step_s * masses_.sum_of_products(state_.accelerations, state_.velocities);
+      energy_j += m * part_s_ * masses_.sum_of_products(state_.accelerations, state_.velocities);
     const double left_j = std::max(0.0, energy_j - current_.elastic_j);
     const double kinetic_j = m / 2 * masses_.sum_of_squares(state_.velocities);
     if (kinetic_j > left_j) state_.velocities *= std::sqrt(left_j / kinetic_j);
     state_.velocities.rowwise() += mean;
   }
 
-  double slowed_;   // the fraction of its velocity that the air leaves a particle in a step
-  double inertia_;  // N/m, of one particle of mean mass
+  double part_s_ = 0;   // of a step
+  double slowed_ = 0;   // the fraction of its velocity that the air leaves a particle in a part
+  double inertia_ = 0;  // N/m, of one particle of mean mass
   Masses masses_;
   std::optional<QuasiNewtonMatrix> matrix_;
   LbfgsHistory history_;

@@ -63,6 +63,10 @@ class Integrator {
   // ribbon lies.
   [[nodiscard]] int substeps() const { return substeps_; }
 
+  // Divides the steps that follow into so many parts, as far as stability leaves it the choice: the
+  // implicit scheme alone, which begins with 1.
+  virtual void divide_steps(int /*parts*/) {}
+
   // Into how many it may. Contact acts once a step, the springs in each part: springs that swing
   // many times between two contacts turn what contact strains into motion, without a bound.
   [[nodiscard]] int most_substeps() const { return most_substeps_; }
@@ -74,6 +78,8 @@ class Integrator {
 
   // Moves state_ by one substep, of h seconds.
   virtual void advance(double h) = 0;
+
+  void set_substeps(int substeps) { substeps_ = substeps; }
 
   // Overwrites `forces` (particles x 3, N) with those that would accelerate particles of mean mass
   // as the springs do.
@@ -117,8 +123,9 @@ std::unique_ptr<Integrator> symplectic_euler(const SpringNetwork& springs,
 // that takes grows with the square of the width.
 inline constexpr int most_across_implicit = 500;  // particles
 
-// Backward Euler, stable on any springs without substeps: what is fast for the step is damped. The
-// energy of free motion never grows. Of ribbons of at most most_across_implicit.
+// Backward Euler, stable on any springs without substeps: what is fast for the step, or for a part
+// of it, is damped. The energy of free motion never grows. Of ribbons of at most
+// most_across_implicit.
 std::unique_ptr<Integrator> implicit_euler(const SpringNetwork& springs,
                                            const MotionProperties& properties);
 

@@ -71,6 +71,7 @@ QuasiNewtonMatrix::QuasiNewtonMatrix(const SpringNetwork& network, double inerti
                                      const ArrayXd& heaviness)
     : grid_(network.grid),
       modes_(grid_.across),
+      heaviness_(heaviness.size() > 0 ? heaviness : ArrayXd::Ones(grid_.along)),
       bands_(modes_.four_count(), BlockBand(grid_.along)),
       amplitudes_(modes_.four_count(), std::vector<FourVectors>(grid_.along)) {
   double stiffness = 0;
@@ -88,8 +89,12 @@ QuasiNewtonMatrix::QuasiNewtonMatrix(const SpringNetwork& network, double inerti
       springs.resistance.resize(grid_.along);
     }
   }
-  inertia_ = ArrayXd::Constant(grid_.along, std::max(inertia, 8 * least_inertia * stiffness));
-  if (heaviness.size() > 0) inertia_ *= heaviness;
+  least_inertia_ = 8 * least_inertia * stiffness;
+  set_inertia(inertia);
+}
+
+void QuasiNewtonMatrix::set_inertia(double inertia) {
+  inertia_ = std::max(inertia, least_inertia_) * heaviness_;
 }
 
 void QuasiNewtonMatrix::factor(const MatrixX3d& positions) {

@@ -27,6 +27,9 @@ class QuasiNewtonMatrix {
   QuasiNewtonMatrix(const SpringNetwork& network, double inertia,
                     const Eigen::ArrayXd& heaviness = {});
 
+  // From the next factor() on.
+  void set_inertia(double inertia);
+
   // Of the springs as they lie between particles (particles x 3) that are there.
   void factor(const Eigen::MatrixX3d& positions);
 
@@ -47,7 +50,9 @@ class QuasiNewtonMatrix {
 
   RibbonGrid grid_;
   CosineModes modes_;
-  Eigen::ArrayXd inertia_;  // of each row
+  Eigen::ArrayXd heaviness_;  // of each row
+  double least_inertia_ = 0;  // beside the springs
+  Eigen::ArrayXd inertia_;    // of each row
   std::vector<Springs> springs_;
   // Of each four of modes:
   std::vector<BlockBand> bands_;

@@ -26,4 +26,9 @@ double worst_strain(const RibbonGrid& grid, const SpringFamily& family,
 // shorten wherever cloth folds: that is no strain.
 double worst_strain(const SpringNetwork& springs, const Eigen::Matrix3Xd& positions);
 
+// By how much of their length the edges along the ribbon change in a second, in the root mean
+// square: they stretch, shrink and turn. velocities: 3 x particles, m/s.
+double change_per_s(const RibbonGrid& grid, const Eigen::Matrix3Xd& positions,
+                    const Eigen::Matrix3Xd& velocities);
+
 }  // namespace ribbon

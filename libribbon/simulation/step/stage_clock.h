@@ -33,6 +33,7 @@ struct StageSums {
   std::int64_t detections = 0;
   std::int64_t listed_pairs = 0;  // of features, by all detections
   std::int64_t sweeps = 0;        // of the strain correction over all edges
+  std::int64_t parts = 0;         // of steps, that were integrated
 };
 
 // At any time one stage, or none, is charged: the one of the StageTimer that was started last.
@@ -43,6 +44,7 @@ class StageClock {
     sums_.listed_pairs += static_cast<std::int64_t>(pairs);
   }
   void count_sweeps(int sweeps) { sums_.sweeps += sweeps; }
+  void count_parts(int parts) { sums_.parts += parts; }
 
   // Since the last reset.
   [[nodiscard]] const StageSums& sums() const { return sums_; }

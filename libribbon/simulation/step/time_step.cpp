@@ -20,6 +20,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int most_eased_attempts = 10;  // of one step: with a thousandth of the force at last
+constexpr double most_change = 0.03;     // of an edge's length, in a part of a step
 
 }  // namespace
 
@@ -40,6 +41,8 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
 // at last from rest. If nothing helps, the ribbon stays where it is.
 StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
   before_step_ = cloth;
+  if (integrator_->method() == IntegrationMethod::implicit)
+    integrator_->divide_steps(parts_for(bodies.grid, cloth));
   int gates = gates_for(cloth);
   for (int eased_attempts = 0;; gates = std::min(2 * gates, substeps())) {
     const StepReport report =
@@ -87,6 +90,14 @@ StepReport TimeStep::correct_as_published(const Matrix3Xd& before, Bodies& bodie
     any_collision = repel(detect(before, bodies, cloth), before, bodies, cloth);  // section 5.4
   correct_strain(cloth);                                                          // section 5.5
   return recover(bodies, cloth);                                                  // section 5.6
+}
+
+// Contact and strain answer to each part of a step. The more the ways of neighbours differ, the
+// more there is to answer to, and one long part leaves more than many sweeps can pass on.
+int TimeStep::parts_for(const RibbonGrid& grid, const Cloth& cloth) const {
+  const double change = step_s_ * change_per_s(grid, cloth.positions, cloth.velocities);
+  const double most = integrator_->most_substeps();
+  return static_cast<int>(std::max(1.0, std::min(std::ceil(change / most_change), most)));
 }
 
 // The farther the particles go, the more their ways differ and the more of them could meet: where
@@ -164,6 +175,7 @@ void TimeStep::follow_with(Hands& hands, const Cloth& cloth) {
 void TimeStep::integrate(const Matrix3Xd& force, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::integration);
   integrator_->displace(force, cloth);
+  clock_.count_parts(substeps());
 }
 
 void TimeStep::hold_force(const Matrix3Xd& force, const Cloth& cloth) {
@@ -174,6 +186,7 @@ void TimeStep::hold_force(const Matrix3Xd& force, const Cloth& cloth) {
 void TimeStep::integrate_substep(Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::integration);
   integrator_->displace_in_substep(cloth);
+  clock_.count_parts(1);
 }
 
 std::vector<FeaturePair> TimeStep::detect(const Matrix3Xd& before, Bodies& bodies,

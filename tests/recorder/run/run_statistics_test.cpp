@@ -15,9 +15,9 @@ RunStatistics example() {
   statistics.add(
       {.time_s = 1, .worst_strain = 0.1, .penetrating_edges = 2, .recovery_iterations = 7});
   statistics.integrator = "rk4";
-  statistics.substeps = 4;
   statistics.steps = 100;
   statistics.computed_steps = 100;
+  statistics.stages.parts = 400;
   statistics.simulation_s = 4;
   statistics.bytes = 160;
   return statistics;
@@ -37,6 +37,7 @@ TEST(RunStatistics, keep_the_worst_and_the_last) {
 
 TEST(RunStatistics, of_a_run_that_did_nothing_divide_by_nothing) {
   EXPECT_EQ(RunStatistics{}.steps_per_second(), 0);
+  EXPECT_EQ(RunStatistics{}.substeps(), 0);
   EXPECT_EQ(RunStatistics{}.bits_per_vertex_and_frame(), 0);
 }
 
@@ -61,7 +62,7 @@ TEST(RunStatistics, tell_where_the_time_went) {
   // By hand: 5 s in all, so detection takes 40 % and 20 ms of each of 100 steps.
   EXPECT_EQ(
       profile_text(statistics),
-      "a step, 100 times, by rk4 in 4 parts:\n"
+      "a step, 100 times, by rk4 in 4.0 parts:\n"
       "  fastening force     2.0 %      1.000 ms\n"
       "  integration         8.0 %      4.000 ms\n"
       "  detection          40.0 %     20.000 ms\n"

@@ -397,6 +397,35 @@ TEST(Integrator, implicit_is_stable_everywhere) {
                          1 + 1e-11);
 }
 
+TEST(Integrator, implicit_divides_a_step_as_if_it_were_so_much_shorter) {
+  Band whole;
+  whole.taper();
+  whole.throw_it();
+  whole.air_resistance_per_s = 2;
+  whole.gravity_m_s2 = Vector3d(0, -9.81, 0);
+  Band parts = whole;
+  whole.advance(IntegrationMethod::implicit, 0.01, 8);
+  const auto divided = parts.integrator(IntegrationMethod::implicit, 0.04);
+  EXPECT_EQ(divided->substeps(), 1);
+  for (int step = 0; step < 2; ++step) {
+    divided->divide_steps(2 + 2 * step);
+    divided->divide_steps(4);
+    divided->displace(parts.force, parts.cloth);
+  }
+  EXPECT_EQ(divided->substeps(), 4);
+  EXPECT_EQ(parts.cloth.positions, whole.cloth.positions);
+  EXPECT_EQ(parts.cloth.velocities, whole.cloth.velocities);
+}
+
+TEST(Integrator, explicit_schemes_divide_steps_by_what_is_stable_alone) {
+  for (const auto method : {IntegrationMethod::rk4, IntegrationMethod::symplectic_euler}) {
+    const auto integrator = Band().integrator(method, 0.01);
+    const int stable = integrator->substeps();
+    integrator->divide_steps(stable + 1);
+    EXPECT_EQ(integrator->substeps(), stable);
+  }
+}
+
 TEST(Integrator, implicit_opens_a_ribbon_that_lies_in_one_point) {
   Band band(1e6, 1);
   band.cloth.positions.setZero();

@@ -27,4 +27,15 @@ TEST(EdgeStrain, is_above_zero_where_an_edge_is_stretched_and_below_where_it_has
   EXPECT_DOUBLE_EQ(edge_strain({1, 0, 8}, 1, 0, x), -0.375);
 }
 
+// By hand, of two edges along of 0.5 and 1.2 m, whose ends part at 3 and 4 m/s.
+TEST(EdgeStrain, changes_by_how_differently_neighbours_along_the_ribbon_move) {
+  Matrix3Xd x(3, 4);
+  x << 0, 0, 0.5, 1.2, 0, 9, 0, 9, 0, 0, 0, 0;
+  Matrix3Xd v = Matrix3Xd::Constant(3, 4, 100);
+  v.col(2) += Eigen::Vector3d(0, 3, 0);
+  v.col(3) += Eigen::Vector3d(0, 0, -4);
+  EXPECT_DOUBLE_EQ(change_per_s({2, 2}, x, v), 5 / 1.3);
+  EXPECT_EQ(change_per_s({2, 2}, x, Matrix3Xd::Constant(3, 4, 100)), 0);
+}
+
 }  // namespace ribbon::edge_strain_test

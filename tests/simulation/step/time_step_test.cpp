@@ -65,4 +65,24 @@ TEST(TimeStep, stiffer_springs_divide_the_step_into_more_parts) {
   EXPECT_GT(band.time_step(1).integrator().substeps(), 3 * few);
 }
 
+// Into as many parts as the implicit scheme divides it for a band that flies off and turns.
+int parts_of_a_step(double speed_m_s, double turn_rad_s) {
+  Band band;
+  band.scene.time.integrator = IntegrationMethod::implicit;
+  TimeStep time_step = band.time_step(1);
+  band.cloth.velocities.row(0).setConstant(speed_m_s);
+  band.cloth.velocities.row(1) += turn_rad_s * band.cloth.positions.row(2);
+  band.cloth.velocities.row(2) -= turn_rad_s * band.cloth.positions.row(1);
+  time_step.take(nullptr, band.bodies, band.cloth);
+  return time_step.integrator().substeps();
+}
+
+TEST(TimeStep, of_the_implicit_scheme_is_divided_where_neighbours_move_differently) {
+  EXPECT_EQ(parts_of_a_step(0, 0), 1);
+  EXPECT_EQ(parts_of_a_step(20, 0), 1);
+  EXPECT_EQ(parts_of_a_step(0, 1), 1);  // 1 % of an edge in a step
+  EXPECT_GE(parts_of_a_step(0, 10), 2);
+  EXPECT_EQ(parts_of_a_step(0, 100), 8);
+}
+
 }  // namespace ribbon::time_step_test
