@@ -1,9 +1,10 @@
 // Backward Euler as the minimum of inertia plus energy, found by a quasi-Newton method (Liu,
 // Bouaziz and Kavan, "Quasi-Newton methods for real-time simulation of hyperelastic materials",
 // 2017): a matrix that is quickly solved stands for the second derivatives, and L-BFGS corrects
-// it. Theirs is constant; ours is made anew for each step, of the springs as they lie.
+// it. Theirs is constant; ours is made anew each time, of the springs as they lie.
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -106,7 +107,7 @@ class ImplicitEuler final : public Integrator {
     inertia_ = properties_.particle_mass_kg / slowed_ / part_s / part_s;
   }
 
-  // A displacement over the step, the objective there and its gradient.
+  // A displacement over the part of a step, the objective there and its gradient.
   struct Iterate : LbfgsHistory::Place {
     double elastic_j = 0;
     double objective_j = 0;
@@ -116,6 +117,7 @@ class ImplicitEuler final : public Integrator {
   // v' = v + h (F(x') / m - c v') and x' = x + h v' together: x' - x is the displacement where the
   // objective is least. The centre of mass moves as without springs, which is known beforehand.
   void advance(double h) override {
+    assert(h == part_s_);
     inertial_ = h * state_.velocities;
     if (state_.accelerations.rows() > 0) inertial_ += h * h * state_.accelerations;
     inertial_ *= slowed_;
@@ -252,7 +254,7 @@ class ImplicitEuler final : public Integrator {
   LbfgsHistory history_;
   Iterate current_;
   Iterate trial_;
-  double undeformed_j_ = 0;  // the energy of the springs before the step
+  double undeformed_j_ = 0;  // the energy of the springs before it
   MatrixX3d inertial_;       // where inertia, gravity and the fastening force alone would lead
   MatrixX3d expected_;       // where the last velocities would
   MatrixX3d before_;         // velocities

@@ -59,16 +59,17 @@ class Integrator {
 
   [[nodiscard]] virtual IntegrationMethod method() const = 0;
 
-  // Into how many parts it divides a step to stay stable on its springs and in its air, however the
-  // ribbon lies.
+  // Into how many parts it divides a step: an explicit scheme as many as keep it stable on its
+  // springs and in its air, however the ribbon lies; the implicit one as divide_steps() said last.
   [[nodiscard]] int substeps() const { return substeps_; }
 
   // Divides the steps that follow into so many parts, as far as stability leaves it the choice: the
   // implicit scheme alone, which begins with 1.
   virtual void divide_steps(int /*parts*/) {}
 
-  // Into how many it may. Contact acts once a step, the springs in each part: springs that swing
-  // many times between two contacts turn what contact strains into motion, without a bound.
+  // Into how many it may. Of explicit schemes: contact acts once a step, the springs in each part:
+  // springs that swing many times between two contacts turn what contact strains into motion,
+  // without a bound.
   [[nodiscard]] int most_substeps() const { return most_substeps_; }
   [[nodiscard]] bool takes_the_springs() const { return substeps_ <= most_substeps_; }
 

@@ -48,13 +48,14 @@ bool are_few(const StrainedEdges& edges, const RibbonGrid& grid) {
   return 100L * edges.count <= strained_edges_percent * all;
 }
 
-// An edge that is far too long and stays so is held apart by what it cannot pass: no step helps.
+// An edge that is far too long and stays so is held apart by what it cannot pass, as a row is that
+// has been led round an obstacle to both sides.
 class TornEdge {
  public:
   bool remains(const StrainedEdges& edges) {
     const bool nears = edges.worst < (1 - noticeable) * least_;
     in_vain_ = nears ? 0 : in_vain_ + 1;
-    least_ = std::min(least_, edges.worst);
+    if (nears) least_ = edges.worst;
     return edges.worst > torn_strain && in_vain_ >= vain_steps;
   }
 

@@ -31,8 +31,8 @@ struct GrowthReport {
 // steps without force, at rest before each, until it has settled: until at most 1 % of its edges,
 // along and across, are off their rest length by more than 15 %. At its full width it goes on,
 // within the same number of steps, until none is. Ends early where it does not settle: it has no
-// room, or an edge is held apart for good. All motion passes the contact of the scene, which must
-// be the gate.
+// room, or its worst edge stays torn for some steps. All motion passes the contact of the scene,
+// which must be the gate.
 GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fraction,
                         const StartObserver& observer, Bodies& bodies, Cloth& cloth);
 

@@ -33,7 +33,7 @@ struct StageSums {
   std::int64_t detections = 0;
   std::int64_t listed_pairs = 0;  // of features, by all detections
   std::int64_t sweeps = 0;        // of the strain correction over all edges
-  std::int64_t parts = 0;         // of steps, that were integrated
+  std::int64_t parts = 0;         // into which steps were divided
 };
 
 // At any time one stage, or none, is charged: the one of the StageTimer that was started last.

@@ -28,6 +28,7 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
   StepReport report = contact_ == ContactMethod::paper
                           ? advance(fastening_force(hands, cloth), bodies, cloth)
                           : advance_within_limit(hands, bodies, cloth);
+  clock_.count_parts(substeps());
   cloth.round_velocities();
   if (hands == nullptr) return report;
   follow_with(*hands, cloth);
@@ -175,7 +176,6 @@ void TimeStep::follow_with(Hands& hands, const Cloth& cloth) {
 void TimeStep::integrate(const Matrix3Xd& force, Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::integration);
   integrator_->displace(force, cloth);
-  clock_.count_parts(substeps());
 }
 
 void TimeStep::hold_force(const Matrix3Xd& force, const Cloth& cloth) {
@@ -186,7 +186,6 @@ void TimeStep::hold_force(const Matrix3Xd& force, const Cloth& cloth) {
 void TimeStep::integrate_substep(Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::integration);
   integrator_->displace_in_substep(cloth);
-  clock_.count_parts(1);
 }
 
 std::vector<FeaturePair> TimeStep::detect(const Matrix3Xd& before, Bodies& bodies,

@@ -45,7 +45,8 @@ class TimeStep {
   // within the limit of strain, if it was so before.
   StepReport take(Hands* hands, Bodies& bodies, Cloth& cloth);
 
-  // Likewise, under a force that is given (3 x particles, N, or no columns for none).
+  // Likewise, under a force that is given (3 x particles, N, or no columns for none), in one part
+  // of the implicit scheme.
   StepReport advance(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
 
   // What follows the integration: cloth.positions are where displacement from `before` (3 x

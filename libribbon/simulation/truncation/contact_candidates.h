@@ -96,10 +96,12 @@ class ApproachingPairs {
   void measure(const ContactCandidates& candidates, const Eigen::Matrix3Xd& positions,
                const Eigen::Matrix3Xd& displacement);
 
-  bool has_gone_ = false;             // has any particle, since the detection?
-  Eigen::Matrix3Xd gone_;             // by each particle
-  std::vector<double> moved_m_;       // that, and what it is to be displaced by
-  std::vector<double> rooms_m_;       // of the pairs: by so much their displacements may differ
+  bool has_gone_ = false;        // has any particle, since the detection?
+  Eigen::Matrix3Xd gone_;        // by each particle
+  std::vector<double> moved_m_;  // that, and what it is to be displaced by
+  // Of the pairs: by so much their displacements may differ; infinite where none that is as short
+  // as in find() can differ by too much.
+  std::vector<double> rooms_m_;
   std::vector<char> is_approaching_;  // of the pairs
   std::vector<std::size_t> found_;
 };

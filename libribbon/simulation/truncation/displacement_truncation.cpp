@@ -19,13 +19,13 @@ constexpr double roomy = 1 + 1e-4;
 using Eigen::Matrix3Xd;
 
 constexpr std::size_t particles_at_a_time = 1024;
-constexpr int bounded = std::numeric_limits<int>::max();  // later than all rounds
+constexpr int bounded = std::numeric_limits<int>::max();  // looked at last, after all rounds
 
 }  // namespace
 
 // Pairs whose vertices move together stay apart by themselves. So first the others are bounded, and
-// then, until no more particles are truncated, those whose vertices no longer move together because
-// one of them was.
+// then, until no fraction falls any more, those whose vertices no longer move together because one
+// of them was truncated.
 void DisplacementTruncation::find_least_fractions(const Motion& motion,
                                                   const Matrix3Xd& positions) {
   const ContactCandidates& candidates = motion.candidates;
@@ -69,7 +69,7 @@ void DisplacementTruncation::bound(const Motion& motion, std::span<const std::si
 
 void DisplacementTruncation::lower(int particle, double fraction) {
   double& least = fractions_[particle];
-  if (fraction >= least) return;
+  if (!(fraction < least)) return;
   least = fraction;
   if (is_lowered_[particle] == 0) lowered_.push_back(particle);
   is_lowered_[particle] = 1;

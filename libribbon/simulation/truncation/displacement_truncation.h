@@ -73,7 +73,7 @@ class DisplacementTruncation {
   std::vector<double> fractions_;  // of its displacement, that each particle may go
   Eigen::Matrix3Xd allowed_;       // what these leave of the displacements
   std::vector<Eigen::Vector4d> of_pair_;
-  std::vector<int> last_looked_at_;  // the pairs, in this round; the last one when they are bounded
+  std::vector<int> last_looked_at_;  // the round in which each pair was; -1: in none
   std::vector<int> lowered_;         // particles whose fractions were, in the present round
   std::vector<char> is_lowered_;     // is the particle one of them?
   std::vector<int> taken_;           // those of the round before
