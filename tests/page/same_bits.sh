@@ -46,6 +46,7 @@ for integrator in symplectic_euler rk4 implicit; do
 done
 same 150 overhand-small-object-8x400.toml "${coarse[@]}"
 same 60 overhand-hanging-8x400.toml "${coarse[@]}"
+same 60 overhand-hanging-8x400.toml "${coarse[@]}" time.integrator=implicit
 same 40 overhand-cylinder-8x400.toml
 same 10 gallery/bow.toml
 same 40 gallery/tapered.toml
