@@ -100,16 +100,13 @@ std::vector<DrawnPassage> drawn_passages(const MeasuredDrawing& drawing,
   std::vector<double> lengths;
   lengths.reserve(all.size());
   for (const CountedPassage& passage : all) lengths.push_back(drawing.length_at(passage.parameter));
+  constexpr double free = std::numeric_limits<double>::infinity();
   std::vector<DrawnPassage> drawn;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const bool is_first = i == 0;
-    const bool is_last = i + 1 == lengths.size();
-    const double before = is_first ? lengths[i] : lengths[i] - lengths[i - 1];
-    const double after = (is_last ? drawing.length() : lengths[i + 1]) - lengths[i];
-    const double room = std::min(before, after);
-    // A number may stand beyond the ends.
-    const double free = std::numeric_limits<double>::infinity();
-    const double room_of_letter = std::min(is_first ? free : before, is_last ? free : after);
+    const double before = i == 0 ? free : lengths[i] - lengths[i - 1];
+    const double after = i + 1 == lengths.size() ? free : lengths[i + 1] - lengths[i];
+    const double room_of_letter = std::min(before, after);  // which may stand beyond the ends
+    const double room = std::min({room_of_letter, lengths[i], drawing.length() - lengths[i]});
     const bool is_under = !all[i].of_object && !passages[all[i].index].over;
     drawn.push_back(
         {lengths[i],

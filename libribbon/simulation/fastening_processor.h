@@ -66,8 +66,8 @@ class FasteningProcessor {
   [[nodiscard]] const StartReport& start() const;
 
   // What computes the displacement of a step: what the scene names or, where it names nothing, what
-  // suits its springs. And into how many parts that divided the last step; 1 before the
-  // first one of the implicit scheme.
+  // suits its springs. And into how many parts that divided the last step; 1 before the first one
+  // of the implicit scheme.
   [[nodiscard]] IntegrationMethod integrator() const;
   [[nodiscard]] int substeps() const;
 

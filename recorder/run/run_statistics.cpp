@@ -24,10 +24,13 @@ double RunStatistics::steps_per_second() const {
   return simulation_s > 0 ? static_cast<double>(computed_steps) / simulation_s : 0;
 }
 
+double RunStatistics::per_step(std::int64_t count) const {
+  return static_cast<double>(count) /
+         static_cast<double>(std::max(std::int64_t{1}, computed_steps));
+}
+
 double RunStatistics::substeps() const {
-  return computed_steps > 0
-             ? static_cast<double>(stages.parts) / static_cast<double>(computed_steps)
-             : 0;
+  return per_step(stages.parts);
 }
 
 double RunStatistics::share_of_recording() const {
@@ -124,15 +127,12 @@ std::string profile_text(const RunStatistics& statistics) {
           profile_line("encoding", statistics.beside_it.writer.encoding_s, all_s, frames) +
           profile_line("writing", statistics.beside_it.writer.writing_s, all_s, frames) +
           profile_line("syncing", statistics.beside_it.writer.syncing_s, all_s, frames);
-  const auto per_step = [&](std::int64_t count) {
-    return static_cast<double>(count) /
-           static_cast<double>(std::max(std::int64_t{1}, statistics.computed_steps));
-  };
   const StageSums& sums = statistics.stages;
   return text + filled_in(
                     "in a step {:.2f} detections, {:.0f} pairs of features listed, {:.1f} "
                     "sweeps over all edges\n",
-                    per_step(sums.detections), per_step(sums.listed_pairs), per_step(sums.sweeps));
+                    statistics.per_step(sums.detections), statistics.per_step(sums.listed_pairs),
+                    statistics.per_step(sums.sweeps));
 }
 
 std::string summary_line(const RunStatistics& statistics) {

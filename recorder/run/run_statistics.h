@@ -48,6 +48,8 @@ struct RunStatistics {
 
   void add(const FrameNumbers& frame);
   [[nodiscard]] double steps_per_second() const;
+  // Of a count over all steps that this run computed.
+  [[nodiscard]] double per_step(std::int64_t count) const;
   // Into how many parts a step was divided, in the mean.
   [[nodiscard]] double substeps() const;
   // Of the wall time of this run.

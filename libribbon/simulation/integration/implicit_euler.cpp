@@ -4,7 +4,6 @@
 // it. Theirs is constant; ours is made anew each time, of the springs as they lie.
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -87,7 +86,7 @@ class ImplicitEuler final : public Integrator {
       : Integrator(springs, properties, 1, most_parts),
         masses_(properties.lightness),
         history_(springs_.empty() ? 0 : springs.grid.particle_count()) {
-    set_part(properties.step_s);
+    take_substep();
     if (!springs_.empty()) matrix_.emplace(springs, inertia_, masses_.of_rows(springs.grid));
   }
 
@@ -96,18 +95,17 @@ class ImplicitEuler final : public Integrator {
   void divide_steps(int parts) override {
     if (parts == substeps()) return;
     set_substeps(parts);
-    set_part(properties_.step_s / parts);
+    take_substep();
     if (matrix_) matrix_->set_inertia(inertia_);
   }
 
  private:
-  void set_part(double part_s) {
-    part_s_ = part_s;
-    slowed_ = 1 / (1 + part_s * properties_.air_resistance_per_s);
-    inertia_ = properties_.particle_mass_kg / slowed_ / part_s / part_s;
+  void take_substep() {
+    slowed_ = 1 / (1 + substep_s() * properties_.air_resistance_per_s);
+    inertia_ = properties_.particle_mass_kg / slowed_ / substep_s() / substep_s();
   }
 
-  // A displacement over the part of a step, the objective there and its gradient.
+  // A displacement over the substep, the objective there and its gradient.
   struct Iterate : LbfgsHistory::Place {
     double elastic_j = 0;
     double objective_j = 0;
@@ -117,7 +115,6 @@ class ImplicitEuler final : public Integrator {
   // v' = v + h (F(x') / m - c v') and x' = x + h v' together: x' - x is the displacement where the
   // objective is least. The centre of mass moves as without springs, which is known beforehand.
   void advance(double h) override {
-    assert(h == part_s_);
     inertial_ = h * state_.velocities;
     if (state_.accelerations.rows() > 0) inertial_ += h * h * state_.accelerations;
     inertial_ *= slowed_;
@@ -177,7 +174,7 @@ class ImplicitEuler final : public Integrator {
   // Begins where the last velocities lead, or without deformation where that is lower.
   void start() {
     const RowVector3d mean = masses_.centre(inertial_);
-    expected_ = part_s_ * state_.velocities;
+    expected_ = substep_s() * state_.velocities;
     masses_.set_centre(mean, expected_);
     current_.displacement = mean.replicate(inertial_.rows(), 1);
     evaluate(current_);
@@ -239,15 +236,15 @@ class ImplicitEuler final : public Integrator {
     double energy_j = undeformed_j_ + m / 2 * masses_.sum_of_squares(before_);
     energy_j += energy_rounding * energy_j;
     if (state_.accelerations.rows() > 0)
-      energy_j += m * part_s_ * masses_.sum_of_products(state_.accelerations, state_.velocities);
+      energy_j +=
+          m * substep_s() * masses_.sum_of_products(state_.accelerations, state_.velocities);
     const double left_j = std::max(0.0, energy_j - current_.elastic_j);
     const double kinetic_j = m / 2 * masses_.sum_of_squares(state_.velocities);
     if (kinetic_j > left_j) state_.velocities *= std::sqrt(left_j / kinetic_j);
     state_.velocities.rowwise() += mean;
   }
 
-  double part_s_ = 0;   // of a step
-  double slowed_ = 0;   // the fraction of its velocity that the air leaves a particle in a part
+  double slowed_ = 0;   // the fraction of its velocity that the air leaves a particle in a substep
   double inertia_ = 0;  // N/m, of one particle of mean mass
   Masses masses_;
   std::optional<QuasiNewtonMatrix> matrix_;

@@ -47,7 +47,7 @@ void Integrator::displace_in_substep(Cloth& cloth) {
     state_.velocities.middleRows(first, count) =
         cloth.velocities.middleCols(first, count).transpose();
   });
-  const double h = properties_.step_s / substeps_;
+  const double h = substep_s();
   advance(h);
   if (damping_) damping_->apply(h, state_.positions, state_.velocities);
   for_each_particle_run(cloth.particle_count(), [&](Eigen::Index first, Eigen::Index count) {

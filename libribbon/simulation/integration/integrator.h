@@ -81,6 +81,7 @@ class Integrator {
   virtual void advance(double h) = 0;
 
   void set_substeps(int substeps) { substeps_ = substeps; }
+  [[nodiscard]] double substep_s() const { return properties_.step_s / substeps_; }
 
   // Overwrites `forces` (particles x 3, N) with those that would accelerate particles of mean mass
   // as the springs do.

@@ -54,10 +54,10 @@ double change_per_s(const RibbonGrid& grid, const Matrix3Xd& positions,
                     const Matrix3Xd& velocities) {
   double squared_lengths = 0;
   double squared_speeds = 0;
-  for (int a = 0, b = grid.across; b < grid.particle_count(); ++a, ++b) {
+  for_each_spring(grid, {.rows = 1, .columns = 0}, [&](int a, int b) {
     squared_lengths += squared_length_of(positions.col(b) - positions.col(a));
     squared_speeds += squared_length_of(velocities.col(b) - velocities.col(a));
-  }
+  });
   return std::sqrt(squared_speeds / squared_lengths);
 }
 
