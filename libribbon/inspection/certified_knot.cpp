@@ -26,32 +26,48 @@ KnotCertifier::KnotCertifier(const RibbonGrid& grid, std::optional<RibbonPart> p
       expected_(std::move(expected)) {}
 
 void KnotCertifier::follow(int index, const Eigen::Matrix3Xf& positions, bool certify_it) {
-  watch(part_ ? part_->positions(grid_, positions) : positions);
+  watch(index, part_ ? part_->positions(grid_, positions) : positions);
   followed_ = index;
-  if (certify_it || certified_ < 0) certify();
+  if (certify_it || certified_ < 0) certify(index, witness_.certificate());
 }
 
-void KnotCertifier::watch(Eigen::Matrix3Xf positions) {
+void KnotCertifier::watch(int index, Eigen::Matrix3Xf positions) {
   witness_.follow(positions);
-  if (known_) {
-    const float moved_m = (positions - positions_).colwise().norm().maxCoeff();
-    known_->moved_m = std::max(known_->moved_m, static_cast<double>(moved_m));
+  const double moved_m =
+      followed_ < 0 ? 0 : static_cast<double>((positions - positions_).colwise().norm().maxCoeff());
+  if (known_) known_->moved_m = std::max(known_->moved_m, moved_m);
+  if (witness_.is_buried() && !result_.buried_since) {
+    result_.buried_since = index + 1;
+    if (witness_.last_closed()) {
+      last_closed_ = followed_;
+      if (certified_ < followed_) certify(followed_, *witness_.last_closed());
+    }
   }
+  if (witness_.may_have_passed() && !result_.may_have_passed)
+    result_.may_have_passed = {followed_ + 1, index + 1, moved_m};
   positions_ = std::move(positions);
 }
 
-void KnotCertifier::certify() {
-  KnotCertificate certificate = witness_.certificate();
+// Is it known, or carried on from the last one that was, or from a first frame of which nobody
+// knows?
+bool KnotCertifier::tells_the_knot(const KnotCertificate& certificate) const {
+  if (certificate.is_known()) return true;
+  const bool closed_is_known = !last_closed_ || (known_ && known_->index >= *last_closed_);
+  return certificate.is_carried_on() && closed_is_known;
+}
+
+void KnotCertifier::certify(int index, KnotCertificate certificate) {
   if (certified_ < 0) result_.certificate = certificate.text();
-  certified_ = followed_;
+  certified_ = index;
   ++result_.certified_frames;
   if (!expected_.empty() && !is_called(certificate, expected_)) ++result_.unexpected_frames;
-  if (!certificate.is_known()) {
+  if (!tells_the_knot(certificate)) {
     ++result_.uncertain_frames;
     return;
   }
-  if (known_ && certificate != known_->certificate) {
-    CertificateChange change{known_->index + 1, followed_ + 1, known_->certificate.text(),
+  if (!certificate.is_known()) ++result_.buried_frames;
+  if (known_ && certificate.contradicts(known_->certificate)) {
+    CertificateChange change{known_->index + 1, index + 1, known_->certificate.text(),
                              certificate.text(), known_->moved_m};
     if (turned_ends_explain(certificate)) {
       ++result_.uncertain_frames;
@@ -60,18 +76,18 @@ void KnotCertifier::certify() {
     }
     result_.changes.push_back(std::move(change));
   }
-  known_ = {followed_, std::move(certificate), witness_.wide_turns()};
+  known_ = {index, std::move(certificate), witness_.wide_turns()};
 }
 
-// Both are known.
+// They contradict each other.
 bool KnotCertifier::turned_ends_explain(const KnotCertificate& certificate) const {
-  return certificate.equals_but_for_twist(known_->certificate) &&
+  return certificate.is_known() && certificate.equals_but_for_twist(known_->certificate) &&
          std::abs(*certificate.selvage_linking - *known_->certificate.selvage_linking) <=
              witness_.wide_turns() - known_->wide_turns;
 }
 
 CertifiedKnot KnotCertifier::finish() {
-  if (followed_ > certified_) certify();
+  if (followed_ > certified_) certify(followed_, witness_.certificate());
   return std::move(result_);
 }
 

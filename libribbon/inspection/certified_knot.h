@@ -22,15 +22,27 @@ struct CertificateChange {
   double moved_m = 0;  // the farthest that a particle went from one frame to the next meanwhile
 };
 
+// Straight ways from one frame to the next do not show that nothing passed through anything.
+struct FarMove {
+  int frame_before = 0;
+  int frame_after = 0;
+  double moved_m = 0;  // the farthest that a particle went
+};
+
 struct CertifiedKnot {
   std::string certificate;  // of the first frame that could be read; empty: none could
   int certified_frames = 0;
+  // Of these, where no closure tells knot and twist, for an end is buried, but where they are what
+  // they were before: nothing has passed through anything.
+  int buried_frames = 0;
   int uncertain_frames = 0;   // of these, where knot or twist could not be known
   int unexpected_frames = 0;  // of these, where it was another than the one expected
   std::vector<CertificateChange> changes;
   // Where first an end may have turned the longer way between frames, so that the twist is not
   // known.
   std::optional<CertificateChange> turned_too_far;
+  std::optional<int> buried_since;         // the frame in which first an end is buried
+  std::optional<FarMove> may_have_passed;  // the first since then
 };
 
 class KnotCertifier {
@@ -57,8 +69,9 @@ class KnotCertifier {
     double moved_m = 0;  // since then, as CertificateChange has it
   };
 
-  void watch(Eigen::Matrix3Xf positions);
-  void certify();
+  void watch(int index, Eigen::Matrix3Xf positions);
+  void certify(int index, KnotCertificate certificate);
+  [[nodiscard]] bool tells_the_knot(const KnotCertificate& certificate) const;
   [[nodiscard]] bool turned_ends_explain(const KnotCertificate& certificate) const;
 
   RibbonGrid grid_;
@@ -68,7 +81,9 @@ class KnotCertifier {
   std::string expected_;
   int followed_ = -1;           // index of the frame followed last
   int certified_ = -1;          // and of the one certified last
-  std::optional<Known> known_;  // the last of which knot and twist are known
+  std::optional<Known> known_;  // the last that tells the knot
+  // index of the frame before the one in which first an end is buried; none: there is none
+  std::optional<int> last_closed_;
   CertifiedKnot result_;
 };
 

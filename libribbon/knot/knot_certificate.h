@@ -17,6 +17,9 @@ struct KnotCertificate {
   // to before cannot be known again.
   bool first_end_buried = false;
   bool last_end_buried = false;
+  // Since then two strands may have passed through each other between two frames: when all points
+  // move straight, they do, or nearly.
+  bool may_have_passed = false;
   // Some coordinate of a frame was infinite or not a number.
   bool broken_positions = false;
 
@@ -32,8 +35,19 @@ struct KnotCertificate {
   // The centre line, or the trail of one of its ends, has met the axis within the object exactly.
   bool object_met = false;
 
-  // Are knot and twist known? Otherwise equal certificates prove nothing.
+  // Are knot and twist known?
   [[nodiscard]] bool is_known() const { return jones && selvage_linking; }
+  // Though no closure tells them, are they what they were when the end got buried?
+  [[nodiscard]] bool is_carried_on() const {
+    return (first_end_buried || last_end_buried) && !may_have_passed && !broken_positions;
+  }
+  // Does it prove that something has passed through something since the earlier frame? Certificates
+  // that are neither known nor carried on prove nothing.
+  [[nodiscard]] bool contradicts(const KnotCertificate& earlier) const {
+    if (is_known() && earlier.is_known()) return *this != earlier;
+    return std::tie(turns_round_object, object_met) !=
+           std::tie(earlier.turns_round_object, earlier.object_met);
+  }
 
   // For people, on one line, such as "trefoil, right-handed (3 crossings); 1 turn round the object;
   // selvages linked 2 times".
@@ -42,10 +56,9 @@ struct KnotCertificate {
   bool operator==(const KnotCertificate&) const = default;
   // But for how often the selvages are linked.
   [[nodiscard]] bool equals_but_for_twist(const KnotCertificate& other) const {
-    return std::tie(first_end_buried, last_end_buried, broken_positions, jones, turns_round_object,
-                    object_met) == std::tie(other.first_end_buried, other.last_end_buried,
-                                            other.broken_positions, other.jones,
-                                            other.turns_round_object, other.object_met);
+    KnotCertificate twisted_as_other = *this;
+    twisted_as_other.selvage_linking = other.selvage_linking;
+    return twisted_as_other == other;
   }
 };
 

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <utility>
 
+#include "knot/motion/straight_motion.h"
 #include "knot/type/jones_polynomial.h"
 #include "knot/type/knot_diagram.h"
 #include "knot/type/simplify_curve.h"
@@ -16,6 +17,13 @@ LongCurve closed_far_away(const Eigen::Matrix3Xd& curve,
   for (const auto& point : curve.colwise()) result.push_back(ProjectivePoint::point(point));
   result.push_back(ProjectivePoint::direction(rays[1]));
   return result;
+}
+
+// Does straight motion show that the knot and the twist are what they were, wherever the ends are?
+bool nothing_passes(const RibbonCurves& before, const RibbonCurves& now) {
+  const MovingCurve centre_line{before.centre_line, now.centre_line};
+  return stays_clear_of_itself(centre_line) &&
+         stay_clear(centre_line, {before.beside_centre, now.beside_centre});
 }
 
 }  // namespace
@@ -32,14 +40,24 @@ void KnotWitness::follow(const Eigen::Matrix3Xf& positions) {
   if (broken_positions_) return;
   RibbonCurves now = ribbon_curves(grid_, positions);
   if (curves_) {
-    rays_.follow(*curves_, now);
-    selvages_.follow(*curves_, now, rays_.directions());
+    follow_motion(now);
   } else {
     rays_.start(now);
     selvages_.start(now, rays_.directions());
   }
   if (turns_) turns_->follow(centre_line(grid_, positions));
   curves_ = std::move(now);
+}
+
+void KnotWitness::follow_motion(const RibbonCurves& now) {
+  ClosingRays rays = rays_;
+  rays.follow(*curves_, now);
+  if (rays.any_buried() && !rays_.any_buried()) last_closed_ = certificate();
+  rays_ = rays;
+  if (!is_buried())
+    selvages_.follow(*curves_, now, rays_.directions());
+  else if (!may_have_passed_)
+    may_have_passed_ = !nothing_passes(*curves_, now);
 }
 
 KnotCertificate KnotWitness::certificate() const {
@@ -53,7 +71,8 @@ KnotCertificate KnotWitness::certificate() const {
     result.turns_round_object = turns_->turns();
     result.object_met = turns_->met();
   }
-  if (result.first_end_buried || result.last_end_buried) return result;
+  result.may_have_passed = may_have_passed_;
+  if (is_buried()) return result;
   result.selvage_linking = selvages_.number();
   const auto diagram =
       simple_diagram(simplified(closed_far_away(curves_->centre_line, rays_.directions())));

@@ -25,6 +25,13 @@ class KnotWitness {
   // frames, every particle is taken to move straight, and an end to turn the shorter way.
   void follow(const Eigen::Matrix3Xf& positions);
 
+  // Is an end buried, in the frame followed last or before?
+  [[nodiscard]] bool is_buried() const { return rays_.any_buried(); }
+  // Of the frame before that: the last that a closure tells. Nothing if there is none.
+  [[nodiscard]] const std::optional<KnotCertificate>& last_closed() const { return last_closed_; }
+  // As KnotCertificate has it.
+  [[nodiscard]] bool may_have_passed() const { return may_have_passed_; }
+
   // Of the frame followed last. Requires at least one.
   [[nodiscard]] KnotCertificate certificate() const;
 
@@ -36,11 +43,15 @@ class KnotWitness {
   [[nodiscard]] const std::optional<AxisTurns>& turns() const { return turns_; }
 
  private:
+  void follow_motion(const RibbonCurves& now);
+
   RibbonGrid grid_;
   std::optional<RibbonCurves> curves_;  // of the frame followed last
   ClosingRays rays_;
   SelvageLinking selvages_;
   std::optional<AxisTurns> turns_;
+  std::optional<KnotCertificate> last_closed_;
+  bool may_have_passed_ = false;
   bool broken_positions_ = false;
 };
 

@@ -81,12 +81,21 @@ Json change_json(const CertificateChange& change) {
           {"moved_m", change.moved_m}};
 }
 
+Json far_move_json(const FarMove& move) {
+  return {{"frame_before", move.frame_before},
+          {"frame_after", move.frame_after},
+          {"moved_m", move.moved_m}};
+}
+
 Json certified_json(const CertifiedKnot& knot) {
   Json changes = Json::list({});
   for (const CertificateChange& change : knot.changes) changes.add(change_json(change));
   return {{"certificate", knot.certified_frames > 0 ? Json(knot.certificate) : Json()},
           {"certified_frames", knot.certified_frames},
+          {"buried_frames", knot.buried_frames},
           {"uncertain_frames", knot.uncertain_frames},
+          {"buried_since", knot.buried_since},
+          {"may_have_passed", knot.may_have_passed ? far_move_json(*knot.may_have_passed) : Json()},
           {"turned_too_far", knot.turned_too_far ? change_json(*knot.turned_too_far) : Json()},
           {"changes", changes}};
 }

@@ -92,8 +92,24 @@ std::string strain_text(const Verification& verification) {
                    particle_text(header.grid, strain.second), strain_limit_text(verification));
 }
 
+std::string buried_text(const CertifiedKnot& knot) {
+  if (!knot.buried_since) return "";
+  const std::string buried =
+      filled_in("from frame {} on an end is buried in the ribbon; ", *knot.buried_since);
+  if (!knot.may_have_passed)
+    return report_line("", buried +
+                               "nothing has passed through anything since, though an end may "
+                               "have slipped out");
+  const auto& [before, after, moved_m] = *knot.may_have_passed;
+  return report_line(
+      "", buried + filled_in("something may have passed through something between frames {} and "
+                             "{}, where a particle went up to {:.2g} m; record more "
+                             "frames_per_second",
+                             before, after, moved_m));
+}
+
 std::string changes_text(const CertifiedKnot& knot) {
-  std::string text;
+  std::string text = buried_text(knot);
   const int known = knot.certified_frames - knot.uncertain_frames;
   const std::string certified = counted(known, "frame") + " certified";
   if (knot.uncertain_frames > 0)

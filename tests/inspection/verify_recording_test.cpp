@@ -127,6 +127,56 @@ TEST(Verify, a_turned_end_explains_no_other_change) {
   }
 }
 
+// A ball of ribbon whose hole closes over the end within, certified in every `every`-th frame.
+CertifiedKnot certified_balls(const std::vector<Eigen::Matrix3Xf>& frames, int every) {
+  KnotCertifier knot({700, 2}, {}, {}, "");
+  for (int frame = 0; frame < static_cast<int>(frames.size()); ++frame)
+    knot.follow(frame, frames[frame], frame % every == 0);
+  return knot.finish();
+}
+
+Eigen::Matrix3Xf ball(double hole_rad, double windings = 60, double twist_turns = 0) {
+  return ribbon_along(ball_with_hole(hole_rad, windings), 2, 0.01, twist_turns);
+}
+
+TEST(Verify, a_knot_whose_end_gets_buried_is_the_same_while_nothing_passes) {
+  const CertifiedKnot knot =
+      certified_balls({ball(0.6), ball(0.3), ball(0.02), ball(0.03), ball(0.02)}, 2);
+  EXPECT_EQ(knot.buried_since, 3);
+  EXPECT_EQ(knot.certified_frames, 4);  // 1, 2 (the last that is closed), 3, 5
+  EXPECT_EQ(knot.buried_frames, 2);
+  EXPECT_EQ(knot.uncertain_frames, 0);
+  EXPECT_TRUE(knot.changes.empty());
+  EXPECT_FALSE(knot.may_have_passed);
+}
+
+TEST(Verify, a_knot_whose_end_is_buried_from_the_first_is_the_same_while_nothing_passes) {
+  const CertifiedKnot knot = certified_balls({ball(0.02), ball(0.03)}, 1);
+  EXPECT_EQ(knot.buried_since, 1);
+  EXPECT_EQ(knot.buried_frames, 2);
+  EXPECT_EQ(knot.uncertain_frames, 0);
+}
+
+TEST(Verify, a_knot_whose_end_is_buried_is_not_known_once_something_may_have_passed) {
+  const CertifiedKnot knot =
+      certified_balls({ball(0.6), ball(0.02), ball(0.02, 50), ball(0.02, 50)}, 1);
+  EXPECT_EQ(knot.buried_frames, 1);
+  EXPECT_EQ(knot.uncertain_frames, 2);
+  ASSERT_TRUE(knot.may_have_passed);
+  EXPECT_EQ(knot.may_have_passed->frame_before, 2);
+  EXPECT_EQ(knot.may_have_passed->frame_after, 3);
+  EXPECT_NEAR(knot.may_have_passed->moved_m, 2, 0.1);
+}
+
+// Between the last certificate and the end's burial the closure alone would not be asked any more.
+TEST(Verify, what_passed_just_before_an_end_got_buried_is_found) {
+  const CertifiedKnot knot =
+      certified_balls({ball(0.6, 60, 5), ball(0.6), ball(0.02), ball(0.02)}, 100);
+  ASSERT_EQ(knot.changes.size(), 1U);
+  EXPECT_EQ(knot.changes[0].frame_before, 1);
+  EXPECT_EQ(knot.changes[0].frame_after, 2);
+}
+
 TEST(Verify, intersecting_frames_are_counted_and_the_worst_is_named) {
   const RecordingHeader header = sample_header();
   std::vector<Eigen::Matrix3Xd> frames(7, sample_positions(0));

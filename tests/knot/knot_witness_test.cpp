@@ -162,6 +162,37 @@ TEST(KnotWitness, a_broken_frame_is_said_and_remembered) {
   EXPECT_TRUE(witness.certificate().broken_positions);
 }
 
+Eigen::Matrix3Xf ball(double hole_rad, double windings = 60) {
+  return ribbon_along(ball_with_hole(hole_rad, windings), 2, 0.01);
+}
+
+KnotWitness of_an_end_that_gets_buried(const Eigen::Matrix3Xf& frame_after_that) {
+  KnotWitness witness({700, 2}, {});
+  for (const double hole_rad : {0.6, 0.58, 0.3, 0.1, 0.02}) witness.follow(ball(hole_rad));
+  witness.follow(frame_after_that);
+  return witness;
+}
+
+TEST(KnotWitness, what_a_buried_end_leaves_unknown_is_carried_on_by_straight_motion) {
+  const KnotWitness witness = of_an_end_that_gets_buried(ball(0.03));
+  const KnotCertificate certificate = witness.certificate();
+  EXPECT_TRUE(certificate.first_end_buried);
+  EXPECT_FALSE(certificate.is_known());
+  EXPECT_TRUE(certificate.is_carried_on());
+  ASSERT_TRUE(witness.last_closed());
+  EXPECT_TRUE(witness.last_closed()->is_known());
+  KnotWitness at_first({700, 2}, {});
+  at_first.follow(ball(0.6));
+  EXPECT_EQ(*witness.last_closed(), at_first.certificate());
+}
+
+TEST(KnotWitness, what_may_have_passed_meanwhile_is_not_carried_on) {
+  const KnotCertificate certificate = of_an_end_that_gets_buried(ball(0.02, 50)).certificate();
+  EXPECT_TRUE(certificate.first_end_buried);
+  EXPECT_TRUE(certificate.may_have_passed);
+  EXPECT_FALSE(certificate.is_carried_on());
+}
+
 TEST(KnotWitness, particles_all_in_one_place_are_certified_as_unknown) {
   KnotWitness witness({20, across}, axis);
   witness.follow(Eigen::Matrix3Xf::Zero(3, RibbonGrid{20, across}.particle_count()));

@@ -110,6 +110,18 @@ inline Eigen::Matrix3Xd open_trefoil(const RibbonGrid& grid, double depth, doubl
   return positions;
 }
 
+// From the middle of a sphere to a hole round its upper pole, wound round it from there down to the
+// lower pole. Where the hole is small there is no way out for its first end.
+inline Curve ball_with_hole(double hole_rad, double windings = 60) {
+  return sampled(700, [&](double way) {
+    if (way == 0) return Eigen::Vector3d(0, 0, 0);
+    const double down = hole_rad + (std::numbers::pi - hole_rad) * way;
+    const double round = 2 * std::numbers::pi * windings * way;
+    return Eigen::Vector3d(std::sin(down) * std::cos(round), std::sin(down) * std::sin(round),
+                           std::cos(down));
+  });
+}
+
 inline Eigen::Matrix3d random_rotation(std::mt19937& random) {
   std::normal_distribution<double> normal;
   return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))

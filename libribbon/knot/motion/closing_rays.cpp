@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "knot/motion/straight_motion.h"
+
 namespace ribbon {
 namespace {
 
@@ -42,14 +44,8 @@ Eigen::Vector3d tip(const Eigen::Matrix3Xd& curve, std::size_t end) {
   return curve.col(first_column(curve, end));
 }
 
-// A curve at the two ends of a step.
-struct Moving {
-  const Eigen::Matrix3Xd& before;
-  const Eigen::Matrix3Xd& now;
-};
-
 // What a ray from an end of `base` sees of `curve`.
-void append_curve(const Moving& base, const Moving& curve, std::size_t end,
+void append_curve(const MovingCurve& base, const MovingCurve& curve, std::size_t end,
                   std::vector<ViewCone>& cones) {
   const Eigen::Vector3d eye_before = tip(base.before, end);
   const Eigen::Vector3d eye_now = tip(base.now, end);
@@ -67,7 +63,7 @@ void append_curve(const Moving& base, const Moving& curve, std::size_t end,
 
 // What a ray from an end of `base` sees of the ray from the other end of `curve`: all between the
 // direction to where that ray begins and its own direction.
-void append_ray(const Moving& base, const Moving& curve, std::size_t end,
+void append_ray(const MovingCurve& base, const MovingCurve& curve, std::size_t end,
                 const Eigen::Vector3d& direction, std::vector<ViewCone>& cones) {
   const Eigen::Vector3d before = tip(curve.before, 1 - end) - tip(base.before, end);
   const Eigen::Vector3d now = tip(curve.now, 1 - end) - tip(base.now, end);
@@ -77,10 +73,10 @@ void append_ray(const Moving& base, const Moving& curve, std::size_t end,
 // All that could come through the rays of an end during a step.
 std::vector<ViewCone> in_the_way(const RibbonCurves& before, const RibbonCurves& now,
                                  std::size_t end, const Eigen::Vector3d* other_ray) {
-  const Moving centre{before.centre_line, now.centre_line};
-  const Moving first{before.first_selvage, now.first_selvage};
-  const Moving second{before.second_selvage, now.second_selvage};
-  const std::array<std::array<const Moving*, 2>, 3> pairs{
+  const MovingCurve centre{before.centre_line, now.centre_line};
+  const MovingCurve first{before.first_selvage, now.first_selvage};
+  const MovingCurve second{before.second_selvage, now.second_selvage};
+  const std::array<std::array<const MovingCurve*, 2>, 3> pairs{
       {{&centre, &centre}, {&first, &second}, {&second, &first}}};
   std::vector<ViewCone> cones;
   for (const auto& [base, curve] : pairs) {
@@ -179,7 +175,7 @@ void ClosingRays::follow(const RibbonCurves& before, const RibbonCurves& now) {
   // The last end comes after the first and sees its new ray, so in the end both are clear of each
   // other.
   for (const std::size_t end : {0U, 1U}) {
-    if (buried_[0] || buried_[1]) return;
+    if (any_buried()) return;
     const Eigen::Vector3d other_ray = directions_[1 - end];
     const std::vector<ViewCone> until_now = in_the_way(before, now, end, &other_ray);
     if (clearance_rad(until_now, directions_[end]) > comfortable_rad) continue;

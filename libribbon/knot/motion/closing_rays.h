@@ -26,6 +26,7 @@ class ClosingRays {
   [[nodiscard]] const std::array<Eigen::Vector3d, 2>& directions() const { return directions_; }
   // Did an end fail to find a clear direction, now or earlier? Its ray means nothing since then.
   [[nodiscard]] const std::array<bool, 2>& buried() const { return buried_; }
+  [[nodiscard]] bool any_buried() const { return buried_[0] || buried_[1]; }
 
  private:
   void choose(std::size_t end, const std::vector<ViewCone>& cones);

@@ -6,6 +6,10 @@
 namespace ribbon {
 namespace {
 
+int middle_column(const RibbonGrid& grid) {
+  return (grid.across - 1) / 2;
+}
+
 Eigen::Matrix3Xd column(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, int j) {
   Eigen::Matrix3Xd result(3, grid.along);
   for (int i = 0; i < grid.along; ++i)
@@ -53,7 +57,7 @@ Eigen::Matrix3Xd scattered(Eigen::Matrix3Xd curve, double distance, std::uint64_
 }  // namespace
 
 Eigen::Matrix3Xd centre_line(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions) {
-  const int middle = (grid.across - 1) / 2;
+  const int middle = middle_column(grid);
   return grid.across % 2 == 1 ? column(grid, positions, middle)
                               : between_columns(grid, positions, middle);
 }
@@ -62,7 +66,8 @@ RibbonCurves ribbon_curves(const RibbonGrid& grid, const Eigen::Matrix3Xf& posit
   const double distance = quarter_of_last_place(positions);
   return {scattered(centre_line(grid, positions), distance, 0),
           scattered(column(grid, positions, 0), distance, 1),
-          scattered(column(grid, positions, grid.across - 1), distance, 2)};
+          scattered(column(grid, positions, grid.across - 1), distance, 2),
+          scattered(column(grid, positions, middle_column(grid) + 1), distance, 3)};
 }
 
 }  // namespace ribbon

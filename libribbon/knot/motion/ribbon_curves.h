@@ -1,4 +1,5 @@
-// The curves of a ribbon that knot theory knows: its centre line and its two selvages.
+// The curves of a ribbon that knot theory knows: its centre line, its two selvages, and one beside
+// the centre line that is twisted round it as the selvages are.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,6 +13,7 @@ struct RibbonCurves {
   Eigen::Matrix3Xd centre_line;
   Eigen::Matrix3Xd first_selvage;
   Eigen::Matrix3Xd second_selvage;
+  Eigen::Matrix3Xd beside_centre;  // the next column of particles, towards the second selvage
 };
 
 // The middle column of particles or, between two middle columns, the line halfway between them. It

@@ -69,7 +69,8 @@ TEST(ClosingRays, an_end_in_a_ball_of_ribbon_is_buried_and_stays_so) {
     });
   };
   const auto ball = [&](double windings) {
-    return RibbonCurves{wound(windings, 0), wound(windings, -1e-4), wound(windings, 1e-4)};
+    return RibbonCurves{wound(windings, 0), wound(windings, -1e-4), wound(windings, 1e-4),
+                        wound(windings, 0.5e-4)};
   };
   ClosingRays rays;
   rays.start(ball(20));

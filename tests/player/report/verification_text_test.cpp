@@ -156,6 +156,28 @@ TEST(VerificationText, says_where_an_end_turned_too_far_and_what_helps) {
   EXPECT_EQ(json["knot"]["turned_too_far"]["moved_m"], 0.25);
 }
 
+TEST(VerificationText, says_since_when_an_end_is_buried_and_whether_something_may_have_passed) {
+  Verification verification = all_in_order();
+  verification.knot.buried_since = 21;
+  verification.knot.buried_frames = 2;
+  EXPECT_THAT(
+      verification_text("", verification),
+      AllOf(HasSubstr("from frame 21 on an end is buried in the ribbon; nothing has passed "
+                      "through anything since, though an end may have slipped out\n"),
+            HasSubstr("the same in all of 3 frames certified\n"), EndsWith("nothing is wrong\n")));
+  verification.knot.may_have_passed = {30, 31, 0.25};
+  verification.knot.uncertain_frames = 1;
+  EXPECT_THAT(verification_text("", verification),
+              AllOf(HasSubstr("from frame 21 on an end is buried in the ribbon; something may have "
+                              "passed through something between frames 30 and 31, where a particle "
+                              "went up to 0.25 m; record more frames_per_second\n"),
+                    EndsWith("WRONG: the knot cannot be certified\n")));
+  const auto json = nlohmann::json::parse(verification_json("", verification));
+  EXPECT_EQ(json["knot"]["buried_since"], 21);
+  EXPECT_EQ(json["knot"]["buried_frames"], 2);
+  EXPECT_EQ(json["knot"]["may_have_passed"]["frame_after"], 31);
+}
+
 TEST(VerificationText, what_is_not_known_is_not_the_same) {
   Verification verification = all_in_order();
   verification.knot.certified_frames = 5;
