@@ -39,8 +39,10 @@ target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 file(GLOB zstd_sources ${RIBBON_PAGE_SOURCES}/libzstd/lib/common/*.c
      ${RIBBON_PAGE_SOURCES}/libzstd/lib/compress/*.c ${RIBBON_PAGE_SOURCES}/libzstd/lib/decompress/*.c)
 add_library(zstd EXCLUDE_FROM_ALL STATIC ${zstd_sources})
-target_compile_definitions(zstd PRIVATE ZSTD_DISABLE_ASM)
-target_compile_options(zstd PRIVATE -Os)
+# Of two decoders of the same bytes the smaller (zstd's lib/README.md, "Modular build").
+target_compile_definitions(zstd PRIVATE ZSTD_DISABLE_ASM HUF_FORCE_DECOMPRESS_X1
+                           ZSTD_FORCE_DECOMPRESS_SEQUENCES_SHORT)
+target_compile_options(zstd PRIVATE -Oz)
 target_include_directories(zstd SYSTEM INTERFACE ${RIBBON_PAGE_SOURCES}/libzstd/lib)
 add_library(zstd::libzstd_static ALIAS zstd)
 
