@@ -12,15 +12,22 @@ namespace ribbon {
 namespace {
 
 Result<RecordingStart> read_start(const RandomAccessFile& file, const std::filesystem::path& path) {
-  const bool signed_file = file.read(0, file_signature.size()) == file_signature;
+  const std::string signature = file.read(0, file_signature.size());
+  const bool signed_file = signature == file_signature;
   const auto head = parse_record_head(file.read(file_signature.size(), record_head_bytes));
+  const std::uint64_t payload_offset = file_signature.size() + record_head_bytes;
+  const std::uint64_t first_frame_offset = payload_offset + (head ? head->payload_bytes : 0);
+  if (file_signature.starts_with(signature) && file.size() < first_frame_offset)
+    return failure(
+        path.string(),
+        "ends before its first frame: its recorder was stopped at once, or the rest is lost",
+        "record it again with --force, or use a copy that is whole");
   if (!signed_file && !head)
     return failure(path.string(), "is not a ribbon recording", "name a file by ribbon-record");
-  const std::uint64_t payload_offset = file_signature.size() + record_head_bytes;
   const std::string payload = head ? file.read(payload_offset, head->payload_bytes) : "";
   if (!head || head->type != RecordType::header || payload.size() != head->payload_bytes ||
       checksum(payload) != head->payload_checksum)
-    return failure(path.string(), "the header is cut off or damaged",
+    return failure(path.string(), "the header is damaged",
                    "use a copy of the recording that is whole");
   auto header = parse_header_payload(payload);
   if (!header) {

@@ -67,12 +67,26 @@ TEST(RecordingReader, a_missing_file_is_named) {
 
 TEST(RecordingReader, what_is_no_recording_is_refused) {
   const auto path = temporary_file("text.rbn");
-  for (const char* bytes : {"", "x", "some text that is longer than the head of a record"}) {
+  for (const char* bytes : {"x", "some text that is longer than the head of a record"}) {
     ASSERT_TRUE(write_file(path, bytes).has_value());
     EXPECT_THAT(refusal_of(RecordingReader::open(path)), HasSubstr("is not a ribbon recording"));
   }
   EXPECT_FALSE(RecordingReader::open(testing::TempDir()).has_value());
   EXPECT_FALSE(RecordingReader::open("/dev/null").has_value());
+}
+
+// As a recorder leaves it that is killed at once.
+TEST(RecordingReader, what_ends_before_its_first_frame_says_so) {
+  const auto path = temporary_file("cut.rbn");
+  std::filesystem::remove(path);
+  write_sample_recording(path, 1, Ending::killed);
+  const std::string whole = read_file(path).value();
+  for (const std::size_t bytes : {0, 3, 8, 12, 30, 100}) {
+    ASSERT_TRUE(write_file(path, whole.substr(0, bytes)).has_value());
+    EXPECT_THAT(refusal_of(RecordingReader::open(path)),
+                AllOf(HasSubstr("ends before its first frame"), HasSubstr("--force")))
+        << bytes;
+  }
 }
 
 }  // namespace ribbon::recording_reader_test
