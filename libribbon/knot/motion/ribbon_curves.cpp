@@ -17,18 +17,19 @@ Eigen::Matrix3Xd column(const RibbonGrid& grid, const Eigen::Matrix3Xf& position
   return result;
 }
 
-// Halfway between columns j and j + 1. Between two rows the line bends where it leaves one triangle
-// for the next, in the middle of the diagonal.
-Eigen::Matrix3Xd between_columns(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, int j) {
+// A share of the way from column j to the next. Between two rows the line bends where it leaves one
+// triangle for the next, on the diagonal.
+Eigen::Matrix3Xd between_columns(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions, int j,
+                                 double share) {
   const Eigen::Matrix3Xd left = column(grid, positions, j);
   const Eigen::Matrix3Xd right = column(grid, positions, j + 1);
   Eigen::Matrix3Xd result(3, 2 * left.cols() - 1);
   for (Eigen::Index i = 0; i < left.cols(); ++i) {
-    result.col(2 * i) = (left.col(i) + right.col(i)) / 2;
+    result.col(2 * i) = (1 - share) * left.col(i) + share * right.col(i);
     if (i + 1 == left.cols()) continue;
     const bool rising = (i + j) % 2 == 0;  // as RibbonGrid::triangles() draws its diagonals
-    result.col(2 * i + 1) = rising ? Eigen::Vector3d((left.col(i) + right.col(i + 1)) / 2)
-                                   : Eigen::Vector3d((right.col(i) + left.col(i + 1)) / 2);
+    result.col(2 * i + 1) =
+        (1 - share) * left.col(rising ? i : i + 1) + share * right.col(rising ? i + 1 : i);
   }
   return result;
 }
@@ -48,6 +49,13 @@ double quarter_of_last_place(const Eigen::Matrix3Xf& positions) {
   return std::ldexp(1.0, std::ilogb(largest) - 23 - 2);
 }
 
+// The nearer it is to the centre line, the less comes between the two.
+Eigen::Matrix3Xd beside_centre(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions) {
+  constexpr double beside = 0.125;
+  const double centre = grid.across % 2 == 1 ? 0 : 0.5;
+  return between_columns(grid, positions, middle_column(grid), centre + beside);
+}
+
 Eigen::Matrix3Xd scattered(Eigen::Matrix3Xd curve, double distance, std::uint64_t curve_number) {
   auto index = curve_number << 40U;
   for (double& coordinate : curve.reshaped()) coordinate += distance * scatter(index++);
@@ -59,7 +67,7 @@ Eigen::Matrix3Xd scattered(Eigen::Matrix3Xd curve, double distance, std::uint64_
 Eigen::Matrix3Xd centre_line(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions) {
   const int middle = middle_column(grid);
   return grid.across % 2 == 1 ? column(grid, positions, middle)
-                              : between_columns(grid, positions, middle);
+                              : between_columns(grid, positions, middle, 0.5);
 }
 
 RibbonCurves ribbon_curves(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions) {
@@ -67,7 +75,7 @@ RibbonCurves ribbon_curves(const RibbonGrid& grid, const Eigen::Matrix3Xf& posit
   return {scattered(centre_line(grid, positions), distance, 0),
           scattered(column(grid, positions, 0), distance, 1),
           scattered(column(grid, positions, grid.across - 1), distance, 2),
-          scattered(column(grid, positions, middle_column(grid) + 1), distance, 3)};
+          scattered(beside_centre(grid, positions), distance, 3)};
 }
 
 }  // namespace ribbon

@@ -13,7 +13,8 @@ struct RibbonCurves {
   Eigen::Matrix3Xd centre_line;
   Eigen::Matrix3Xd first_selvage;
   Eigen::Matrix3Xd second_selvage;
-  Eigen::Matrix3Xd beside_centre;  // the next column of particles, towards the second selvage
+  // Next to the centre line, an eighth of a particle's distance towards the second selvage.
+  Eigen::Matrix3Xd beside_centre;
 };
 
 // The middle column of particles or, between two middle columns, the line halfway between them. It

@@ -36,6 +36,23 @@ TEST(CentreLine, of_an_even_number_stays_on_the_triangles) {
   EXPECT_EQ(line.col(4), Eigen::Vector3d(2, 0.5, 4));
 }
 
+// Beside column 1, towards column 2, and bent on the same diagonals as the triangles.
+TEST(RibbonCurves, the_line_beside_the_centre_stays_on_the_triangles) {
+  const RibbonGrid grid{3, 3};
+  Eigen::Matrix3Xf positions = flat_grid(grid);
+  positions.col(grid.particle(1, 2)).z() = 8;  // no corner of the two diagonals
+  const Eigen::Matrix3Xd line = ribbon_curves(grid, positions).beside_centre;
+  ASSERT_EQ(line.cols(), 5);
+  const auto expect_near = [&](Eigen::Index k, const Eigen::Vector3d& expected) {
+    EXPECT_NEAR((line.col(k) - expected).norm(), 0, 1e-6) << k;
+  };
+  expect_near(0, {0, 1.125, 0});
+  expect_near(1, {0.875, 1.125, 0});
+  expect_near(2, {1, 1.125, 1});
+  expect_near(3, {1.125, 1.125, 0});
+  expect_near(4, {2, 1.125, 0});
+}
+
 TEST(RibbonCurves, are_moved_by_less_than_a_quarter_of_the_last_place) {
   const RibbonGrid grid{50, 7};
   Eigen::Matrix3Xf positions = flat_grid(grid);
