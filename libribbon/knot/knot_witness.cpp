@@ -4,20 +4,10 @@
 #include <utility>
 
 #include "knot/motion/straight_motion.h"
-#include "knot/type/jones_polynomial.h"
-#include "knot/type/knot_diagram.h"
-#include "knot/type/simplify_curve.h"
+#include "knot/type/closed_by_rays.h"
 
 namespace ribbon {
 namespace {
-
-LongCurve closed_far_away(const Eigen::Matrix3Xd& curve,
-                          const std::array<Eigen::Vector3d, 2>& rays) {
-  LongCurve result{ProjectivePoint::direction(rays[0])};
-  for (const auto& point : curve.colwise()) result.push_back(ProjectivePoint::point(point));
-  result.push_back(ProjectivePoint::direction(rays[1]));
-  return result;
-}
 
 // Does straight motion show that the knot and the twist are what they were, wherever the ends are?
 bool nothing_passes(const RibbonCurves& before, const RibbonCurves& now) {
@@ -74,9 +64,7 @@ KnotCertificate KnotWitness::certificate() const {
   result.may_have_passed = may_have_passed_;
   if (is_buried()) return result;
   result.selvage_linking = selvages_.number();
-  const auto diagram =
-      simple_diagram(simplified(closed_far_away(curves_->centre_line, rays_.directions())));
-  if (diagram) result.jones = jones_polynomial(*diagram);
+  result.jones = type_closed_by(rays_.directions(), curves_->centre_line);
   return result;
 }
 

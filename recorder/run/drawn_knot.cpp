@@ -6,9 +6,12 @@
 #include <string_view>
 #include <variant>
 
+#include "curve/axis_view.h"
 #include "curve/object_passages.h"
 #include "knot/knot_witness.h"
+#include "knot/motion/ribbon_curves.h"
 #include "knot/ribbon_part.h"
+#include "knot/type/closed_by_rays.h"
 #include "knot/type/jones_polynomial.h"
 #include "knot/type/knot_names.h"
 #include "knot/type/tied_forms.h"
@@ -129,21 +132,33 @@ Result<void> check_drawn_between(const KnotScene& knot, const RibbonMesh& drawn)
                  "correct the drawing, its crossings, 'between' or 'expect_between'");
 }
 
-// Closed far away. Nothing where that is not known.
+// Closed where that is clearest. Nothing where that is not known.
 std::optional<LaurentPolynomial> type_of(const RibbonGrid& grid, const Eigen::Matrix3Xf& frame) {
   KnotWitness witness(grid, std::nullopt);
   witness.follow(frame);
   return witness.certificate().jones;
 }
 
-Result<void> check_same(const std::optional<LaurentPolynomial>& drawn,
-                        const std::optional<LaurentPolynomial>& begun, const std::string& what) {
-  if (!drawn || !begun || drawn == begun) return {};
-  return failure("",
-                 what + " at its start is tied as: " + knot_text(*begun) +
-                     "; its drawing as: " + knot_text(*drawn),
-                 "lead both ends of the drawing straight out, and leave more room between the "
-                 "strands");
+// Closed towards the viewer of the drawing, as his pen may join its ends above all that it has
+// drawn. Where they lie within loops, this is the type that the drawing has.
+std::optional<LaurentPolynomial> type_seen(const RibbonGrid& grid, const Eigen::Matrix3Xf& frame,
+                                           Axis axis) {
+  constexpr double hardly = 0x1p-10;  // off his line of sight, to tell the two rays apart
+  return type_closed_by({in_world({hardly, 0, 1}, axis), in_world({0, hardly, 1}, axis)},
+                        ribbon_curves(grid, frame).centre_line);
+}
+
+Result<void> check_same(const std::optional<LaurentPolynomial>& drawn, const RibbonGrid& grid,
+                        const Eigen::Matrix3Xf& frame, Axis axis, const std::string& what) {
+  if (!drawn) return {};
+  const auto begun = type_of(grid, frame);
+  if (!begun || begun == drawn || type_seen(grid, frame, axis) == drawn) return {};
+  return failure(
+      "",
+      what + " at its start is tied as: " + knot_text(*begun) +
+          "; its drawing as: " + knot_text(*drawn),
+      "lead both ends of the drawing straight out, leave more room between the strands, or "
+      "write a larger ribbon.along");
 }
 
 }  // namespace
@@ -182,16 +197,17 @@ Result<void> check_expected_knot(const Scene& scene, const RibbonMesh& drawn) {
 Result<void> check_first_frame(const Scene& scene, const RibbonMesh& drawn,
                                const Eigen::Matrix3Xd& start) {
   const Eigen::Matrix3Xf frame = start.cast<float>();
-  Result<void> same = check_same(closed_type(diagram_of(drawn.crossings)),
-                                 type_of(drawn.grid, frame), "the ribbon");
+  const Axis axis = scene.curve.axis;
+  Result<void> same =
+      check_same(closed_type(diagram_of(drawn.crossings)), drawn.grid, frame, axis, "the ribbon");
   if (!same || !scene.knot || !scene.knot->between) return same;
   const auto shares = shares_of(*scene.knot->between);
   const auto rows = part_between(drawn.grid, shares[0], shares[1]);
   if (!rows)
     return failure("", "no two rows lie between the two places of 'between'",
                    "name two that are further apart");
-  return check_same(closed_type(part_of(drawn, shares)),
-                    type_of(rows->grid(drawn.grid), rows->positions(drawn.grid, frame)),
+  return check_same(closed_type(part_of(drawn, shares)), rows->grid(drawn.grid),
+                    rows->positions(drawn.grid, frame), axis,
                     "the part of the ribbon between the two places of 'between'");
 }
 

@@ -32,7 +32,7 @@ std::string text_of_knot(const KnotDiagram& drawing);
 Result<void> check_expected_knot(const Scene& scene, const RibbonMesh& drawn);
 
 // Fails where the ribbon that begins (3 x particles), or the part of it whose knot is certified by
-// itself, is another closed type than its drawing. Either may be unknown.
+// itself, is another closed type than its drawing, wherever it is closed. Either may be unknown.
 Result<void> check_first_frame(const Scene& scene, const RibbonMesh& drawn,
                                const Eigen::Matrix3Xd& start);
 

@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <vector>
 
 #include "recorder/run/start.h"
 #include "recorder/small_scene.h"
 #include "result/refusal.h"
 #include "ribbon_mesh/marks.h"
+#include "text/number_text.h"
 
 namespace ribbon::drawn_knot_test {
 
@@ -17,12 +20,15 @@ constexpr const char* trefoil =
     "points = [[0, -100], [200, 100], [400, -100], [600, 100], [600, 400], [0, 400], [0, 100],\n"
     "          [200, -100], [400, 100], [600, -100]]\n";
 
-Scene scene_with(const std::string& curve, const std::string& expect) {
+Scene scene_of(const std::string& curve) {
   std::string text = small_scene_text();
   const std::size_t points = text.find("points");
-  text.replace(points, text.find("[ribbon]") - points,
-               trefoil + curve + (expect.empty() ? "" : "[knot]\nexpect = '" + expect + "'\n"));
+  text.replace(points, text.find("[ribbon]") - points, curve);
   return read_scene("knot.toml", text).value();
+}
+
+Scene scene_with(const std::string& curve, const std::string& expect) {
+  return scene_of(trefoil + curve + (expect.empty() ? "" : "[knot]\nexpect = '" + expect + "'\n"));
 }
 
 std::string refusal(const std::string& curve, const std::string& expect) {
@@ -69,6 +75,23 @@ TEST(DrawnKnot, of_a_start_that_is_tied_otherwise_is_refused_with_both) {
   EXPECT_THAT(refusal_of(check_first_frame(scene, drawn, mirrored)),
               AllOf(HasSubstr("at its start is tied as: trefoil, left-handed"),
                     HasSubstr("its drawing as: trefoil, right-handed")));
+}
+
+// Once round and a little more, outwards and in again, so that both ends lie within the loop: led
+// out sideways, on two sides of it, they would make it a trefoil.
+TEST(DrawnKnot, whose_ends_lie_within_its_loop_is_what_is_seen) {
+  std::string points;
+  for (int k = 0; k <= 40; ++k) {
+    const double out = 80 + 170 * std::sin(std::numbers::pi * k / 40);
+    const double turn = 2 * std::numbers::pi * 1.2 * k / 40;
+    points += filled_in("{}[{:.1f}, {:.1f}]", k == 0 ? "" : ", ", out * std::cos(turn),
+                        out * std::sin(turn));
+  }
+  for (const char* axis : {"x", "y", "z"}) {
+    const Scene scene = scene_of(filled_in("points = [{}]\naxis = '{}'\n", points, axis));
+    const RibbonMesh drawn = draw_ribbon(scene).value();
+    EXPECT_EQ(refusal_of(check_first_frame(scene, drawn, drawn.positions)), "") << axis;
+  }
 }
 
 // Of the gallery, with its marks found.
