@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <span>
+#include <functional>
 #include <utility>
 
 #include "geometry/rest_size.h"
@@ -11,14 +11,19 @@
 
 namespace ribbon {
 
+// How close pairs have to come to matter.
+struct PairReach {
+  double largest_m = 0;                                         // of any pair
+  std::function<double(const FeaturePair&)> of_pair = nullptr;  // less, of some; none: of none
+};
+
 // A pair's minimum separation, and the activation distance, at which contact begins. Cloth with
 // thickness touches itself at its thickness and the obstacle at half of it, and gives way to at
 // most half of that; features that lie close in the flat ribbon, as neighbours do, count as
 // touching at half of that distance at most.
 class PairDistances {
  public:
-  PairDistances(RestSize size, const ContactLengths& lengths)
-      : size_(std::move(size)), lengths_(lengths) {}
+  PairDistances(RestSize size, const ContactLengths& lengths);
 
   [[nodiscard]] double min_separation_m(const FeaturePair& pair) const {
     return is_thick() ? std::max(lengths_.min_separation_m, 0.5 * thick_activation_m(pair))
@@ -36,15 +41,20 @@ class PairDistances {
     return std::max(lengths_.activation_m, lengths_.thickness_m);
   }
 
+  // Each and `beyond_m`; `times` as much. As long as this lives.
+  [[nodiscard]] PairReach activation_reach(double beyond_m) const;
+  [[nodiscard]] PairReach min_separation_reach(double times) const;
+
  private:
   [[nodiscard]] bool is_thick() const { return lengths_.thickness_m > 0; }
   [[nodiscard]] double thick_activation_m(const FeaturePair& pair) const;
-  [[nodiscard]] double distance_across_m(std::span<const int> first,
-                                         std::span<const int> second) const;
   [[nodiscard]] double rest_distance_m(const FeaturePair& pair) const;
+  [[nodiscard]] double distance_across_m(const FeaturePair& pair) const;
 
   RestSize size_;
   ContactLengths lengths_;
+  double corner_to_diagonal_m_;  // of the smallest quad
+  int numbers_apart_when_far_;
 };
 
 }  // namespace ribbon

@@ -56,11 +56,8 @@ class GatedMotion {
     return gate_.broad_phase.candidates();
   }
   [[nodiscard]] double duration_s() const { return duration_s_; }
-  // Pairs this close may come into contact by what still moves them.
-  [[nodiscard]] double reach_m() const {
-    const BroadPhaseLengths& lengths = gate_.broad_phase.lengths();
-    return lengths.reach_m + lengths.slack_m;
-  }
+  // So far from contact, pairs may come into it by what still moves them.
+  [[nodiscard]] double slack_m() const { return gate_.broad_phase.lengths().slack_m; }
 
  private:
   void detect_around(std::span<const int> particles, Widening widening,

@@ -221,7 +221,7 @@ void TimeStep::correct_strain(Cloth& cloth) {
 void TimeStep::find_contacts(const GatedMotion& motion, const Matrix3Xd& target,
                              const Bodies& bodies) {
   const StageTimer timer(clock_, StepStage::repulsion);
-  contacts_.find(motion.candidates(), bodies, distances_, motion.reach_m(), motion.free_positions(),
+  contacts_.find(motion.candidates(), bodies, distances_, motion.slack_m(), motion.free_positions(),
                  target);
 }
 

@@ -111,6 +111,11 @@ void BroadPhase::drop_pairs_of(std::span<const int> particles) {
   distances_m.resize(kept);
 }
 
+bool BroadPhase::could_meet(const FeaturePair& pair, double distance_m, double approach_m) const {
+  if (distance_m > lengths_.reach_m + approach_m) return false;
+  return !distances_ || distance_m <= distances_->activation_m(pair) + approach_m;
+}
+
 // Boxes meet long before what is inside them does: measures the pairs and adds those that are not
 // too far apart for how differently their vertices can move.
 void BroadPhase::add_near_pairs(const Bodies& bodies) {
@@ -137,7 +142,7 @@ void BroadPhase::add_near_pairs(const Bodies& bodies) {
                                      : freedoms_m[0] + std::max(freedoms_m[1], last_m);
       const double approach_m =
           std::sqrt(largest_squared_difference(pair.kind, displacements)) + freedom_m;
-      is_near_[i] = distances_m_[i] <= lengths_.reach_m + approach_m ? 1 : 0;
+      is_near_[i] = could_meet(pair, distances_m_[i], approach_m) ? 1 : 0;
     }
   });
   for (std::size_t i = 0; i < found_.size(); ++i) {
@@ -150,7 +155,7 @@ void BroadPhase::add_near_pairs(const Bodies& bodies) {
 const std::vector<std::size_t>& ApproachingPairs::find(const ContactCandidates& candidates,
                                                        const Matrix3Xd& positions,
                                                        const Matrix3Xd& displacement,
-                                                       double distance_m) {
+                                                       const PairReach& reach) {
   measure(candidates, positions, displacement);
   const auto moved_m = [&](int vertex) {
     return vertex < std::ssize(moved_m_) ? moved_m_[vertex] : 0;
@@ -164,15 +169,18 @@ const std::vector<std::size_t>& ApproachingPairs::find(const ContactCandidates& 
       const FeaturePair& pair = pairs[i];
       const auto& v = pair.vertices;
       const double most_m = std::max({moved_m(v[0]), moved_m(v[1]), moved_m(v[2]), moved_m(v[3])});
-      const double room_m = candidates.distances_m[i] - distance_m;
+      double& room_m = rooms_m_[i];
+      room_m = candidates.distances_m[i] - reach.largest_m;
       if (2 * most_m < room_m)
-        rooms_m_[i] = std::numeric_limits<double>::infinity();
+        room_m = std::numeric_limits<double>::infinity();
       else if (has_gone_)
-        rooms_m_[i] =
-            room_m - std::sqrt(largest_squared_difference(pair.kind, displacements(pair, gone_)));
-      else
-        rooms_m_[i] = room_m;
-      is_approaching_[i] = is_exceeded(rooms_m_[i], pair, displacement) ? 1 : 0;
+        room_m -= std::sqrt(largest_squared_difference(pair.kind, displacements(pair, gone_)));
+      bool approaches = is_exceeded(room_m, pair, displacement);
+      if (approaches && reach.of_pair) {
+        room_m += reach.largest_m - reach.of_pair(pair);
+        approaches = is_exceeded(room_m, pair, displacement);
+      }
+      is_approaching_[i] = approaches ? 1 : 0;
     }
   });
   found_.clear();

@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/box.h"
+#include "simulation/contact/pair_distances.h"
 #include "simulation/detection/bodies.h"
 #include "simulation/detection/feature_pairs.h"
 
@@ -38,7 +40,11 @@ enum class Widening { onward, onward_and_back };
 // Keeps its memory from one detection to the next.
 class BroadPhase {
  public:
-  explicit BroadPhase(const BroadPhaseLengths& lengths) : lengths_(lengths) {}
+  // With `distances`, pairs are listed that could come within their own activation distances, none
+  // of which is above lengths.reach_m.
+  explicit BroadPhase(const BroadPhaseLengths& lengths,
+                      std::optional<PairDistances> distances = std::nullopt)
+      : lengths_(lengths), distances_(std::move(distances)) {}
 
   // Detects around the straight way from `from` to `target` (3 x particles each).
   const ContactCandidates& detect(Bodies& bodies, const Eigen::Matrix3Xd& from,
@@ -67,8 +73,11 @@ class BroadPhase {
   void set_motion(int particle);
   void drop_pairs_of(std::span<const int> particles);
   void add_near_pairs(const Bodies& bodies);
+  [[nodiscard]] bool could_meet(const FeaturePair& pair, double distance_m,
+                                double approach_m) const;
 
   BroadPhaseLengths lengths_;
+  std::optional<PairDistances> distances_;
   ContactCandidates candidates_;
   std::vector<Motion> motions_;      // of the particles
   std::vector<FeaturePair> found_;   // whose boxes meet
@@ -80,14 +89,15 @@ class BroadPhase {
 // Tells pairs whose vertices move together from those that approach. Keeps its memory.
 class ApproachingPairs {
  public:
-  // Indices, in order, of the listed pairs that may come within distance_m of each other while all
+  // Indices, in order, of the listed pairs that may come within reach of each other while all
   // particles move from `positions` along equal parts of their `displacement` (3 x particles each).
   const std::vector<std::size_t>& find(const ContactCandidates& candidates,
                                        const Eigen::Matrix3Xd& positions,
-                                       const Eigen::Matrix3Xd& displacement, double distance_m);
+                                       const Eigen::Matrix3Xd& displacement,
+                                       const PairReach& reach);
 
   // Likewise, of the listed pairs with these indices alone, after find() with the same candidates,
-  // positions and distance, and where no particle goes farther than it would have gone there.
+  // positions and reach, and where no particle goes farther than it would have gone there.
   const std::vector<std::size_t>& find_among(std::span<const std::size_t> pairs,
                                              const ContactCandidates& candidates,
                                              const Eigen::Matrix3Xd& displacement);
@@ -99,8 +109,8 @@ class ApproachingPairs {
   bool has_gone_ = false;        // has any particle, since the detection?
   Eigen::Matrix3Xd gone_;        // by each particle
   std::vector<double> moved_m_;  // that, and what it is to be displaced by
-  // Of the pairs: by so much their displacements may differ; infinite where none that is as short
-  // as in find() can differ by too much.
+  // Of the pairs: by so much, or more, their displacements may differ; infinite where none that is
+  // as short as in find() can differ by too much.
   std::vector<double> rooms_m_;
   std::vector<char> is_approaching_;  // of the pairs
   std::vector<std::size_t> found_;

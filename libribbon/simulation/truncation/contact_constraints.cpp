@@ -54,12 +54,12 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Bodies& bodies,
 }  // namespace
 
 void ContactConstraints::find(const ContactCandidates& candidates, const Bodies& bodies,
-                              const PairDistances& distances, double reach_m,
+                              const PairDistances& distances, double beyond_m,
                               const Matrix3Xd& free_positions, const Matrix3Xd& target) {
   const VertexPositions vertices = bodies.vertices(free_positions);
   displacement_ = target - free_positions;
-  const std::vector<std::size_t>& near =
-      approaching_.find(candidates, free_positions, displacement_, reach_m);
+  const std::vector<std::size_t>& near = approaching_.find(
+      candidates, free_positions, displacement_, distances.activation_reach(beyond_m));
   found_.resize(near.size());
   watches_.resize(near.size());
   parallel_ranges(near.size(), 256, [&](std::size_t begin, std::size_t end) {

@@ -30,12 +30,12 @@ class ContactConstraints {
   // As Cloth has it.
   explicit ContactConstraints(Eigen::ArrayXd lightness = {}) : lightness_(std::move(lightness)) {}
 
-  // One for each listed pair that could come into contact between `free_positions`, in which
-  // nothing intersects, and `target` (3 x particles each): along the line between its closest
-  // points in the free ones, contact shall not begin, or, where it has begun, open by a fifth of
-  // what lacks.
+  // One for each listed pair that could come into contact, or so near to it, between
+  // `free_positions`, in which nothing intersects, and `target` (3 x particles each): along the
+  // line between its closest points in the free ones, contact shall not begin, or, where it has
+  // begun, open by a fifth of what lacks.
   void find(const ContactCandidates& candidates, const Bodies& bodies,
-            const PairDistances& distances, double reach_m, const Eigen::Matrix3Xd& free_positions,
+            const PairDistances& distances, double beyond_m, const Eigen::Matrix3Xd& free_positions,
             const Eigen::Matrix3Xd& target);
   [[nodiscard]] const std::vector<ContactConstraint>& found() const { return found_; }
 

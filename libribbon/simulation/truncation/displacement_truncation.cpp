@@ -33,7 +33,7 @@ void DisplacementTruncation::find_least_fractions(const Motion& motion,
   is_lowered_.assign(displacement_.cols(), 0);
   last_looked_at_.assign(candidates.pairs.size(), -1);
   bound(motion, approaching_.find(candidates, positions, displacement_,
-                                  motion.distances.largest_min_separation_m() * roomy));
+                                  motion.distances.min_separation_reach(roomy)));
   if (!lowered_.empty()) allowed_ = displacement_;
   for (int round = 0; !lowered_.empty(); ++round) {
     take_lowered();

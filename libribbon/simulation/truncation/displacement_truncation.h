@@ -25,8 +25,8 @@ class DisplacementTruncation {
  public:
   // Moves `positions` (3 x particles, inside their bounds, where the broad phase found them or
   // at the end of its displacements) toward `target`, as far as it is certain that no two
-  // features that share no vertex come closer than their minimum separation (at most the broad
-  // phase's reach), or, where they are closer already, any closer at all.
+  // features that share no vertex come closer than their minimum separation (at most what they are
+  // listed for), or, where they are closer already, any closer at all.
   //
   // The vertices of most listed pairs are displaced so much alike, truncated as they are, that
   // they cannot come that close. Each other pair bounds the displacements of its vertices by a

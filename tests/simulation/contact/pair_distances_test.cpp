@@ -53,6 +53,22 @@ TEST(PairDistances, neighbours_touch_at_half_of_their_rest_distance) {
   EXPECT_DOUBLE_EQ(thick().activation_m(edges), 0.5 * std::hypot(0.2, 0.2));
 }
 
+TEST(PairDistances, reach_as_far_as_each_pair_and_no_farther) {
+  const PairDistances distances = thick();
+  const PairReach contact = distances.activation_reach(0.01);
+  const PairReach gate = distances.min_separation_reach(2);
+  EXPECT_DOUBLE_EQ(contact.largest_m, 0.31);
+  EXPECT_DOUBLE_EQ(gate.largest_m, 0.3);
+  for (const int row : {1, 4, 8}) {
+    const FeaturePair pair = vertex_and_triangle_at_row(row);
+    EXPECT_EQ(contact.of_pair(pair), distances.activation_m(pair) + 0.01);
+    EXPECT_EQ(gate.of_pair(pair), 2 * distances.min_separation_m(pair));
+  }
+  const PairDistances thin(size, {.min_separation_m = 0.01, .activation_m = 0.02});
+  EXPECT_EQ(thin.activation_reach(0.01).largest_m, 0.03);
+  EXPECT_FALSE(thin.activation_reach(0.01).of_pair) << "what is the same for all costs nothing";
+}
+
 TEST(PairDistances, a_corner_and_the_diagonal_beside_it_do_not_touch_in_the_flat_ribbon) {
   const FeaturePair corner{
       Kind::vertex_triangle,

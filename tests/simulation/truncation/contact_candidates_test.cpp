@@ -44,8 +44,11 @@ std::set<Key> listed_in(const ContactCandidates& candidates) {
 // Wherever its vertices are inside their bounds, on the way or at its end, a pair within reach is
 // on the list.
 void expect_all_within_reach_are_listed(const ContactCandidates& candidates, Bodies bodies,
-                                        std::mt19937& random) {
+                                        std::mt19937& random, const PairReach& reach = {reach_m}) {
   const auto listed = listed_in(candidates);
+  const auto reach_of = [&](const FeaturePair& pair) {
+    return reach.of_pair ? reach.of_pair(pair) : reach.largest_m;
+  };
   int within_reach = 0;
   std::uniform_real_distribution<double> part(0, 1);
   std::vector<FeaturePair> close;
@@ -59,10 +62,10 @@ void expect_all_within_reach_are_listed(const ContactCandidates& candidates, Bod
     ASSERT_TRUE(particles_outside(candidates, end).empty());
     const double time = trial < 20 ? 1 : part(random);
     const Matrix3Xd x = candidates.from + time * (end - candidates.from);
-    list_pairs_within_ranges(bodies, vertex_ranges(x, x), reach_m, close);
+    list_pairs_within_ranges(bodies, vertex_ranges(x, x), reach.largest_m, close);
     for (const FeaturePair& pair : close) {
       const auto c = corners(pair, x);
-      if ((c * closest_weights(pair.kind, c)).norm() > reach_m) continue;
+      if ((c * closest_weights(pair.kind, c)).norm() > reach_of(pair)) continue;
       ++within_reach;
       EXPECT_TRUE(listed.contains({pair.kind, pair.vertices}));
     }
@@ -77,6 +80,38 @@ TEST(ContactCandidates, list_every_pair_that_comes_within_reach_inside_the_bound
   const ContactCandidates candidates =
       BroadPhase(lengths).detect(bodies, from, kicked(from, 0.2, random));
   expect_all_within_reach_are_listed(candidates, bodies, random);
+}
+
+// Neighbours, of which the reach of thick cloth is full, are listed as far as they could touch.
+TEST(ContactCandidates, of_thick_cloth_list_what_comes_within_its_own_reach) {
+  auto [grid, from, bodies] = folded(1.5);
+  std::mt19937 random(8);
+  const PairDistances thick(RestSize{grid, 20, 4},
+                            {.min_separation_m = 0.01, .activation_m = 0.02, .thickness_m = 1.9});
+  const PairReach reach = thick.activation_reach(0);
+  const BroadPhaseLengths lengths{
+      .reach_m = reach.largest_m, .slack_m = 0.1, .longest_displacement_m = 1};
+  const Matrix3Xd target = kicked(from, 0.05, random);
+  BroadPhase broad_phase(lengths, thick);
+  const ContactCandidates candidates = broad_phase.detect(bodies, from, target);
+  expect_all_within_reach_are_listed(candidates, bodies, random, reach);
+  EXPECT_LT(3 * candidates.pairs.size(),
+            2 * BroadPhase(lengths).detect(bodies, from, target).pairs.size());
+  broad_phase.widen(std::vector<int>{2, 23, 60}, Widening::onward_and_back, bodies,
+                    kicked(from, 0.5, random));
+  expect_all_within_reach_are_listed(broad_phase.candidates(), bodies, random, reach);
+}
+
+TEST(ContactCandidates, of_thick_cloth_that_lies_flat_are_few) {
+  const RibbonGrid grid{40, 8};
+  const Matrix3Xd flat = flat_ribbon(grid);
+  Bodies bodies = ribbon_alone(grid);
+  const PairDistances thick(RestSize{grid, 39, 7},
+                            {.min_separation_m = 0.01, .activation_m = 0.02, .thickness_m = 3});
+  const BroadPhaseLengths lengths{
+      .reach_m = thick.largest_activation_m(), .slack_m = 0.05, .longest_displacement_m = 1};
+  const std::size_t uniform = BroadPhase(lengths).detect(bodies, flat, flat).pairs.size();
+  EXPECT_LT(20 * BroadPhase(lengths, thick).detect(bodies, flat, flat).pairs.size(), uniform);
 }
 
 TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once) {
@@ -134,7 +169,7 @@ TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
   const ContactCandidates candidates =
       BroadPhase(lengths).detect(bodies, from, from + displacement);
   EXPECT_GT(candidates.pairs.size(), 100U);
-  EXPECT_TRUE(ApproachingPairs().find(candidates, from, displacement, reach_m).empty());
+  EXPECT_TRUE(ApproachingPairs().find(candidates, from, displacement, {reach_m}).empty());
   // By hand: one particle that lags by its whole displacement approaches all that it is listed
   // with.
   const int lagging = grid.particle(10, 2);
@@ -142,7 +177,7 @@ TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
   std::size_t of_particle = 0;
   for (const FeaturePair& pair : candidates.pairs)
     of_particle += std::count(pair.vertices.begin(), pair.vertices.end(), lagging) > 0 ? 1U : 0U;
-  EXPECT_EQ(ApproachingPairs().find(candidates, from, displacement, reach_m).size(), of_particle);
+  EXPECT_EQ(ApproachingPairs().find(candidates, from, displacement, {reach_m}).size(), of_particle);
 }
 
 }  // namespace ribbon::contact_candidates_test

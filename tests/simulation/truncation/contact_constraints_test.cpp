@@ -31,7 +31,7 @@ struct Sinking {
     cloth = {free_positions, Matrix3Xd::Zero(3, grid.particle_count()), 1};
     cloth.positions.row(1).array() -= sink;
     candidates = BroadPhase(lengths).detect(planted.bodies, free_positions, cloth.positions);
-    constraints.find(candidates, planted.bodies, distances, 0.3, free_positions, cloth.positions);
+    constraints.find(candidates, planted.bodies, distances, 0.1, free_positions, cloth.positions);
     constraints.begin_sweeps();
   }
   bool keep_apart_once() {
@@ -74,7 +74,7 @@ TEST(ContactConstraints, move_what_is_light_farther) {
   Eigen::ArrayXd lightness = Eigen::ArrayXd::Ones(grid.particle_count());
   lightness[vertex] = 1.0 / 3;
   ContactConstraints constraints(lightness);
-  constraints.find(only({vertex, 0, 3, 1}, positions), bodies, distances, 0.3, positions,
+  constraints.find(only({vertex, 0, 3, 1}, positions), bodies, distances, 0.1, positions,
                    positions);
   ASSERT_EQ(constraints.found().size(), 1U);
   EXPECT_NEAR(constraints.found()[0].corrections[0], 0.5, 1e-12);
