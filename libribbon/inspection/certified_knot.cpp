@@ -35,7 +35,6 @@ void KnotCertifier::watch(int index, Eigen::Matrix3Xf positions) {
   witness_.follow(positions);
   const double moved_m =
       followed_ < 0 ? 0 : static_cast<double>((positions - positions_).colwise().norm().maxCoeff());
-  if (known_) known_->moved_m = std::max(known_->moved_m, moved_m);
   if (witness_.is_buried() && !result_.buried_since) {
     result_.buried_since = index + 1;
     if (witness_.last_closed()) {
@@ -43,17 +42,18 @@ void KnotCertifier::watch(int index, Eigen::Matrix3Xf positions) {
       if (certified_ < followed_) certify(followed_, *witness_.last_closed());
     }
   }
+  if (known_) known_->moved_m = std::max(known_->moved_m, moved_m);
   if (witness_.may_have_passed() && !result_.may_have_passed)
     result_.may_have_passed = {followed_ + 1, index + 1, moved_m};
   positions_ = std::move(positions);
 }
 
-// Is it known, or carried on from the last one that was, or from a first frame of which nobody
-// knows?
+// Is it known, or carried on from the last that was, or from a first frame that is not known at
+// all? What is expected has to be seen.
 bool KnotCertifier::tells_the_knot(const KnotCertificate& certificate) const {
   if (certificate.is_known()) return true;
   const bool closed_is_known = !last_closed_ || (known_ && known_->index >= *last_closed_);
-  return certificate.is_carried_on() && closed_is_known;
+  return certificate.is_carried_on() && closed_is_known && expected_.empty();
 }
 
 void KnotCertifier::certify(int index, KnotCertificate certificate) {

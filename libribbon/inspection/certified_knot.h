@@ -12,8 +12,8 @@
 
 namespace ribbon {
 
-// The certificates of the two frames, both known, differ, as texts say. What lies between them is
-// not known. Frames are numbered from 1.
+// The certificates of the two frames, both known or carried on, differ, as texts say. What lies
+// between them is not known. Frames are numbered from 1.
 struct CertificateChange {
   int frame_before = 0;
   int frame_after = 0;
@@ -22,7 +22,8 @@ struct CertificateChange {
   double moved_m = 0;  // the farthest that a particle went from one frame to the next meanwhile
 };
 
-// Straight ways from one frame to the next do not show that nothing passed through anything.
+// Straight ways from one frame to the next do not show that the centre line did not pass through
+// itself.
 struct FarMove {
   int frame_before = 0;
   int frame_after = 0;
@@ -33,7 +34,7 @@ struct CertifiedKnot {
   std::string certificate;  // of the first frame that could be read; empty: none could
   int certified_frames = 0;
   // Of these, where no closure tells knot and twist, for an end is buried, but where they are what
-  // they were before: nothing has passed through anything.
+  // they were before. Where a knot is expected there are none: then such frames are uncertain.
   int buried_frames = 0;
   int uncertain_frames = 0;   // of these, where knot or twist could not be known
   int unexpected_frames = 0;  // of these, where it was another than the one expected

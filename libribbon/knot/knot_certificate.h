@@ -9,16 +9,17 @@
 
 namespace ribbon {
 
-// Certificates of two frames differ if and only if something passed through something, or an end
-// was lost (docs/knot-certificate.md).
+// Known certificates of two frames differ if and only if something passed through something
+// (docs/knot-certificate.md).
 struct KnotCertificate {
   // An end is buried when no straight ray leads from it to the far without meeting the ribbon, or
   // none that continues the closure of the frames before. It stays so: what the ribbon was closed
   // to before cannot be known again.
   bool first_end_buried = false;
   bool last_end_buried = false;
-  // Since then two strands may have passed through each other between two frames: when all points
-  // move straight, they do, or nearly.
+  // Since then it is not proved of all steps from frame to frame that the centre line, all points
+  // going straight, did not pass through itself or through a line close beside it. Where it is,
+  // knot and twist are what they were, as far as the frames do not intersect.
   bool may_have_passed = false;
   // Some coordinate of a frame was infinite or not a number.
   bool broken_positions = false;

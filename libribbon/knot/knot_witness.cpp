@@ -10,6 +10,8 @@ namespace ribbon {
 namespace {
 
 // Does straight motion show that the knot and the twist are what they were, wherever the ends are?
+// In frames that do not intersect, the selvages are linked as the line beside the centre is with
+// it.
 bool nothing_passes(const RibbonCurves& before, const RibbonCurves& now) {
   const MovingCurve centre_line{before.centre_line, now.centre_line};
   return stays_clear_of_itself(centre_line) &&

@@ -27,7 +27,8 @@ class KnotWitness {
 
   // Is an end buried, in the frame followed last or before?
   [[nodiscard]] bool is_buried() const { return rays_.any_buried(); }
-  // Of the frame before that: the last that a closure tells. Nothing if there is none.
+  // Of the frame before the one in which first an end got buried: the last that a closure tells.
+  // Nothing if there is none.
   [[nodiscard]] const std::optional<KnotCertificate>& last_closed() const { return last_closed_; }
   // As KnotCertificate has it.
   [[nodiscard]] bool may_have_passed() const { return may_have_passed_; }

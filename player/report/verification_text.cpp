@@ -94,18 +94,19 @@ std::string strain_text(const Verification& verification) {
 
 std::string buried_text(const CertifiedKnot& knot) {
   if (!knot.buried_since) return "";
-  const std::string buried =
-      filled_in("from frame {} on an end is buried in the ribbon; ", *knot.buried_since);
-  if (!knot.may_have_passed)
-    return report_line("", buried +
-                               "nothing has passed through anything since, though an end may "
-                               "have slipped out");
-  const auto& [before, after, moved_m] = *knot.may_have_passed;
-  return report_line(
-      "", buried + filled_in("something may have passed through something between frames {} and "
-                             "{}, where a particle went up to {:.2g} m; record more "
-                             "frames_per_second",
-                             before, after, moved_m));
+  std::string text =
+      filled_in("from frame {} on an end is buried in the ribbon", *knot.buried_since);
+  if (knot.may_have_passed)
+    text += filled_in(
+        "; its centre line may have passed through itself between frames {} and {}, where a "
+        "particle "
+        "went up to {:.2g} m; record more frames_per_second",
+        knot.may_have_passed->frame_before, knot.may_have_passed->frame_after,
+        knot.may_have_passed->moved_m);
+  else if (knot.uncertain_frames == 0)
+    text +=
+        "; its centre line has not passed through itself since, though an end may have slipped out";
+  return report_line("", text);
 }
 
 std::string changes_text(const CertifiedKnot& knot) {

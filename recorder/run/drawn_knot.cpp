@@ -148,11 +148,9 @@ std::optional<LaurentPolynomial> type_seen(const RibbonGrid& grid, const Eigen::
                         ribbon_curves(grid, frame).centre_line);
 }
 
-Result<void> check_same(const std::optional<LaurentPolynomial>& drawn, const RibbonGrid& grid,
-                        const Eigen::Matrix3Xf& frame, Axis axis, const std::string& what) {
-  if (!drawn) return {};
-  const auto begun = type_of(grid, frame);
-  if (!begun || begun == drawn || type_seen(grid, frame, axis) == drawn) return {};
+Result<void> check_same(const std::optional<LaurentPolynomial>& drawn,
+                        const std::optional<LaurentPolynomial>& begun, const std::string& what) {
+  if (!drawn || !begun || drawn == begun) return {};
   return failure(
       "",
       what + " at its start is tied as: " + knot_text(*begun) +
@@ -197,17 +195,19 @@ Result<void> check_expected_knot(const Scene& scene, const RibbonMesh& drawn) {
 Result<void> check_first_frame(const Scene& scene, const RibbonMesh& drawn,
                                const Eigen::Matrix3Xd& start) {
   const Eigen::Matrix3Xf frame = start.cast<float>();
-  const Axis axis = scene.curve.axis;
-  Result<void> same =
-      check_same(closed_type(diagram_of(drawn.crossings)), drawn.grid, frame, axis, "the ribbon");
+  const auto type = closed_type(diagram_of(drawn.crossings));
+  Result<void> same = type && type_seen(drawn.grid, frame, scene.curve.axis) == type
+                          ? Result<void>()
+                          : check_same(type, type_of(drawn.grid, frame), "the ribbon");
   if (!same || !scene.knot || !scene.knot->between) return same;
   const auto shares = shares_of(*scene.knot->between);
   const auto rows = part_between(drawn.grid, shares[0], shares[1]);
   if (!rows)
     return failure("", "no two rows lie between the two places of 'between'",
                    "name two that are further apart");
-  return check_same(closed_type(part_of(drawn, shares)), rows->grid(drawn.grid),
-                    rows->positions(drawn.grid, frame), axis,
+  // Closed as it will be when it is certified.
+  return check_same(closed_type(part_of(drawn, shares)),
+                    type_of(rows->grid(drawn.grid), rows->positions(drawn.grid, frame)),
                     "the part of the ribbon between the two places of 'between'");
 }
 

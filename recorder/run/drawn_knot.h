@@ -31,8 +31,9 @@ std::string text_of_knot(const KnotDiagram& drawing);
 // Likewise of the part whose knot is expected by itself. Marks have been found.
 Result<void> check_expected_knot(const Scene& scene, const RibbonMesh& drawn);
 
-// Fails where the ribbon that begins (3 x particles), or the part of it whose knot is certified by
-// itself, is another closed type than its drawing, wherever it is closed. Either may be unknown.
+// Fails where the ribbon that begins (3 x particles), closed where that is clearest or towards the
+// viewer, is another closed type than its drawing, or the part of it whose knot is certified by
+// itself, closed where that is clearest. Either may be unknown.
 Result<void> check_first_frame(const Scene& scene, const RibbonMesh& drawn,
                                const Eigen::Matrix3Xd& start);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -175,6 +176,25 @@ TEST(Verify, what_passed_just_before_an_end_got_buried_is_found) {
   ASSERT_EQ(knot.changes.size(), 1U);
   EXPECT_EQ(knot.changes[0].frame_before, 1);
   EXPECT_EQ(knot.changes[0].frame_after, 2);
+  EXPECT_LT(knot.changes[0].moved_m, 0.02) << "that of the next step belongs to the next change";
+}
+
+TEST(Verify, of_a_buried_end_after_a_broken_frame_nothing_is_known) {
+  Eigen::Matrix3Xf broken = ball(0.02);
+  broken(1, 7) = std::numeric_limits<float>::quiet_NaN();
+  const CertifiedKnot knot = certified_balls({ball(0.6), ball(0.02), broken, ball(0.02)}, 1);
+  EXPECT_EQ(knot.buried_frames, 1);
+  EXPECT_EQ(knot.uncertain_frames, 2);
+}
+
+TEST(Verify, a_knot_that_is_expected_has_to_be_seen) {
+  KnotCertifier knot({700, 2}, {}, {}, "unknot");
+  int index = 0;
+  for (const double hole_rad : {0.6, 0.02, 0.03}) knot.follow(index++, ball(hole_rad), true);
+  const CertifiedKnot certified = knot.finish();
+  EXPECT_EQ(certified.buried_frames, 0);
+  EXPECT_EQ(certified.uncertain_frames, 2);
+  EXPECT_EQ(certified.unexpected_frames, 2);
 }
 
 TEST(Verify, intersecting_frames_are_counted_and_the_worst_is_named) {

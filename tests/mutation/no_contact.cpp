@@ -7,7 +7,7 @@
 namespace ribbon {
 
 void ContactConstraints::find(const ContactCandidates& /*candidates*/, const Bodies& /*bodies*/,
-                              const PairDistances& /*distances*/, double /*reach_m*/,
+                              const PairDistances& /*distances*/, double /*beyond_m*/,
                               const Eigen::Matrix3Xd& /*free_positions*/,
                               const Eigen::Matrix3Xd& /*target*/) {}
 

@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "playback/frames_of.h"
 #include "playback/sample_frame.h"
+#include "recording/records/record_head.h"
 #include "recording/sample_recording.h"
 #include "result/refusal.h"
 
@@ -81,12 +82,16 @@ TEST(RecordingReader, what_ends_before_its_first_frame_says_so) {
   std::filesystem::remove(path);
   write_sample_recording(path, 1, Ending::killed);
   const std::string whole = read_file(path).value();
-  for (const std::size_t bytes : {0, 3, 8, 12, 30, 100}) {
+  const std::size_t header_end = 8 + 24 + parse_record_head(whole.substr(8, 24))->payload_bytes;
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{3}, std::size_t{8}, std::size_t{12},
+                                  std::size_t{100}, header_end - 1}) {
     ASSERT_TRUE(write_file(path, whole.substr(0, bytes)).has_value());
     EXPECT_THAT(refusal_of(RecordingReader::open(path)),
                 AllOf(HasSubstr("ends before its first frame"), HasSubstr("--force")))
         << bytes;
   }
+  ASSERT_TRUE(write_file(path, whole.substr(0, header_end)).has_value());
+  EXPECT_EQ(RecordingReader::open(path).value().frame_count(), 0);
 }
 
 }  // namespace ribbon::recording_reader_test

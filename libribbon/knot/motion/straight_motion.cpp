@@ -87,7 +87,8 @@ bool all_stay_clear(const std::vector<MovingEdge>& ones, const std::vector<Movin
   for (const MovingEdge& other : others)
     widest = std::max(widest, other.swept.high.x() - other.swept.low.x());
   for (const MovingEdge& one : ones) {
-    while (first < others.size() && others[first].swept.low.x() < one.swept.low.x() - widest)
+    while (first < others.size() &&
+           others[first].swept.low.x() < one.swept.low.x() - widest - rounding)
       ++first;
     for (std::size_t k = first; k < others.size() && others[k].swept.low.x() <= one.swept.high.x();
          ++k)

@@ -11,10 +11,11 @@
 
 namespace ribbon {
 
-// How close pairs have to come to matter.
+// How close pairs have to come to matter: as of_pair says, where there is such a function, and
+// never more than largest_m.
 struct PairReach {
-  double largest_m = 0;                                         // of any pair
-  std::function<double(const FeaturePair&)> of_pair = nullptr;  // less, of some; none: of none
+  double largest_m = 0;
+  std::function<double(const FeaturePair&)> of_pair = nullptr;
 };
 
 // A pair's minimum separation, and the activation distance, at which contact begins. Cloth with
@@ -41,7 +42,7 @@ class PairDistances {
     return std::max(lengths_.activation_m, lengths_.thickness_m);
   }
 
-  // Each and `beyond_m`; `times` as much. As long as this lives.
+  // The activation distance and `beyond_m`; `times` the minimum separation. Not to outlive this.
   [[nodiscard]] PairReach activation_reach(double beyond_m) const;
   [[nodiscard]] PairReach min_separation_reach(double times) const;
 

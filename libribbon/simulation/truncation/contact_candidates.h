@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cassert>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/box.h"
@@ -44,7 +46,9 @@ class BroadPhase {
   // of which is above lengths.reach_m.
   explicit BroadPhase(const BroadPhaseLengths& lengths,
                       std::optional<PairDistances> distances = std::nullopt)
-      : lengths_(lengths), distances_(std::move(distances)) {}
+      : lengths_(lengths), distances_(std::move(distances)) {
+    assert(!distances_ || distances_->largest_activation_m() <= lengths_.reach_m);
+  }
 
   // Detects around the straight way from `from` to `target` (3 x particles each).
   const ContactCandidates& detect(Bodies& bodies, const Eigen::Matrix3Xd& from,

@@ -98,6 +98,42 @@ TEST(StraightMotion, edges_that_do_not_meet_stay_clear) {
   EXPECT_GT(clear, 1000);
 }
 
+// Long edges and short ones, so that what is to the left of a curve's edges may reach far over
+// them.
+Curve random_polygon(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  Curve polygon(3, 12);
+  for (Eigen::Index k = 0; k < polygon.cols(); ++k)
+    for (int axis = 0; axis < 3; ++axis)
+      polygon(axis, k) = normal(random) * (k % 4 == 0 ? 10 : 0.3) + 0.5 * static_cast<double>(k);
+  return polygon;
+}
+
+TEST(StraightMotion, of_curves_is_that_of_all_their_edges) {
+  std::mt19937 random(11);
+  int clear = 0;
+  for (int round = 0; round < 500; ++round) {
+    const Curve one = random_polygon(random);
+    Curve other = random_polygon(random);
+    other.row(1).array() += round % 5;
+    const Curve one_now = one + 0.2 * random_polygon(random);
+    const Curve other_now = other + 0.2 * random_polygon(random);
+    bool all_clear = true;
+    for (Eigen::Index i = 0; i + 1 < one.cols(); ++i)
+      for (Eigen::Index j = 0; j + 1 < other.cols(); ++j) {
+        const Curve a = one.middleCols(i, 2);
+        const Curve a_now = one_now.middleCols(i, 2);
+        const Curve b = other.middleCols(j, 2);
+        const Curve b_now = other_now.middleCols(j, 2);
+        all_clear = all_clear && stay_clear({a, a_now}, {b, b_now});
+      }
+    ASSERT_EQ(stay_clear({one, one_now}, {other, other_now}), all_clear) << round;
+    clear += all_clear ? 1 : 0;
+  }
+  EXPECT_GT(clear, 50);
+  EXPECT_LT(clear, 450);
+}
+
 TEST(StraightMotion, a_knot_that_is_pulled_stays_clear_of_itself) {
   const Curve before = overhand_knot(300);
   EXPECT_TRUE(stays_clear_of_itself({before, overhand_knot(300, 6.5)}));

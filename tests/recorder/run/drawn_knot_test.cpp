@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "knot/knot_witness.h"
 #include "recorder/run/start.h"
 #include "recorder/small_scene.h"
 #include "result/refusal.h"
@@ -91,6 +92,13 @@ TEST(DrawnKnot, whose_ends_lie_within_its_loop_is_what_is_seen) {
     const Scene scene = scene_of(filled_in("points = [{}]\naxis = '{}'\n", points, axis));
     const RibbonMesh drawn = draw_ribbon(scene).value();
     EXPECT_EQ(refusal_of(check_first_frame(scene, drawn, drawn.positions)), "") << axis;
+    KnotWitness closed_where_clearest(drawn.grid, std::nullopt);
+    closed_where_clearest.follow(drawn.positions.cast<float>());
+    EXPECT_THAT(closed_where_clearest.certificate().text(), HasSubstr("trefoil")) << axis;
+    const RibbonMesh knotted = draw_ribbon(scene_with("", "")).value();
+    ASSERT_EQ(knotted.grid, drawn.grid);
+    EXPECT_THAT(refusal_of(check_first_frame(scene, drawn, knotted.positions)),
+                HasSubstr("its drawing as: unknot"));
   }
 }
 

@@ -77,6 +77,19 @@ TEST(PairDistances, a_corner_and_the_diagonal_beside_it_do_not_touch_in_the_flat
   EXPECT_NEAR(thick().activation_m(corner), 0.5 * 0.02 / std::sqrt(0.05), 1e-12);
 }
 
+// By hand: at six rows of 0.1 m half of the rest distance is the thickness.
+TEST(PairDistances, of_features_up_to_twice_the_thickness_apart_go_by_that) {
+  for (int row = 1; row < grid.along - 1; ++row)
+    for (int column = 0; column < grid.across; ++column) {
+      const FeaturePair edges{Kind::edge_edge,
+                              {grid.particle(0, 0), grid.particle(0, 1), grid.particle(row, column),
+                               grid.particle(row + 1, column)}};
+      const double rest_m = std::hypot(0.1 * row, 0.2 * std::max(0, column - 1));
+      EXPECT_NEAR(thick().activation_m(edges), std::min(0.3, 0.5 * rest_m), 1e-12)
+          << row << ", " << column;
+    }
+}
+
 // By hand: rows 0.1 m apart; columns 0.1 m apart in row 0, 0.3 m in row 9.
 TEST(PairDistances, of_a_ribbon_with_a_profile_go_by_its_own_rows) {
   RestSize tapered{grid, 0.9, 0.6};
