@@ -5,7 +5,7 @@
 # fails when that is not 0. Takes 8 minutes on two quiet cores, 12 to 20 on busy ones.
 #   --quick   only the Release build and its tests
 #   --all     benchmarks, the module for Python and packages as well, nearly all tests under the sanitizers,
-#             lint: an hour
+#             lint: two hours
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../.ci/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../.ci/setup.sh"
