@@ -82,12 +82,17 @@ TEST(ContactCandidates, list_every_pair_that_comes_within_reach_inside_the_bound
   expect_all_within_reach_are_listed(candidates, bodies, random);
 }
 
+// The folded ribbon as cloth so thick that its layers touch, and that all within two rows or
+// columns of a particle are within it.
+PairDistances thick_fold(const RibbonGrid& grid) {
+  return {{grid, 20, 4}, {.min_separation_m = 0.01, .activation_m = 0.02, .thickness_m = 1.9}};
+}
+
 // Neighbours, of which the reach of thick cloth is full, are listed as far as they could touch.
 TEST(ContactCandidates, of_thick_cloth_list_what_comes_within_its_own_reach) {
   auto [grid, from, bodies] = folded(1.5);
   std::mt19937 random(8);
-  const PairDistances thick(RestSize{grid, 20, 4},
-                            {.min_separation_m = 0.01, .activation_m = 0.02, .thickness_m = 1.9});
+  const PairDistances thick = thick_fold(grid);
   const PairReach reach = thick.activation_reach(0);
   const BroadPhaseLengths lengths{
       .reach_m = reach.largest_m, .slack_m = 0.1, .longest_displacement_m = 1};
@@ -106,8 +111,7 @@ TEST(ContactCandidates, of_thick_cloth_list_what_comes_within_its_own_reach) {
 TEST(ApproachingPairs, of_thick_cloth_are_those_that_come_within_their_own_reach) {
   auto [grid, from, bodies] = folded(1.5);
   std::mt19937 random(8);
-  const PairDistances thick(RestSize{grid, 20, 4},
-                            {.min_separation_m = 0.01, .activation_m = 0.02, .thickness_m = 1.9});
+  const PairDistances thick = thick_fold(grid);
   const PairReach reach = thick.min_separation_reach(1);
   const Matrix3Xd target = kicked(from, 0.2, random);
   const ContactCandidates candidates =
@@ -119,18 +123,20 @@ TEST(ApproachingPairs, of_thick_cloth_are_those_that_come_within_their_own_reach
   const std::vector<std::size_t> found = approaching.find(candidates, from, target - from, reach);
   std::vector<char> is_found(candidates.pairs.size(), 0);
   for (const std::size_t i : found) is_found[i] = 1;
-  std::vector<std::size_t> others;
   int within_reach = 0;
-  for (std::size_t i = 0; i < candidates.pairs.size(); ++i) {
-    const FeaturePair& pair = candidates.pairs[i];
-    if (is_found[i] == 0) others.push_back(i);
-    for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      const auto c = corners(pair, bodies.vertices(from + time * (target - from)));
+  for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const Matrix3Xd x = from + time * (target - from);
+    for (std::size_t i = 0; i < candidates.pairs.size(); ++i) {
+      const FeaturePair& pair = candidates.pairs[i];
+      const auto c = corners(pair, bodies.vertices(x));
       if ((c * closest_weights(pair.kind, c)).norm() > reach.of_pair(pair)) continue;
       ++within_reach;
       EXPECT_TRUE(is_found[i] != 0) << i << " at " << time;
     }
   }
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < candidates.pairs.size(); ++i)
+    if (is_found[i] == 0) others.push_back(i);
   EXPECT_GT(within_reach, 30);
   EXPECT_LT(found.size(), candidates.pairs.size());
   EXPECT_TRUE(approaching.find_among(others, candidates, (target - from) / 1e9).empty());
