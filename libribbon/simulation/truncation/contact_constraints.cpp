@@ -8,11 +8,14 @@
 #include "parallel/parallel.h"
 #include "simulation/contact/friction.h"
 #include "simulation/detection/closest_weights.h"
+#include "simulation/truncation/closest_approach.h"
 
 namespace ribbon {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
+using Eigen::Vector4d;
+using Corners = Eigen::Matrix<double, 3, 4>;
 
 namespace {
 
@@ -21,31 +24,59 @@ constexpr double clear_of_truncation = 1.2;
 // Of what lacks to the activation distance: layers that were pressed together move apart gently.
 constexpr double opening = 0.2;
 constexpr double negligible_violation = 0.03;  // of a distance
+constexpr double hardly = 0.1;  // of a distance, that a pair moves in what its contact serves
 // Of a distance: more than rounding can take from how far something is and has travelled.
 constexpr double doubtful = 1e-6;
 
+// Of the closest points of a pair, at the start of its motion.
+struct Contact {
+  Vector4d weights;
+  Vector3d normal = Vector3d::Zero();
+  double distance_m = 0;  // along it
+};
+
+// The normal is that of the start, but of a pair that would come near, as that normal has it, the
+// one of its closest approach: of features that slide past each other the former lies aslant and
+// would hold them up. What hardly moves keeps to the former, lest a normal turn with every tremor.
+Contact contact_of(FeaturePair::Kind kind, const Corners& start, const Corners& displacement,
+                   double near_m, double min_separation_m) {
+  const Vector4d weights = closest_weights(kind, start);
+  const Vector3d apart = weighted_sum(start, weights);
+  const double distance_m = length_of(apart);
+  if (distance_m == 0) return {weights};
+  const Contact at_start{weights, apart / distance_m, distance_m};
+  const Vector3d way = weighted_sum(displacement, weights);
+  if (length_of(way) < hardly * distance_m) return at_start;
+  const double approach_m = -dot(at_start.normal, way);
+  if (approach_m <= 0 || distance_m - approach_m >= near_m) return at_start;
+
+  const Vector3d nearest = closest_approach(kind, start, weights, displacement);
+  const double nearest_m = length_of(nearest);
+  if (nearest_m <= min_separation_m) return at_start;
+  const Vector3d normal = nearest / nearest_m;
+  return {weights, normal, dot(normal, apart)};
+}
+
 // Where the closest points leave no direction, or nothing could move, one of distance 0, which is
 // always kept.
-ContactConstraint constraint_of(const FeaturePair& pair, const Bodies& bodies,
-                                const VertexPositions& vertices, const PairDistances& distances,
+ContactConstraint constraint_of(const FeaturePair& pair, const Contact& contact,
+                                const Bodies& bodies, const PairDistances& distances,
                                 const Eigen::ArrayXd& lightness) {
-  const auto x = corners(pair, vertices);
   ContactConstraint constraint;
   constraint.vertices = pair.vertices;
-  constraint.weights = closest_weights(pair.kind, x);
-  const Vector3d apart = weighted_sum(x, constraint.weights);
-  const double distance_m = length_of(apart);
+  constraint.weights = contact.weights;
   for (int k = 0; k < 4; ++k)
-    constraint.corrections[k] = bodies.is_particle(pair.vertices[k]) ? constraint.weights[k] : 0;
+    constraint.corrections[k] = bodies.is_particle(pair.vertices[k]) ? contact.weights[k] : 0;
   for (int k = 0; k < 4 && lightness.size() > 0; ++k)
     if (constraint.corrections[k] != 0) constraint.corrections[k] *= lightness[pair.vertices[k]];
   // Of particles of mean mass 1.
   const double effective_inverse_mass = dot(constraint.corrections, constraint.weights);
-  if (distance_m == 0 || effective_inverse_mass == 0) return constraint;
+  if (contact.distance_m == 0 || effective_inverse_mass == 0) return constraint;
   constraint.corrections /= effective_inverse_mass;
-  constraint.normal = apart / distance_m;
+  constraint.normal = contact.normal;
   const double activation_m = distances.activation_m(pair);
-  const double opened_m = distance_m + opening * std::max(0.0, activation_m - distance_m);
+  const double opened_m =
+      contact.distance_m + opening * std::max(0.0, activation_m - contact.distance_m);
   constraint.distance_m = std::min(
       activation_m, std::max(opened_m, clear_of_truncation * distances.min_separation_m(pair)));
   return constraint;
@@ -64,7 +95,11 @@ void ContactConstraints::find(const ContactCandidates& candidates, const Bodies&
   watches_.resize(near.size());
   parallel_ranges(near.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      found_[i] = constraint_of(candidates.pairs[near[i]], bodies, vertices, distances, lightness_);
+      const FeaturePair& pair = candidates.pairs[near[i]];
+      const Contact contact =
+          contact_of(pair.kind, corners(pair, vertices), displacements(pair, displacement_),
+                     distances.activation_m(pair) + beyond_m, distances.min_separation_m(pair));
+      found_[i] = constraint_of(pair, contact, bodies, distances, lightness_);
       for (int k = 0; k < 4; ++k)
         watches_[i].vertices[k] = std::min(found_[i].vertices[k], bodies.grid.particle_count());
     }

@@ -31,9 +31,9 @@ class ContactConstraints {
   explicit ContactConstraints(Eigen::ArrayXd lightness = {}) : lightness_(std::move(lightness)) {}
 
   // One for each listed pair that could come into contact, or so near to it, between
-  // `free_positions`, in which nothing intersects, and `target` (3 x particles each): along the
-  // line between its closest points in the free ones, contact shall not begin, or, where it has
-  // begun, open by a fifth of what lacks.
+  // `free_positions`, in which nothing intersects, and `target` (3 x particles each): contact shall
+  // not begin, or, where it has begun, open by a fifth of what lacks. That is along the line
+  // between its closest points in the free ones, or in its closest approach where it slides past.
   void find(const ContactCandidates& candidates, const Bodies& bodies,
             const PairDistances& distances, double beyond_m, const Eigen::Matrix3Xd& free_positions,
             const Eigen::Matrix3Xd& target);

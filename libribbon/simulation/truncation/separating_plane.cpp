@@ -4,6 +4,7 @@
 
 #include "geometry/vectors.h"
 #include "simulation/detection/closest_weights.h"
+#include "simulation/truncation/closest_approach.h"
 
 namespace ribbon {
 
@@ -16,23 +17,16 @@ using Corners = Eigen::Matrix<double, 3, 4>;
 // The part of the room that one truncation may use up; the rest keeps rounding harmless.
 constexpr double usable = 0.9;
 
-}  // namespace
-
-Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
-                                const Corners& displacement, double min_separation_m) {
-  const int first_count = kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
-  const Vector3d apart = weighted_sum(start, closest_weights(kind, start));
-  const double distance_m = length_of(apart);
-  if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches
-  const Vector3d normal = apart / distance_m;
-
-  // Heights over the plane's direction: the first feature lies above the second.
+// By a plane perpendicular to `normal`, over which the first feature lies above the second; none
+// may go where that leaves no more than least_gap_m between them.
+Vector4d fractions_beside_plane(int first_count, const Vector3d& normal, const Corners& start,
+                                const Corners& displacement, double least_gap_m,
+                                double min_separation_m) {
   const Vector4d height = heights(start, normal);
   const Vector4d rise = heights(displacement, normal);
   const double lowest_first = height.head(first_count).minCoeff();
   const double highest_second = height.tail(4 - first_count).maxCoeff();
-  // Almost touching features lie aslant to the rounded direction: it does not separate them.
-  if (lowest_first <= highest_second) return Vector4d::Zero();
+  if (lowest_first - highest_second <= least_gap_m) return Vector4d::Zero();
   const double room_m = std::max(0.0, usable * (lowest_first - highest_second - min_separation_m));
   const double sink_first = std::max(0.0, -rise.head(first_count).minCoeff());
   const double climb_second = std::max(0.0, rise.tail(4 - first_count).maxCoeff());
@@ -49,6 +43,28 @@ Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
     if (rise[k] > 0 && height[k] + rise[k] > ceiling_of_second)
       fractions[k] = room_m > 0 ? (ceiling_of_second - height[k]) / rise[k] : 0;
   return fractions.cwiseMin(1).cwiseMax(0);
+}
+
+}  // namespace
+
+Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
+                                const Corners& displacement, double min_separation_m) {
+  const int first_count = kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
+  const Vector4d weights = closest_weights(kind, start);
+  const Vector3d apart = weighted_sum(start, weights);
+  const double distance_m = length_of(apart);
+  if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches
+  // Almost touching features lie aslant to the rounded direction: it does not separate them.
+  const Vector4d at_start = fractions_beside_plane(first_count, apart / distance_m, start,
+                                                   displacement, 0, min_separation_m);
+  if (at_start.minCoeff() == 1) return at_start;
+
+  const Vector3d nearest = closest_approach(kind, start, weights, displacement);
+  const double nearest_m = length_of(nearest);
+  if (nearest_m <= min_separation_m) return at_start;
+  const Vector4d on_the_way = fractions_beside_plane(
+      first_count, nearest / nearest_m, start, displacement, min_separation_m, min_separation_m);
+  return on_the_way.minCoeff() > at_start.minCoeff() ? on_the_way : at_start;
 }
 
 }  // namespace ribbon

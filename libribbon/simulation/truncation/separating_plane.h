@@ -11,12 +11,13 @@ namespace ribbon {
 // separation stays above min_separation_m at every instant. start, displacement: 3 x 4, the corners
 // of a pair of `kind` and how far they are to move.
 //
-// A plane between the two features, perpendicular to the line between their closest points at the
-// start, divides the room between them in proportion to how fast each side approaches. A vertex
-// that would use more than its part of the room is truncated, so each side stays on its side of the
-// plane whatever becomes of the other. Motion along the plane and away from it is free. Features
-// that are closer than min_separation_m may only part; where no plane separates them, because they
-// touch or nearly do, they stay where they are.
+// A plane between the two features divides the room between them in proportion to how fast each
+// side approaches. A vertex that would use more than its part of the room is truncated, so each
+// side stays on its side of the plane whatever becomes of the other. Motion along the plane and
+// away from it is free. The plane is perpendicular to the line between their closest points, at the
+// start or, where that lets them go farther, at their closest approach. Features that are closer
+// than min_separation_m may only part; where no plane separates them, because they touch or nearly
+// do, they stay where they are.
 //
 // Cf. planar "divide and truncate" bounds (Chen et al. 2026).
 Eigen::Vector4d displacement_fractions(FeaturePair::Kind kind,

@@ -10,6 +10,7 @@
 namespace ribbon::contact_constraints_test {
 
 using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
 
 constexpr RibbonGrid grid{5, 3};
 constexpr RestSize size{grid, 4, 2};
@@ -103,6 +104,52 @@ TEST(ContactConstraints, with_friction_hold_what_slides) {
                   std::max(0.0, slid - 0.35), 0.02)
           << p;
   }
+}
+
+// A vertex over the triangle 0, 3, 1 and what it is about to do.
+struct Flying {
+  explicit Flying(const Vector3d& from, const Vector3d& way) {
+    cloth.positions.col(vertex) = from;
+    before = cloth.positions;
+    cloth.positions.col(vertex) += way;
+    cloth.velocities.col(vertex) = 100 * way;
+    constraints.find(only({vertex, 0, 3, 1}, before), bodies, distances, 0.1, before,
+                     cloth.positions);
+  }
+  void keep_apart_once() {
+    SweepActivity activity(grid, 1);
+    constraints.begin_sweeps();
+    constraints.keep_apart(0, before, bodies, activity, cloth);
+  }
+  [[nodiscard]] Vector3d normal() const { return constraints.found().at(0).normal; }
+
+  int vertex = grid.particle(4, 1);
+  Bodies bodies{grid, std::nullopt};
+  Cloth cloth{flat_ribbon(grid), Matrix3Xd::Zero(3, grid.particle_count()), 1};
+  Matrix3Xd before;
+  ContactConstraints constraints;
+};
+
+// It comes from beside the triangle, at a height at which contact has begun.
+TEST(ContactConstraints, do_not_hold_up_what_slides_past) {
+  Flying past({-0.3, 0.15, 0.2}, {0.9, 0, 0});
+  past.keep_apart_once();
+  EXPECT_NEAR(past.cloth.velocities(0, past.vertex), 90, 1e-9);
+  EXPECT_NEAR(past.cloth.positions(0, past.vertex), 0.6, 1e-12);
+  EXPECT_GT(past.cloth.positions(1, past.vertex), 0.15);  // contact opens
+}
+
+TEST(ContactConstraints, keep_what_hardly_moves_from_where_it_is_closest) {
+  EXPECT_TRUE(
+      Flying({-0.15, 0.15, 0.2}, {0.01, 0, 0}).normal().isApprox(Vector3d(-1, 1, 0).normalized()));
+  EXPECT_TRUE(Flying({-0.15, 0.15, 0.2}, {0.5, 0, 0}).normal().isApprox(Vector3d(0, 1, 0)));
+}
+
+TEST(ContactConstraints, hold_what_would_fly_through) {
+  Flying through({0.1, 0.15, 0.2}, {0.1, -0.5, 0.1});
+  EXPECT_TRUE(through.normal().isApprox(Vector3d(0, 1, 0)));
+  through.keep_apart_once();
+  EXPECT_GE(through.cloth.velocities(1, through.vertex), -30);
 }
 
 TEST(ContactConstraints, are_none_where_nothing_comes_near) {

@@ -39,6 +39,28 @@ TEST(DisplacementFractions, a_vertex_that_falls_through_stops_with_nine_tenths_o
   EXPECT_EQ(fractions.tail(3), Vector4d::Ones().tail(3));
 }
 
+// It comes from beside the triangle, high enough.
+TEST(DisplacementFractions, a_vertex_that_slides_over_a_triangle_may_go_all_the_way) {
+  Corners x = vertex_over_triangle();
+  x.col(0) << -2, 0.2, 3;
+  Corners displacement = Corners::Zero();
+  displacement.col(0) << 5, 0, -1;
+  EXPECT_EQ(displacement_fractions(Kind::vertex_triangle, x, displacement, 0.1),
+            Vector4d::Ones().eval());
+  displacement(1, 0) = -0.15;
+  EXPECT_LT(displacement_fractions(Kind::vertex_triangle, x, displacement, 0.1)[0], 1);
+}
+
+TEST(DisplacementFractions, edges_that_slide_over_each_other_may_go_all_the_way) {
+  Corners x;
+  x << 0, 1, 2, 1.5,   //
+      0.2, 0.2, 0, 0,  //
+      0, 0.1, 1, -1;
+  Corners displacement = Corners::Zero();
+  displacement.leftCols(2).colwise() += Vector3d(4, 0, 0);
+  EXPECT_EQ(displacement_fractions(Kind::edge_edge, x, displacement, 0.1), Vector4d::Ones().eval());
+}
+
 TEST(DisplacementFractions, are_divided_in_proportion_to_the_approach_of_each_side) {
   Corners displacement = Corners::Zero();
   displacement(1, 0) = -1;
@@ -74,7 +96,11 @@ TEST(DisplacementFractions, keep_the_gap_at_every_instant_for_random_motion) {
     if (gap < 0.05) continue;
     const Vector4d fractions = displacement_fractions(kind, x, displacement, 0.04);
     for (int instant = 1; instant <= 20; ++instant) {
-      const Corners then = x + displacement * (instant / 20.0 * fractions).asDiagonal();
+      // Another pair may stop any of them earlier.
+      Vector4d parts = fractions;
+      if (instant % 2 == 0)
+        for (double& part : parts) part *= (1 + coordinate(random)) / 2;
+      const Corners then = x + displacement * (instant / 20.0 * parts).asDiagonal();
       EXPECT_GE((then * closest_weights(kind, then)).norm(), 0.04);
     }
   }

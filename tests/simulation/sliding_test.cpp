@@ -1,0 +1,88 @@
+// What slides on an object: as textbooks have it, whatever triangles that is made of.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "simulation/fastening_processor.h"
+#include "simulation/loop_scene.h"
+
+namespace ribbon::sliding_test {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr double earths = 9.81;
+
+// A floor at height 0 of long triangles all round the origin, so that what crosses the origin
+// crosses their edges aslant.
+TriangleMesh floor_of_triangles(int count) {
+  TriangleMesh floor;
+  floor.vertices.resize(3, count + 1);
+  floor.triangles.resize(3, count);
+  floor.vertices.col(0).setZero();
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.3) / count;
+    floor.vertices.col(i + 1) = (20 * Vector3d(std::cos(angle), 0, -std::sin(angle))).cast<float>();
+    floor.triangles.col(i) << 0, i + 1, 1 + (i + 1) % count;
+  }
+  return floor;
+}
+
+// A small band that lies on the floor, which is tilted by this slope, seen from the floor: what
+// turns is gravity.
+Scene scene_on_slope(double slope, double friction) {
+  Scene scene;
+  scene.name = "slope";
+  scene.ribbon = {.width_m = 0.02, .along = 20, .across = 5, .mass_kg = 0.005};
+  scene.springs = {.stretch = 10, .shear = 10, .bend = 10};
+  scene.air_resistance_per_s = 1e-3;
+  scene.gravity_m_s2 = earths * Vector3d(slope, -1, 0).normalized();
+  scene.friction = friction;
+  scene.time = {.step_s = 0.01, .duration_s = 1};
+  return scene;
+}
+
+struct Slide {
+  double went_m = 0;
+  double rose_m = 0;  // above where it began
+};
+
+// In half a second.
+Slide slide(const Scene& scene) {
+  const Vector3d begin(-0.15, 0.0011, 0);
+  const RibbonMesh ribbon =
+      generate_ribbon_mesh(straight_curve(scene.ribbon.along, 0.1, begin), scene.ribbon, Axis::z);
+  auto processor = FasteningProcessor::create(scene, ribbon, floor_of_triangles(7)).value();
+  const Matrix3Xd before = processor.positions();
+  for (int step = 0; step < 50; ++step) processor.step();
+  const Matrix3Xd moved = processor.positions() - before;
+  return {moved.row(0).mean(), moved.row(1).maxCoeff()};
+}
+
+// The way that a body of this acceleration goes in half a second.
+double fallen_m(double acceleration_m_s2) {
+  return acceleration_m_s2 * 0.5 * 0.5 / 2;
+}
+
+TEST(Sliding, without_friction_the_edges_of_a_flat_floor_are_not_in_the_way) {
+  for (const double slope : {0.1, 0.4}) {
+    SCOPED_TRACE(slope);
+    const Slide found = slide(scene_on_slope(slope, 0));
+    const double expected_m = fallen_m(earths * slope / std::hypot(1, slope));
+    EXPECT_NEAR(found.went_m, expected_m, 0.03 * expected_m);
+    EXPECT_LT(found.rose_m, 1e-3);
+  }
+}
+
+TEST(Sliding, with_friction_is_slowed_as_coulombs_law_says) {
+  const Slide found = slide(scene_on_slope(0.4, 0.2));
+  const double expected_m = fallen_m(earths * (0.4 - 0.2) / std::hypot(1, 0.4));
+  EXPECT_NEAR(found.went_m, expected_m, 0.03 * expected_m);
+}
+
+TEST(Sliding, friction_that_is_more_than_the_slope_holds) {
+  EXPECT_LT(slide(scene_on_slope(0.2, 0.25)).went_m, 1e-4);
+}
+
+}  // namespace ribbon::sliding_test
