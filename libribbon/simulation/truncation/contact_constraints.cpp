@@ -44,7 +44,7 @@ Contact contact_of(FeaturePair::Kind kind, const Corners& start, const Corners& 
   const Vector3d apart = weighted_sum(start, weights);
   const double distance_m = length_of(apart);
   if (distance_m == 0) return {weights};
-  const Contact at_start{weights, apart / distance_m, distance_m};
+  Contact at_start{weights, apart / distance_m, distance_m};
   const Vector3d way = weighted_sum(displacement, weights);
   if (length_of(way) < hardly * distance_m) return at_start;
   const double approach_m = -dot(at_start.normal, way);

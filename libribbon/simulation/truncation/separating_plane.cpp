@@ -55,8 +55,8 @@ Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
   const double distance_m = length_of(apart);
   if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches
   // Almost touching features lie aslant to the rounded direction: it does not separate them.
-  const Vector4d at_start = fractions_beside_plane(first_count, apart / distance_m, start,
-                                                   displacement, 0, min_separation_m);
+  Vector4d at_start = fractions_beside_plane(first_count, apart / distance_m, start, displacement,
+                                             0, min_separation_m);
   if (at_start.minCoeff() == 1) return at_start;
 
   const Vector3d nearest = closest_approach(kind, start, weights, displacement);
