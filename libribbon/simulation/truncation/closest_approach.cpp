@@ -63,7 +63,8 @@ Vector3d closest_approach(FeaturePair::Kind kind, const Corners& start, const Ve
   const Vector4d height = heights(start, nearest);
   const double room = height.head(first_count).minCoeff() + std::min(0.0, dot(way, nearest)) -
                       height.tail(4 - first_count).maxCoeff();
-  return room < certain * squared ? Vector3d::Zero() : nearest;
+  if (room < certain * squared) nearest.setZero();
+  return nearest;
 }
 
 }  // namespace ribbon
