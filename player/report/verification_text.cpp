@@ -99,8 +99,7 @@ std::string buried_text(const CertifiedKnot& knot) {
   if (knot.may_have_passed)
     text += filled_in(
         "; its centre line may have passed through itself between frames {} and {}, where a "
-        "particle "
-        "went up to {:.2g} m; record more frames_per_second",
+        "particle went up to {:.2g} m; record more frames_per_second",
         knot.may_have_passed->frame_before, knot.may_have_passed->frame_after,
         knot.may_have_passed->moved_m);
   else if (knot.uncertain_frames == 0)

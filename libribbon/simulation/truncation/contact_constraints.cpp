@@ -24,7 +24,7 @@ constexpr double clear_of_truncation = 1.2;
 // Of what lacks to the activation distance: layers that were pressed together move apart gently.
 constexpr double opening = 0.2;
 constexpr double negligible_violation = 0.03;  // of a distance
-constexpr double hardly = 0.1;  // of a distance, that a pair moves in what its contact serves
+constexpr double hardly = 0.1;                 // of a distance: a way that turns no normal
 // Of a distance: more than rounding can take from how far something is and has travelled.
 constexpr double doubtful = 1e-6;
 
@@ -57,11 +57,16 @@ Contact contact_of(FeaturePair::Kind kind, const Corners& start, const Corners& 
   return {weights, normal, dot(normal, apart)};
 }
 
+// The distance to be kept where there is this one.
+double kept_distance_m(double distance_m, double activation_m, double min_separation_m) {
+  const double opened_m = distance_m + opening * std::max(0.0, activation_m - distance_m);
+  return std::min(activation_m, std::max(opened_m, clear_of_truncation * min_separation_m));
+}
+
 // Where the closest points leave no direction, or nothing could move, one of distance 0, which is
 // always kept.
-ContactConstraint constraint_of(const FeaturePair& pair, const Contact& contact,
-                                const Bodies& bodies, const PairDistances& distances,
-                                const Eigen::ArrayXd& lightness) {
+ContactConstraint constraint_of(const FeaturePair& pair, const Contact& contact, double kept_m,
+                                const Bodies& bodies, const Eigen::ArrayXd& lightness) {
   ContactConstraint constraint;
   constraint.vertices = pair.vertices;
   constraint.weights = contact.weights;
@@ -74,11 +79,7 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Contact& contact,
   if (contact.distance_m == 0 || effective_inverse_mass == 0) return constraint;
   constraint.corrections /= effective_inverse_mass;
   constraint.normal = contact.normal;
-  const double activation_m = distances.activation_m(pair);
-  const double opened_m =
-      contact.distance_m + opening * std::max(0.0, activation_m - contact.distance_m);
-  constraint.distance_m = std::min(
-      activation_m, std::max(opened_m, clear_of_truncation * distances.min_separation_m(pair)));
+  constraint.distance_m = kept_m;
   return constraint;
 }
 
@@ -96,10 +97,13 @@ void ContactConstraints::find(const ContactCandidates& candidates, const Bodies&
   parallel_ranges(near.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const FeaturePair& pair = candidates.pairs[near[i]];
+      const double activation_m = distances.activation_m(pair);
+      const double min_separation_m = distances.min_separation_m(pair);
       const Contact contact =
           contact_of(pair.kind, corners(pair, vertices), displacements(pair, displacement_),
-                     distances.activation_m(pair) + beyond_m, distances.min_separation_m(pair));
-      found_[i] = constraint_of(pair, contact, bodies, distances, lightness_);
+                     activation_m + beyond_m, min_separation_m);
+      const double kept_m = kept_distance_m(contact.distance_m, activation_m, min_separation_m);
+      found_[i] = constraint_of(pair, contact, kept_m, bodies, lightness_);
       for (int k = 0; k < 4; ++k)
         watches_[i].vertices[k] = std::min(found_[i].vertices[k], bodies.grid.particle_count());
     }

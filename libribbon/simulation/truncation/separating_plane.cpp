@@ -54,7 +54,8 @@ Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
   const Vector3d apart = weighted_sum(start, weights);
   const double distance_m = length_of(apart);
   if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches
-  // Almost touching features lie aslant to the rounded direction: it does not separate them.
+  // Its gap is the distance, but almost touching features lie aslant to the rounded direction: it
+  // does not separate them.
   Vector4d at_start = fractions_beside_plane(first_count, apart / distance_m, start, displacement,
                                              0, min_separation_m);
   if (at_start.minCoeff() == 1) return at_start;
