@@ -301,7 +301,7 @@ bool TimeStep::is_within_limit(const Cloth& cloth) {
 StepReport TimeStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
   if (contact_ == ContactMethod::paper) return correct_as_published(before, bodies, cloth);
   GatedMotion motion(gate_, before, step_s_, bodies, clock_);
-  motion.detect(cloth.positions);
+  motion.detect_from_rest(cloth.positions);
   find_contacts(motion, cloth.positions, bodies);
   correct_strain_and_contact(strain_correction_.most_sweeps, before, bodies, cloth);
   return correct_with_gate(motion, bodies, cloth);

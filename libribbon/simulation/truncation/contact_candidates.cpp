@@ -43,13 +43,15 @@ constexpr std::size_t pairs_at_a_time = 512;
 
 }  // namespace
 
-// The target, or where the longest displacement toward it ends.
-Vector3d BroadPhase::within_longest_displacement(const Vector3d& from,
-                                                 const Vector3d& target) const {
-  const Vector3d displacement = target - from;
-  const double longest_m = lengths_.longest_displacement_m;
-  const bool is_long = squared_length_of(displacement) > longest_m * longest_m;
-  return from + (is_long ? longest_m * safely_normalised(displacement) : displacement);
+// The target, or where the longest detour toward it ends, with the slack.
+Box BroadPhase::around_target(int particle, const Vector3d& target) const {
+  Vector3d detour = target - led_.col(particle);
+  const double longest_m = lengths_.longest_detour_m;
+  if (squared_length_of(detour) > longest_m * longest_m)
+    detour = longest_m * safely_normalised(detour);
+  Box bound = Box::around(led_.col(particle) + detour);
+  bound.grow(lengths_.slack_m);
+  return bound;
 }
 
 void BroadPhase::set_motion(int particle) {
@@ -59,17 +61,16 @@ void BroadPhase::set_motion(int particle) {
 }
 
 const ContactCandidates& BroadPhase::detect(Bodies& bodies, const Matrix3Xd& from,
-                                            const Matrix3Xd& target) {
+                                            const Matrix3Xd& led, const Matrix3Xd& target) {
   candidates_.from = from;
+  led_ = led;
   candidates_.bounds.resize(from.cols());
   motions_.resize(from.cols());
   parallel_ranges(from.cols(), particles_at_a_time, [&](std::size_t begin, std::size_t end) {
     for (auto particle = static_cast<int>(begin); particle < static_cast<int>(end); ++particle) {
       MovingBox& bound = candidates_.bounds[particle];
       bound.start = Box::around(from.col(particle));
-      bound.end =
-          Box::around(within_longest_displacement(from.col(particle), target.col(particle)));
-      bound.end.grow(lengths_.slack_m);
+      bound.end = around_target(particle, target.col(particle));
       set_motion(particle);
     }
   });
@@ -84,10 +85,7 @@ void BroadPhase::widen(std::span<const int> particles, Widening widening, Bodies
                        const Matrix3Xd& target) {
   for (const int particle : particles) {
     MovingBox& bound = candidates_.bounds[particle];
-    Box onward = Box::around(
-        within_longest_displacement(candidates_.from.col(particle), target.col(particle)));
-    onward.grow(lengths_.slack_m);
-    bound.end.include(onward);
+    bound.end.include(around_target(particle, target.col(particle)));
     if (widening == Widening::onward_and_back) bound.end.include(bound.start);
     set_motion(particle);
   }

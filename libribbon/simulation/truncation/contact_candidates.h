@@ -32,9 +32,11 @@ struct ContactCandidates {
 };
 
 struct BroadPhaseLengths {
-  double reach_m = 0;                 // pairs that could come this close are listed
-  double slack_m = 0;                 // room beyond the target, for what moves the particle later
-  double longest_displacement_m = 0;  // bounds reach no further, however far the target lies
+  double reach_m = 0;  // pairs that could come this close are listed
+  double slack_m = 0;  // room beyond the target, for what moves the particle later
+  // Bounds reach no further beyond where motion leads, however far the target lies: a wild one
+  // would list the whole ribbon.
+  double longest_detour_m = 0;
 };
 
 enum class Widening { onward, onward_and_back };
@@ -50,13 +52,14 @@ class BroadPhase {
     assert(!distances_ || distances_->largest_activation_m() <= lengths_.reach_m);
   }
 
-  // Detects around the straight way from `from` to `target` (3 x particles each).
+  // Detects around the straight way from `from` toward `target`, no further than the longest detour
+  // from `led`, where motion alone leads (3 x particles each).
   const ContactCandidates& detect(Bodies& bodies, const Eigen::Matrix3Xd& from,
-                                  const Eigen::Matrix3Xd& target);
+                                  const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
 
-  // Widens the bounds of some particles, wherever they are in theirs, to reach on to their present
-  // targets and, for stragglers, back to where they were at the detection. Pairs with these
-  // particles are listed anew; the others stay.
+  // Widens the bounds of some particles, wherever they are in theirs, to reach on toward their
+  // present targets, as in detect(), and, for stragglers, back to where they were at the detection.
+  // Pairs with these particles are listed anew; the others stay.
   void widen(std::span<const int> particles, Widening widening, Bodies& bodies,
              const Eigen::Matrix3Xd& target);
 
@@ -72,8 +75,7 @@ class BroadPhase {
     double freedom_m = 0;
   };
 
-  [[nodiscard]] Eigen::Vector3d within_longest_displacement(const Eigen::Vector3d& from,
-                                                            const Eigen::Vector3d& target) const;
+  [[nodiscard]] Box around_target(int particle, const Eigen::Vector3d& target) const;
   void set_motion(int particle);
   void drop_pairs_of(std::span<const int> particles);
   void add_near_pairs(const Bodies& bodies);
@@ -83,6 +85,7 @@ class BroadPhase {
   BroadPhaseLengths lengths_;
   std::optional<PairDistances> distances_;
   ContactCandidates candidates_;
+  Eigen::Matrix3Xd led_;             // of the last detection
   std::vector<Motion> motions_;      // of the particles
   std::vector<FeaturePair> found_;   // whose boxes meet
   std::vector<double> distances_m_;  // of these pairs

@@ -38,9 +38,9 @@ PairDistances thin(const Bodies& bodies, double min_separation_m) {
 // Detects, around stragglers again as long as there are any, and truncates.
 TruncationReport truncate(Bodies& bodies, double min_separation_m, const Matrix3Xd& target,
                           Matrix3Xd& x) {
-  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_displacement_m = 100};
+  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_detour_m = 100};
   BroadPhase broad_phase(lengths);
-  broad_phase.detect(bodies, x, target);
+  broad_phase.detect(bodies, x, x, target);
   DisplacementTruncation truncation;
   while (true) {
     const TruncationReport& report = truncation.truncate(broad_phase.candidates(), bodies,
@@ -103,8 +103,8 @@ TEST(DisplacementTruncation, one_jammed_pair_does_not_stop_the_rest) {
 // truncated.
 TEST(DisplacementTruncation, keeps_the_gap_many_times_within_one_detection) {
   auto [grid, x, bodies] = folded(0.5);
-  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.3, .longest_displacement_m = 100};
-  const ContactCandidates candidates = BroadPhase(lengths).detect(bodies, x, x);
+  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.3, .longest_detour_m = 100};
+  const ContactCandidates candidates = BroadPhase(lengths).detect(bodies, x, x, x);
   DisplacementTruncation truncation;
   std::mt19937 random(6);
   for (int throw_number = 0; throw_number < 60; ++throw_number) {
@@ -167,9 +167,9 @@ TEST(DisplacementTruncation,
   Matrix3Xd target = planted.positions;
   target.row(0).array() += 8;
   target.row(1).array() -= 2;
-  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_displacement_m = 100};
+  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_detour_m = 100};
   Matrix3Xd x = planted.positions;
-  const ContactCandidates candidates = BroadPhase(lengths).detect(planted.bodies, x, target);
+  const ContactCandidates candidates = BroadPhase(lengths).detect(planted.bodies, x, x, target);
   const PairDistances distances = thin(planted.bodies, 0.02);
   DisplacementTruncation truncation;
   EXPECT_EQ(truncation.truncate(candidates, planted.bodies, distances, target, x).stragglers.size(),
