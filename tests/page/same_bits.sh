@@ -50,6 +50,11 @@ same 60 overhand-hanging-8x400.toml "${coarse[@]}" time.integrator=implicit
 same 40 overhand-cylinder-8x400.toml
 same 10 gallery/bow.toml
 same 40 gallery/tapered.toml
+# Hands that hold from the first step on, and one that carries from the sixth on.
+for integrator in symplectic_euler implicit; do
+  same 15 gallery/windsor.toml "time.integrator=$integrator"
+  same 15 gallery/cravat.toml 'stage[1].at_most=0.05' "time.integrator=$integrator"
+done
 
 # The page in which one draws, without a browser: what it would save is recorded once more.
 mkdir "$work/sketch"

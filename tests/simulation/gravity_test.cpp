@@ -88,6 +88,40 @@ TEST(Gravity, what_nothing_holds_falls_as_fast_as_air_lets_it) {
   EXPECT_LT((fallen.colwise() - Vector3d(0, 0, -0.01 * earths / 8)).cwiseAbs().maxCoeff(), 1e-6);
 }
 
+// By hand: between two hands that are L apart a band of weight w per length, whose springs bear EA
+// times their strain, hangs as a parabola of sag d, with d^3 = 3 w L^4 / 64 EA (what is L long when
+// nothing strains it is so short that 8 d^2 / 3 L is its stretch, and bears w L^2 / 8 d).
+TEST(Gravity, what_hangs_between_two_hands_sags_as_much_as_its_stretch_lets_it_at_any_step) {
+  constexpr double k = 60;
+  for (const IntegrationMethod method :
+       {IntegrationMethod::symplectic_euler, IntegrationMethod::implicit})
+    for (const double step_s : {0.02, 0.005}) {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(method) << ", step " << step_s);
+      Scene scene = scene_of_drape();
+      scene.springs = {.stretch = k, .damping = 1};
+      scene.time.integrator = method;
+      scene.time.step_s = step_s;
+      scene.fastening = FasteningScene{.speed_m_s = 50};
+      const auto holding = [](double begin, double end) {
+        return HandScene{.at = Span{begin, end}, .task = HandTask::hold, .speed_m_s = 50};
+      };
+      scene.stages = {{.until_s = 9, .hands = {holding(0, 0.05), holding(0.95, 1)}}};
+      auto processor = FasteningProcessor::create(scene, level_ribbon(scene), std::nullopt).value();
+      const Matrix3Xd begun = processor.positions();
+      for (int step = 0; step < 5 / step_s; ++step) processor.step();
+      const Matrix3Xd hung = processor.positions();
+      const Eigen::Index held = 4 * Eigen::Index{scene.ribbon.across};  // particles, at each end
+      EXPECT_LT((hung - begun).leftCols(held).colwise().norm().maxCoeff(), 1e-3);
+      EXPECT_LT((hung - begun).rightCols(held).colwise().norm().maxCoeff(), 1e-3);
+      const double spacing_m = 2.0 / (scene.ribbon.along - 1);
+      const double apart_m = 2 - 2 * 3 * spacing_m;
+      const double newton_per_m = scene.ribbon.mass_kg * earths / 2;
+      const double stiffness_n = scene.ribbon.across * k * spacing_m;
+      const double sag_m = std::cbrt(3 * newton_per_m * std::pow(apart_m, 4) / (64 * stiffness_n));
+      EXPECT_NEAR(-height_of_row_m(scene, hung - begun, 30), sag_m, 0.02 * sag_m);
+    }
+}
+
 TEST(Gravity, begins_and_ends_with_the_stages_that_have_it) {
   Scene scene = scene_of_drape();
   scene.fastening = FasteningScene{.speed_m_s = 0.1};

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "simulation/state/cloth.h"
+#include "simulation/state/grip.h"
 #include "simulation/state/state_archive.h"
 
 namespace ribbon {
@@ -17,6 +19,9 @@ class Hands {
 
   // The force for the next step, 3 x particles, N.
   virtual const Eigen::Matrix3Xd& pull(const Cloth& cloth) = 0;
+
+  // What they hold in it, after pull().
+  [[nodiscard]] virtual std::span<const Grip> grips() const { return {}; }
 
   // The cloth cannot bear what they pulled: they halve it. From then on they pull a little more in
   // every step.

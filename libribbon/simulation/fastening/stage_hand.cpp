@@ -17,21 +17,18 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double felt_widths = 2;  // to either side of what the hand has
-// Of a step, what a held particle is slower than. The force stands still during a step: beyond some
-// 0.8 a held particle would swing up.
-constexpr double hold_per_step = 0.5;
+
+// Of the way on which all of its strength would bring a part to twice the speed at which the hand
+// carries it: so far may it lag.
+constexpr double of_gathering_speed = 0.25;
+// It has arrived where so short a way at that speed is left, and no more than such a part of it.
+constexpr double arrived_within_s = 0.01;
+constexpr double arrived_at = 0.2;
 
 HeldRows felt_rows(const HeldRows& held, const RestSize& size) {
   const double reach = std::ceil(felt_widths * size.width_m / size.along_m());
   const int rows = static_cast<int>(std::min<double>(size.grid.along, reach));
   return {std::max(0, held.first - rows), std::min(size.grid.along - 1, held.last + rows)};
-}
-
-// No longer than that.
-Vector3d shortened(Vector3d force_n, double most_n) {
-  const double asked_n = length_of(force_n);
-  if (asked_n > most_n) force_n *= most_n / asked_n;
-  return force_n;
 }
 
 }  // namespace
@@ -44,10 +41,11 @@ StageHand::StageHand(const HandScene& hand, const Scene& scene, const RestSize& 
       rows_(held_rows(std::get<Span>(hand.at), size.grid)),
       newton_per_m_s_(particle_mass_kg * scene.air_resistance_per_s),
       draws_(0.5 * size.grid.along / size.mean_rows(rows_.first, rows_.last)),
-      hold_per_s_(hold_per_step / scene.time.step_s),
+      weights_(Eigen::ArrayXd::Ones(rows_.count() * size.grid.across)),
       air_per_s_(scene.air_resistance_per_s),
-      step_s_(scene.time.step_s),
-      particle_mass_kg_(particle_mass_kg) {
+      step_s_(scene.time.step_s) {
+  if (const Eigen::ArrayXd light = lightness(size); light.size() > 0)
+    weights_ = light.segment(grid_.particle(rows_.first, 0), weights_.size()).inverse();
   if (hand.yield_strain.value_or(unyielding) < unyielding)
     yielding_.emplace(size, *hand.yield_strain, hanging_weight(scene, size, particle_mass_kg),
                       felt_rows(rows_, size));
@@ -69,51 +67,45 @@ Vector3d StageHand::direction(const Cloth& cloth) const {
       (from_point - dot(from_point, fastening_.axis_direction) * fastening_.axis_direction).eval());
 }
 
-// Of each particle.
-double StageHand::most_force_n() const {
-  return newton_per_m_s_ * draws_ * hand_.speed_m_s;
+double StageHand::strength_m_s2() const {
+  return air_per_s_ * draws_ * hand_.speed_m_s;
 }
 
-// Of each particle, for what is off its place; critically damped, with what the air takes:
-// x'' = -2 w x' - w^2 x.
-Vector3d StageHand::wanted_force(const Vector3d& off_m, const Vector3d& velocity_m_s) const {
-  const double damping_per_s = std::max(0.0, 2 * hold_per_s_ - air_per_s_);
-  return -particle_mass_kg_ * (hold_per_s_ * hold_per_s_ * off_m + damping_per_s * velocity_m_s);
+double StageHand::carrying_m_s() const {
+  return std::min(hand_.speed_m_s, fastening_.max_speed_m_s.value_or(hand_.speed_m_s));
 }
 
-// Each particle goes back to its place.
-void StageHand::hold(const Cloth& cloth, const Workplace& place, Matrix3Xd& force) const {
-  const int end = grid_.particle(rows_.last + 1, 0);
-  for (int particle = grid_.particle(rows_.first, 0); particle < end; ++particle)
-    force.col(particle) =
-        place.bearable *
-        shortened(wanted_force(cloth.positions.col(particle) - place.begun.col(particle),
-                               cloth.velocities.col(particle)),
-                  most_force_n());
-}
-
-// All particles get the same force, so that the part is free to turn.
-Vector3d StageHand::carrying_force(const Cloth& cloth) const {
-  return wanted_force(middle(cloth.positions) - carried_->now(), middle(cloth.velocities));
+Grip StageHand::grip(const Cloth& cloth, const Workplace& place) {
+  Grip grip{.first = grid_.particle(rows_.first, 0), .weights = weights_};
+  grip.most_m_s2 = place.bearable * strength_m_s2();
+  if (fastening_.max_speed_m_s) grip.most_m_s = *fastening_.max_speed_m_s;
+  if (!carried_) {
+    grip.places = place.begun.middleCols(grip.first, grip.count());
+    return grip;
+  }
+  const Vector3d lag_m = middle(cloth.positions) - carried_->now();
+  const double speed_m_s = carrying_m_s();
+  const double most_lag_m =
+      speed_m_s * (step_s_ + speed_m_s / strength_m_s2() * of_gathering_speed);
+  goes_on_m_ = length_of(lag_m) > most_lag_m ? 0 : speed_m_s * step_s_;
+  CarriedPlace next = *carried_;
+  next.go_on(goes_on_m_);
+  grip.places = carried_->now();
+  grip.drift_m_s = (next.now() - carried_->now()) / step_s_;
+  return grip;
 }
 
 void StageHand::follow(const Cloth& cloth) {
-  if (carried_ && length_of(carrying_force(cloth)) <= most_force_n())
-    carried_->go_on(hand_.speed_m_s * step_s_);
+  if (!carried_) return;
+  carried_->go_on(goes_on_m_);
+  const Vector3d lag_m = middle(cloth.positions) - carried_->now();
+  has_arrived_ = carried_->has_arrived() && length_of(lag_m) < arrived_within_s * carrying_m_s() &&
+                 length_of(middle(cloth.velocities)) < arrived_at * carrying_m_s();
 }
 
 double StageHand::pull(const Cloth& cloth, const Workplace& place, Matrix3Xd& force,
                        Matrix3Xd& command) {
-  if (hand_.task == HandTask::hold) {
-    hold(cloth, place, force);
-    return place.bearable;
-  }
-  if (carried_) {
-    const Vector3d carrying_n = place.bearable * shortened(carrying_force(cloth), most_force_n());
-    force.middleCols(grid_.particle(rows_.first, 0), rows_.count() * grid_.across).colwise() =
-        carrying_n;
-    return place.bearable;
-  }
+  assert(pulls());
   const double fraction = yielding_ ? yielding_->force_fraction(cloth.positions) : 1;
   const bool is_along = hand_.task == HandTask::pull_along;
   const Vector3d velocity =
@@ -131,7 +123,11 @@ double StageHand::pull(const Cloth& cloth, const Workplace& place, Matrix3Xd& fo
 }
 
 void StageHand::visit_state(StateArchive& archive) {
-  if (carried_) carried_->visit_state(archive);
+  if (!carried_) return;
+  carried_->visit_state(archive);
+  int arrived = has_arrived_ ? 1 : 0;
+  archive.visit(arrived, 0, 1);
+  has_arrived_ = arrived == 1;
 }
 
 }  // namespace ribbon

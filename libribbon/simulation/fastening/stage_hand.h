@@ -10,6 +10,7 @@
 #include "simulation/fastening/held_rows.h"
 #include "simulation/fastening/yielding.h"
 #include "simulation/state/cloth.h"
+#include "simulation/state/grip.h"
 
 namespace ribbon {
 
@@ -30,17 +31,21 @@ class StageHand {
 
   [[nodiscard]] const HeldRows& rows() const { return rows_; }
   [[nodiscard]] bool pulls() const { return ribbon::pulls(*hand_.task); }
-  // Is what it carries, if anything, where it is to be?
-  [[nodiscard]] bool has_arrived() const { return !carried_ || carried_->has_arrived(); }
+  // Is what it carries, if anything, where it is to be, and nearly at rest?
+  [[nodiscard]] bool has_arrived() const { return !carried_ || has_arrived_; }
 
-  // Writes, for the particles that it has, the force of the next step (3 x particles, N) and, where
-  // it pulls, the velocity that all of its bearable force would reach against the air (m/s). Gives
-  // the fraction of its force that it applies.
+  // Of one that pulls: writes, for the particles that it has, the force of the next step (3 x
+  // particles, N) and the velocity that all of its bearable force would reach against the air
+  // (m/s). Gives the fraction of its force that it applies.
   double pull(const Cloth& cloth, const Workplace& place, Eigen::Matrix3Xd& force,
               Eigen::Matrix3Xd& command);
 
-  // After the step. The place to which it carries waits while all of its force is needed: what
-  // lags behind is drawn along the path, and not across.
+  // Of one that holds or carries, in the next step. The place to which it carries waits while its
+  // part lags behind by more than it can make up for on the way: what lags is drawn along the path,
+  // and not across.
+  Grip grip(const Cloth& cloth, const Workplace& place);
+
+  // After the step.
   void follow(const Cloth& cloth);
 
   void visit_state(StateArchive& archive);
@@ -48,24 +53,22 @@ class StageHand {
  private:
   [[nodiscard]] Eigen::Vector3d direction(const Cloth& cloth) const;
   [[nodiscard]] Eigen::Vector3d middle(const Eigen::Matrix3Xd& of_particles) const;
-  [[nodiscard]] double most_force_n() const;
-  [[nodiscard]] Eigen::Vector3d wanted_force(const Eigen::Vector3d& off_m,
-                                             const Eigen::Vector3d& velocity_m_s) const;
-  [[nodiscard]] Eigen::Vector3d carrying_force(const Cloth& cloth) const;
-  void hold(const Cloth& cloth, const Workplace& place, Eigen::Matrix3Xd& force) const;
+  [[nodiscard]] double carrying_m_s() const;
+  [[nodiscard]] double strength_m_s2() const;
 
   HandScene hand_;
   FasteningScene fastening_;
   RibbonGrid grid_;
   HeldRows rows_;
-  double newton_per_m_s_;  // of particles that are pulled along: their force for each m/s
-  double draws_;           // so many particles each of those that the hand has draws
-  double hold_per_s_;      // how fast a held particle goes back to its place
+  double newton_per_m_s_;   // of particles that are pulled along: their force for each m/s
+  double draws_;            // so many particles each of those that the hand has draws
+  Eigen::ArrayXd weights_;  // of its particles, as Grip has them
   double air_per_s_;
   double step_s_;
-  double particle_mass_kg_;
   std::optional<Yielding> yielding_;
   std::optional<CarriedPlace> carried_;
+  double goes_on_m_ = 0;  // so far does it carry in the present step
+  bool has_arrived_ = false;
 };
 
 }  // namespace ribbon

@@ -75,15 +75,18 @@ const Matrix3Xd& StagedHands::pull(const Cloth& cloth) {
   before_ = cloth.positions;
   force_.setZero(3, cloth.particle_count());
   command_.setZero(3, cloth.particle_count());
+  grips_.clear();
   force_fraction_ = 0;
   if (are_over() || guard_.slipping_end()) return force_;
   if (any_pulls_along(present())) along_m_s_ = along_.at(cloth.positions) / along_.newton_per_m_s();
   const Workplace place{begun_, along_m_s_, eased_.bearable()};
   int pulling = 0;
   for (StageHand& hand : hands_) {
-    const double fraction = hand.pull(cloth, place, force_, command_);
-    if (!hand.pulls()) continue;
-    force_fraction_ += fraction;
+    if (!hand.pulls()) {
+      grips_.push_back(hand.grip(cloth, place));
+      continue;
+    }
+    force_fraction_ += hand.pull(cloth, place, force_, command_);
     ++pulling;
   }
   force_fraction_ = pulling > 0 ? force_fraction_ / pulling : eased_.bearable();
@@ -141,7 +144,8 @@ bool StagedHands::guard_is_due() const {
 
 void StagedHands::visit_state(StateArchive& archive) {
   auto& [scene, size, mass, along, speed_limit, stage, elapsed, begun, hands, progress, guard,
-         eased, force_fraction, along_of_step, force_of_step, command_of_step, before_step] = *this;
+         eased, force_fraction, along_of_step, force_of_step, command_of_step, grips_of_step,
+         before_step] = *this;
   along.visit_state(archive);
   archive.visit(stage, 0, static_cast<int>(scene.stages.size()) - 1);
   archive.visit(elapsed);

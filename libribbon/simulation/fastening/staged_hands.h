@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/rest_size.h"
@@ -30,6 +31,7 @@ class StagedHands : public Hands {
   void begin_step(const Cloth& cloth);
 
   const Eigen::Matrix3Xd& pull(const Cloth& cloth) override;
+  [[nodiscard]] std::span<const Grip> grips() const override { return grips_; }
   void ease() override { eased_.ease(); }
   void follow(const Cloth& cloth) override;
   // Of the hands that pull, their mean.
@@ -75,6 +77,7 @@ class StagedHands : public Hands {
   Eigen::Matrix3Xd along_m_s_;  // of the present step, no columns where nobody pulls along
   Eigen::Matrix3Xd force_;      // N, of the present step
   Eigen::Matrix3Xd command_;    // m/s, of the present step
+  std::vector<Grip> grips_;     // of the present step, of those hands that do not pull
   Eigen::Matrix3Xd before_;     // positions, of the present step
 };
 

@@ -113,7 +113,8 @@ class ImplicitEuler final : public Integrator {
   };
 
   // v' = v + h (F(x') / m - c v') and x' = x + h v' together: x' - x is the displacement where the
-  // objective is least. The centre of mass moves as without springs, which is known beforehand.
+  // objective is least. Where nobody holds it, the centre of mass moves as without springs, which
+  // is known beforehand.
   void advance(double h) override {
     inertial_ = h * state_.velocities;
     if (state_.accelerations.rows() > 0) inertial_ += h * h * state_.accelerations;
@@ -121,17 +122,21 @@ class ImplicitEuler final : public Integrator {
     if (matrix_) {
       minimise();
       // Of what rounding adds.
-      masses_.set_centre(masses_.centre(inertial_), current_.displacement);
+      if (holding_.empty()) masses_.set_centre(masses_.centre(inertial_), current_.displacement);
     } else {
       current_.displacement = inertial_;
     }
     state_.positions += current_.displacement;
     before_ = state_.velocities;
     state_.velocities = current_.displacement / h;
-    if (matrix_) keep_energy();
+    if (matrix_)
+      keep_energy();
+    else
+      holding_.correct(slowed_, state_.positions, state_.velocities);
   }
 
-  // How much inertia resists the displacement, plus the energy of the springs.
+  // How much inertia resists the displacement, plus the energy of the springs and of the hands that
+  // hold.
   void evaluate(Iterate& iterate) {
     const Index particles = iterate.displacement.rows();
     for (MatrixX3d* result : {&moved_, &apart_, &iterate.gradient}) result->resize(particles, 3);
@@ -152,13 +157,15 @@ class ImplicitEuler final : public Integrator {
     };
     const auto [squared_change, squared_apart] = squares_.of(particles, of_run);
     iterate.squared_change = squared_change;
-    iterate.objective_j = iterate.elastic_j + inertia_ / 2 * squared_apart;
+    iterate.objective_j = iterate.elastic_j + inertia_ / 2 * squared_apart +
+                          holding_.add_energy(iterate.displacement, iterate.gradient);
   }
 
   void minimise() {
+    holding_.begin_springs(inertia_, properties_.particle_mass_kg);
     start();
     moved_ = state_.positions + current_.displacement;
-    matrix_->factor(moved_);
+    matrix_->factor(moved_, holding_.springs(current_.displacement));
     history_.clear();
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       double slope_j = find_direction();
@@ -173,8 +180,8 @@ class ImplicitEuler final : public Integrator {
 
   // Begins where the last velocities lead, or without deformation where that is lower.
   void start() {
-    const RowVector3d mean = masses_.centre(inertial_);
     expected_ = substep_s() * state_.velocities;
+    const RowVector3d mean = masses_.centre(holding_.empty() ? inertial_ : expected_);
     masses_.set_centre(mean, expected_);
     current_.displacement = mean.replicate(inertial_.rows(), 1);
     evaluate(current_);
@@ -226,7 +233,7 @@ class ImplicitEuler final : public Integrator {
 
   // Where a spring resists bending aside less and less, the step may reach an iterate of more
   // energy at the full speed. The motion about the centre of mass is slowed down to what the energy
-  // before, and the work of the fastening force, leave; gravity does none about that centre. The
+  // before, and the work of the hands, leave; gravity does none about that centre. The
   // line search sees to it that something is left.
   void keep_energy() {
     const double m = properties_.particle_mass_kg;
@@ -238,6 +245,7 @@ class ImplicitEuler final : public Integrator {
     if (state_.accelerations.rows() > 0)
       energy_j +=
           m * substep_s() * masses_.sum_of_products(state_.accelerations, state_.velocities);
+    energy_j += holding_.work(current_.displacement, current_.gradient, substep_s() * mean);
     const double left_j = std::max(0.0, energy_j - current_.elastic_j);
     const double kinetic_j = m / 2 * masses_.sum_of_squares(state_.velocities);
     if (kinetic_j > left_j) state_.velocities *= std::sqrt(left_j / kinetic_j);

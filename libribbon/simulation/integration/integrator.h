@@ -4,12 +4,15 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "ribbon_mesh/springs.h"
 #include "scene/scene.h"
+#include "simulation/integration/holding.h"
 #include "simulation/integration/internal_damping.h"
 #include "simulation/integration/spring_forces.h"
 #include "simulation/state/cloth.h"
+#include "simulation/state/grip.h"
 
 namespace ribbon {
 
@@ -50,12 +53,20 @@ class Integrator {
   void hold_force(const Eigen::Matrix3Xd& fastening_force, const Cloth& cloth);
   void displace_in_substep(Cloth& cloth);
 
+  // From now on hands hold parts of the cloth so. What it refers to must outlive the next steps.
+  void take_grips(std::span<const Grip> grips) { holding_.take(grips); }
+
   // From the next force on.
   void set_gravity(const std::optional<Eigen::Vector3d>& acceleration_m_s2) {
     properties_.gravity_m_s2 = acceleration_m_s2;
   }
   // With the next force gravity counts with that fraction, 0 to 1.
   void ease_gravity(double fraction) { gravity_fraction_ = fraction; }
+  // That counts with the next force; without gravity: none.
+  [[nodiscard]] std::optional<Eigen::Vector3d> gravity_m_s2() const {
+    if (!properties_.gravity_m_s2) return std::nullopt;
+    return gravity_fraction_ * *properties_.gravity_m_s2;
+  }
 
   [[nodiscard]] virtual IntegrationMethod method() const = 0;
 
@@ -77,7 +88,7 @@ class Integrator {
   Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps,
              int most_substeps);
 
-  // Moves state_ by one substep, of h seconds.
+  // Moves state_ by one substep, of h seconds, for which holding_ has begun.
   virtual void advance(double h) = 0;
 
   void set_substeps(int substeps) { substeps_ = substeps; }
@@ -90,6 +101,7 @@ class Integrator {
   SpringForces springs_;
   MotionProperties properties_;
   MotionState state_;
+  Holding holding_;
 
  private:
   int substeps_;

@@ -97,7 +97,11 @@ void QuasiNewtonMatrix::set_inertia(double inertia) {
   inertia_ = std::max(inertia, least_inertia_) * heaviness_;
 }
 
-void QuasiNewtonMatrix::factor(const MatrixX3d& positions) {
+void QuasiNewtonMatrix::factor(const MatrixX3d& positions, std::span<const SharedSpring> held) {
+  held_.setZero(grid_.along);
+  for (const SharedSpring& spring : held)
+    if (spring.shares.size() == 1)
+      held_[grid_.row(spring.first)] += spring.stiffness / grid_.across;
   parallel_ranges(grid_.along, rows_in_task, [&](std::size_t begin, std::size_t end) {
     for (Springs& springs : springs_)
       for (std::size_t row = begin; row < end; ++row)
@@ -109,6 +113,32 @@ void QuasiNewtonMatrix::factor(const MatrixX3d& positions) {
       bands_[four].factor();
     }
   });
+  coupled_ = 0;
+  for (const SharedSpring& spring : held)
+    if (spring.shares.size() > 1) couple(spring);
+}
+
+double QuasiNewtonMatrix::of_middle(const Coupling& coupling, const MatrixX3d& displacement) {
+  double sum = 0;
+  Eigen::Index particle = coupling.spring.first;
+  for (const double share : coupling.spring.shares)
+    sum += share * displacement(particle++, coupling.axis);
+  return sum;
+}
+
+void QuasiNewtonMatrix::couple(const SharedSpring& spring) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (couplings_.size() == coupled_) couplings_.emplace_back();
+    Coupling& coupling = couplings_[coupled_];
+    coupling.spring = spring;
+    coupling.axis = axis;
+    by_shares_.setZero(grid_.particle_count(), 3);
+    Eigen::Index particle = spring.first;
+    for (const double share : spring.shares) by_shares_(particle++, axis) = share;
+    solve(by_shares_, coupling.answer);
+    coupling.yielding = 1 / spring.stiffness + of_middle(coupling, coupling.answer);
+    ++coupled_;
+  }
 }
 
 void QuasiNewtonMatrix::look_along(int row, const MatrixX3d& positions, Springs& springs) const {
@@ -132,7 +162,7 @@ void QuasiNewtonMatrix::assemble(int four) {
   for (int row = 0; row < grid_.along; ++row) {
     BlockBand::Row& blocks = bands_[four].row(row);
     blocks = {};
-    Matrix3d of_all_modes = inertia_[row] * Matrix3d::Identity();
+    Matrix3d of_all_modes = (inertia_[row] + held_[row]) * Matrix3d::Identity();
     for (const Springs& springs : springs_) {
       const Four& cost = springs.cost[four][0];
       const int rows = springs.families[0].rows;
@@ -161,6 +191,10 @@ void QuasiNewtonMatrix::solve(const MatrixX3d& force, MatrixX3d& displacement) {
   parallel_ranges(grid_.along, rows_in_task, [&](std::size_t begin, std::size_t end) {
     modes_.put_together(amplitudes_, static_cast<int>(begin), static_cast<int>(end), displacement);
   });
+  for (std::size_t i = 0; i < coupled_; ++i) {
+    const double force_n = of_middle(couplings_[i], displacement) / couplings_[i].yielding;
+    displacement -= force_n * couplings_[i].answer;
+  }
 }
 
 }  // namespace ribbon

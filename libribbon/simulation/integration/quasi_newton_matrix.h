@@ -2,12 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "ribbon_mesh/springs.h"
 #include "simulation/integration/block_band.h"
 #include "simulation/integration/cosine_modes.h"
 #include "simulation/integration/fours.h"
+#include "simulation/integration/holding.h"
 
 namespace ribbon {
 
@@ -19,6 +21,9 @@ namespace ribbon {
 // of two families that cross with that of both. The ribbon is taken as mirrored in its selvages,
 // which adds springs there. So cosines across the ribbon are its modes, each of which is solved
 // along the ribbon as a band of five diagonals: no factor fills in, however wide the ribbon is.
+//
+// Where hands hold particles, each by itself, their springs add to the inertia of rows; where they
+// hold the middle of several, these are coupled by a matrix of rank three (Sherman and Morrison).
 class QuasiNewtonMatrix {
  public:
   // Of a network whose families reach two rows at most, with each (rows, columns) also its mirror
@@ -30,8 +35,9 @@ class QuasiNewtonMatrix {
   // From the next factor() on.
   void set_inertia(double inertia);
 
-  // Of the springs as they lie between particles (particles x 3) that are there.
-  void factor(const Eigen::MatrixX3d& positions);
+  // Of the springs as they lie between particles (particles x 3) that are there, and of what draws
+  // them elsewhere; what that refers to must outlive solve(). Single particles are drawn by rows.
+  void factor(const Eigen::MatrixX3d& positions, std::span<const SharedSpring> held = {});
 
   // Overwrites `displacement` with A^-1 force, both particles x 3. After factor().
   void solve(const Eigen::MatrixX3d& force, Eigen::MatrixX3d& displacement);
@@ -45,6 +51,16 @@ class QuasiNewtonMatrix {
     std::vector<Eigen::Matrix3d> resistance;  // of each row, all of it: stiffness times P, N/m
   };
 
+  // One axis of a spring that is shared.
+  struct Coupling {
+    SharedSpring spring;
+    int axis = 0;
+    Eigen::MatrixX3d answer;  // of the matrix without it, to a force by shares
+    double yielding = 0;      // m/N, of the middle and the spring after one another
+  };
+
+  static double of_middle(const Coupling& coupling, const Eigen::MatrixX3d& displacement);
+  void couple(const SharedSpring& spring);
   void look_along(int row, const Eigen::MatrixX3d& positions, Springs& springs) const;
   void assemble(int four);
 
@@ -53,7 +69,11 @@ class QuasiNewtonMatrix {
   Eigen::ArrayXd heaviness_;  // of each row
   double least_inertia_ = 0;  // beside the springs
   Eigen::ArrayXd inertia_;    // of each row
+  Eigen::ArrayXd held_;       // N/m, in each row, of a particle
   std::vector<Springs> springs_;
+  std::vector<Coupling> couplings_;
+  std::size_t coupled_ = 0;  // so many of these count
+  Eigen::MatrixX3d by_shares_;
   // Of each four of modes:
   std::vector<BlockBand> bands_;
   std::vector<std::vector<FourVectors>> amplitudes_;

@@ -57,6 +57,8 @@ class RungeKutta final : public Integrator {
     accelerate(stage_x_, stage_v_, a_);
     x += h / 6 * sum_v_;
     v += h / 6 * (sum_a_ + a_);
+    const double z = h * properties_.air_resistance_per_s;
+    holding_.correct(1 - z / 2 + z * z / 6 - z * z * z / 24, x, v);
   }
 
   MatrixX3d a_, stage_x_, stage_v_, sum_v_, sum_a_;

@@ -48,6 +48,7 @@ class SymplecticEuler final : public Integrator {
         state_.positions.col(axis).segment(first, count) += h * velocities;
       }
     });
+    holding_.correct(slowed, state_.positions, state_.velocities);
   }
 
   MatrixX3d forces_;

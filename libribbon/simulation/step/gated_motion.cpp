@@ -24,14 +24,6 @@ Gate::Gate(const RestSize& size, PairDistances pair_distances)
       negligible_m(0.01 * size.shortest_edge_m()),
       farthest_m(1.5 * size.shortest_edge_m()) {}
 
-void GatedMotion::detect(const Matrix3Xd& led) {
-  detect(led, led);
-}
-
-void GatedMotion::detect_from_rest(const Matrix3Xd& target) {
-  detect(free_positions(), target);
-}
-
 void GatedMotion::detect(const Matrix3Xd& led, const Matrix3Xd& target) {
   const StageTimer timer(clock_, StepStage::detection);
   gate_.broad_phase.detect(bodies_, free_positions(), led, target);

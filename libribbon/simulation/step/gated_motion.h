@@ -39,11 +39,9 @@ class GatedMotion {
     gate_.free_positions = start;
   }
 
-  // The broad phase, around the displacements from the free positions to where the velocities lead.
-  void detect(const Eigen::Matrix3Xd& led);
-
-  // Likewise, of what is not moving, to the targets.
-  void detect_from_rest(const Eigen::Matrix3Xd& target);
+  // The broad phase, around the displacements from the free positions to the targets, no further
+  // beyond `led`, where motion and weight alone lead, than the longest detour.
+  void detect(const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
 
   // Detects again around the particles whose targets lie outside their bounds, which would
   // truncate them.
@@ -63,7 +61,6 @@ class GatedMotion {
   [[nodiscard]] double slack_m() const { return gate_.broad_phase.lengths().slack_m; }
 
  private:
-  void detect(const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
   void detect_around(std::span<const int> particles, Widening widening,
                      const Eigen::Matrix3Xd& target);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "geometry/vectors.h"
@@ -133,7 +134,7 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
   const double duration_s = step_s_ * parts / substeps();
   GatedMotion motion(gate_, cloth.positions, duration_s, bodies, clock_);
   expected_ = cloth.positions + duration_s * cloth.velocities;
-  motion.detect(expected_);  // section 5.4
+  motion.detect(fallen(duration_s), expected_);  // section 5.4
   find_contacts(motion, expected_, bodies);
   hold_force(force, cloth);
   for (int part = 0; part < parts; ++part) {
@@ -144,6 +145,14 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
                                before_substep_, bodies, cloth);  // cf. sections 5.4.2 and 5.5
   }
   return correct_with_gate(motion, bodies, cloth);
+}
+
+// The expected positions, with what weight adds to them.
+const Matrix3Xd& TimeStep::fallen(double duration_s) {
+  const std::optional<Vector3d> gravity_m_s2 = integrator_->gravity_m_s2();
+  if (!gravity_m_s2) return expected_;
+  fallen_ = expected_.colwise() + duration_s * duration_s * *gravity_m_s2;
+  return fallen_;
 }
 
 StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth) {
@@ -164,7 +173,9 @@ StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies
 
 const Matrix3Xd& TimeStep::fastening_force(Hands* hands, const Cloth& cloth) {
   const StageTimer timer(clock_, StepStage::fastening_force);
-  return hands != nullptr ? hands->pull(cloth) : no_force_;
+  const Matrix3Xd& force = hands != nullptr ? hands->pull(cloth) : no_force_;
+  integrator_->take_grips(hands != nullptr ? hands->grips() : std::span<const Grip>());
+  return force;
 }
 
 // The hands measure how far the ribbon followed their pull.
@@ -301,7 +312,7 @@ bool TimeStep::is_within_limit(const Cloth& cloth) {
 StepReport TimeStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth& cloth) {
   if (contact_ == ContactMethod::paper) return correct_as_published(before, bodies, cloth);
   GatedMotion motion(gate_, before, step_s_, bodies, clock_);
-  motion.detect_from_rest(cloth.positions);
+  motion.detect(before, cloth.positions);
   find_contacts(motion, cloth.positions, bodies);
   correct_strain_and_contact(strain_correction_.most_sweeps, before, bodies, cloth);
   return correct_with_gate(motion, bodies, cloth);

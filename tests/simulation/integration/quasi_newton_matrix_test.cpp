@@ -153,6 +153,35 @@ TEST(QuasiNewtonMatrix, heeds_that_rows_weigh_differently) {
   EXPECT_LT((displacement - solved(matrix, some_forces(grid))).norm(), 1e-11);
 }
 
+// A row whose particles are drawn each by itself, and two parts, which share a row, by their
+// middles.
+TEST(QuasiNewtonMatrix, heeds_what_holds_particles) {
+  const RibbonGrid grid{12, 5};
+  const SpringNetwork network = network_of(grid);
+  const std::vector<double> whole{1};
+  const std::vector<double> shares{0.1, 0.3, 0.2, 0.05, 0.25, 0.1};
+  std::vector<SharedSpring> held{{grid.particle(7, 1), shares, 300},
+                                 {grid.particle(8, 0), shares, 7}};
+  for (int column = 0; column < grid.across; ++column)
+    held.push_back({grid.particle(3, column), whole, 40});
+  MatrixXd matrix = matrix_of(network, crumpled(grid), 0.25);
+  for (const auto& [first, of_each, stiffness] : held)
+    for (std::size_t i = 0; i < of_each.size(); ++i)
+      for (std::size_t j = 0; j < of_each.size(); ++j)
+        for (Index axis = 0; axis < 3; ++axis)
+          matrix(3 * (first + static_cast<Index>(i)) + axis,
+                 3 * (first + static_cast<Index>(j)) + axis) += of_each[i] * of_each[j] * stiffness;
+  QuasiNewtonMatrix under_test(network, 0.25);
+  MatrixX3d displacement;
+  under_test.factor(crumpled(grid), held);
+  under_test.solve(some_forces(grid), displacement);
+  EXPECT_LT((displacement - solved(matrix, some_forces(grid))).norm(), 1e-11);
+  // And no longer once they let go.
+  under_test.factor(crumpled(grid));
+  under_test.solve(some_forces(grid), displacement);
+  EXPECT_EQ(displacement, solved(network, crumpled(grid), 0.25));
+}
+
 TEST(QuasiNewtonMatrix, of_the_narrowest_ribbons_leads_downhill) {
   for (const RibbonGrid grid : {RibbonGrid{2, 2}, RibbonGrid{2, 5}, RibbonGrid{5, 2}})
     expect_downhill(grid, solved(network_of(grid), crumpled(grid), 0.25));
