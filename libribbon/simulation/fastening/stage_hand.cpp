@@ -18,8 +18,8 @@ namespace {
 
 constexpr double felt_widths = 2;  // to either side of what the hand has
 
-// Of the way on which all of its strength would bring a part to twice the speed at which the hand
-// carries it: so far may it lag.
+// How far a part may lag behind, over speed^2 / acceleration: half of the way on which all of the
+// hand's strength brings it to the speed at which it is carried.
 constexpr double of_gathering_speed = 0.25;
 // It has arrived where so short a way at that speed is left, and no more than such a part of it.
 constexpr double arrived_within_s = 0.01;
