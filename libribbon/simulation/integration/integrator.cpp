@@ -30,12 +30,12 @@ void Integrator::displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth)
 
 void Integrator::hold_force(const Eigen::Matrix3Xd& fastening_force, const Cloth& cloth) {
   Eigen::MatrixX3d& accelerations = state_.accelerations;
-  const std::optional<Eigen::Vector3d> gravity = gravity_m_s2();
+  const std::optional<Eigen::Vector3d>& gravity_m_s2 = properties_.gravity_m_s2;
   if (fastening_force.cols() > 0)
     accelerations = fastening_force.transpose() / cloth.particle_mass_kg;
   else
-    accelerations.setZero(gravity ? cloth.particle_count() : 0, 3);
-  if (gravity) accelerations.rowwise() += gravity->transpose();
+    accelerations.setZero(gravity_m_s2 ? cloth.particle_count() : 0, 3);
+  if (gravity_m_s2) accelerations.rowwise() += gravity_fraction_ * gravity_m_s2->transpose();
 }
 
 void Integrator::displace_in_substep(Cloth& cloth) {

@@ -62,11 +62,6 @@ class Integrator {
   }
   // With the next force gravity counts with that fraction, 0 to 1.
   void ease_gravity(double fraction) { gravity_fraction_ = fraction; }
-  // That counts with the next force; without gravity: none.
-  [[nodiscard]] std::optional<Eigen::Vector3d> gravity_m_s2() const {
-    if (!properties_.gravity_m_s2) return std::nullopt;
-    return gravity_fraction_ * *properties_.gravity_m_s2;
-  }
 
   [[nodiscard]] virtual IntegrationMethod method() const = 0;
 

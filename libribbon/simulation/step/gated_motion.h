@@ -40,7 +40,7 @@ class GatedMotion {
   }
 
   // The broad phase, around the displacements from the free positions to the targets, no further
-  // beyond `led`, where motion and weight alone lead, than the longest detour.
+  // beyond `led`, where motion alone leads, than the longest detour.
   void detect(const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
 
   // Detects again around the particles whose targets lie outside their bounds, which would

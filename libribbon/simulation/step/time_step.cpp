@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "geometry/vectors.h"
@@ -134,7 +133,7 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
   const double duration_s = step_s_ * parts / substeps();
   GatedMotion motion(gate_, cloth.positions, duration_s, bodies, clock_);
   expected_ = cloth.positions + duration_s * cloth.velocities;
-  motion.detect(fallen(duration_s), expected_);  // section 5.4
+  motion.detect(expected_, expected_);  // section 5.4
   find_contacts(motion, expected_, bodies);
   hold_force(force, cloth);
   for (int part = 0; part < parts; ++part) {
@@ -145,14 +144,6 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
                                before_substep_, bodies, cloth);  // cf. sections 5.4.2 and 5.5
   }
   return correct_with_gate(motion, bodies, cloth);
-}
-
-// The expected positions, with what weight adds to them.
-const Matrix3Xd& TimeStep::fallen(double duration_s) {
-  const std::optional<Vector3d> gravity_m_s2 = integrator_->gravity_m_s2();
-  if (!gravity_m_s2) return expected_;
-  fallen_ = expected_.colwise() + duration_s * duration_s * *gravity_m_s2;
-  return fallen_;
 }
 
 StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth) {

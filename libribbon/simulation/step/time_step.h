@@ -91,7 +91,6 @@ class TimeStep {
                                 Cloth& cloth);
   StepReport advance_with_gate(int parts, const Eigen::Matrix3Xd& force, Bodies& bodies,
                                Cloth& cloth);
-  const Eigen::Matrix3Xd& fallen(double duration_s);
   StepReport correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth);
   StepReport correct_as_published(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth);
 
@@ -133,7 +132,6 @@ class TimeStep {
   Cloth before_step_;
   Eigen::Matrix3Xd before_substep_;  // positions
   Eigen::Matrix3Xd expected_;        // positions, as far as velocities tell
-  Eigen::Matrix3Xd fallen_;          // likewise, and as far as weight tells
   Eigen::Matrix3Xd no_force_;        // no columns
 };
 

@@ -91,17 +91,6 @@ TEST(GatedStep, goes_as_far_in_a_step_as_its_velocity_leads_and_contact_lets) {
   }
 }
 
-// By hand: under 1000 m/s^2 a step from rest takes it ten edges down.
-TEST(GatedStep, falls_as_far_in_a_step_as_its_weight_leads) {
-  OverFloor planted = ribbon_over_floor(grid, -40);
-  Cloth cloth = cloth_at(planted.positions);
-  Scene scene = scene_of_step();
-  scene.gravity_m_s2 = Vector3d(0, -1000, 0);
-  TimeStep time_step = time_step_of(scene);
-  (void)time_step.advance(Matrix3Xd(3, 0), planted.bodies, cloth);
-  EXPECT_NEAR(smallest_height(cloth), planted.positions(1, 0) - 10, 1e-9);
-}
-
 TEST(GatedStep, tells_how_many_particles_were_truncated) {
   OverFloor planted = ribbon_over_floor(grid, -0.3);
   Cloth cloth = cloth_at(planted.positions);
