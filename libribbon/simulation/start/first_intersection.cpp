@@ -47,7 +47,7 @@ std::optional<MeetingPlace> first_intersection(Bodies& bodies, const Matrix3Xd& 
 std::optional<MeetingPlace> first_closer_than(double distance_m, Bodies& bodies,
                                               const Matrix3Xd& positions) {
   const ContactCandidates near =
-      BroadPhase({.reach_m = distance_m, .slack_m = 0, .longest_detour_m = 0})
+      BroadPhase({.reach_m = distance_m, .slack_m = 0, .longest_way_m = 0})
           .detect(bodies, positions, positions, positions);
   for (std::size_t i = 0; i < near.pairs.size(); ++i) {
     if (near.distances_m[i] >= distance_m) continue;

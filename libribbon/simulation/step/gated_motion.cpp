@@ -19,7 +19,7 @@ Gate::Gate(const RestSize& size, PairDistances pair_distances)
     : distances(std::move(pair_distances)),
       broad_phase({.reach_m = distances.largest_activation_m(),
                    .slack_m = 0.05 * size.shortest_edge_m(),
-                   .longest_detour_m = 4 * size.shortest_edge_m()},
+                   .longest_way_m = 4 * size.shortest_edge_m()},
                   distances),
       negligible_m(0.01 * size.shortest_edge_m()),
       farthest_m(1.5 * size.shortest_edge_m()) {}

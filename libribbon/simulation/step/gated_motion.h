@@ -39,8 +39,8 @@ class GatedMotion {
     gate_.free_positions = start;
   }
 
-  // The broad phase, around the displacements from the free positions to the targets, no further
-  // beyond `led`, where motion alone leads, than the longest detour.
+  // The broad phase, around the displacements from the free positions to the targets; `led` is
+  // where motion alone leads.
   void detect(const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
 
   // Detects again around the particles whose targets lie outside their bounds, which would

@@ -41,15 +41,25 @@ bool is_exceeded(double room_m, const FeaturePair& pair, const Matrix3Xd& displa
 constexpr std::size_t particles_at_a_time = 1024;
 constexpr std::size_t pairs_at_a_time = 512;
 
+// Of the longest way: so far from where motion leads a target may lie to be led to, and so far from
+// its place what is led goes.
+constexpr double most_detour = 0.5;
+constexpr double most_led = 64;
+
 }  // namespace
 
-// The target, or where the longest detour toward it ends, with the slack.
+// Around the target, if motion leads there or nearly so; else no further than the longest way.
 Box BroadPhase::around_target(int particle, const Vector3d& target) const {
-  Vector3d detour = target - led_.col(particle);
-  const double longest_m = lengths_.longest_detour_m;
-  if (squared_length_of(detour) > longest_m * longest_m)
-    detour = longest_m * safely_normalised(detour);
-  Box bound = Box::around(led_.col(particle) + detour);
+  const double longest_m = lengths_.longest_way_m;
+  const Vector3d from = candidates_.from.col(particle);
+  const Vector3d way = target - from;
+  const double squared_way = squared_length_of(way);
+  const double detour_m = length_of((target - led_.col(particle)).eval());
+  const double furthest_m = detour_m <= most_detour * longest_m ? most_led * longest_m : longest_m;
+  // What would go further is wild, wherever its velocity leads.
+  Box bound = Box::around(squared_way <= furthest_m * furthest_m
+                              ? target
+                              : Vector3d(from + longest_m * safely_normalised(way)));
   bound.grow(lengths_.slack_m);
   return bound;
 }

@@ -34,9 +34,8 @@ struct ContactCandidates {
 struct BroadPhaseLengths {
   double reach_m = 0;  // pairs that could come this close are listed
   double slack_m = 0;  // room beyond the target, for what moves the particle later
-  // Bounds reach no further beyond where motion leads, however far the target lies: a wild one
-  // would list the whole ribbon.
-  double longest_detour_m = 0;
+  // Bounds reach no further, unless motion leads there: a wild target would list the whole ribbon.
+  double longest_way_m = 0;
 };
 
 enum class Widening { onward, onward_and_back };
@@ -52,8 +51,8 @@ class BroadPhase {
     assert(!distances_ || distances_->largest_activation_m() <= lengths_.reach_m);
   }
 
-  // Detects around the straight way from `from` toward `target`, no further than the longest detour
-  // from `led`, where motion alone leads (3 x particles each).
+  // Detects around the straight way from `from` toward `target`, no further than bounds reach;
+  // `led` is where motion alone leads (3 x particles each).
   const ContactCandidates& detect(Bodies& bodies, const Eigen::Matrix3Xd& from,
                                   const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
 

@@ -170,7 +170,7 @@ TEST(GatedStep, friction_slows_what_slides_under_pressure) {
 
 // The smallest distance between features at least five rows apart, at most 1 m.
 double gap_between_layers(Bodies& bodies, const Matrix3Xd& x) {
-  const BroadPhaseLengths lengths{.reach_m = 1, .slack_m = 0, .longest_detour_m = 0};
+  const BroadPhaseLengths lengths{.reach_m = 1, .slack_m = 0, .longest_way_m = 0};
   const ContactCandidates near = BroadPhase(lengths).detect(bodies, x, x, x);
   double smallest = 1;
   for (std::size_t i = 0; i < near.pairs.size(); ++i) {

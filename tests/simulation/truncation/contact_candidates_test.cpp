@@ -76,7 +76,7 @@ void expect_all_within_reach_are_listed(const ContactCandidates& candidates, Bod
 TEST(ContactCandidates, list_every_pair_that_comes_within_reach_inside_the_bounds) {
   auto [grid, from, bodies] = folded(0.5);
   std::mt19937 random(8);
-  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_detour_m = 1};
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_way_m = 1};
   const ContactCandidates candidates =
       BroadPhase(lengths).detect(bodies, from, from, kicked(from, 0.2, random));
   expect_all_within_reach_are_listed(candidates, bodies, random);
@@ -94,8 +94,7 @@ TEST(ContactCandidates, of_thick_cloth_list_what_comes_within_its_own_reach) {
   std::mt19937 random(8);
   const PairDistances thick = thick_fold(grid);
   const PairReach reach = thick.activation_reach(0);
-  const BroadPhaseLengths lengths{
-      .reach_m = reach.largest_m, .slack_m = 0.1, .longest_detour_m = 1};
+  const BroadPhaseLengths lengths{.reach_m = reach.largest_m, .slack_m = 0.1, .longest_way_m = 1};
   const Matrix3Xd target = kicked(from, 0.05, random);
   BroadPhase broad_phase(lengths, thick);
   const ContactCandidates candidates = broad_phase.detect(bodies, from, from, target);
@@ -115,7 +114,7 @@ TEST(ApproachingPairs, of_thick_cloth_are_those_that_come_within_their_own_reach
   const PairReach reach = thick.min_separation_reach(1);
   const Matrix3Xd target = kicked(from, 0.2, random);
   const ContactCandidates candidates =
-      BroadPhase({.reach_m = thick.largest_activation_m(), .slack_m = 0.1, .longest_detour_m = 2},
+      BroadPhase({.reach_m = thick.largest_activation_m(), .slack_m = 0.1, .longest_way_m = 2},
                  thick)
           .detect(bodies, from, from, target);
   ApproachingPairs approaching;
@@ -148,7 +147,7 @@ TEST(ContactCandidates, of_thick_cloth_that_lies_flat_are_few) {
   const PairDistances thick(RestSize{grid, 39, 7},
                             {.min_separation_m = 0.01, .activation_m = 0.02, .thickness_m = 3});
   const BroadPhaseLengths lengths{
-      .reach_m = thick.largest_activation_m(), .slack_m = 0.05, .longest_detour_m = 1};
+      .reach_m = thick.largest_activation_m(), .slack_m = 0.05, .longest_way_m = 1};
   const std::size_t uniform = BroadPhase(lengths).detect(bodies, flat, flat, flat).pairs.size();
   EXPECT_LT(20 * BroadPhase(lengths, thick).detect(bodies, flat, flat, flat).pairs.size(), uniform);
 }
@@ -156,7 +155,7 @@ TEST(ContactCandidates, of_thick_cloth_that_lies_flat_are_few) {
 TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once) {
   auto [grid, from, bodies] = folded(0.5);
   std::mt19937 random(8);
-  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_detour_m = 1};
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_way_m = 1};
   BroadPhase broad_phase(lengths);
   const ContactCandidates& candidates =
       broad_phase.detect(bodies, from, from, kicked(from, 0.2, random));
@@ -178,7 +177,7 @@ TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once
 
 TEST(ContactCandidates, know_the_distances_and_leave_far_pairs_out) {
   auto [grid, from, bodies] = folded(0.5);
-  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0, .longest_detour_m = 1};
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0, .longest_way_m = 1};
   const ContactCandidates still = BroadPhase(lengths).detect(bodies, from, from, from);
   ASSERT_EQ(still.pairs.size(), still.distances_m.size());
   for (std::size_t i = 0; i < still.pairs.size(); ++i) {
@@ -194,7 +193,7 @@ TEST(ContactCandidates, a_target_on_the_moon_does_not_list_the_whole_ribbon) {
   Bodies bodies = ribbon_alone(grid);
   Matrix3Xd target = from;
   for (int p = 0; p < grid.particle_count(); ++p) target(0, p) += p % 2 == 0 ? 4e8 : -4e8;
-  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_detour_m = 2};
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_way_m = 2};
   const ContactCandidates candidates = BroadPhase(lengths).detect(bodies, from, from, target);
   EXPECT_LT(candidates.pairs.size(), 100U * static_cast<unsigned>(grid.particle_count()));
   EXPECT_EQ(particles_outside(candidates, target).size(),
@@ -205,7 +204,7 @@ TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
   auto [grid, from, bodies] = folded(0.3);
   Matrix3Xd displacement = Matrix3Xd::Zero(3, grid.particle_count());
   displacement.row(1).setConstant(3);
-  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_detour_m = 10};
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.1, .longest_way_m = 10};
   const ContactCandidates candidates =
       BroadPhase(lengths).detect(bodies, from, from, from + displacement);
   EXPECT_GT(candidates.pairs.size(), 100U);

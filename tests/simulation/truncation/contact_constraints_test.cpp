@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 constexpr RibbonGrid grid{5, 3};
 constexpr RestSize size{grid, 4, 2};
 const PairDistances distances{size, {.min_separation_m = 0.05, .activation_m = 0.2}};
-constexpr BroadPhaseLengths lengths{.reach_m = 0.2, .slack_m = 0.1, .longest_detour_m = 4};
+constexpr BroadPhaseLengths lengths{.reach_m = 0.2, .slack_m = 0.1, .longest_way_m = 4};
 
 // A vertex and a triangle 0.1 m apart.
 ContactCandidates only(const std::array<int, 4>& vertices, const Matrix3Xd& positions) {

@@ -38,7 +38,7 @@ PairDistances thin(const Bodies& bodies, double min_separation_m) {
 // Detects, around stragglers again as long as there are any, and truncates.
 TruncationReport truncate(Bodies& bodies, double min_separation_m, const Matrix3Xd& target,
                           Matrix3Xd& x) {
-  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_detour_m = 100};
+  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_way_m = 100};
   BroadPhase broad_phase(lengths);
   broad_phase.detect(bodies, x, x, target);
   DisplacementTruncation truncation;
@@ -103,7 +103,7 @@ TEST(DisplacementTruncation, one_jammed_pair_does_not_stop_the_rest) {
 // truncated.
 TEST(DisplacementTruncation, keeps_the_gap_many_times_within_one_detection) {
   auto [grid, x, bodies] = folded(0.5);
-  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.3, .longest_detour_m = 100};
+  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.3, .longest_way_m = 100};
   const ContactCandidates candidates = BroadPhase(lengths).detect(bodies, x, x, x);
   DisplacementTruncation truncation;
   std::mt19937 random(6);
@@ -167,7 +167,7 @@ TEST(DisplacementTruncation,
   Matrix3Xd target = planted.positions;
   target.row(0).array() += 8;
   target.row(1).array() -= 2;
-  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_detour_m = 100};
+  const BroadPhaseLengths lengths{.reach_m = 0.05, .slack_m = 0.1, .longest_way_m = 100};
   Matrix3Xd x = planted.positions;
   const ContactCandidates candidates = BroadPhase(lengths).detect(planted.bodies, x, x, target);
   const PairDistances distances = thin(planted.bodies, 0.02);
