@@ -18,12 +18,13 @@ CarriedPlace::CarriedPlace(const Vector3d& from, const Matrix3Xd& way)
     ends_m_.push_back(ends_m_.back() + length_of((corners_.col(i) - corners_.col(i - 1)).eval()));
 }
 
-Vector3d CarriedPlace::now() const {
-  const auto next = std::upper_bound(ends_m_.begin(), ends_m_.end(), gone_m_);
+Vector3d CarriedPlace::after(double distance_m) const {
+  const double gone_m = gone_m_ + distance_m;
+  const auto next = std::upper_bound(ends_m_.begin(), ends_m_.end(), gone_m);
   if (next == ends_m_.end()) return corners_.rightCols<1>();
   const auto i = static_cast<Index>(next - ends_m_.begin());
   const double begin_m = *(next - 1);
-  const double t = (gone_m_ - begin_m) / (*next - begin_m);
+  const double t = (gone_m - begin_m) / (*next - begin_m);
   return corners_.col(i - 1) + t * (corners_.col(i) - corners_.col(i - 1));
 }
 

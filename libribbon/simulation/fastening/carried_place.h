@@ -15,7 +15,9 @@ class CarriedPlace {
   // way: 3 x points, at least one, m.
   CarriedPlace(const Eigen::Vector3d& from, const Eigen::Matrix3Xd& way);
 
-  [[nodiscard]] Eigen::Vector3d now() const;
+  [[nodiscard]] Eigen::Vector3d now() const { return after(0); }
+  // Where it is when it has gone on by so much.
+  [[nodiscard]] Eigen::Vector3d after(double distance_m) const;
   void go_on(double distance_m);
   [[nodiscard]] bool has_arrived() const { return gone_m_ >= ends_m_.back(); }
 

@@ -88,10 +88,8 @@ Grip StageHand::grip(const Cloth& cloth, const Workplace& place) {
   const double most_lag_m =
       speed_m_s * (step_s_ + speed_m_s / strength_m_s2() * of_gathering_speed);
   goes_on_m_ = length_of(lag_m) > most_lag_m ? 0 : speed_m_s * step_s_;
-  CarriedPlace next = *carried_;
-  next.go_on(goes_on_m_);
   grip.places = carried_->now();
-  grip.drift_m_s = (next.now() - carried_->now()) / step_s_;
+  grip.drift_m_s = (carried_->after(goes_on_m_) - carried_->now()) / step_s_;
   return grip;
 }
 

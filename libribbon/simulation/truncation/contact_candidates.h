@@ -51,8 +51,8 @@ class BroadPhase {
     assert(!distances_ || distances_->largest_activation_m() <= lengths_.reach_m);
   }
 
-  // Detects around the straight way from `from` toward `target`, no further than bounds reach;
-  // `led` is where motion alone leads (3 x particles each).
+  // Detects around the straight way from `from` to `target`, or to where the longest way toward it
+  // ends; `led` is where motion alone leads (3 x particles each).
   const ContactCandidates& detect(Bodies& bodies, const Eigen::Matrix3Xd& from,
                                   const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
 
