@@ -61,6 +61,32 @@ struct RibbonGrid {
     return halves(q / (across - 1), q % (across - 1))[t % 2];
   }
 
+  // Asks is_found(b, c) of the triangles that have this particle, with their two other corners,
+  // until one says yes. Did one?
+  template <class IsFound>
+  bool any_triangle_at(int particle, const IsFound& is_found) const {
+    // Diagonals meet where i+j is even; between them, a neighbour along and one across make a
+    // triangle.
+    constexpr std::array<std::array<int, 2>, 8> round = {
+        {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+    const int i = row(particle);
+    const int j = column(particle);
+    const auto is_inside = [&](const std::array<int, 2>& offset) {
+      const int at_i = i + offset[0];
+      const int at_j = j + offset[1];
+      return at_i >= 0 && at_i < along && at_j >= 0 && at_j < across;
+    };
+    const unsigned step = (i + j) % 2 == 0 ? 1 : 2;
+    for (unsigned k = 0; k < round.size(); k += step) {
+      const std::array<int, 2>& b = round[k];
+      const std::array<int, 2>& c = round[(k + step) % round.size()];
+      if (is_inside(b) && is_inside(c) &&
+          is_found(particle + b[0] * across + b[1], particle + c[0] * across + c[1]))
+        return true;
+    }
+    return false;
+  }
+
   // 3 x triangle_count().
   [[nodiscard]] Eigen::Matrix3Xi triangles() const {
     Eigen::Matrix3Xi result(3, triangle_count());

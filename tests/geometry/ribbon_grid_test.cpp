@@ -45,6 +45,28 @@ TEST(RibbonGrid, both_triangles_of_a_quad_have_its_diagonal) {
   }
 }
 
+TEST(RibbonGrid, finds_the_triangles_of_each_particle) {
+  for (const RibbonGrid grid : {RibbonGrid{5, 4}, RibbonGrid{2, 2}, RibbonGrid{3, 7}}) {
+    using Corners = std::array<int, 2>;  // the other two
+    std::map<int, std::multiset<Corners>> expected;
+    for (int t = 0; t < grid.triangle_count(); ++t) {
+      const auto [a, b, c] = grid.triangle(t);
+      expected[a].insert({std::min(b, c), std::max(b, c)});
+      expected[b].insert({std::min(c, a), std::max(c, a)});
+      expected[c].insert({std::min(a, b), std::max(a, b)});
+    }
+    for (int particle = 0; particle < grid.particle_count(); ++particle) {
+      std::multiset<Corners> found;
+      EXPECT_FALSE(grid.any_triangle_at(particle, [&](int b, int c) {
+        found.insert({std::min(b, c), std::max(b, c)});
+        return false;
+      }));
+      EXPECT_EQ(found, expected[particle]) << particle;
+      EXPECT_TRUE(grid.any_triangle_at(particle, [&](int /*b*/, int /*c*/) { return true; }));
+    }
+  }
+}
+
 TEST(RibbonGrid, a_fan_splits_a_quad_into_its_two_triangles) {
   const RibbonGrid grid{5, 4};
   for (int q = 0; q < grid.quad_count(); ++q) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -9,6 +11,7 @@
 #include "simulation/detection/collision_surface.h"
 #include "simulation/detection/ribbon_bvh.h"
 #include "simulation/detection/triangle_bvh.h"
+#include "simulation/detection/triangle_fans.h"
 #include "simulation/detection/vertex_positions.h"
 #include "simulation/state/state_archive.h"
 
@@ -20,10 +23,12 @@ struct ObstacleBody {
   ObstacleBody(Eigen::Matrix3Xi triangles, Eigen::Matrix3Xd body_vertices)
       : vertices(std::move(body_vertices)),
         surface(collision_surface(std::move(triangles))),
+        fans(surface.triangles, vertices.cols()),
         bvh(surface, vertices) {}
 
   Eigen::Matrix3Xd vertices;
   CollisionSurface surface;
+  TriangleFans fans;
   TriangleBvh bvh;
 };
 
@@ -86,6 +91,26 @@ struct Bodies {
   }
   // The others are the obstacle's.
   [[nodiscard]] bool is_particle(int vertex) const { return vertex < grid.particle_count(); }
+
+  // As RibbonGrid has it, for vertices of either.
+  template <class IsFound>
+  bool any_triangle_at(int vertex, const IsFound& is_found) const {
+    if (is_particle(vertex)) return grid.any_triangle_at(vertex, is_found);
+    const int first = grid.particle_count();
+    const auto fan = obstacle->fans.of(vertex - first);
+    return std::any_of(fan.begin(), fan.end(), [&](const TriangleFans::Corners& others) {
+      return is_found(first + others[0], first + others[1]);
+    });
+  }
+
+  // The corner of an edge with fewer triangles, and the other one.
+  [[nodiscard]] std::array<int, 2> smaller_fan_first(int a, int b) const {
+    if (is_particle(a)) return {a, b};
+    const int first = grid.particle_count();
+    const bool in_order =
+        obstacle->fans.of(a - first).size() <= obstacle->fans.of(b - first).size();
+    return in_order ? std::array{a, b} : std::array{b, a};
+  }
 
   // The obstacle's BVH is the same each time; it and the one of the ribbon's patches are refitted
   // before use.

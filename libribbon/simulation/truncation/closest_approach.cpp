@@ -18,15 +18,15 @@ using Corners = Eigen::Matrix<double, 3, 4>;
 // Of a distance: room that no rounding feigns.
 constexpr double certain = 0.5;
 
-// From the way of a vertex to the edge pq.
-Vector3d from_way_to_edge(const Vector3d& vertex, const Vector3d& way, const Vector3d& p,
-                          const Vector3d& q) {
+// Of a vertex on its way, as seen from the edge pq.
+ClosestApproach vertex_to_edge(const Vector3d& vertex, const Vector3d& way, const Vector3d& p,
+                               const Vector3d& q) {
   const Vector2d at = closest_on_segments(vertex, vertex + way, p, q);
-  return p + at[1] * (q - p) - (vertex + at[0] * way);
+  return {vertex + at[0] * way - (p + at[1] * (q - p)), at[0]};
 }
 
-void take_if_shorter(const Vector3d& other, Vector3d& shortest) {
-  if (squared_length_of(other) < squared_length_of(shortest)) shortest = other;
+void take_if_shorter(const ClosestApproach& other, ClosestApproach& shortest) {
+  if (squared_length_of(other.apart) < squared_length_of(shortest.apart)) shortest = other;
 }
 
 }  // namespace
@@ -34,20 +34,21 @@ void take_if_shorter(const Vector3d& other, Vector3d& shortest) {
 // Two convex sets that do not meet are closest on the boundary of one of them: at the start, at the
 // end, or where the way of a corner lies nearest. Seen from the first feature, the second goes
 // backwards.
-Vector3d closest_approach(FeaturePair::Kind kind, const Corners& start, const Vector4d& weights,
-                          const Corners& displacement) {
+ClosestApproach closest_approach(FeaturePair::Kind kind, const Corners& start,
+                                 const Vector4d& weights, const Corners& displacement) {
   const Vector3d way = weighted_sum(displacement, weights);
   const bool edges = kind == FeaturePair::Kind::edge_edge;
   const int first_count = edges ? 2 : 1;
   Corners end = start;
   end.leftCols(first_count).colwise() += way;
-  Vector3d nearest = weighted_sum(start, weights);
-  take_if_shorter(weighted_sum(end, closest_weights(kind, end)), nearest);
+  ClosestApproach nearest{weighted_sum(start, weights), 0};
+  take_if_shorter({weighted_sum(end, closest_weights(kind, end)), 1}, nearest);
   const auto pass = [&](int vertex, int p, int q) {
     const bool is_of_first = vertex < first_count;
-    const Vector3d apart =
-        from_way_to_edge(start.col(vertex), is_of_first ? way : -way, start.col(p), start.col(q));
-    take_if_shorter(is_of_first ? -apart : apart, nearest);
+    ClosestApproach passed =
+        vertex_to_edge(start.col(vertex), is_of_first ? way : -way, start.col(p), start.col(q));
+    if (!is_of_first) passed.apart = -passed.apart;
+    take_if_shorter(passed, nearest);
   };
   if (edges) {
     pass(0, 2, 3);
@@ -59,11 +60,11 @@ Vector3d closest_approach(FeaturePair::Kind kind, const Corners& start, const Ve
     pass(0, 2, 3);
     pass(0, 3, 1);
   }
-  const double squared = squared_length_of(nearest);
-  const Vector4d height = heights(start, nearest);
-  const double room = height.head(first_count).minCoeff() + std::min(0.0, dot(way, nearest)) -
+  const double squared = squared_length_of(nearest.apart);
+  const Vector4d height = heights(start, nearest.apart);
+  const double room = height.head(first_count).minCoeff() + std::min(0.0, dot(way, nearest.apart)) -
                       height.tail(4 - first_count).maxCoeff();
-  if (room < certain * squared) nearest.setZero();
+  if (room < certain * squared) nearest.apart.setZero();
   return nearest;
 }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "geometry/vectors.h"
 #include "parallel/parallel.h"
 #include "simulation/contact/friction.h"
 #include "simulation/detection/closest_weights.h"
+#include "simulation/detection/locally_closest.h"
 #include "simulation/truncation/closest_approach.h"
 
 namespace ribbon {
@@ -28,33 +30,36 @@ constexpr double hardly = 0.1;                 // of a distance: a way that turn
 // Of a distance: more than rounding can take from how far something is and has travelled.
 constexpr double doubtful = 1e-6;
 
-// Of the closest points of a pair, at the start of its motion.
+// Of the closest points of a pair.
 struct Contact {
-  Vector4d weights;
-  Vector3d normal = Vector3d::Zero();
-  double distance_m = 0;  // along it
+  Vector4d weights;  // at the start of its motion
+  Vector3d normal;
+  Vector4d weights_then;  // when the line between the closest points lies along the normal
 };
 
 // The normal is that of the start, but of a pair that would come near, as that normal has it, the
 // one of its closest approach: of features that slide past each other the former lies aslant and
 // would hold them up. What hardly moves keeps to the former, lest a normal turn with every tremor.
-Contact contact_of(FeaturePair::Kind kind, const Corners& start, const Corners& displacement,
-                   double near_m, double min_separation_m) {
+// None where the closest points leave no direction.
+std::optional<Contact> contact_of(FeaturePair::Kind kind, const Corners& start,
+                                  const Corners& displacement, double near_m,
+                                  double min_separation_m) {
   const Vector4d weights = closest_weights(kind, start);
   const Vector3d apart = weighted_sum(start, weights);
   const double distance_m = length_of(apart);
-  if (distance_m == 0) return {weights};
-  Contact at_start{weights, apart / distance_m, distance_m};
+  if (distance_m == 0) return std::nullopt;
+  const Contact at_start{weights, apart / distance_m, weights};
   const Vector3d way = weighted_sum(displacement, weights);
   if (length_of(way) < hardly * distance_m) return at_start;
   const double approach_m = -dot(at_start.normal, way);
   if (approach_m <= 0 || distance_m - approach_m >= near_m) return at_start;
 
-  const Vector3d nearest = closest_approach(kind, start, weights, displacement);
-  const double nearest_m = length_of(nearest);
-  if (nearest_m <= min_separation_m) return at_start;
-  const Vector3d normal = nearest / nearest_m;
-  return {weights, normal, dot(normal, apart)};
+  const ClosestApproach nearest = closest_approach(kind, start, weights, displacement);
+  const double nearest_m = length_of(nearest.apart);
+  if (nearest.when == 0 || nearest_m <= min_separation_m) return at_start;
+  Corners then = start;
+  then.leftCols(kind == FeaturePair::Kind::edge_edge ? 2 : 1).colwise() += nearest.when * way;
+  return Contact{weights, nearest.apart / nearest_m, closest_weights(kind, then)};
 }
 
 // The distance to be kept where there is this one.
@@ -63,8 +68,6 @@ double kept_distance_m(double distance_m, double activation_m, double min_separa
   return std::min(activation_m, std::max(opened_m, clear_of_truncation * min_separation_m));
 }
 
-// Where the closest points leave no direction, or nothing could move, one of distance 0, which is
-// always kept.
 ContactConstraint constraint_of(const FeaturePair& pair, const Contact& contact, double kept_m,
                                 const Bodies& bodies, const Eigen::ArrayXd& lightness) {
   ContactConstraint constraint;
@@ -74,10 +77,7 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Contact& contact,
     constraint.corrections[k] = bodies.is_particle(pair.vertices[k]) ? contact.weights[k] : 0;
   for (int k = 0; k < 4 && lightness.size() > 0; ++k)
     if (constraint.corrections[k] != 0) constraint.corrections[k] *= lightness[pair.vertices[k]];
-  // Of particles of mean mass 1.
-  const double effective_inverse_mass = dot(constraint.corrections, constraint.weights);
-  if (contact.distance_m == 0 || effective_inverse_mass == 0) return constraint;
-  constraint.corrections /= effective_inverse_mass;
+  constraint.corrections /= dot(constraint.corrections, constraint.weights);
   constraint.normal = contact.normal;
   constraint.distance_m = kept_m;
   return constraint;
@@ -93,21 +93,29 @@ void ContactConstraints::find(const ContactCandidates& candidates, const Bodies&
   const std::vector<std::size_t>& near = approaching_.find(
       candidates, free_positions, displacement_, distances.activation_reach(beyond_m));
   found_.resize(near.size());
-  watches_.resize(near.size());
   parallel_ranges(near.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const FeaturePair& pair = candidates.pairs[near[i]];
+      const Corners start = corners(pair, vertices);
       const double activation_m = distances.activation_m(pair);
       const double min_separation_m = distances.min_separation_m(pair);
-      const Contact contact =
-          contact_of(pair.kind, corners(pair, vertices), displacements(pair, displacement_),
-                     activation_m + beyond_m, min_separation_m);
-      const double kept_m = kept_distance_m(contact.distance_m, activation_m, min_separation_m);
-      found_[i] = constraint_of(pair, contact, kept_m, bodies, lightness_);
-      for (int k = 0; k < 4; ++k)
-        watches_[i].vertices[k] = std::min(found_[i].vertices[k], bodies.grid.particle_count());
+      const std::optional<Contact> contact =
+          contact_of(pair.kind, start, displacements(pair, displacement_), activation_m + beyond_m,
+                     min_separation_m);
+      found_[i].distance_m = 0;  // of none
+      if (!contact ||
+          !are_locally_closest(pair, contact->weights_then, contact->normal, vertices, bodies))
+        continue;
+      const double distance_m = dot(contact->normal, weighted_sum(start, contact->weights));
+      const double kept_m = kept_distance_m(distance_m, activation_m, min_separation_m);
+      found_[i] = constraint_of(pair, *contact, kept_m, bodies, lightness_);
     }
   });
+  std::erase_if(found_, [](const ContactConstraint& found) { return found.distance_m == 0; });
+  watches_.resize(found_.size());
+  for (std::size_t i = 0; i < found_.size(); ++i)
+    for (int k = 0; k < 4; ++k)
+      watches_[i].vertices[k] = std::min(found_[i].vertices[k], bodies.grid.particle_count());
 }
 
 namespace {

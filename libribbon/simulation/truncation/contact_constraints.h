@@ -31,9 +31,10 @@ class ContactConstraints {
   explicit ContactConstraints(Eigen::ArrayXd lightness = {}) : lightness_(std::move(lightness)) {}
 
   // One for each listed pair that could come into contact, or so near to it, between
-  // `free_positions`, in which nothing intersects, and `target` (3 x particles each): contact shall
-  // not begin, or, where it has begun, open by a fifth of what lacks. That is along the line
-  // between its closest points in the free ones, or in its closest approach where it slides past.
+  // `free_positions`, in which nothing intersects, and `target` (3 x particles each), and whose
+  // closest points are the closest of the surfaces there (locally_closest.h): contact shall not
+  // begin, or, where it has begun, open by a fifth of what lacks. That is along the line between
+  // those points in the free ones, or in the pair's closest approach where it slides past.
   void find(const ContactCandidates& candidates, const Bodies& bodies,
             const PairDistances& distances, double beyond_m, const Eigen::Matrix3Xd& free_positions,
             const Eigen::Matrix3Xd& target);

@@ -60,7 +60,7 @@ Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
                                              0, min_separation_m);
   if (at_start.minCoeff() == 1) return at_start;
 
-  const Vector3d nearest = closest_approach(kind, start, weights, displacement);
+  const Vector3d nearest = closest_approach(kind, start, weights, displacement).apart;
   const double nearest_m = length_of(nearest);
   if (nearest_m <= min_separation_m) return at_start;
   const Vector4d on_the_way = fractions_beside_plane(

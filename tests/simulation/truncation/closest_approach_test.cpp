@@ -22,9 +22,10 @@ struct Passing {
   Corners displacement = Corners::Zero();
 
   [[nodiscard]] int first_count() const { return kind == Kind::vertex_triangle ? 1 : 2; }
-  [[nodiscard]] Vector3d closest() const {
+  [[nodiscard]] ClosestApproach approach() const {
     return closest_approach(kind, start, closest_weights(kind, start), displacement);
   }
+  [[nodiscard]] Vector3d closest() const { return approach().apart; }
   [[nodiscard]] double distance_after(double part) const {
     const Corners then = start + part * displacement;
     return (then * closest_weights(kind, then)).norm();
@@ -54,6 +55,8 @@ TEST(ClosestApproach, is_the_least_distance_on_the_way) {
     const double between = pair.displacement.col(0).norm() / (2 * instants);
     EXPECT_LE(found, least + 1e-12) << trial;
     EXPECT_GE(found, least - between) << trial;
+    if (found == 0) continue;
+    EXPECT_NEAR(pair.distance_after(pair.approach().when), found, 1e-9) << trial;
   }
 }
 
