@@ -42,13 +42,6 @@ RowVector3d returning_velocity(const RowVector3d& off_m, const RowVector3d& velo
 
 }  // namespace
 
-RowVector3d Holding::Held::of(const MatrixX3d& numbers) const {
-  RowVector3d sum = shares[0] * numbers.row(first);
-  for (std::size_t i = 1; i < shares.size(); ++i)
-    sum += shares[i] * numbers.row(first + static_cast<Eigen::Index>(i));
-  return sum;
-}
-
 void Holding::begin(double h, const MatrixX3d& positions, const MatrixX3d& velocities) {
   duration_s_ = h;
   elapsed_s_ += h;
@@ -75,11 +68,12 @@ void Holding::hold(const Grip& grip, const MatrixX3d& positions, const MatrixX3d
       shares_.push_back(share);
       answers_.push_back(share / grip.weights[i] / lightness);
     }
-    helds_.push_back({grip.first, std::span(shares_).subspan(begun),
-                      std::span(answers_).subspan(begun), 1 / lightness});
+    helds_.push_back({{grip.first, std::span(shares_).subspan(begun)},
+                      std::span(answers_).subspan(begun),
+                      1 / lightness});
   } else {
     for (int i = 0; i < grip.count(); ++i)
-      helds_.push_back({grip.first + i, whole, whole, grip.weights[i]});
+      helds_.push_back({{grip.first + i, whole}, whole, grip.weights[i]});
   }
   handful.end = helds_.size();
   double weight = 0;
@@ -89,10 +83,11 @@ void Holding::hold(const Grip& grip, const MatrixX3d& positions, const MatrixX3d
   const RowVector3d drifted = (elapsed_s_ - duration_s_) * drift;
   for (std::size_t i = handful.begin; i < handful.end; ++i) {
     Held& held = helds_[i];
-    held.from = held.of(positions);
+    held.from = held.middle.of(positions);
     const RowVector3d place = grip.places.col(static_cast<Eigen::Index>(i - handful.begin));
-    const RowVector3d seen = returning_velocity(
-        held.from - place - drifted, held.of(velocities) - drift, grip.most_m_s2, duration_s_);
+    const RowVector3d seen =
+        returning_velocity(held.from - place - drifted, held.middle.of(velocities) - drift,
+                           grip.most_m_s2, duration_s_);
     held.velocity = shortened(drift + seen, grip.most_m_s);
   }
 }
@@ -101,15 +96,15 @@ void Holding::correct(double slowed, MatrixX3d& positions, MatrixX3d& velocities
   for (const Handful& handful : handfuls_) {
     double squared = 0;
     for (const Held& held : helds(handful))
-      squared += held.weight * squared_length_of(held.velocity - held.of(velocities));
+      squared += held.weight * squared_length_of(held.velocity - held.middle.of(velocities));
     const double wanted_m_s = std::sqrt(squared);
     const double most_m_s = handful.most_m_s2 * duration_s_ * slowed;
     const double given = wanted_m_s > most_m_s ? most_m_s / wanted_m_s : 1;
     for (const Held& held : helds(handful)) {
-      const RowVector3d lacking = held.velocity - held.of(velocities);
-      const RowVector3d way = held.from + duration_s_ * held.velocity - held.of(positions);
+      const RowVector3d lacking = held.velocity - held.middle.of(velocities);
+      const RowVector3d way = held.from + duration_s_ * held.velocity - held.middle.of(positions);
       for (std::size_t i = 0; i < held.answers.size(); ++i) {
-        const Eigen::Index particle = held.first + static_cast<Eigen::Index>(i);
+        const Eigen::Index particle = held.middle.first + static_cast<Eigen::Index>(i);
         velocities.row(particle) += given * held.answers[i] * lacking;
         positions.row(particle) += given * held.answers[i] * way;
       }
@@ -124,7 +119,7 @@ void Holding::begin_springs(double inertia, double particle_mass_kg) {
 
 // Where it would be displaced to against where it is to be.
 RowVector3d Holding::off(const Held& held, const MatrixX3d& displacement) const {
-  return held.of(displacement) - duration_s_ * held.velocity;
+  return held.middle.of(displacement) - duration_s_ * held.velocity;
 }
 
 double Holding::root_mean_off(const Handful& handful, const MatrixX3d& displacement) const {
@@ -147,11 +142,8 @@ double Holding::add_energy(const MatrixX3d& displacement, MatrixX3d& gradient) c
     const double off_m = root_mean_off(handful, displacement);
     const double part = given(handful, displacement);
     energy_j += stiffness_ * part * off_m * (off_m - part * off_m / 2);
-    for (const Held& held : helds(handful)) {
-      const RowVector3d pull = part * stiffness_ * held.weight * off(held, displacement);
-      for (std::size_t i = 0; i < held.shares.size(); ++i)
-        gradient.row(held.first + static_cast<Eigen::Index>(i)) += held.shares[i] * pull;
-    }
+    for (const Held& held : helds(handful))
+      held.middle.add(part * stiffness_ * held.weight * off(held, displacement), gradient);
   }
   return energy_j;
 }
@@ -163,10 +155,11 @@ double Holding::work(const MatrixX3d& displacement, const MatrixX3d& gradient,
     const double part = given(handful, displacement);
     for (const Held& held : helds(handful)) {
       const RowVector3d pull = -part * stiffness_ * held.weight * off(held, displacement);
-      for (std::size_t i = 0; i < held.shares.size(); ++i) {
-        const Eigen::Index particle = held.first + static_cast<Eigen::Index>(i);
-        work_j += dot((gradient.row(particle) + held.shares[i] * pull).eval(),
+      Eigen::Index particle = held.middle.first;
+      for (const double share : held.middle.shares) {
+        work_j += dot((gradient.row(particle) + share * pull).eval(),
                       (displacement.row(particle) - centre).eval());
+        ++particle;
       }
     }
   }
@@ -177,8 +170,7 @@ const std::vector<SharedSpring>& Holding::springs(const MatrixX3d& displacement)
   springs_.clear();
   for (const Handful& handful : handfuls_) {
     const double each = given(handful, displacement) * stiffness_;
-    for (const Held& held : helds(handful))
-      springs_.push_back({held.first, held.shares, each * held.weight});
+    for (const Held& held : helds(handful)) springs_.push_back({held.middle, each * held.weight});
   }
   return springs_;
 }

@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "simulation/integration/middle.h"
 #include "simulation/state/grip.h"
 
 namespace ribbon {
 
-// A spring that draws particles one after the other, each with its share, to some place.
+// A spring that draws the middle of some particles to some place.
 struct SharedSpring {
-  int first = 0;                   // particle
-  std::span<const double> shares;  // of each in their middle; they add up to 1
-  double stiffness = 0;            // N/m, of the middle
+  Middle middle;
+  double stiffness = 0;  // N/m
 };
 
 // Each particle of a grip, or the middle of all of them, is to go back to its place critically
@@ -59,14 +59,11 @@ class Holding {
  private:
   // A particle, or the middle of several, that is held.
   struct Held {
-    int first = 0;  // particle
-    std::span<const double> shares;
+    Middle middle;
     std::span<const double> answers;  // of each, to an acceleration of the middle by its shares
     double weight = 0;                // that this takes, over the mean mass of a particle
     Eigen::RowVector3d from = Eigen::RowVector3d::Zero();      // m
     Eigen::RowVector3d velocity = Eigen::RowVector3d::Zero();  // m/s, that it is to have
-
-    [[nodiscard]] Eigen::RowVector3d of(const Eigen::MatrixX3d& numbers) const;
   };
   // What one hand holds, and what it can do.
   struct Handful {

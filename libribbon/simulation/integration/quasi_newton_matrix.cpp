@@ -13,6 +13,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Matrix3d;
 using Eigen::MatrixX3d;
+using Eigen::RowVector3d;
 
 // Of the springs: the factor could not tell less from rounding.
 constexpr double least_inertia = 1e-12;
@@ -100,8 +101,8 @@ void QuasiNewtonMatrix::set_inertia(double inertia) {
 void QuasiNewtonMatrix::factor(const MatrixX3d& positions, std::span<const SharedSpring> held) {
   held_.setZero(grid_.along);
   for (const SharedSpring& spring : held)
-    if (spring.shares.size() == 1)
-      held_[grid_.row(spring.first)] += spring.stiffness / grid_.across;
+    if (spring.middle.is_of_one())
+      held_[grid_.row(spring.middle.first)] += spring.stiffness / grid_.across;
   parallel_ranges(grid_.along, rows_in_task, [&](std::size_t begin, std::size_t end) {
     for (Springs& springs : springs_)
       for (std::size_t row = begin; row < end; ++row)
@@ -115,28 +116,19 @@ void QuasiNewtonMatrix::factor(const MatrixX3d& positions, std::span<const Share
   });
   coupled_ = 0;
   for (const SharedSpring& spring : held)
-    if (spring.shares.size() > 1) couple(spring);
-}
-
-double QuasiNewtonMatrix::of_middle(const Coupling& coupling, const MatrixX3d& displacement) {
-  double sum = 0;
-  Eigen::Index particle = coupling.spring.first;
-  for (const double share : coupling.spring.shares)
-    sum += share * displacement(particle++, coupling.axis);
-  return sum;
+    if (!spring.middle.is_of_one()) couple(spring);
 }
 
 void QuasiNewtonMatrix::couple(const SharedSpring& spring) {
   for (int axis = 0; axis < 3; ++axis) {
     if (couplings_.size() == coupled_) couplings_.emplace_back();
     Coupling& coupling = couplings_[coupled_];
-    coupling.spring = spring;
+    coupling.middle = spring.middle;
     coupling.axis = axis;
     by_shares_.setZero(grid_.particle_count(), 3);
-    Eigen::Index particle = spring.first;
-    for (const double share : spring.shares) by_shares_(particle++, axis) = share;
+    spring.middle.add(RowVector3d::Unit(axis), by_shares_);
     solve(by_shares_, coupling.answer);
-    coupling.yielding = 1 / spring.stiffness + of_middle(coupling, coupling.answer);
+    coupling.yielding = 1 / spring.stiffness + spring.middle.of(coupling.answer)[axis];
     ++coupled_;
   }
 }
@@ -192,8 +184,9 @@ void QuasiNewtonMatrix::solve(const MatrixX3d& force, MatrixX3d& displacement) {
     modes_.put_together(amplitudes_, static_cast<int>(begin), static_cast<int>(end), displacement);
   });
   for (std::size_t i = 0; i < coupled_; ++i) {
-    const double force_n = of_middle(couplings_[i], displacement) / couplings_[i].yielding;
-    displacement -= force_n * couplings_[i].answer;
+    const Coupling& coupling = couplings_[i];
+    const double force_n = coupling.middle.of(displacement)[coupling.axis] / coupling.yielding;
+    displacement -= force_n * coupling.answer;
   }
 }
 

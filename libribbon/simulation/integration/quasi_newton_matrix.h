@@ -10,6 +10,7 @@
 #include "simulation/integration/cosine_modes.h"
 #include "simulation/integration/fours.h"
 #include "simulation/integration/holding.h"
+#include "simulation/integration/middle.h"
 
 namespace ribbon {
 
@@ -51,15 +52,14 @@ class QuasiNewtonMatrix {
     std::vector<Eigen::Matrix3d> resistance;  // of each row, all of it: stiffness times P, N/m
   };
 
-  // One axis of a spring that is shared.
+  // One axis of a spring that draws several particles.
   struct Coupling {
-    SharedSpring spring;
+    Middle middle;
     int axis = 0;
     Eigen::MatrixX3d answer;  // of the matrix without it, to a force by shares
     double yielding = 0;      // m/N, of the middle and the spring after one another
   };
 
-  static double of_middle(const Coupling& coupling, const Eigen::MatrixX3d& displacement);
   void couple(const SharedSpring& spring);
   void look_along(int row, const Eigen::MatrixX3d& positions, Springs& springs) const;
   void assemble(int four);

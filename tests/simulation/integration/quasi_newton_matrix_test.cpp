@@ -160,17 +160,18 @@ TEST(QuasiNewtonMatrix, heeds_what_holds_particles) {
   const SpringNetwork network = network_of(grid);
   const std::vector<double> whole{1};
   const std::vector<double> shares{0.1, 0.3, 0.2, 0.05, 0.25, 0.1};
-  std::vector<SharedSpring> held{{grid.particle(7, 1), shares, 300},
-                                 {grid.particle(8, 0), shares, 7}};
+  std::vector<SharedSpring> held{{{grid.particle(7, 1), shares}, 300},
+                                 {{grid.particle(8, 0), shares}, 7}};
   for (int column = 0; column < grid.across; ++column)
-    held.push_back({grid.particle(3, column), whole, 40});
+    held.push_back({{grid.particle(3, column), whole}, 40});
   MatrixXd matrix = matrix_of(network, crumpled(grid), 0.25);
-  for (const auto& [first, of_each, stiffness] : held)
-    for (std::size_t i = 0; i < of_each.size(); ++i)
-      for (std::size_t j = 0; j < of_each.size(); ++j)
+  for (const auto& [middle, stiffness] : held)
+    for (std::size_t i = 0; i < middle.shares.size(); ++i)
+      for (std::size_t j = 0; j < middle.shares.size(); ++j)
         for (Index axis = 0; axis < 3; ++axis)
-          matrix(3 * (first + static_cast<Index>(i)) + axis,
-                 3 * (first + static_cast<Index>(j)) + axis) += of_each[i] * of_each[j] * stiffness;
+          matrix(3 * (middle.first + static_cast<Index>(i)) + axis,
+                 3 * (middle.first + static_cast<Index>(j)) + axis) +=
+              middle.shares[i] * middle.shares[j] * stiffness;
   QuasiNewtonMatrix under_test(network, 0.25);
   MatrixX3d displacement;
   under_test.factor(crumpled(grid), held);
