@@ -92,7 +92,8 @@ struct Bodies {
   // The others are the obstacle's.
   [[nodiscard]] bool is_particle(int vertex) const { return vertex < grid.particle_count(); }
 
-  // As RibbonGrid has it, for vertices of either.
+  // As RibbonGrid has it, for vertices of either; of the obstacle's as far as TriangleFans has
+  // them.
   template <class IsFound>
   bool any_triangle_at(int vertex, const IsFound& is_found) const {
     if (is_particle(vertex)) return grid.any_triangle_at(vertex, is_found);

@@ -1,4 +1,4 @@
-// Are the closest points of two features also the closest of the surfaces there?
+// Do the closest points of two features tell how the surfaces lie there?
 #pragma once
 
 #include <Eigen/Core>

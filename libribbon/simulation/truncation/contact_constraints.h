@@ -32,7 +32,7 @@ class ContactConstraints {
 
   // One for each listed pair that could come into contact, or so near to it, between
   // `free_positions`, in which nothing intersects, and `target` (3 x particles each), and whose
-  // closest points are the closest of the surfaces there (locally_closest.h): contact shall not
+  // closest points tell how the surfaces lie there (locally_closest.h): contact shall not
   // begin, or, where it has begun, open by a fifth of what lacks. That is along the line between
   // those points in the free ones, or in the pair's closest approach where it slides past.
   void find(const ContactCandidates& candidates, const Bodies& bodies,
