@@ -24,6 +24,11 @@ struct FeaturePair {
   std::array<int, 4> vertices{};
 };
 
+// How many of a pair's vertices its first feature has.
+constexpr int first_count(FeaturePair::Kind kind) {
+  return kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
+}
+
 // Where the pair's four vertices are, in its order.
 inline Eigen::Matrix<double, 3, 4> corners(const FeaturePair& pair,
                                            const VertexPositions& positions) {

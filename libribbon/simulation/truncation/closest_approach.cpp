@@ -38,13 +38,13 @@ ClosestApproach closest_approach(FeaturePair::Kind kind, const Corners& start,
                                  const Vector4d& weights, const Corners& displacement) {
   const Vector3d way = weighted_sum(displacement, weights);
   const bool edges = kind == FeaturePair::Kind::edge_edge;
-  const int first_count = edges ? 2 : 1;
+  const int of_first = first_count(kind);
   Corners end = start;
-  end.leftCols(first_count).colwise() += way;
+  end.leftCols(of_first).colwise() += way;
   ClosestApproach nearest{weighted_sum(start, weights), 0};
   take_if_shorter({weighted_sum(end, closest_weights(kind, end)), 1}, nearest);
   const auto pass = [&](int vertex, int p, int q) {
-    const bool is_of_first = vertex < first_count;
+    const bool is_of_first = vertex < of_first;
     ClosestApproach passed =
         vertex_to_edge(start.col(vertex), is_of_first ? way : -way, start.col(p), start.col(q));
     if (!is_of_first) passed.apart = -passed.apart;
@@ -62,8 +62,8 @@ ClosestApproach closest_approach(FeaturePair::Kind kind, const Corners& start,
   }
   const double squared = squared_length_of(nearest.apart);
   const Vector4d height = heights(start, nearest.apart);
-  const double room = height.head(first_count).minCoeff() + std::min(0.0, dot(way, nearest.apart)) -
-                      height.tail(4 - first_count).maxCoeff();
+  const double room = height.head(of_first).minCoeff() + std::min(0.0, dot(way, nearest.apart)) -
+                      height.tail(4 - of_first).maxCoeff();
   if (room < certain * squared) nearest.apart.setZero();
   return nearest;
 }

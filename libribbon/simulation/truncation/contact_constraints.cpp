@@ -58,7 +58,7 @@ std::optional<Contact> contact_of(FeaturePair::Kind kind, const Corners& start,
   const double nearest_m = length_of(nearest.apart);
   if (nearest.when == 0 || nearest_m <= min_separation_m) return at_start;
   Corners then = start;
-  then.leftCols(kind == FeaturePair::Kind::edge_edge ? 2 : 1).colwise() += nearest.when * way;
+  then.leftCols(first_count(kind)).colwise() += nearest.when * way;
   return Contact{weights, nearest.apart / nearest_m, closest_weights(kind, then)};
 }
 

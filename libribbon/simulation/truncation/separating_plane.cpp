@@ -19,27 +19,27 @@ constexpr double usable = 0.9;
 
 // By a plane perpendicular to `normal`, over which the first feature lies above the second; none
 // may go where that leaves no more than least_gap_m between them.
-Vector4d fractions_beside_plane(int first_count, const Vector3d& normal, const Corners& start,
+Vector4d fractions_beside_plane(int of_first, const Vector3d& normal, const Corners& start,
                                 const Corners& displacement, double least_gap_m,
                                 double min_separation_m) {
   const Vector4d height = heights(start, normal);
   const Vector4d rise = heights(displacement, normal);
-  const double lowest_first = height.head(first_count).minCoeff();
-  const double highest_second = height.tail(4 - first_count).maxCoeff();
+  const double lowest_first = height.head(of_first).minCoeff();
+  const double highest_second = height.tail(4 - of_first).maxCoeff();
   if (lowest_first - highest_second <= least_gap_m) return Vector4d::Zero();
   const double room_m = std::max(0.0, usable * (lowest_first - highest_second - min_separation_m));
-  const double sink_first = std::max(0.0, -rise.head(first_count).minCoeff());
-  const double climb_second = std::max(0.0, rise.tail(4 - first_count).maxCoeff());
+  const double sink_first = std::max(0.0, -rise.head(of_first).minCoeff());
+  const double climb_second = std::max(0.0, rise.tail(4 - of_first).maxCoeff());
   Vector4d fractions = Vector4d::Ones();
   if (sink_first + climb_second <= room_m) return fractions;
 
   const double room_per_metre = room_m / (sink_first + climb_second);
   const double floor_of_first = lowest_first - sink_first * room_per_metre;
   const double ceiling_of_second = highest_second + climb_second * room_per_metre;
-  for (int k = 0; k < first_count; ++k)
+  for (int k = 0; k < of_first; ++k)
     if (rise[k] < 0 && height[k] + rise[k] < floor_of_first)
       fractions[k] = room_m > 0 ? (height[k] - floor_of_first) / -rise[k] : 0;
-  for (int k = first_count; k < 4; ++k)
+  for (int k = of_first; k < 4; ++k)
     if (rise[k] > 0 && height[k] + rise[k] > ceiling_of_second)
       fractions[k] = room_m > 0 ? (ceiling_of_second - height[k]) / rise[k] : 0;
   return fractions.cwiseMin(1).cwiseMax(0);
@@ -49,22 +49,22 @@ Vector4d fractions_beside_plane(int first_count, const Vector3d& normal, const C
 
 Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
                                 const Corners& displacement, double min_separation_m) {
-  const int first_count = kind == FeaturePair::Kind::vertex_triangle ? 1 : 2;
+  const int of_first = first_count(kind);
   const Vector4d weights = closest_weights(kind, start);
   const Vector3d apart = weighted_sum(start, weights);
   const double distance_m = length_of(apart);
   if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches
   // Its gap is the distance, but almost touching features lie aslant to the rounded direction: it
   // does not separate them.
-  Vector4d at_start = fractions_beside_plane(first_count, apart / distance_m, start, displacement,
-                                             0, min_separation_m);
+  Vector4d at_start = fractions_beside_plane(of_first, apart / distance_m, start, displacement, 0,
+                                             min_separation_m);
   if (at_start.minCoeff() == 1) return at_start;
 
   const Vector3d nearest = closest_approach(kind, start, weights, displacement).apart;
   const double nearest_m = length_of(nearest);
   if (nearest_m <= min_separation_m) return at_start;
   const Vector4d on_the_way = fractions_beside_plane(
-      first_count, nearest / nearest_m, start, displacement, min_separation_m, min_separation_m);
+      of_first, nearest / nearest_m, start, displacement, min_separation_m, min_separation_m);
   return on_the_way.minCoeff() > at_start.minCoeff() ? on_the_way : at_start;
 }
 

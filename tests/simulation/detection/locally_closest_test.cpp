@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "geometry/flat_ribbon.h"
 #include "geometry/vectors.h"
 #include "simulation/detection/closest_weights.h"
 
@@ -21,18 +22,11 @@ using Kind = FeaturePair::Kind;
 // The ribbon's particle (i, j) at x = i, z = j, at a height of its own, and so an obstacle above or
 // below it, which is made as another ribbon is.
 struct Sheets {
-  Sheets(const RibbonGrid& ribbon_grid, const RibbonGrid& obstacle_grid,
-         const Vector3d& obstacle_begin)
+  Sheets(const RibbonGrid& ribbon_grid, const RibbonGrid& obstacle_grid, double obstacle_y)
       : grid(ribbon_grid),
-        positions(flat(ribbon_grid, Vector3d::Zero())),
-        bodies(ribbon_grid,
-               ObstacleBody(obstacle_grid.triangles(), flat(obstacle_grid, obstacle_begin))) {}
-
-  static Matrix3Xd flat(const RibbonGrid& of, const Vector3d& begin) {
-    Matrix3Xd places(3, of.particle_count());
-    for (int p = 0; p < places.cols(); ++p)
-      places.col(p) = begin + Vector3d(of.row(p), 0, of.column(p));
-    return places;
+        positions(flat_ribbon(ribbon_grid)),
+        bodies(ribbon_grid, ObstacleBody(obstacle_grid.triangles(), flat_ribbon(obstacle_grid))) {
+    bodies.obstacle->vertices.row(1).setConstant(obstacle_y);
   }
 
   // Of the obstacle's vertex.
@@ -56,9 +50,8 @@ struct Sheets {
 
 // A ribbon of one quad, particle 0 of which is put over the obstacle's 4 x 4 quads.
 struct Over : Sheets {
-  explicit Over(const Vector3d& place, double of_other_vertices = 100)
-      : Sheets({2, 2}, obstacle_grid, Vector3d::Zero()) {
-    positions.row(1).setConstant(of_other_vertices);
+  explicit Over(const Vector3d& place) : Sheets({2, 2}, obstacle_grid, 0) {
+    positions.row(1).setConstant(100);
     positions.col(0) = place;
   }
   // Against the triangle of these particles of the obstacle's grid.
@@ -105,7 +98,7 @@ TEST(LocallyClosest, of_a_ridge_it_is_and_of_a_valley_it_is_not) {
 }
 
 TEST(LocallyClosest, of_edges_are_those_that_cross) {
-  Sheets sheets({2, 2}, {2, 2}, {0, 0.1, 0});
+  Sheets sheets({2, 2}, {2, 2}, 0.1);
   // Ribbon's edge along at z = 0, turned to cross the obstacle's edge across at x = 0.
   sheets.positions.row(0).array() -= 0.5;
   sheets.positions.row(2).array() += 0.5;
@@ -138,7 +131,7 @@ TEST(LocallyClosest, are_the_closest_of_all) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> anywhere(-0.6, 0.6);
   for (int trial = 0; trial < 200; ++trial) {
-    Sheets sheets({3, 3}, {4, 3}, {0, 1.5, 0});
+    Sheets sheets({3, 3}, {4, 3}, 1.5);
     for (Matrix3Xd* vertices : {&sheets.positions, &sheets.bodies.obstacle->vertices})
       for (double& coordinate : vertices->reshaped()) coordinate += anywhere(random);
     const std::vector<FeaturePair> pairs = all_pairs(sheets);

@@ -21,7 +21,6 @@ struct Passing {
   Corners start;
   Corners displacement = Corners::Zero();
 
-  [[nodiscard]] int first_count() const { return kind == Kind::vertex_triangle ? 1 : 2; }
   [[nodiscard]] ClosestApproach approach() const {
     return closest_approach(kind, start, closest_weights(kind, start), displacement);
   }
@@ -38,7 +37,7 @@ Passing random_passing(std::mt19937& random) {
   pair.kind = random() % 2 == 0 ? Kind::vertex_triangle : Kind::edge_edge;
   for (double& value : pair.start.reshaped()) value = coordinate(random);
   const Vector3d way = 3 * Vector3d(coordinate(random), coordinate(random), coordinate(random));
-  pair.displacement.leftCols(pair.first_count()).colwise() += way;
+  pair.displacement.leftCols(first_count(pair.kind)).colwise() += way;
   return pair;
 }
 
@@ -72,7 +71,7 @@ TEST(ClosestApproach, leaves_a_plane_that_neither_touches_on_the_way) {
     const Vector3d normal = closest / distance;
     const Vector4d before = pair.start.transpose() * normal;
     const Vector4d after = (pair.start + pair.displacement).transpose() * normal;
-    const int first = pair.first_count();
+    const int first = first_count(pair.kind);
     EXPECT_GE(std::min(before.head(first).minCoeff(), after.head(first).minCoeff()),
               before.tail(4 - first).maxCoeff() + distance - 1e-9)
         << trial;
