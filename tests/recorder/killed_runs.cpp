@@ -56,14 +56,17 @@ class KilledRuns {
     if (anew) fs::remove(killed_);
     last_was_resumed_ = !anew;
     const pid_t process = spawned(anew ? recording_into(killed_) : resuming(killed_));
-    std::this_thread::sleep_for(std::chrono::duration<double>(
-        std::uniform_real_distribution(0.0, (anew ? 1.0 : 0.6) * duration_s_)(random_)));
+    const double waited_s =
+        std::uniform_real_distribution(0.0, (anew ? 1.0 : 0.6) * duration_s_)(random_);
+    std::this_thread::sleep_for(std::chrono::duration<double>(waited_s));
     ::kill(process, SIGKILL);
     const int exit_code = waited_for(process);
     if (exit_code > 0) return blame("the recorder fails with " + std::to_string(exit_code));
     ++report_.kills;
     if (!anew) ++report_.of_resumed_runs;
-    if (exit_code == 0) ++report_.came_to_their_end;
+    if (exit_code != 0) return;
+    ++report_.came_to_their_end;
+    if (anew) duration_s_ = waited_s;  // or less: the machine was slower at first
   }
 
   void look() {

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t most_asked = 64;
 
 // Of a fan of so many triangles each so-manieth is kept.
-std::size_t stride(std::size_t count) {
+std::size_t spacing(std::size_t count) {
   return std::max<std::size_t>(1, count / most_asked);
 }
 
@@ -20,7 +20,7 @@ TriangleFans::TriangleFans(const Eigen::Matrix3Xi& triangles, Eigen::Index verte
   std::vector<std::size_t> counts(vertex_count);
   for (const int vertex : triangles.reshaped()) ++counts[vertex];
   for (std::size_t vertex = 0; vertex < counts.size(); ++vertex) {
-    const std::size_t step = stride(counts[vertex]);
+    const std::size_t step = spacing(counts[vertex]);
     begins_[vertex + 1] = begins_[vertex] + (counts[vertex] + step - 1) / step;
   }
   corners_.resize(begins_.back());
@@ -28,7 +28,7 @@ TriangleFans::TriangleFans(const Eigen::Matrix3Xi& triangles, Eigen::Index verte
   for (const auto& triangle : triangles.colwise())
     for (int c = 0; c < 3; ++c) {
       const int vertex = triangle[c];
-      const std::size_t step = stride(counts[vertex]);
+      const std::size_t step = spacing(counts[vertex]);
       const std::size_t number = seen[vertex]++;
       if (number % step == 0)
         corners_[begins_[vertex] + number / step] = {triangle[(c + 1) % 3], triangle[(c + 2) % 3]};
