@@ -88,6 +88,23 @@ TEST(Gravity, what_nothing_holds_falls_as_fast_as_air_lets_it) {
   EXPECT_LT((fallen.colwise() - Vector3d(0, 0, -0.01 * earths / 8)).cwiseAbs().maxCoeff(), 1e-6);
 }
 
+// By hand: backward Euler's n steps of h seconds fall n (n + 1) / 2 times g h^2. Weight alone
+// brings four edges a step.
+TEST(Gravity, a_fine_mesh_falls_as_far_as_it_should_in_long_steps) {
+  Scene scene = scene_of_drape();
+  scene.ribbon = {.width_m = 0.002, .along = 30, .across = 3, .mass_kg = 0.001};
+  scene.air_resistance_per_s = 0;
+  scene.time.integrator = IntegrationMethod::implicit;
+  scene.time.step_s = 0.02;
+  const RibbonMesh ribbon =
+      generate_ribbon_mesh(straight_curve(scene.ribbon.along, 0.029), scene.ribbon, Axis::y);
+  auto processor = FasteningProcessor::create(scene, ribbon, std::nullopt).value();
+  const Matrix3Xd before = processor.positions();
+  for (int step = 0; step < 10; ++step) processor.step();
+  const Matrix3Xd fallen = processor.positions() - before;
+  EXPECT_NEAR(fallen.row(2).mean(), -55 * earths * 0.02 * 0.02, 1e-6);
+}
+
 // By hand: between two hands that are L apart a band of weight w per length, whose springs bear EA
 // times their strain, hangs as a parabola of sag d, with d^3 = 3 w L^4 / 64 EA (what is L long when
 // nothing strains it is so short that 8 d^2 / 3 L is its stretch, and bears w L^2 / 8 d).

@@ -1,6 +1,7 @@
 #include "simulation/detection/locally_closest.h"
 
 #include <array>
+#include <cmath>
 
 #include "geometry/vectors.h"
 
@@ -11,18 +12,20 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-// Sine of the angle by which a neighbour must lie toward the other feature: rounding, and what is
+// Sines of the angles by which a neighbour must lie toward the other feature: rounding, and what is
 // nearly flat, count as flat.
-constexpr double toward = 0.01;
+constexpr double from_triangle = 0.01;
+constexpr double from_obstacle = 0.03;  // its edges and vertices
 
-// The point of a triangle and the corners that have a share in it.
-struct TrianglePoint {
-  TrianglePoint(const FeaturePair& pair, const Vector4d& weights,
-                const VertexPositions& positions) {
-    for (int k = 1; k < 4; ++k) {
+// The closest point of a feature and the corners that have a share in it.
+struct FeaturePoint {
+  // Of the pair's vertices from `begin` to `end`.
+  FeaturePoint(const FeaturePair& pair, int begin, int end, const Vector4d& weights,
+               const VertexPositions& positions) {
+    for (int k = begin; k < end; ++k) {
       if (weights[k] == 0) continue;
       const int vertex = pair.vertices[k];
-      place -= weights[k] * positions[vertex];
+      place += std::abs(weights[k]) * positions[vertex];
       corners[corner_count++] = vertex;
     }
   }
@@ -32,17 +35,13 @@ struct TrianglePoint {
   int corner_count = 0;
 };
 
-bool lies_toward(const Vector3d& neighbour, const TrianglePoint& point, const Vector3d& direction) {
-  const Vector3d way = neighbour - point.place;
-  return dot(way, direction) > toward * length_of(way);
-}
-
-// Does a neighbour of the point lie in that direction? Inside a triangle it has none; inside an
-// edge, the corners beside it are.
-bool has_neighbour_toward(const Vector3d& direction, const TrianglePoint& point,
+// Does a neighbour of the point lie in that direction, by more than this sine? Inside a triangle it
+// has none; inside an edge, the corners beside it are.
+bool has_neighbour_toward(const Vector3d& direction, double sine, const FeaturePoint& point,
                           const VertexPositions& positions, const Bodies& bodies) {
   const auto is_toward = [&](int vertex) {
-    return lies_toward(positions[vertex], point, direction);
+    const Vector3d way = positions[vertex] - point.place;
+    return dot(way, direction) > sine * length_of(way);
   };
   if (point.corner_count == 1)
     return bodies.any_triangle_at(point.corners[0],
@@ -59,8 +58,15 @@ bool has_neighbour_toward(const Vector3d& direction, const TrianglePoint& point,
 bool are_locally_closest(const FeaturePair& pair, const Vector4d& weights,
                          const Vector3d& direction, const VertexPositions& positions,
                          const Bodies& bodies) {
-  if (pair.kind == FeaturePair::Kind::edge_edge) return (weights.array() != 0).all();
-  return !has_neighbour_toward(direction, {pair, weights, positions}, positions, bodies);
+  if (pair.kind == FeaturePair::Kind::edge_edge && (weights.array() == 0).any()) return false;
+  const auto is_closest = [&](int begin, int end, const Vector3d& to_other) {
+    const bool of_triangle = end - begin == 3;
+    if (!of_triangle && bodies.is_particle(pair.vertices[begin])) return true;
+    return !has_neighbour_toward(to_other, of_triangle ? from_triangle : from_obstacle,
+                                 {pair, begin, end, weights, positions}, positions, bodies);
+  };
+  const int of_first = first_count(pair.kind);
+  return is_closest(of_first, 4, direction) && is_closest(0, of_first, -direction);
 }
 
 }  // namespace ribbon

@@ -23,6 +23,12 @@ void Integrator::spring_forces_on_mean(const Eigen::MatrixX3d& positions,
   if (properties_.lightness.size() > 0) forces.array().colwise() *= properties_.lightness;
 }
 
+// Backward Euler goes farthest: all the time with the velocity of the end.
+Eigen::Vector3d Integrator::fall_m(double duration_s) const {
+  if (!properties_.gravity_m_s2) return Eigen::Vector3d::Zero();
+  return duration_s * duration_s * gravity_fraction_ * *properties_.gravity_m_s2;
+}
+
 void Integrator::displace(const Eigen::Matrix3Xd& fastening_force, Cloth& cloth) {
   hold_force(fastening_force, cloth);
   for (int substep = 0; substep < substeps_; ++substep) displace_in_substep(cloth);

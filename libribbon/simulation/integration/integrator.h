@@ -65,6 +65,9 @@ class Integrator {
 
   [[nodiscard]] virtual IntegrationMethod method() const = 0;
 
+  // How far gravity leads from rest in that time: as far as by any of the schemes.
+  [[nodiscard]] Eigen::Vector3d fall_m(double duration_s) const;
+
   // Into how many parts it divides a step: an explicit scheme as many as keep it stable on its
   // springs and in its air, however the ribbon lies; the implicit one as divide_steps() said last.
   [[nodiscard]] int substeps() const { return substeps_; }

@@ -38,9 +38,10 @@ struct Contact {
 };
 
 // The normal is that of the start, but of a pair that would come near, as that normal has it, the
-// one of its closest approach: of features that slide past each other the former lies aslant and
-// would hold them up. What hardly moves keeps to the former, lest a normal turn with every tremor.
-// None where the closest points leave no direction.
+// one of its closest approach, or of when it is down to the minimum separation: of features that
+// slide past each other, or meet beside where they are closest now, the former lies aslant. What
+// hardly moves keeps to the former, lest a normal turn with every tremor. None where the closest
+// points leave no direction.
 std::optional<Contact> contact_of(FeaturePair::Kind kind, const Corners& start,
                                   const Corners& displacement, double near_m,
                                   double min_separation_m) {
@@ -54,12 +55,8 @@ std::optional<Contact> contact_of(FeaturePair::Kind kind, const Corners& start,
   const double approach_m = -dot(at_start.normal, way);
   if (approach_m <= 0 || distance_m - approach_m >= near_m) return at_start;
 
-  const ClosestApproach nearest = closest_approach(kind, start, weights, displacement);
-  const double nearest_m = length_of(nearest.apart);
-  if (nearest.when == 0 || nearest_m <= min_separation_m) return at_start;
-  Corners then = start;
-  then.leftCols(first_count(kind)).colwise() += nearest.when * way;
-  return Contact{weights, nearest.apart / nearest_m, closest_weights(kind, then)};
+  const Approach met = approach_down_to(min_separation_m, kind, start, weights, displacement);
+  return Contact{weights, met.apart / length_of(met.apart), closest_weights(kind, met.corners)};
 }
 
 // The distance to be kept where there is this one.
@@ -87,9 +84,11 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Contact& contact,
 
 void ContactConstraints::find(const ContactCandidates& candidates, const Bodies& bodies,
                               const PairDistances& distances, double beyond_m,
-                              const Matrix3Xd& free_positions, const Matrix3Xd& target) {
+                              const Matrix3Xd& free_positions, const Matrix3Xd& led,
+                              const Matrix3Xd& target) {
   const VertexPositions vertices = bodies.vertices(free_positions);
   displacement_ = target - free_positions;
+  way_ = led - free_positions;
   const std::vector<std::size_t>& near = approaching_.find(
       candidates, free_positions, displacement_, distances.activation_reach(beyond_m));
   found_.resize(near.size());
@@ -99,9 +98,8 @@ void ContactConstraints::find(const ContactCandidates& candidates, const Bodies&
       const Corners start = corners(pair, vertices);
       const double activation_m = distances.activation_m(pair);
       const double min_separation_m = distances.min_separation_m(pair);
-      const std::optional<Contact> contact =
-          contact_of(pair.kind, start, displacements(pair, displacement_), activation_m + beyond_m,
-                     min_separation_m);
+      const std::optional<Contact> contact = contact_of(pair.kind, start, displacements(pair, way_),
+                                                        activation_m + beyond_m, min_separation_m);
       found_[i].distance_m = 0;  // of none
       if (!contact ||
           !are_locally_closest(pair, contact->weights_then, contact->normal, vertices, bodies))

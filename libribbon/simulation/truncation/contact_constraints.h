@@ -34,10 +34,11 @@ class ContactConstraints {
   // `free_positions`, in which nothing intersects, and `target` (3 x particles each), and whose
   // closest points tell how the surfaces lie there (locally_closest.h): contact shall not
   // begin, or, where it has begun, open by a fifth of what lacks. That is along the line between
-  // those points in the free ones, or in the pair's closest approach where it slides past.
+  // those points in the free ones or, where `led` (likewise) leads to contact, in the pair's
+  // approach (closest_approach.h) down to the minimum separation.
   void find(const ContactCandidates& candidates, const Bodies& bodies,
             const PairDistances& distances, double beyond_m, const Eigen::Matrix3Xd& free_positions,
-            const Eigen::Matrix3Xd& target);
+            const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
   [[nodiscard]] const std::vector<ContactConstraint>& found() const { return found_; }
 
   // None of the constraints has been looked at, and activity has been reset.
@@ -61,7 +62,8 @@ class ContactConstraints {
   };
 
   Eigen::ArrayXd lightness_;
-  Eigen::Matrix3Xd displacement_;
+  Eigen::Matrix3Xd displacement_;  // to the targets
+  Eigen::Matrix3Xd way_;           // to where what moves is led
   ApproachingPairs approaching_;
   std::vector<ContactConstraint> found_;
   std::vector<Watch> watches_;  // of these

@@ -60,11 +60,9 @@ Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
                                              min_separation_m);
   if (at_start.minCoeff() == 1) return at_start;
 
-  const Vector3d nearest = closest_approach(kind, start, weights, displacement).apart;
-  const double nearest_m = length_of(nearest);
-  if (nearest_m <= min_separation_m) return at_start;
+  const Vector3d met = approach_down_to(min_separation_m, kind, start, weights, displacement).apart;
   const Vector4d on_the_way = fractions_beside_plane(
-      of_first, nearest / nearest_m, start, displacement, min_separation_m, min_separation_m);
+      of_first, met / length_of(met), start, displacement, min_separation_m, min_separation_m);
   return on_the_way.minCoeff() > at_start.minCoeff() ? on_the_way : at_start;
 }
 

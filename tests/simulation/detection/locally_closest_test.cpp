@@ -108,6 +108,38 @@ TEST(LocallyClosest, of_edges_are_those_that_cross) {
   EXPECT_FALSE(sheets.are_closest(beside));
 }
 
+// Two sheets of 2 x 1 quads, 0.1 m apart; the upper, turned by a right angle, crosses the middle of
+// the lower. The middle edge of one is raised or lowered.
+TEST(LocallyClosest, an_edge_of_the_obstacle_sticks_out_and_cloth_may_bend) {
+  for (const bool of_obstacle : {true, false})
+    for (const double height : {0.2, 0.0, -0.2}) {
+      SCOPED_TRACE(testing::Message() << of_obstacle << " " << height);
+      Sheets sheets({3, 2}, {3, 2}, -0.3);
+      const Matrix3Xd flat = sheets.positions;
+      sheets.positions.row(0) = flat.row(2).array() + 0.5;
+      sheets.positions.row(2) = 1.5 - flat.row(0).array();
+      Matrix3Xd& bent = of_obstacle ? sheets.bodies.obstacle->vertices : sheets.positions;
+      bent.row(1).segment(2, 2).array() += height;
+      const FeaturePair middles{Kind::edge_edge, {2, 3, sheets.number(2), sheets.number(3)}};
+      EXPECT_EQ(sheets.are_closest(middles), !of_obstacle || height >= 0);
+    }
+}
+
+// A vertex under the middle of a large triangle.
+TEST(LocallyClosest, a_vertex_of_the_obstacle_sticks_out) {
+  for (const double height : {0.2, 0.0, -0.2}) {
+    SCOPED_TRACE(height);
+    Sheets sheets({2, 2}, {5, 5}, -0.3);
+    sheets.positions.row(0) = 20 * sheets.positions.row(0).array() - 5;
+    sheets.positions.row(2) = 20 * sheets.positions.row(2).array() - 2;
+    sheets.bodies.obstacle->vertices(1, 12) += height;
+    const std::array<int, 3> above = sheets.grid.triangle(0);
+    EXPECT_EQ(sheets.are_closest(
+                  {Kind::vertex_triangle, {sheets.number(12), above[0], above[1], above[2]}}),
+              height >= 0);
+  }
+}
+
 std::vector<FeaturePair> all_pairs(const Sheets& sheets) {
   std::vector<FeaturePair> pairs;
   const CollisionSurface ribbon = collision_surface(sheets.grid.triangles());

@@ -17,12 +17,13 @@ constexpr RestSize size{grid, 4, 2};
 const PairDistances distances{size, {.min_separation_m = 0.05, .activation_m = 0.2}};
 constexpr BroadPhaseLengths lengths{.reach_m = 0.2, .slack_m = 0.1, .longest_way_m = 4};
 
-// A vertex and a triangle 0.1 m apart.
-ContactCandidates only(const std::array<int, 4>& vertices, const Matrix3Xd& positions) {
+// A vertex and a triangle.
+ContactCandidates only(const std::array<int, 4>& vertices, const Matrix3Xd& positions,
+                       double distance_m = 0.1) {
   return {.from = positions,
           .bounds = {},
           .pairs = {{FeaturePair::Kind::vertex_triangle, vertices}},
-          .distances_m = {0.1}};
+          .distances_m = {distance_m}};
 }
 
 // The flat ribbon over a floor at height floor_y, about to sink by `sink` everywhere.
@@ -33,7 +34,8 @@ struct Sinking {
     cloth.positions.row(1).array() -= sink;
     candidates =
         BroadPhase(lengths).detect(planted.bodies, free_positions, free_positions, cloth.positions);
-    constraints.find(candidates, planted.bodies, distances, 0.1, free_positions, cloth.positions);
+    constraints.find(candidates, planted.bodies, distances, 0.1, free_positions, cloth.positions,
+                     cloth.positions);
     constraints.begin_sweeps();
   }
   bool keep_apart_once() {
@@ -76,7 +78,7 @@ TEST(ContactConstraints, move_what_is_light_farther) {
   Eigen::ArrayXd lightness = Eigen::ArrayXd::Ones(grid.particle_count());
   lightness[vertex] = 1.0 / 3;
   ContactConstraints constraints(lightness);
-  constraints.find(only({vertex, 0, 3, 1}, positions), bodies, distances, 0.1, positions,
+  constraints.find(only({vertex, 0, 3, 1}, positions), bodies, distances, 0.1, positions, positions,
                    positions);
   ASSERT_EQ(constraints.found().size(), 1U);
   EXPECT_NEAR(constraints.found()[0].corrections[0], 0.5, 1e-12);
@@ -107,6 +109,36 @@ TEST(ContactConstraints, with_friction_hold_what_slides) {
   }
 }
 
+// Over a floor of many triangles: each particle goes aside over several of their edges and sinks
+// through it. Whichever it comes down on holds it.
+TEST(ContactConstraints, keep_what_slides_over_a_mesh_from_sinking_into_it) {
+  constexpr RibbonGrid floor_grid{41, 41};
+  Matrix3Xd floor = 0.4 * flat_ribbon(floor_grid);
+  floor.colwise() -= Vector3d(3.1, 0, 4.3);
+  Bodies bodies{grid, ObstacleBody(floor_grid.triangles(), floor)};
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> part(0, 1);
+  const auto between = [&](double least, double most) {
+    return least + (most - least) * part(random);
+  };
+  for (int trial = 0; trial < 50; ++trial) {
+    Matrix3Xd before = flat_ribbon(grid);
+    before.row(1).setConstant(between(0.06, 0.2));
+    Cloth cloth{before, Matrix3Xd::Zero(3, grid.particle_count()), 1};
+    cloth.positions.row(0).array() += between(-2, 2);
+    cloth.positions.row(1).array() -= between(0.1, 1);
+    cloth.positions.row(2).array() += between(-2, 2);
+    ContactConstraints constraints;
+    constraints.find(BroadPhase(lengths).detect(bodies, before, before, cloth.positions), bodies,
+                     distances, 0.1, before, cloth.positions, cloth.positions);
+    constraints.begin_sweeps();
+    SweepActivity activity(grid, 1);
+    for (int sweep = 0; sweep < 40 && constraints.keep_apart(0, before, bodies, activity, cloth);)
+      ++sweep;
+    EXPECT_GT(cloth.positions.row(1).minCoeff(), 0.05) << trial;
+  }
+}
+
 // A vertex over the triangle 0, 3, 1 and what it is about to do.
 struct Flying {
   explicit Flying(const Vector3d& from, const Vector3d& way) {
@@ -115,7 +147,7 @@ struct Flying {
     cloth.positions.col(vertex) += way;
     cloth.velocities.col(vertex) = 100 * way;
     constraints.find(only({vertex, 0, 3, 1}, before), bodies, distances, 0.1, before,
-                     cloth.positions);
+                     cloth.positions, cloth.positions);
   }
   void keep_apart_once() {
     SweepActivity activity(grid, 1);
@@ -153,6 +185,25 @@ TEST(ContactConstraints, hold_what_would_fly_through) {
   EXPECT_GE(through.cloth.velocities(1, through.vertex), -30);
 }
 
+// It flies level above the triangle, too high to touch it, were it not for its weight.
+TEST(ContactConstraints, count_where_the_target_alone_leads_to_contact) {
+  const int vertex = grid.particle(4, 1);
+  const Bodies bodies{grid, std::nullopt};
+  Matrix3Xd before = flat_ribbon(grid);
+  before.col(vertex) = Vector3d(0.1, 0.4, 0.2);
+  Matrix3Xd led = before;
+  led.col(vertex).x() += 0.05;
+  Matrix3Xd target = led;
+  target.col(vertex).y() -= 0.6;
+  ContactConstraints constraints;
+  const ContactCandidates candidates = only({vertex, 0, 3, 1}, before, 0.4);
+  constraints.find(candidates, bodies, distances, 0.1, before, led, led);
+  EXPECT_TRUE(constraints.found().empty());
+  constraints.find(candidates, bodies, distances, 0.1, before, led, target);
+  ASSERT_EQ(constraints.found().size(), 1U);
+  EXPECT_TRUE(constraints.found()[0].normal.isApprox(Vector3d(0, 1, 0)));
+}
+
 TEST(ContactConstraints, are_none_where_nothing_comes_near) {
   EXPECT_TRUE(Sinking(-2, 0.5).constraints.found().empty());
 }
@@ -169,7 +220,7 @@ TEST(ContactConstraints, part_by_momentum_conservation) {
   const Matrix3Xd before = x;
   const PairDistances clear{of_four, {.min_separation_m = 0.2 / 1.2, .activation_m = 0.2}};
   ContactConstraints constraints;
-  constraints.find(only({0, 1, 2, 3}, x), bodies, clear, 0.3, x, x);
+  constraints.find(only({0, 1, 2, 3}, x), bodies, clear, 0.3, x, x, x);
   SweepActivity activity(of_four.grid, 1);
   constraints.begin_sweeps();
   EXPECT_TRUE(constraints.keep_apart(0, before, bodies, activity, cloth));
