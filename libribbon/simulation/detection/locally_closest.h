@@ -17,8 +17,8 @@ namespace ribbon {
 // Answers for the pair's points of these weights (as closest_weights() gives them), the first of
 // which lies in `direction` (of length 1) from the second. Of edges they are where neither is an
 // end: for ends polygons answer. Of a triangle, where no neighbour of the point on its border is
-// closer, and so of an edge or a vertex of the obstacle, which sticks out there. Neighbours of the
-// ribbon's edge or vertex may be: cloth bends, and each of them answers for itself.
+// closer, and so, but for what is nearly flat, of an edge or a vertex of the obstacle. Neighbours
+// of the ribbon's edge or vertex may be: cloth bends, and each of them answers for itself.
 bool are_locally_closest(const FeaturePair& pair, const Eigen::Vector4d& weights,
                          const Eigen::Vector3d& direction, const VertexPositions& positions,
                          const Bodies& bodies);

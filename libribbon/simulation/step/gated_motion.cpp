@@ -8,6 +8,7 @@ namespace ribbon {
 namespace {
 
 using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
 
 // Layers that move together let each other pass one by one.
 constexpr int most_truncations = 4;
@@ -24,9 +25,9 @@ Gate::Gate(const RestSize& size, PairDistances pair_distances)
       negligible_m(0.01 * size.shortest_edge_m()),
       farthest_m(1.5 * size.shortest_edge_m()) {}
 
-void GatedMotion::detect(const Matrix3Xd& led, const Matrix3Xd& target) {
+void GatedMotion::detect(const Matrix3Xd& led, const Matrix3Xd& target, const Vector3d& fall_m) {
   const StageTimer timer(clock_, StepStage::detection);
-  gate_.broad_phase.detect(bodies_, free_positions(), led, target);
+  gate_.broad_phase.detect(bodies_, free_positions(), led, target, fall_m);
   clock_.count_detection(candidates().pairs.size());
 }
 

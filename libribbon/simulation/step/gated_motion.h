@@ -40,8 +40,9 @@ class GatedMotion {
   }
 
   // The broad phase, around the displacements from the free positions to the targets; `led` is
-  // where motion alone leads.
-  void detect(const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
+  // where motion alone leads, and all may fall so far as well.
+  void detect(const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target,
+              const Eigen::Vector3d& fall_m = Eigen::Vector3d::Zero());
 
   // Detects again around the particles whose targets lie outside their bounds, which would
   // truncate them.

@@ -133,8 +133,9 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
   const double duration_s = step_s_ * parts / substeps();
   GatedMotion motion(gate_, cloth.positions, duration_s, bodies, clock_);
   led_ = cloth.positions + duration_s * cloth.velocities;
-  expected_ = led_.colwise() + integrator_->fall_m(duration_s);
-  motion.detect(expected_, expected_);  // section 5.4
+  const Vector3d fall_m = integrator_->fall_m(duration_s);
+  expected_ = led_.colwise() + fall_m;
+  motion.detect(led_, led_, fall_m);  // section 5.4
   find_contacts(motion, led_, expected_, bodies);
   hold_force(force, cloth);
   for (int part = 0; part < parts; ++part) {

@@ -55,7 +55,8 @@ Box BroadPhase::around_target(int particle, const Vector3d& target) const {
   const Vector3d way = target - from;
   const double squared_way = squared_length_of(way);
   const double detour_m = length_of((target - led_.col(particle)).eval());
-  const double furthest_m = detour_m <= most_detour * longest_m ? most_led * longest_m : longest_m;
+  const bool is_led = detour_m <= most_detour * longest_m + fall_m_;
+  const double furthest_m = is_led ? most_led * longest_m : longest_m;
   // What would go further is wild, wherever its velocity leads.
   Box bound = Box::around(squared_way <= furthest_m * furthest_m
                               ? target
@@ -71,9 +72,11 @@ void BroadPhase::set_motion(int particle) {
 }
 
 const ContactCandidates& BroadPhase::detect(Bodies& bodies, const Matrix3Xd& from,
-                                            const Matrix3Xd& led, const Matrix3Xd& target) {
+                                            const Matrix3Xd& led, const Matrix3Xd& target,
+                                            const Vector3d& fall_m) {
   candidates_.from = from;
   led_ = led;
+  fall_m_ = length_of(fall_m);
   candidates_.bounds.resize(from.cols());
   motions_.resize(from.cols());
   parallel_ranges(from.cols(), particles_at_a_time, [&](std::size_t begin, std::size_t end) {
@@ -81,6 +84,7 @@ const ContactCandidates& BroadPhase::detect(Bodies& bodies, const Matrix3Xd& fro
       MovingBox& bound = candidates_.bounds[particle];
       bound.start = Box::around(from.col(particle));
       bound.end = around_target(particle, target.col(particle));
+      if (fall_m_ > 0) bound.end.include(around_target(particle, target.col(particle) + fall_m));
       set_motion(particle);
     }
   });

@@ -52,9 +52,10 @@ class BroadPhase {
   }
 
   // Detects around the straight way from `from` to `target`, or to where the longest way toward it
-  // ends; `led` is where motion alone leads (3 x particles each).
+  // ends; `led` is where motion alone leads (3 x particles each). All may fall so far as well.
   const ContactCandidates& detect(Bodies& bodies, const Eigen::Matrix3Xd& from,
-                                  const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
+                                  const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target,
+                                  const Eigen::Vector3d& fall_m = Eigen::Vector3d::Zero());
 
   // Widens the bounds of some particles, wherever they are in theirs, to reach on toward their
   // present targets, as in detect(), and, for stragglers, back to where they were at the detection.
@@ -85,6 +86,7 @@ class BroadPhase {
   std::optional<PairDistances> distances_;
   ContactCandidates candidates_;
   Eigen::Matrix3Xd led_;             // of the last detection
+  double fall_m_ = 0;                // likewise, its length
   std::vector<Motion> motions_;      // of the particles
   std::vector<FeaturePair> found_;   // whose boxes meet
   std::vector<double> distances_m_;  // of these pairs

@@ -10,7 +10,7 @@
 #include "simulation/contact/friction.h"
 #include "simulation/detection/closest_weights.h"
 #include "simulation/detection/locally_closest.h"
-#include "simulation/truncation/closest_approach.h"
+#include "simulation/truncation/approach.h"
 
 namespace ribbon {
 
@@ -80,6 +80,20 @@ ContactConstraint constraint_of(const FeaturePair& pair, const Contact& contact,
   return constraint;
 }
 
+// Those that lift a vertex of the ribbon off the obstacle come first: while its neighbours are
+// still down, those of edges and triangles would lift it too far.
+void put_in_order(const std::vector<std::size_t>& listed, const ContactCandidates& candidates,
+                  const Bodies& bodies, std::vector<std::size_t>& order) {
+  const auto lifts_a_vertex = [&](const FeaturePair& pair) {
+    return pair.kind == FeaturePair::Kind::vertex_triangle &&
+           bodies.is_particle(pair.vertices[0]) && !bodies.is_particle(pair.vertices[1]);
+  };
+  order.clear();
+  for (const bool first : {true, false})
+    for (const std::size_t i : listed)
+      if (lifts_a_vertex(candidates.pairs[i]) == first) order.push_back(i);
+}
+
 }  // namespace
 
 void ContactConstraints::find(const ContactCandidates& candidates, const Bodies& bodies,
@@ -89,12 +103,13 @@ void ContactConstraints::find(const ContactCandidates& candidates, const Bodies&
   const VertexPositions vertices = bodies.vertices(free_positions);
   displacement_ = target - free_positions;
   way_ = led - free_positions;
-  const std::vector<std::size_t>& near = approaching_.find(
-      candidates, free_positions, displacement_, distances.activation_reach(beyond_m));
-  found_.resize(near.size());
-  parallel_ranges(near.size(), 256, [&](std::size_t begin, std::size_t end) {
+  put_in_order(approaching_.find(candidates, free_positions, displacement_,
+                                 distances.activation_reach(beyond_m)),
+               candidates, bodies, order_);
+  found_.resize(order_.size());
+  parallel_ranges(order_.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const FeaturePair& pair = candidates.pairs[near[i]];
+      const FeaturePair& pair = candidates.pairs[order_[i]];
       const Corners start = corners(pair, vertices);
       const double activation_m = distances.activation_m(pair);
       const double min_separation_m = distances.min_separation_m(pair);

@@ -35,7 +35,7 @@ class ContactConstraints {
   // closest points tell how the surfaces lie there (locally_closest.h): contact shall not
   // begin, or, where it has begun, open by a fifth of what lacks. That is along the line between
   // those points in the free ones or, where `led` (likewise) leads to contact, in the pair's
-  // approach (closest_approach.h) down to the minimum separation.
+  // approach (approach.h) down to the minimum separation.
   void find(const ContactCandidates& candidates, const Bodies& bodies,
             const PairDistances& distances, double beyond_m, const Eigen::Matrix3Xd& free_positions,
             const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
@@ -65,6 +65,7 @@ class ContactConstraints {
   Eigen::Matrix3Xd displacement_;  // to the targets
   Eigen::Matrix3Xd way_;           // to where what moves is led
   ApproachingPairs approaching_;
+  std::vector<std::size_t> order_;  // of the listed pairs
   std::vector<ContactConstraint> found_;
   std::vector<Watch> watches_;  // of these
 };

@@ -4,7 +4,7 @@
 
 #include "geometry/vectors.h"
 #include "simulation/detection/closest_weights.h"
-#include "simulation/truncation/closest_approach.h"
+#include "simulation/truncation/approach.h"
 
 namespace ribbon {
 

@@ -15,7 +15,7 @@ namespace ribbon {
 // side approaches. A vertex that would use more than its part of the room is truncated, so each
 // side stays on its side of the plane whatever becomes of the other. Motion along the plane and
 // away from it is free. The plane is perpendicular to the line between their closest points, at the
-// start or, where that lets them go farther, in their approach (closest_approach.h). Features that
+// start or, where that lets them go farther, in their approach (approach.h). Features that
 // are closer than min_separation_m may only part; where no plane separates them, because they touch
 // or nearly do, they stay where they are.
 //

@@ -1,4 +1,4 @@
-#include "simulation/truncation/closest_approach.h"
+#include "simulation/truncation/approach.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "simulation/detection/closest_weights.h"
 
-namespace ribbon::closest_approach_test {
+namespace ribbon::approach_test {
 
 using Eigen::Vector3d;
 using Eigen::Vector4d;
@@ -57,7 +57,7 @@ double least(const std::vector<double>& values) {
   return *std::min_element(values.begin(), values.end());
 }
 
-TEST(ClosestApproach, is_the_least_distance_on_the_way_or_the_first_that_is_small) {
+TEST(Approach, is_the_least_distance_on_the_way_or_the_first_that_is_small) {
   std::mt19937 random(5);
   int passing = 0;
   int meeting = 0;
@@ -86,7 +86,7 @@ TEST(ClosestApproach, is_the_least_distance_on_the_way_or_the_first_that_is_smal
   EXPECT_GT(meeting, 40);
 }
 
-TEST(ClosestApproach, leaves_a_plane_that_neither_touches_on_the_way_there) {
+TEST(Approach, leaves_a_plane_that_neither_touches_on_the_way_there) {
   std::mt19937 random(6);
   for (int trial = 0; trial < 2000; ++trial) {
     const Passing pair = random_passing(random);
@@ -104,7 +104,7 @@ TEST(ClosestApproach, leaves_a_plane_that_neither_touches_on_the_way_there) {
 }
 
 // By hand: it comes over the triangle's slanting edge, and is as high above it all the time.
-TEST(ClosestApproach, of_a_vertex_that_slides_over_a_triangle_is_upright) {
+TEST(Approach, of_a_vertex_that_slides_over_a_triangle_is_upright) {
   Passing pair;
   pair.start << -1, 0, 4, 1,  //
       0.1, 0, 0, 0,           //
@@ -114,7 +114,7 @@ TEST(ClosestApproach, of_a_vertex_that_slides_over_a_triangle_is_upright) {
 }
 
 // What both go together makes no difference.
-TEST(ClosestApproach, heeds_only_what_the_features_move_differently) {
+TEST(Approach, heeds_only_what_the_features_move_differently) {
   std::mt19937 random(7);
   for (int trial = 0; trial < 100; ++trial) {
     Passing pair = random_passing(random);
@@ -124,4 +124,4 @@ TEST(ClosestApproach, heeds_only_what_the_features_move_differently) {
   }
 }
 
-}  // namespace ribbon::closest_approach_test
+}  // namespace ribbon::approach_test

@@ -8,8 +8,8 @@
 namespace ribbon {
 
 struct Approach {
-  Eigen::Vector3d apart =
-      Eigen::Vector3d::Zero();  // from the second's closest point to the first's
+  // From the closest point of the second feature to that of the first.
+  Eigen::Vector3d apart = Eigen::Vector3d::Zero();
   Eigen::Matrix<double, 3, 4> corners = Eigen::Matrix<double, 3, 4>::Zero();  // where they are then
 };
 

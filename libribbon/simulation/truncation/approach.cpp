@@ -1,6 +1,7 @@
-#include "simulation/truncation/closest_approach.h"
+#include "simulation/truncation/approach.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "geometry/closest_points.h"
 #include "geometry/vectors.h"
@@ -19,7 +20,7 @@ using Corners = Eigen::Matrix<double, 3, 4>;
 constexpr double certain = 0.5;
 // Of the distance to which features come: by so much, or less, they are still farther apart.
 constexpr double close = 0.01;
-// Enough for all that approach steadily: the error is squared each time.
+// Each squares what is left, or halves it where the two would only graze each other.
 constexpr int most_newton_steps = 30;
 
 struct Instant {
@@ -110,6 +111,7 @@ Instant first_down_to(double near_m, const RelativeMotion& motion, const Vector3
 
 Approach approach_down_to(double near_m, FeaturePair::Kind kind, const Corners& start,
                           const Vector4d& weights, const Corners& displacement) {
+  assert(near_m > 0);
   const RelativeMotion motion{kind, start, weighted_sum(displacement, weights)};
   const Vector3d apart = weighted_sum(start, weights);
   Instant met = nearest_on_boundaries(motion, apart);
