@@ -64,7 +64,7 @@ struct RibbonGrid {
   // Asks is_found(b, c) of the triangles that have this particle, with their two other corners,
   // until one says yes. Did one?
   template <class IsFound>
-  bool any_triangle_at(int particle, const IsFound& is_found) const {
+  [[nodiscard]] bool any_triangle_at(int particle, const IsFound& is_found) const {
     // Diagonals meet where i+j is even; between them, a neighbour along and one across make a
     // triangle.
     constexpr std::array<std::array<int, 2>, 8> round = {

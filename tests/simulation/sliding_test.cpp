@@ -128,6 +128,18 @@ TEST(Sliding, a_mesh_does_not_brake_it_however_fine_and_however_long_the_step) {
   }
 }
 
+// The same floor with three vertices of its own for each triangle, as meshes of many pieces have.
+TEST(Sliding, over_a_floor_of_separate_triangles_is_as_over_one_piece) {
+  const TriangleMesh floor = floor_of_squares(0.005);
+  TriangleMesh pieces;
+  pieces.vertices = floor.vertices(Eigen::all, floor.triangles.reshaped());
+  pieces.triangles = Eigen::VectorXi::LinSpaced(floor.triangles.size(), 0,
+                                                static_cast<int>(floor.triangles.size()) - 1)
+                         .reshaped(3, floor.triangles.cols());
+  const Scene scene = scene_on_slope(0.4, 0.2);
+  EXPECT_NEAR(slide(scene, pieces).went_m, slide(scene, floor).went_m, 1e-3);
+}
+
 TEST(Sliding, with_friction_is_slowed_as_coulombs_law_says) {
   const Slide found = slide(scene_on_slope(0.4, 0.2));
   const double expected_m = fallen_m(earths * (0.4 - 0.2) / std::hypot(1, 0.4));

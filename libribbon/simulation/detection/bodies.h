@@ -22,7 +22,7 @@ struct ObstacleBody {
   // 3 x triangles, 3 x vertices.
   ObstacleBody(Eigen::Matrix3Xi triangles, Eigen::Matrix3Xd body_vertices)
       : vertices(std::move(body_vertices)),
-        surface(collision_surface(std::move(triangles))),
+        surface(collision_surface(with_equal_vertices_joined(std::move(triangles), vertices))),
         fans(surface.triangles, vertices.cols()),
         bvh(surface, vertices) {}
 
@@ -95,7 +95,7 @@ struct Bodies {
   // As RibbonGrid has it, for vertices of either; of the obstacle's as far as TriangleFans has
   // them.
   template <class IsFound>
-  bool any_triangle_at(int vertex, const IsFound& is_found) const {
+  [[nodiscard]] bool any_triangle_at(int vertex, const IsFound& is_found) const {
     if (is_particle(vertex)) return grid.any_triangle_at(vertex, is_found);
     const int first = grid.particle_count();
     const auto fan = obstacle->fans.of(vertex - first);

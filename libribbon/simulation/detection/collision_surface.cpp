@@ -1,6 +1,7 @@
 #include "simulation/detection/collision_surface.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -73,6 +74,28 @@ CollisionSurface collision_surface(Eigen::Matrix3Xi triangles) {
   number_edges(surface);
   share_out_vertices(surface);
   return surface;
+}
+
+Eigen::Matrix3Xi with_equal_vertices_joined(Eigen::Matrix3Xi triangles,
+                                            const Eigen::Matrix3Xd& vertices) {
+  const auto place = [&](int v) {
+    return std::tuple(vertices(0, v), vertices(1, v), vertices(2, v));
+  };
+  std::vector<int> sorted(vertices.cols());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::sort(sorted.begin(), sorted.end(),
+            [&](int a, int b) { return std::tuple(place(a), a) < std::tuple(place(b), b); });
+  std::vector<int> first(sorted.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const bool is_new = i == 0 || place(sorted[i]) != place(sorted[i - 1]);
+    first[sorted[i]] = is_new ? sorted[i] : first[sorted[i - 1]];
+  }
+  for (auto triangle : triangles.colwise()) {
+    const Eigen::Vector3i corners(first[triangle[0]], first[triangle[1]], first[triangle[2]]);
+    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+      triangle = corners;
+  }
+  return triangles;
 }
 
 }  // namespace ribbon

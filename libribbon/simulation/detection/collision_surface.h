@@ -27,4 +27,9 @@ struct CollisionSurface {
 
 CollisionSurface collision_surface(Eigen::Matrix3Xi triangles);
 
+// The triangles with the first of all vertices at an equal place (3 x vertices) for each corner, so
+// that those of several pieces are neighbours. What would lose a side stays as it is.
+Eigen::Matrix3Xi with_equal_vertices_joined(Eigen::Matrix3Xi triangles,
+                                            const Eigen::Matrix3Xd& vertices);
+
 }  // namespace ribbon

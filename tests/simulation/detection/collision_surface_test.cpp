@@ -41,4 +41,14 @@ TEST(CollisionSurface, triangles_may_lie_on_each_other_and_be_edges) {
   for (int corner = 0; corner < 3; ++corner) EXPECT_FALSE(surface.answers_for_vertex(2, corner));
 }
 
+// By hand: vertex 3 lies where 1 does, 4 and 5 where 0 does. The last triangle would lose a side.
+TEST(CollisionSurface, vertices_at_equal_places_are_joined) {
+  Eigen::Matrix3Xd vertices(3, 7);
+  vertices << 0, 1, 0, 1, 0, -0.0, 5,  //
+      0, 0, 1, 0, 0, 0, 0,             //
+      0, 0, 0, 0, 0, 0, 0;
+  EXPECT_EQ(with_equal_vertices_joined(triangles({{0, 1, 2}, {3, 4, 6}, {0, 5, 6}}), vertices),
+            triangles({{0, 1, 2}, {1, 0, 6}, {0, 5, 6}}));
+}
+
 }  // namespace ribbon::collision_surface_test
