@@ -11,7 +11,7 @@ const std::array<AccuracyLevel, 4> accuracy_levels = {{
      symplectic_euler,
      0.1,
      {.strain = 0.08, .most_rounds = 20, .most_sweeps = 60}},
-    {"fine", 0.005, symplectic_euler, 0.03, {.strain = 0.08, .most_rounds = 20, .most_sweeps = 60}},
+    {"fine", 0.005, rk4, 0.03, {.strain = 0.08, .most_rounds = 20, .most_sweeps = 60}},
     {"reference", 0.00125, rk4, 1e-3, {.strain = 0.08, .most_rounds = 20, .most_sweeps = 120}},
 }};
 
