@@ -1,8 +1,6 @@
 #include "simulation/detection/collision_surface.h"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace ribbon {
@@ -16,24 +14,26 @@ std::array<int, 2> ends_of(const Eigen::Matrix3Xi& triangles, int side) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// For each side the first one that is the same edge.
-std::vector<int> first_sides(const Eigen::Matrix3Xi& triangles) {
-  struct Side {
-    std::array<int, 2> ends;
-    int number;
-  };
-  std::vector<Side> sides(triangles.size());
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    sides[i] = {ends_of(triangles, static_cast<int>(i)), static_cast<int>(i)};
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.ends, a.number) < std::tie(b.ends, b.number);
-  });
-  std::vector<int> first(sides.size());
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const bool is_new = i == 0 || sides[i].ends != sides[i - 1].ends;
-    first[sides[i].number] = is_new ? sides[i].number : first[sides[i - 1].number];
+// For each key the place of the first one that is equal.
+template <class Key>
+std::vector<int> first_of_equals(const std::vector<Key>& keys) {
+  std::vector<std::pair<Key, int>> sorted(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) sorted[i] = {keys[i], static_cast<int>(i)};
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<int> first(keys.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const auto& [key, place] = sorted[i];
+    const bool is_new = i == 0 || key != sorted[i - 1].first;
+    first[place] = is_new ? place : first[sorted[i - 1].second];
   }
   return first;
+}
+
+// For each side the first one that is the same edge.
+std::vector<int> first_sides(const Eigen::Matrix3Xi& triangles) {
+  std::vector<std::array<int, 2>> sides(triangles.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = ends_of(triangles, static_cast<int>(i));
+  return first_of_equals(sides);
 }
 
 void number_edges(CollisionSurface& surface) {
@@ -78,18 +78,9 @@ CollisionSurface collision_surface(Eigen::Matrix3Xi triangles) {
 
 Eigen::Matrix3Xi with_equal_vertices_joined(Eigen::Matrix3Xi triangles,
                                             const Eigen::Matrix3Xd& vertices) {
-  const auto place = [&](int v) {
-    return std::tuple(vertices(0, v), vertices(1, v), vertices(2, v));
-  };
-  std::vector<int> sorted(vertices.cols());
-  std::iota(sorted.begin(), sorted.end(), 0);
-  std::sort(sorted.begin(), sorted.end(),
-            [&](int a, int b) { return std::tuple(place(a), a) < std::tuple(place(b), b); });
-  std::vector<int> first(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const bool is_new = i == 0 || place(sorted[i]) != place(sorted[i - 1]);
-    first[sorted[i]] = is_new ? sorted[i] : first[sorted[i - 1]];
-  }
+  std::vector<std::array<double, 3>> places;
+  for (const auto& vertex : vertices.colwise()) places.push_back({vertex[0], vertex[1], vertex[2]});
+  const std::vector<int> first = first_of_equals(places);
   for (auto triangle : triangles.colwise()) {
     const Eigen::Vector3i corners(first[triangle[0]], first[triangle[1]], first[triangle[2]]);
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
