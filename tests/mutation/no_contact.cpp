@@ -9,8 +9,8 @@ namespace ribbon {
 void ContactConstraints::find(const ContactCandidates& /*candidates*/, const Bodies& /*bodies*/,
                               const PairDistances& /*distances*/, double /*beyond_m*/,
                               const Eigen::Matrix3Xd& /*free_positions*/,
-                              const Eigen::Matrix3Xd& /*led*/, const Eigen::Matrix3Xd& /*target*/) {
-}
+                              const Eigen::Matrix3Xd& /*target*/,
+                              const Eigen::Vector3d& /*fall_m*/) {}
 
 void ContactConstraints::begin_sweeps() {}
 

@@ -132,11 +132,10 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
                                        Cloth& cloth) {
   const double duration_s = step_s_ * parts / substeps();
   GatedMotion motion(gate_, cloth.positions, duration_s, bodies, clock_);
-  led_ = cloth.positions + duration_s * cloth.velocities;
+  expected_ = cloth.positions + duration_s * cloth.velocities;
   const Vector3d fall_m = integrator_->fall_m(duration_s);
-  expected_ = led_.colwise() + fall_m;
-  motion.detect(led_, led_, fall_m);  // section 5.4
-  find_contacts(motion, led_, expected_, bodies);
+  motion.detect(expected_, expected_, fall_m);  // section 5.4
+  find_contacts(motion, expected_, bodies, fall_m);
   hold_force(force, cloth);
   for (int part = 0; part < parts; ++part) {
     if (repulsion_.friction > 0) before_substep_ = cloth.positions;
@@ -151,7 +150,7 @@ StepReport TimeStep::advance_with_gate(int parts, const Matrix3Xd& force, Bodies
 StepReport TimeStep::correct_with_gate(GatedMotion& motion, const Bodies& bodies, Cloth& cloth) {
   StepReport report = pass_gate(motion, cloth);
   for (int round = 0; round < strain_correction_.most_rounds && report.is_over_limit; ++round) {
-    find_contacts(motion, cloth.positions, cloth.positions, bodies);
+    find_contacts(motion, cloth.positions, bodies);
     shorten_loose_ends(cloth);
     correct_strain_and_contact(strain_correction_.most_sweeps, motion.free_positions(), bodies,
                                cloth);  // cf. section 5.5
@@ -222,11 +221,11 @@ void TimeStep::correct_strain(Cloth& cloth) {
   if (rounds > 0) cloth.velocities += (cloth.positions - before) / step_s_;
 }
 
-void TimeStep::find_contacts(const GatedMotion& motion, const Matrix3Xd& led,
-                             const Matrix3Xd& target, const Bodies& bodies) {
+void TimeStep::find_contacts(const GatedMotion& motion, const Matrix3Xd& target,
+                             const Bodies& bodies, const Vector3d& fall_m) {
   const StageTimer timer(clock_, StepStage::repulsion);
   contacts_.find(motion.candidates(), bodies, distances_, motion.slack_m(), motion.free_positions(),
-                 led, target);
+                 target, fall_m);
 }
 
 // What sweeps have not let go is more than they can pass on.
@@ -306,7 +305,7 @@ StepReport TimeStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth& clo
   if (contact_ == ContactMethod::paper) return correct_as_published(before, bodies, cloth);
   GatedMotion motion(gate_, before, step_s_, bodies, clock_);
   motion.detect(before, cloth.positions);
-  find_contacts(motion, cloth.positions, cloth.positions, bodies);
+  find_contacts(motion, cloth.positions, bodies);
   correct_strain_and_contact(strain_correction_.most_sweeps, before, bodies, cloth);
   return correct_with_gate(motion, bodies, cloth);
 }

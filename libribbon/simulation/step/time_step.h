@@ -104,8 +104,8 @@ class TimeStep {
   bool repel(const std::vector<FeaturePair>& pairs, const Eigen::Matrix3Xd& before,
              const Bodies& bodies, Cloth& cloth);
   void correct_strain(Cloth& cloth);
-  void find_contacts(const GatedMotion& motion, const Eigen::Matrix3Xd& led,
-                     const Eigen::Matrix3Xd& target, const Bodies& bodies);
+  void find_contacts(const GatedMotion& motion, const Eigen::Matrix3Xd& target,
+                     const Bodies& bodies, const Eigen::Vector3d& fall_m = Eigen::Vector3d::Zero());
   void shorten_loose_ends(Cloth& cloth);
   void correct_strain_and_contact(int most_sweeps, const Eigen::Matrix3Xd& before,
                                   const Bodies& bodies, Cloth& cloth);
@@ -131,8 +131,7 @@ class TimeStep {
   // Kept for their memory alone.
   Cloth before_step_;
   Eigen::Matrix3Xd before_substep_;  // positions
-  Eigen::Matrix3Xd led_;             // positions, where velocities lead
-  Eigen::Matrix3Xd expected_;        // and gravity
+  Eigen::Matrix3Xd expected_;        // positions, as far as velocities tell
   Eigen::Matrix3Xd no_force_;        // no columns
 };
 

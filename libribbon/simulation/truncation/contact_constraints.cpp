@@ -98,12 +98,13 @@ void put_in_order(const std::vector<std::size_t>& listed, const ContactCandidate
 
 void ContactConstraints::find(const ContactCandidates& candidates, const Bodies& bodies,
                               const PairDistances& distances, double beyond_m,
-                              const Matrix3Xd& free_positions, const Matrix3Xd& led,
-                              const Matrix3Xd& target) {
+                              const Matrix3Xd& free_positions, const Matrix3Xd& target,
+                              const Vector3d& fall_m) {
   const VertexPositions vertices = bodies.vertices(free_positions);
   displacement_ = target - free_positions;
-  way_ = led - free_positions;
-  put_in_order(approaching_.find(candidates, free_positions, displacement_,
+  const bool falls = !fall_m.isZero(0);
+  if (falls) falling_ = displacement_.colwise() + fall_m;
+  put_in_order(approaching_.find(candidates, free_positions, falls ? falling_ : displacement_,
                                  distances.activation_reach(beyond_m)),
                candidates, bodies, order_);
   found_.resize(order_.size());
@@ -113,8 +114,9 @@ void ContactConstraints::find(const ContactCandidates& candidates, const Bodies&
       const Corners start = corners(pair, vertices);
       const double activation_m = distances.activation_m(pair);
       const double min_separation_m = distances.min_separation_m(pair);
-      const std::optional<Contact> contact = contact_of(pair.kind, start, displacements(pair, way_),
-                                                        activation_m + beyond_m, min_separation_m);
+      const std::optional<Contact> contact =
+          contact_of(pair.kind, start, displacements(pair, displacement_), activation_m + beyond_m,
+                     min_separation_m);
       found_[i].distance_m = 0;  // of none
       if (!contact ||
           !are_locally_closest(pair, contact->weights_then, contact->normal, vertices, bodies))

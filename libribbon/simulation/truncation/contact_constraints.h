@@ -34,11 +34,13 @@ class ContactConstraints {
   // `free_positions`, in which nothing intersects, and `target` (3 x particles each), and whose
   // closest points tell how the surfaces lie there (locally_closest.h): contact shall not
   // begin, or, where it has begun, open by a fifth of what lacks. That is along the line between
-  // those points in the free ones or, where `led` (likewise) leads to contact, in the pair's
-  // approach (approach.h) down to the minimum separation.
+  // those points in the free ones or, where the way to the targets leads to contact, in the pair's
+  // approach (approach.h) down to the minimum separation. All may fall so far as well: pairs that
+  // this alone would bring together count, too, but it turns no line.
   void find(const ContactCandidates& candidates, const Bodies& bodies,
             const PairDistances& distances, double beyond_m, const Eigen::Matrix3Xd& free_positions,
-            const Eigen::Matrix3Xd& led, const Eigen::Matrix3Xd& target);
+            const Eigen::Matrix3Xd& target,
+            const Eigen::Vector3d& fall_m = Eigen::Vector3d::Zero());
   [[nodiscard]] const std::vector<ContactConstraint>& found() const { return found_; }
 
   // None of the constraints has been looked at, and activity has been reset.
@@ -62,8 +64,8 @@ class ContactConstraints {
   };
 
   Eigen::ArrayXd lightness_;
-  Eigen::Matrix3Xd displacement_;  // to the targets
-  Eigen::Matrix3Xd way_;           // to where what moves is led
+  Eigen::Matrix3Xd displacement_;
+  Eigen::Matrix3Xd falling_;  // likewise, with the fall
   ApproachingPairs approaching_;
   std::vector<std::size_t> order_;  // of the listed pairs
   std::vector<ContactConstraint> found_;
