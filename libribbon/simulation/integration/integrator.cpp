@@ -54,9 +54,11 @@ void Integrator::displace_in_substep(Cloth& cloth) {
         cloth.velocities.middleCols(first, count).transpose();
   });
   const double h = substep_s();
+  // Contact has had its say in these velocities. After the springs, before contact, damping would
+  // hand on to all neighbours what presses one particle against another.
+  if (damping_) damping_->apply(h, state_.positions, state_.velocities);
   holding_.begin(h, state_.positions, state_.velocities);
   advance(h);
-  if (damping_) damping_->apply(h, state_.positions, state_.velocities);
   for_each_particle_run(cloth.particle_count(), [&](Eigen::Index first, Eigen::Index count) {
     cloth.positions.middleCols(first, count) =
         state_.positions.middleRows(first, count).transpose();

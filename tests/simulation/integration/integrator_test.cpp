@@ -376,6 +376,27 @@ void expect_bounded(IntegrationMethod method, double stiffness_per_mass, double 
   EXPECT_LT(energy.highest, most);
 }
 
+// From rest a force presses on a corner. Until contact has answered to it, no neighbour feels it
+// but by the springs.
+TEST_P(AnyIntegrator, damping_hands_on_nothing_that_contact_takes_back) {
+  const auto after_the_first_part = [](double damping) {
+    Band band;
+    band.stiffness.damping = damping;
+    band.springs = band.springs_of_size(1);
+    band.force = Matrix3Xd::Zero(3, band.grid.particle_count());
+    band.force.col(0) << -1, -1, -1;
+    const auto integrator = band.integrator(GetParam(), 0.01);
+    integrator->hold_force(band.force, band.cloth);
+    integrator->displace_in_substep(band.cloth);
+    return band.cloth;
+  };
+  const Cloth undamped = after_the_first_part(0);
+  const Cloth damped = after_the_first_part(1);
+  EXPECT_LT(undamped.velocities(0, 0), 0);
+  EXPECT_EQ(damped.velocities, undamped.velocities);
+  EXPECT_EQ(damped.positions, undamped.positions);
+}
+
 TEST(Integrator, is_stable_wherever_it_does_not_need_too_many_parts) {
   for (const double stiffness_per_mass : {0.0, 1.0, 1e2, 1e4, 3.2e4, 1e6, 1e8})
     for (const double step_s : {1e-5, 1e-3, 1e-2, 0.1}) {
