@@ -138,7 +138,7 @@ Result<void> fabric_tells_something(const Document& document, const Scene& scene
                  "[springs], [friction]");
 }
 
-// What the scene says itself counts. Cloth is so stiff that only one integrator takes it.
+// What the scene says itself counts.
 void set_cloth(const Document& document, Scene& scene) {
   if (!scene.cloth) return;
   ClothScene& cloth = *scene.cloth;
@@ -153,7 +153,6 @@ void set_cloth(const Document& document, Scene& scene) {
   if (cloth.tells_thickness) scene.ribbon.thickness_m = cloth.fabric.thickness_m;
   if (tells("springs", "damping")) scene.springs.damping = cloth.fabric.damping;
   if (tells("friction", "coefficient")) scene.friction = cloth.fabric.friction;
-  if (tells("time", "integrator")) scene.time.integrator = IntegrationMethod::implicit;
 }
 
 // Hands pull and yield as [fastening] says, unless they say otherwise.

@@ -158,7 +158,7 @@ Result<FasteningProcessor> FasteningProcessor::create(const Scene& as_read,
 Result<void> FasteningProcessor::Parts::find_start(const Scene& scene, const RibbonMesh& ribbon,
                                                    const ContactLengths& lengths,
                                                    const StartObserver& observer) {
-  if (auto few = check_substeps(scene, time_step.integrator()); !few) return few;
+  if (auto few = check_substeps(scene, springs, time_step.integrator()); !few) return few;
   if (scene.contact == ContactMethod::gate) {
     const auto found = find_free_start(scene, ribbon, lengths, observer, bodies, time_step, cloth);
     if (!found) return tl::unexpected(found.error());
@@ -321,7 +321,7 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
   const Scene scene = with_fabric(with_rounding(as_read, size, head.reach_m), size);
   auto parts = std::make_unique<Parts>(scene, size, contact_lengths(scene, size), obstacle,
                                        Matrix3Xd::Zero(3, size.grid.particle_count()));
-  if (auto few = check_substeps(scene, parts->time_step.integrator()); !few)
+  if (auto few = check_substeps(scene, parts->springs, parts->time_step.integrator()); !few)
     return tl::unexpected(few.error());
   parts->employ_hands(scene);
   StateArchive archive(state);

@@ -31,12 +31,11 @@ TEST(Fabric, tells_what_the_scene_leaves_open) {
   EXPECT_EQ(scene.ribbon.thickness_m, scene.cloth->fabric.thickness_m);
   EXPECT_EQ(scene.springs.damping, scene.cloth->fabric.damping);
   EXPECT_EQ(scene.friction, scene.cloth->fabric.friction);
-  EXPECT_EQ(scene.time.integrator, IntegrationMethod::implicit);
 }
 
 TEST(Fabric, leaves_to_the_scene_what_that_says_itself) {
   const Scene scene =
-      read_text(replaced(smallest_scene(), "[time]\n", "[time]\nintegrator = \"rk4\"\n") +
+      read_text(smallest_scene() +
                 "[cloth]\nfabric = \"cotton\"\n"
                 "[springs]\nshear = 3\ndamping = 0.25\n"
                 "[friction]\ncoefficient = 0.125\n")
@@ -46,7 +45,6 @@ TEST(Fabric, leaves_to_the_scene_what_that_says_itself) {
   EXPECT_EQ(scene.springs.shear, 3);
   EXPECT_EQ(scene.springs.damping, 0.25);
   EXPECT_EQ(scene.friction, 0.125);
-  EXPECT_EQ(scene.time.integrator, IntegrationMethod::rk4);
 }
 
 TEST(Fabric, of_an_unknown_name_is_refused_with_the_place_and_the_names) {

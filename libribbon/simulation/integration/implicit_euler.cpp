@@ -24,7 +24,6 @@ using Eigen::RowVector3d;
 
 // Beyond it the step ends where it is: lower than where it began, but not at the minimum.
 constexpr int most_iterations = 50;
-constexpr int most_parts = 8;                 // of a step
 constexpr int most_trials = 8;                // of one line search
 constexpr double sufficient_decrease = 1e-4;  // of the descent that the slope promises (Armijo)
 constexpr double least_curvature = 1e-8;      // of the inertia's
@@ -83,7 +82,7 @@ class Masses {
 class ImplicitEuler final : public Integrator {
  public:
   ImplicitEuler(const SpringNetwork& springs, const MotionProperties& properties)
-      : Integrator(springs, properties, 1, most_parts),
+      : Integrator(springs, properties, 1),
         masses_(properties.lightness),
         history_(springs_.empty() ? 0 : springs.grid.particle_count()) {
     take_substep();

@@ -76,15 +76,8 @@ class Integrator {
   // implicit scheme alone, which begins with 1.
   virtual void divide_steps(int /*parts*/) {}
 
-  // Into how many it may. Of explicit schemes: contact acts once a step, the springs in each part:
-  // springs that swing many times between two contacts turn what contact strains into motion,
-  // without a bound.
-  [[nodiscard]] int most_substeps() const { return most_substeps_; }
-  [[nodiscard]] bool takes_the_springs() const { return substeps_ <= most_substeps_; }
-
  protected:
-  Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps,
-             int most_substeps);
+  Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps);
 
   // Moves state_ by one substep, of h seconds, for which holding_ has begun.
   virtual void advance(double h) = 0;
@@ -103,7 +96,6 @@ class Integrator {
 
  private:
   int substeps_;
-  int most_substeps_;
   double gravity_fraction_ = 1;
   std::optional<InternalDamping> damping_;
 };
@@ -117,9 +109,16 @@ std::unique_ptr<Integrator> create_integrator(IntegrationMethod method,
                                               const SpringNetwork& springs,
                                               const MotionProperties& properties);
 
+// Into how many parts an explicit scheme may divide a step. Where contact answers to each of them,
+// so many that the implicit scheme is as fast; where it acts once a step, as published, far fewer:
+// springs that swing many times between two contacts turn what contact strains into motion, without
+// a bound.
+int most_explicit_parts(ContactMethod contact, const SpringNetwork& springs);
+
 // The one that the scene names. Where it names none: the usual one or, where that would divide a
-// step into more parts than it may, the implicit one, if it takes so wide a ribbon.
-std::unique_ptr<Integrator> suitable_integrator(const TimeScene& time, const SpringNetwork& springs,
+// step into more parts than that, the implicit one, if it takes so wide a ribbon.
+std::unique_ptr<Integrator> suitable_integrator(const TimeScene& time, ContactMethod contact,
+                                                const SpringNetwork& springs,
                                                 const MotionProperties& properties);
 
 // Fourth-order Runge-Kutta, as in the paper.
@@ -134,6 +133,8 @@ std::unique_ptr<Integrator> symplectic_euler(const SpringNetwork& springs,
 // The implicit scheme solves in as many modes across the ribbon, each over all of its width: what
 // that takes grows with the square of the width.
 inline constexpr int most_across_implicit = 500;  // particles
+
+inline constexpr int most_implicit_parts = 8;  // of a step
 
 // Backward Euler, stable on any springs without substeps: what is fast for the step, or for a part
 // of it, is damped. The energy of free motion never grows. Of ribbons of at most

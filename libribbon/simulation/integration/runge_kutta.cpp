@@ -18,17 +18,11 @@ class RungeKutta final : public Integrator {
                                    fastest_frequency(springs, properties.particle_mass_kg,
                                                      properties.lightness) +
                                        properties.air_resistance_per_s,
-                                   runge_kutta_stability_limit),
-                   springs.bends_most() ? most_parts_bending : most_parts) {}
+                                   runge_kutta_stability_limit)) {}
 
   [[nodiscard]] IntegrationMethod method() const override { return IntegrationMethod::rk4; }
 
  private:
-  // Likewise as symplectic_euler.cpp has it: without bound from 27 parts on, bending alone from 20,
-  // but not with 13.
-  static constexpr int most_parts = 20;
-  static constexpr int most_parts_bending = 12;
-
   // Of one stage, from positions x and velocities v.
   void accelerate(const MatrixX3d& x, const MatrixX3d& v, MatrixX3d& a) {
     spring_forces_on_mean(x, a);

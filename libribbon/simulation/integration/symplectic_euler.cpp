@@ -20,20 +20,13 @@ class SymplecticEuler final : public Integrator {
                    stable_substeps(properties.step_s,
                                    fastest_frequency(springs, properties.particle_mass_kg,
                                                      properties.lightness),
-                                   symplectic_stability_limit),
-                   springs.bends_most() ? most_parts_bending : most_parts) {}
+                                   symplectic_stability_limit)) {}
 
   [[nodiscard]] IntegrationMethod method() const override {
     return IntegrationMethod::symplectic_euler;
   }
 
  private:
-  // As many parts as all springs alike need at k/m = 1e6 and a step of 0.01 s. Measured, over 400
-  // steps on a post: from 35 parts on some mixtures of springs strain the ribbon without bound;
-  // where bending resists alone from 33, but not with 21.
-  static constexpr int most_parts = 33;
-  static constexpr int most_parts_bending = 20;
-
   // v' = v + h (F(x) / m - c v'), then x' = x + h v'.
   void advance(double h) override {
     const double slowed = 1 / (1 + h * properties_.air_resistance_per_s);

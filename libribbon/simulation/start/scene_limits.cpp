@@ -150,14 +150,16 @@ Result<void> check_width(const Scene& scene, const RibbonGrid& grid) {
                  "set a smaller ribbon.across or another integrator");
 }
 
-Result<void> check_substeps(const Scene& scene, const Integrator& integrator) {
-  if (integrator.takes_the_springs()) return {};
-  const bool bends_most = scene.springs.bend > scene.springs.stretch;
+Result<void> check_substeps(const Scene& scene, const SpringNetwork& springs,
+                            const Integrator& integrator) {
+  const int most = most_explicit_parts(scene.contact, springs);
+  if (integrator.method() == IntegrationMethod::implicit || integrator.substeps() <= most)
+    return {};
   return failure(
       scene.name,
       "springs and air divide each step into " + std::to_string(integrator.substeps()) +
-          " parts, more than " + std::to_string(integrator.most_substeps()) +
-          (bends_most ? " where bending resists more than stretch" : ""),
+          " parts, more than " + std::to_string(most) +
+          (scene.contact == ContactMethod::gate ? "" : " that contact = \"paper\" takes"),
       std::string("set smaller resistances, a larger ribbon.mass, a shorter time.step, ") +
           (scene.time.integrator
                ? "or time.integrator to \"implicit\""

@@ -44,8 +44,9 @@ Result<void> check_fabric(const Scene& scene, const RestSize& size);
 // Fails where the ribbon is too wide for the integrator that the scene names.
 Result<void> check_width(const Scene& scene, const RibbonGrid& grid);
 
-// Fails where springs and air divide a step into more parts than the integrator may: the one that
-// the scene names or, for a ribbon too wide for the implicit one, the usual one.
-Result<void> check_substeps(const Scene& scene, const Integrator& integrator);
+// Fails where springs and air divide a step into more parts than an explicit scheme may: the one
+// that the scene names or, for a ribbon too wide for the implicit one, the usual one.
+Result<void> check_substeps(const Scene& scene, const SpringNetwork& springs,
+                            const Integrator& integrator);
 
 }  // namespace ribbon

@@ -97,8 +97,8 @@ StepReport TimeStep::correct_as_published(const Matrix3Xd& before, Bodies& bodie
 // more there is to answer to, and one long part leaves more than many sweeps can pass on.
 int TimeStep::parts_for(const RibbonGrid& grid, const Cloth& cloth) const {
   const double change = step_s_ * change_per_s(grid, cloth.positions, cloth.velocities);
-  const double most = integrator_->most_substeps();
-  return static_cast<int>(std::max(1.0, std::min(std::ceil(change / most_change), most)));
+  return static_cast<int>(std::clamp(std::ceil(change / most_change), 1.0,
+                                     static_cast<double>(most_implicit_parts)));
 }
 
 // The farther the particles go, the more their ways differ and the more of them could meet: where
@@ -356,7 +356,7 @@ TimeStep::TimeStep(const Scene& scene, const RestSize& size, const ContactLength
     : contact_(scene.contact),
       step_s_(scene.time.step_s),
       integrator_(
-          suitable_integrator(scene.time, spring_network(size, scene.springs),
+          suitable_integrator(scene.time, scene.contact, spring_network(size, scene.springs),
                               {scene.time.step_s, particle_mass_kg, scene.air_resistance_per_s,
                                scene.gravity_m_s2, scene.time.tolerance, lightness(size)})),
       distances_(pair_distances(scene, size, lengths)),

@@ -110,7 +110,6 @@ std::vector<FeatureScene> feature_scenes(const Scene& full) {
                .tells_stretch = true,
                .tells_shear = true,
                .tells_bend = true};
-    s.time.integrator = IntegrationMethod::implicit;
   });
   list.add_choice("sample, `contact = \"paper\"`", full,
                   [](Scene& s) { s.contact = ContactMethod::paper; });
