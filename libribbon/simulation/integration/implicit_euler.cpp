@@ -82,7 +82,7 @@ class Masses {
 class ImplicitEuler final : public Integrator {
  public:
   ImplicitEuler(const SpringNetwork& springs, const MotionProperties& properties)
-      : Integrator(springs, properties, 1),
+      : Integrator(springs, properties),
         masses_(properties.lightness),
         history_(springs_.empty() ? 0 : springs.grid.particle_count()) {
     take_substep();

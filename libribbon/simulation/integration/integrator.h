@@ -72,12 +72,18 @@ class Integrator {
   // springs and in its air, however the ribbon lies; the implicit one as divide_steps() said last.
   [[nodiscard]] int substeps() const { return substeps_; }
 
+  // What may swing or decay fastest, as far as its parts have to resolve it.
+  [[nodiscard]] double fastest_rad_s() const { return fastest_rad_s_; }
+
   // Divides the steps that follow into so many parts, as far as stability leaves it the choice: the
   // implicit scheme alone, which begins with 1.
   virtual void divide_steps(int /*parts*/) {}
 
  protected:
-  Integrator(const SpringNetwork& springs, const MotionProperties& properties, int substeps);
+  // With as many substeps as an explicit scheme needs that is stable while each of them, times
+  // fastest_rad_s, is no more than stability_limit (> 0); of the implicit scheme one.
+  Integrator(const SpringNetwork& springs, const MotionProperties& properties,
+             double fastest_rad_s = 0, double stability_limit = 1);
 
   // Moves state_ by one substep, of h seconds, for which holding_ has begun.
   virtual void advance(double h) = 0;
@@ -95,28 +101,25 @@ class Integrator {
   Holding holding_;
 
  private:
+  double fastest_rad_s_;
   int substeps_;
   double gravity_fraction_ = 1;
   std::optional<InternalDamping> damping_;
 };
-
-// The least number of substeps with which an explicit scheme is stable. fastest_rad_s: what may
-// swing or decay fastest; stability_limit: the largest part of a step, times that, which the scheme
-// takes.
-int stable_substeps(double step_s, double fastest_rad_s, double stability_limit);
 
 std::unique_ptr<Integrator> create_integrator(IntegrationMethod method,
                                               const SpringNetwork& springs,
                                               const MotionProperties& properties);
 
 // Into how many parts an explicit scheme may divide a step. Where contact answers to each of them,
-// so many that the implicit scheme is as fast; where it acts once a step, as published, far fewer:
-// springs that swing many times between two contacts turn what contact strains into motion, without
-// a bound.
-int most_explicit_parts(ContactMethod contact, const SpringNetwork& springs);
+// more than most wait for; where it acts once a step, as published, far fewer: springs that swing
+// many times between two contacts turn what contact strains into motion, without a bound.
+int most_explicit_parts(IntegrationMethod method, ContactMethod contact,
+                        const SpringNetwork& springs);
 
-// The one that the scene names. Where it names none: the usual one or, where that would divide a
-// step into more parts than that, the implicit one, if it takes so wide a ribbon.
+// The one that the scene names. Where it names none: the usual one or, where that may not divide a
+// step into as many parts as it needs, or what swings is very fast, the implicit one, if it takes
+// so wide a ribbon.
 std::unique_ptr<Integrator> suitable_integrator(const TimeScene& time, ContactMethod contact,
                                                 const SpringNetwork& springs,
                                                 const MotionProperties& properties);

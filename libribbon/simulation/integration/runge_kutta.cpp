@@ -14,11 +14,9 @@ class RungeKutta final : public Integrator {
  public:
   RungeKutta(const SpringNetwork& springs, const MotionProperties& properties)
       : Integrator(springs, properties,
-                   stable_substeps(properties.step_s,
-                                   fastest_frequency(springs, properties.particle_mass_kg,
-                                                     properties.lightness) +
-                                       properties.air_resistance_per_s,
-                                   runge_kutta_stability_limit)) {}
+                   fastest_frequency(springs, properties.particle_mass_kg, properties.lightness) +
+                       properties.air_resistance_per_s,
+                   runge_kutta_stability_limit) {}
 
   [[nodiscard]] IntegrationMethod method() const override { return IntegrationMethod::rk4; }
 

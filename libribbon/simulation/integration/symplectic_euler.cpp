@@ -17,10 +17,8 @@ class SymplecticEuler final : public Integrator {
   // slow the motion down.
   SymplecticEuler(const SpringNetwork& springs, const MotionProperties& properties)
       : Integrator(springs, properties,
-                   stable_substeps(properties.step_s,
-                                   fastest_frequency(springs, properties.particle_mass_kg,
-                                                     properties.lightness),
-                                   symplectic_stability_limit)) {}
+                   fastest_frequency(springs, properties.particle_mass_kg, properties.lightness),
+                   symplectic_stability_limit) {}
 
   [[nodiscard]] IntegrationMethod method() const override {
     return IntegrationMethod::symplectic_euler;

@@ -152,14 +152,16 @@ Result<void> check_width(const Scene& scene, const RibbonGrid& grid) {
 
 Result<void> check_substeps(const Scene& scene, const SpringNetwork& springs,
                             const Integrator& integrator) {
-  const int most = most_explicit_parts(scene.contact, springs);
+  const int most = most_explicit_parts(integrator.method(), scene.contact, springs);
   if (integrator.method() == IntegrationMethod::implicit || integrator.substeps() <= most)
     return {};
   return failure(
       scene.name,
       "springs and air divide each step into " + std::to_string(integrator.substeps()) +
           " parts, more than " + std::to_string(most) +
-          (scene.contact == ContactMethod::gate ? "" : " that contact = \"paper\" takes"),
+          (scene.contact == ContactMethod::gate ? ""
+           : springs.bends_most() ? " that contact = \"paper\" takes where bending resists most"
+                                  : " that contact = \"paper\" takes"),
       std::string("set smaller resistances, a larger ribbon.mass, a shorter time.step, ") +
           (scene.time.integrator
                ? "or time.integrator to \"implicit\""

@@ -19,6 +19,7 @@ using Eigen::Vector3d;
 
 namespace {
 
+constexpr int most_gates = 32;           // that a step passes
 constexpr int most_eased_attempts = 10;  // of one step: with a thousandth of the force at last
 constexpr double most_change = 0.03;     // of an edge's length, in a part of a step
 
@@ -37,15 +38,16 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
 }
 
 // A step that would leave an edge beyond the limit of strain is taken again, through the gate twice
-// as often, at last after each substep. What the cloth cannot bear even then, hands do not get: the
+// as often, at last as often as it may. What the cloth cannot bear even then, hands do not get: the
 // step is taken with half of their force, a quarter of the weight and from half of the velocities,
 // at last from rest. If nothing helps, the ribbon stays where it is.
 StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
   before_step_ = cloth;
   if (integrator_->method() == IntegrationMethod::implicit)
     integrator_->divide_steps(parts_for(bodies.grid, cloth));
+  const int most = std::min(most_gates, substeps());
   int gates = gates_for(cloth);
-  for (int eased_attempts = 0;; gates = std::min(2 * gates, substeps())) {
+  for (int eased_attempts = 0;; gates = std::min(2 * gates, most)) {
     const StepReport report =
         advance_with_gates(gates, fastening_force(hands, cloth), bodies, cloth);  // section 5.2
     if (report.is_bearable || eased_attempts == most_eased_attempts) {
@@ -53,7 +55,7 @@ StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& c
       integrator_->ease_gravity(1);
       return report;
     }
-    if (gates == substeps()) {
+    if (gates == most) {
       ++eased_attempts;
       before_step_.velocities *= eased_attempts < most_eased_attempts ? 0.5 : 0;
       integrator_->ease_gravity(std::ldexp(1.0, -2 * eased_attempts));
@@ -97,8 +99,8 @@ StepReport TimeStep::correct_as_published(const Matrix3Xd& before, Bodies& bodie
 // more there is to answer to, and one long part leaves more than many sweeps can pass on.
 int TimeStep::parts_for(const RibbonGrid& grid, const Cloth& cloth) const {
   const double change = step_s_ * change_per_s(grid, cloth.positions, cloth.velocities);
-  return static_cast<int>(std::clamp(std::ceil(change / most_change), 1.0,
-                                     static_cast<double>(most_implicit_parts)));
+  return static_cast<int>(
+      std::clamp(std::ceil(change / most_change), 1.0, static_cast<double>(most_implicit_parts)));
 }
 
 // The farther the particles go, the more their ways differ and the more of them could meet: where
@@ -108,7 +110,8 @@ int TimeStep::gates_for(const Cloth& cloth) const {
   for (const auto& velocity : cloth.velocities.colwise())
     fastest_m_s = std::max(fastest_m_s, length_of(velocity));
   const double gates = std::ceil(step_s_ * fastest_m_s / gate_.farthest_m);
-  return static_cast<int>(std::clamp(gates, 1.0, static_cast<double>(substeps())));
+  return static_cast<int>(
+      std::clamp(gates, 1.0, static_cast<double>(std::min(most_gates, substeps()))));
 }
 
 // contact = "gate", so many times, after equal numbers of substeps.

@@ -400,7 +400,7 @@ TEST_P(AnyIntegrator, damping_hands_on_nothing_that_contact_takes_back) {
 TEST(Integrator, is_stable_wherever_it_does_not_need_too_many_parts) {
   for (const double stiffness_per_mass : {0.0, 1.0, 1e2, 1e4, 3.2e4, 1e6, 1e8})
     for (const double step_s : {1e-5, 1e-3, 1e-2, 0.1}) {
-      if (std::sqrt(stiffness_per_mass) * step_s > 20) continue;
+      if (std::sqrt(stiffness_per_mass) * step_s > 100) continue;
       for (const double size : {1e-6, 1.0, 1e6}) {
         expect_bounded(IntegrationMethod::rk4, stiffness_per_mass, step_s, 0.02, size, 1.01);
         expect_bounded(IntegrationMethod::symplectic_euler, stiffness_per_mass, step_s, 0.02, size,
