@@ -34,12 +34,11 @@ TEST(Fabric, tells_what_the_scene_leaves_open) {
 }
 
 TEST(Fabric, leaves_to_the_scene_what_that_says_itself) {
-  const Scene scene =
-      read_text(smallest_scene() +
-                "[cloth]\nfabric = \"cotton\"\n"
-                "[springs]\nshear = 3\ndamping = 0.25\n"
-                "[friction]\ncoefficient = 0.125\n")
-          .value();
+  const Scene scene = read_text(smallest_scene() +
+                                "[cloth]\nfabric = \"cotton\"\n"
+                                "[springs]\nshear = 3\ndamping = 0.25\n"
+                                "[friction]\ncoefficient = 0.125\n")
+                          .value();
   EXPECT_FALSE(scene.cloth->tells_shear);
   EXPECT_TRUE(scene.cloth->tells_stretch);
   EXPECT_EQ(scene.springs.shear, 3);
