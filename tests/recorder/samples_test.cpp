@@ -7,6 +7,7 @@
 
 #include "curve/space_curve.h"
 #include "obstacle/obstacle.h"
+#include "recorder/run/start.h"
 #include "recording/records/checkpoint_record.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/accuracy.h"
@@ -64,17 +65,11 @@ INSTANTIATE_TEST_SUITE_P(All, Sample, testing::ValuesIn(sample_scenes()), [](con
   return name;
 });
 
-FasteningProcessor at_its_start(const Scene& scene) {
-  const auto curve = generate_space_curve(scene.curve, scene.ribbon).value();
-  const RibbonMesh ribbon = generate_ribbon_mesh(curve, scene.ribbon, scene.curve.axis);
-  return FasteningProcessor::create(scene, ribbon, read_obstacle(*scene.obstacle).value()).value();
-}
-
 // Its sash weighs so little that a step has 59 parts. Tight it is 30.1 widths long.
 TEST(Samples, hanging_ends_are_drawn_as_tight_in_long_steps) {
   Scene scene = read_scene(fs::path(RIBBON_SAMPLES) / "overhand-hanging-8x400.toml").value();
   set_accuracy(accuracy_levels.front(), scene);
-  FasteningProcessor fastening = at_its_start(scene);
+  auto [ribbon, fastening] = find_start(scene, read_obstacle(scene).value()).value();
   while (fastening.time_s() < 2.8) fastening.step();
   EXPECT_LT(fastening.tightness()->rope_length, 31);
 }
@@ -82,7 +77,7 @@ TEST(Samples, hanging_ends_are_drawn_as_tight_in_long_steps) {
 TEST(Samples, have_checkpoints_of_less_than_190_kB_with_6400_particles) {
   const Scene scene =
       read_scene(fs::path(RIBBON_SAMPLES) / "overhand-hourglass-16x400.toml").value();
-  FasteningProcessor fastening = at_its_start(scene);
+  auto [ribbon, fastening] = find_start(scene, read_obstacle(scene).value()).value();
   for (int step = 0; step < 40; ++step) fastening.step();
   EXPECT_LT(checkpoint_payload(1, 1, 40, fastening.state()).size(), 190'000U);
 }

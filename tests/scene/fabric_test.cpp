@@ -31,6 +31,7 @@ TEST(Fabric, tells_what_the_scene_leaves_open) {
   EXPECT_EQ(scene.ribbon.thickness_m, scene.cloth->fabric.thickness_m);
   EXPECT_EQ(scene.springs.damping, scene.cloth->fabric.damping);
   EXPECT_EQ(scene.friction, scene.cloth->fabric.friction);
+  EXPECT_FALSE(scene.time.integrator.has_value());
 }
 
 TEST(Fabric, leaves_to_the_scene_what_that_says_itself) {

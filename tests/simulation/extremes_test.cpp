@@ -95,6 +95,7 @@ void expect_bounded_by_any_integrator(Scene scene) {
     auto fastening = FasteningProcessor::create(scene, mesh, post(0.45));
     if (!fastening && method != IntegrationMethod::implicit) {
       EXPECT_THAT(fastening.error().sentence(), HasSubstr("more than 1000; set"));
+      EXPECT_THAT(fastening.error().remedy, HasSubstr("time.integrator"));
       continue;
     }
     ASSERT_TRUE(fastening.has_value()) << fastening.error().sentence();

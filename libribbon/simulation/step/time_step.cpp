@@ -19,7 +19,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int most_gates = 32;           // that a step passes
 constexpr int most_eased_attempts = 10;  // of one step: with a thousandth of the force at last
 constexpr double most_change = 0.03;     // of an edge's length, in a part of a step
 
@@ -45,9 +44,8 @@ StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& c
   before_step_ = cloth;
   if (integrator_->method() == IntegrationMethod::implicit)
     integrator_->divide_steps(parts_for(bodies.grid, cloth));
-  const int most = std::min(most_gates, substeps());
   int gates = gates_for(cloth);
-  for (int eased_attempts = 0;; gates = std::min(2 * gates, most)) {
+  for (int eased_attempts = 0;; gates = std::min(2 * gates, most_gates())) {
     const StepReport report =
         advance_with_gates(gates, fastening_force(hands, cloth), bodies, cloth);  // section 5.2
     if (report.is_bearable || eased_attempts == most_eased_attempts) {
@@ -55,7 +53,7 @@ StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& c
       integrator_->ease_gravity(1);
       return report;
     }
-    if (gates == most) {
+    if (gates == most_gates()) {
       ++eased_attempts;
       before_step_.velocities *= eased_attempts < most_eased_attempts ? 0.5 : 0;
       integrator_->ease_gravity(std::ldexp(1.0, -2 * eased_attempts));
@@ -103,6 +101,11 @@ int TimeStep::parts_for(const RibbonGrid& grid, const Cloth& cloth) const {
       std::clamp(std::ceil(change / most_change), 1.0, static_cast<double>(most_implicit_parts)));
 }
 
+// What needs more of them is eased.
+int TimeStep::most_gates() const {
+  return std::min(32, substeps());
+}
+
 // The farther the particles go, the more their ways differ and the more of them could meet: where
 // they pass several edges in a step, it is quicker to take it in parts.
 int TimeStep::gates_for(const Cloth& cloth) const {
@@ -110,8 +113,7 @@ int TimeStep::gates_for(const Cloth& cloth) const {
   for (const auto& velocity : cloth.velocities.colwise())
     fastest_m_s = std::max(fastest_m_s, length_of(velocity));
   const double gates = std::ceil(step_s_ * fastest_m_s / gate_.farthest_m);
-  return static_cast<int>(
-      std::clamp(gates, 1.0, static_cast<double>(std::min(most_gates, substeps()))));
+  return static_cast<int>(std::clamp(gates, 1.0, static_cast<double>(most_gates())));
 }
 
 // contact = "gate", so many times, after equal numbers of substeps.

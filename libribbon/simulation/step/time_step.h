@@ -86,6 +86,7 @@ class TimeStep {
   StepReport advance_as_published(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
   [[nodiscard]] int substeps() const { return integrator_->substeps(); }
   [[nodiscard]] int parts_for(const RibbonGrid& grid, const Cloth& cloth) const;
+  [[nodiscard]] int most_gates() const;  // in a step
   [[nodiscard]] int gates_for(const Cloth& cloth) const;
   StepReport advance_with_gates(int gates, const Eigen::Matrix3Xd& force, Bodies& bodies,
                                 Cloth& cloth);
