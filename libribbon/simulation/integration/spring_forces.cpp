@@ -94,8 +94,11 @@ double SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
   return energy_j;
 }
 
-double fastest_frequency(const SpringNetwork& network, double particle_mass_kg,
-                         const ArrayXd& lightness) {
+namespace {
+
+// No eigenvalue of the stiffness exceeds twice the largest sum at one particle (Gershgorin): the
+// smaller bound of few particles.
+double most_stiffness_at_a_particle(const SpringNetwork& network) {
   std::vector<double> sums(network.grid.particle_count());
   for (const SpringKind* kind : network.kinds())
     for (const SpringFamily& family : kind->families)
@@ -103,9 +106,36 @@ double fastest_frequency(const SpringNetwork& network, double particle_mass_kg,
         sums[a] += kind->stiffness;
         sums[b] += kind->stiffness;
       });
-  for (Index i = 0; i < lightness.size(); ++i) sums[i] *= lightness[i];
-  // Gershgorin: no eigenvalue of the stiffness exceeds twice the largest sum at one particle.
-  return std::sqrt(2 * *std::max_element(sums.begin(), sums.end()) / particle_mass_kg);
+  return 2 * *std::max_element(sums.begin(), sums.end());
+}
+
+// Nor does it exceed that of the stiffest wave over an endless network whose springs all lie in the
+// direction of its motion. x and y: cosines of its phase from row to row and from column to column.
+double most_stiffness_of_a_wave(const SpringNetwork& network) {
+  const double stretch = network.stretch.stiffness;
+  const double shear = network.shear.stiffness;
+  const double bend = network.bend.stiffness;
+  const auto stiffness = [&](double x, double y) {
+    return 2 * stretch * (2 - x - y) + 4 * shear * (1 - x * y) + 4 * bend * (2 - x * x - y * y);
+  };
+  const auto most_beside = [&](double y) {
+    const double falls = stretch + 2 * shear * y;  // with x, at x = 0
+    if (bend == 0) return stiffness(falls > 0 ? -1 : 1, y);
+    return stiffness(std::clamp(-falls / (4 * bend), -1.0, 1.0), y);
+  };
+  const double bowed = 2 * shear + 4 * bend;
+  const double within = bowed == 0 ? -1 : std::max(-stretch / bowed, -1.0);  // both x and y
+  return std::max({stiffness(within, within), most_beside(1), most_beside(-1)});
+}
+
+}  // namespace
+
+double fastest_frequency(const SpringNetwork& network, double particle_mass_kg,
+                         const ArrayXd& lightness) {
+  const double stiffness =
+      std::min(most_stiffness_at_a_particle(network), most_stiffness_of_a_wave(network));
+  const double lightest = lightness.size() > 0 ? std::max(1.0, lightness.maxCoeff()) : 1;
+  return std::sqrt(stiffness * lightest / particle_mass_kg);
 }
 
 }  // namespace ribbon

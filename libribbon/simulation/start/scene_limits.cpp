@@ -160,8 +160,9 @@ Result<void> check_substeps(const Scene& scene, const SpringNetwork& springs,
       "springs and air divide each step into " + std::to_string(integrator.substeps()) +
           " parts, more than " + std::to_string(most) +
           (scene.contact == ContactMethod::gate ? ""
-           : springs.bends_most() ? " that contact = \"paper\" takes where bending resists most"
-                                  : " that contact = \"paper\" takes"),
+           : integrator.method() == IntegrationMethod::rk4 && springs.bends_most()
+               ? " that contact = \"paper\" takes where bending resists most"
+               : " that contact = \"paper\" takes"),
       std::string("set smaller resistances, a larger ribbon.mass, a shorter time.step, ") +
           (scene.time.integrator
                ? "or time.integrator to \"implicit\""

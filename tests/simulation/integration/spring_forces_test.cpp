@@ -91,6 +91,38 @@ TEST(SpringForces, of_a_spring_too_short_for_squares_are_never_more_than_of_none
   }
 }
 
+// A network in which all springs lie in the direction of the motion: how fast its fastest swing is,
+// by power iteration.
+double fastest_in_line(const SpringNetwork& network) {
+  Eigen::VectorXd swing(network.grid.particle_count());
+  for (Eigen::Index p = 0; p < swing.size(); ++p)
+    swing[p] = std::cos(1 + 3.7 * static_cast<double>(p * p));
+  double stiffness = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(swing.size());
+    for_each_spring(network, [&](int a, int b, double, double k) {
+      forces[a] += k * (swing[a] - swing[b]);
+      forces[b] += k * (swing[b] - swing[a]);
+    });
+    stiffness = forces.norm();
+    swing = forces / stiffness;
+  }
+  return std::sqrt(stiffness);
+}
+
+TEST(FastestFrequency, bounds_that_of_springs_in_line_closely) {
+  for (const double stretch : {0.0, 1.0, 10.0})
+    for (const double shear : {0.0, 1.0, 10.0})
+      for (const double bend : {0.0, 1.0, 10.0}) {
+        if (stretch + shear + bend == 0) continue;
+        const SpringNetwork network = spring_network(
+            {{40, 30}, 1, 1}, {.stretch = stretch, .shear = shear, .bend = bend, .damping = 0});
+        const double fastest = fastest_in_line(network);
+        EXPECT_GE(fastest_frequency(network, 1), fastest) << stretch << shear << bend;
+        EXPECT_LE(fastest_frequency(network, 1), 1.02 * fastest) << stretch << shear << bend;
+      }
+}
+
 TEST(FastestFrequency, of_two_particles_on_a_spring_bounds_the_true_one) {
   // By hand: two masses m on a spring k swing at sqrt(2 k / m).
   EXPECT_GE(fastest_frequency(one_spring(8, 1), 2), std::sqrt(8.0));
