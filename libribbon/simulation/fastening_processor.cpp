@@ -32,7 +32,7 @@ using Eigen::Matrix3Xd;
 
 // Of STATE.md. Raised whenever the layout changes, and whenever equal states no longer go on to
 // equal bits.
-constexpr std::int64_t state_version = 15;
+constexpr std::int64_t state_version = 16;
 constexpr std::int64_t most_steps = 4'000'000'000;
 
 std::optional<ObstacleBody> obstacle_body(const std::optional<TriangleMesh>& obstacle) {

@@ -319,7 +319,7 @@ TEST_F(ResumeRun, a_new_run_may_be_longer_than_its_scene) {
 }
 
 TEST_F(ResumeRun, what_comes_out_otherwise_than_recorded_is_told) {
-  // The scene in the header is not the one that was simulated.
+  // The scene in the header is not the one that was simulated: its start is another already.
   auto header = RecordingReader::open(folder_ / "whole.rbn")->header();
   header.scene_text.replace(header.scene_text.find("stretch = 10"), 12, "stretch = 11");
   {
@@ -330,7 +330,7 @@ TEST_F(ResumeRun, what_comes_out_otherwise_than_recorded_is_told) {
     }
   }
   const std::string before = read_file(file_).value();
-  EXPECT_THAT(refusal(), HasSubstr("knot.rbn: frame 2: simulated again, it comes out otherwise"));
+  EXPECT_THAT(refusal(), HasSubstr("knot.rbn: frame 1: simulated again, it comes out otherwise"));
   EXPECT_TRUE(read_file(file_).value() == before);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "simulation/published/recovery.h"
+#include "simulation/start/dynamic_relaxation.h"
 #include "simulation/start/first_intersection.h"
 #include "simulation/start/width_growth.h"
 #include "simulation/state/edge_strain.h"
@@ -28,6 +29,7 @@ class StartSearch {
               const StartObserver& observer, Bodies& bodies, TimeStep& time_step, Cloth& cloth)
       : scene_(scene),
         ribbon_(ribbon),
+        lengths_(lengths),
         observer_(observer),
         too_close_m_((1 - 1e-9) * lengths.min_separation_m),
         bodies_(bodies),
@@ -36,12 +38,12 @@ class StartSearch {
         generated_(cloth.positions) {}
 
   Result<StartReport> find() {
-    if (is_free() && settles()) return report_;
+    if (is_free() && settles()) return relaxed();
     if (!take_thin_band() && !take_recovered_band()) return pierced();
     const GrowthReport growth = grow_width(scene_, ribbon_, fraction_, observer_, bodies_, cloth_);
     if (!growth.complete) return no_room(growth);
     if (!settles()) return is_too_close() ? too_close() : strained();
-    return report_;
+    return relaxed();
   }
 
  private:
@@ -76,6 +78,12 @@ class StartSearch {
       cloth_.velocities.setZero();
     }
     return !is_too_close() && !is_strained() && is_free();
+  }
+
+  StartReport relaxed() {
+    tell("the ribbon lets go of what bending it has strained");
+    relax(scene_, ribbon_.size(), lengths_, bodies_, cloth_);
+    return report_;
   }
 
   bool is_too_close() {
@@ -196,6 +204,7 @@ class StartSearch {
 
   const Scene& scene_;
   const RibbonMesh& ribbon_;
+  const ContactLengths& lengths_;
   const StartObserver& observer_;
   double too_close_m_;
   Bodies& bodies_;
