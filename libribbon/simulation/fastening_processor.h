@@ -42,7 +42,8 @@ class FasteningProcessor {
   // (scene_limits.h). The search for a start may take minutes, and tells the observer.
   static Result<FasteningProcessor> create(const Scene& as_read, const RibbonMesh& ribbon,
                                            const std::optional<TriangleMesh>& obstacle,
-                                           const StartObserver& observer = {});
+                                           const StartObserver& observer = {},
+                                           StartStrain strain = StartStrain::let_go);
 
   // Goes on from a state() of the same scene, ribbon size and obstacle to the same bits as the
   // processor that was asked for it. With changed settings, which may be any but the particles, the

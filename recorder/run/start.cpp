@@ -9,7 +9,8 @@ namespace ribbon {
 
 namespace {
 
-// Growth keeps how the ribbon is tied; the recovery schemes know nothing of it.
+// Growth keeps how the ribbon is tied; the recovery schemes know nothing of it, and short ends slip
+// out of a wide ribbon that lets go of its strain.
 Result<void> start_is_tied_as_drawn(const Scene& scene, const RibbonMesh& ribbon,
                                     const std::optional<TriangleMesh>& obstacle,
                                     const FasteningProcessor& fastening) {
@@ -33,8 +34,13 @@ Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& 
     return tl::unexpected(expected.error());
   auto fastening = FasteningProcessor::create(scene, *ribbon, obstacle, observer);
   if (!fastening) return tl::unexpected(fastening.error());
-  if (auto tied = start_is_tied_as_drawn(scene, *ribbon, obstacle, *fastening); !tied)
-    return tl::unexpected(tied.error());
+  auto tied = start_is_tied_as_drawn(scene, *ribbon, obstacle, *fastening);
+  if (!tied && fastening->start().kind != StartKind::recovered) {
+    fastening = FasteningProcessor::create(scene, *ribbon, obstacle, observer, StartStrain::kept);
+    if (!fastening) return tl::unexpected(fastening.error());
+    tied = start_is_tied_as_drawn(scene, *ribbon, obstacle, *fastening);
+  }
+  if (!tied) return tl::unexpected(tied.error());
   return Start{*std::move(ribbon), *std::move(fastening)};
 }
 

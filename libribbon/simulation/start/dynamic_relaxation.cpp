@@ -47,18 +47,20 @@ bool any_farther(const Matrix3Xd& from, double distance_m, const Matrix3Xd& posi
 
 }  // namespace
 
-void relax(const Scene& scene, const RestSize& size, const ContactLengths& lengths, Bodies& bodies,
-           Cloth& cloth) {
+int relax(const Scene& scene, const RestSize& size, const ContactLengths& lengths, Bodies& bodies,
+          Cloth& cloth) {
   assert(scene.contact == ContactMethod::gate);
   const SpringNetwork springs = spring_network(size, scene.springs);
-  if (worst_strain(springs, cloth.positions) <= slight_strain) return;
+  if (worst_strain(springs, cloth.positions) <= slight_strain) return 0;
   const double fastest_rad_s = fastest_frequency(springs, cloth.particle_mass_kg, cloth.lightness);
   TimeStep time_step(of_springs_alone(scene, fastest_rad_s), size, lengths, cloth.particle_mass_kg);
   const Matrix3Xd drawn = cloth.positions;
-  double energy = 0;  // kinetic, but for a factor that stays the same
+  double energy = 0;  // kinetic, as if all particles weighed the same, but for a factor
   double most_energy = 0;
-  for (int step = 0; step < most_relaxing_steps; ++step) {
+  int steps = 0;
+  while (steps < most_relaxing_steps) {
     time_step.take(nullptr, bodies, cloth);
+    ++steps;
     if (any_farther(drawn, farthest * size.width_m, cloth.positions)) break;
     const double energy_before = std::exchange(energy, sum_of_squares(cloth.velocities));
     most_energy = std::max(most_energy, energy);
@@ -68,6 +70,7 @@ void relax(const Scene& scene, const RestSize& size, const ContactLengths& lengt
     energy = 0;
   }
   cloth.velocities.setZero();
+  return steps;
 }
 
 }  // namespace ribbon

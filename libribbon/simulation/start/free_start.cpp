@@ -26,10 +26,12 @@ constexpr int patience = 30;                   // scheme A leads out of an obsta
 class StartSearch {
  public:
   StartSearch(const Scene& scene, const RibbonMesh& ribbon, const ContactLengths& lengths,
-              const StartObserver& observer, Bodies& bodies, TimeStep& time_step, Cloth& cloth)
+              StartStrain strain, const StartObserver& observer, Bodies& bodies,
+              TimeStep& time_step, Cloth& cloth)
       : scene_(scene),
         ribbon_(ribbon),
         lengths_(lengths),
+        strain_(strain),
         observer_(observer),
         too_close_m_((1 - 1e-9) * lengths.min_separation_m),
         bodies_(bodies),
@@ -81,6 +83,7 @@ class StartSearch {
   }
 
   StartReport relaxed() {
+    if (strain_ == StartStrain::kept) return report_;
     tell("the ribbon lets go of what bending it has strained");
     relax(scene_, ribbon_.size(), lengths_, bodies_, cloth_);
     return report_;
@@ -205,6 +208,7 @@ class StartSearch {
   const Scene& scene_;
   const RibbonMesh& ribbon_;
   const ContactLengths& lengths_;
+  StartStrain strain_;
   const StartObserver& observer_;
   double too_close_m_;
   Bodies& bodies_;
@@ -231,10 +235,11 @@ std::string_view word_for(StartKind kind) {
 }
 
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon,
-                                    const ContactLengths& lengths, const StartObserver& observer,
-                                    Bodies& bodies, TimeStep& time_step, Cloth& cloth) {
+                                    const ContactLengths& lengths, StartStrain strain,
+                                    const StartObserver& observer, Bodies& bodies,
+                                    TimeStep& time_step, Cloth& cloth) {
   Result<StartReport> start =
-      StartSearch(scene, ribbon, lengths, observer, bodies, time_step, cloth).find();
+      StartSearch(scene, ribbon, lengths, strain, observer, bodies, time_step, cloth).find();
   bodies.ribbon.forget();
   return start;
 }

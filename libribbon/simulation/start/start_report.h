@@ -16,6 +16,10 @@ enum class StartKind {
 // "free", "grown" or "recovered".
 std::string_view word_for(StartKind kind);
 
+// What becomes of the strain that bending the ribbon into its drawn curve has left: is it let go
+// (dynamic_relaxation.h), or kept until the first step?
+enum class StartStrain { let_go, kept };
+
 struct StartReport {
   StartKind kind = StartKind::free;
   int recovery_iterations = 0;  // how often a scheme was applied

@@ -129,4 +129,11 @@ TEST(FastestFrequency, of_two_particles_on_a_spring_bounds_the_true_one) {
   EXPECT_LE(fastest_frequency(one_spring(8, 1), 2), 1.01 * std::sqrt(8.0));
 }
 
+TEST(FastestFrequency, of_particles_that_weigh_differently_bounds_the_true_one) {
+  // By hand: masses of 2 and 1/2 kg on a spring k swing at sqrt(k (1/2 + 2)).
+  const Eigen::ArrayXd lightness = Eigen::Array2d(1, 4);
+  EXPECT_GE(fastest_frequency(one_spring(8, 1), 2, lightness), std::sqrt(20.0));
+  EXPECT_LE(fastest_frequency(one_spring(8, 1), 2, lightness), 2.01 * std::sqrt(8.0));
+}
+
 }  // namespace ribbon::spring_forces_test

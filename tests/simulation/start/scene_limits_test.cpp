@@ -139,7 +139,7 @@ TEST(SceneLimits, springs_that_would_take_for_ever_are_refused) {
   scene.time.integrator = IntegrationMethod::symplectic_euler;
   scene.springs.stretch = 1e12;
   EXPECT_THAT(refusal(scene, mesh_of_loop(scene)),
-              AllOf(HasSubstr("more than 1000; set smaller resistances"),
+              AllOf(HasSubstr("more than 1200; set smaller resistances"),
                     HasSubstr("or time.integrator to \"implicit\"")));
 }
 
