@@ -94,7 +94,7 @@ void expect_bounded_by_any_integrator(Scene scene) {
     const RibbonMesh mesh = mesh_of_loop(scene);
     auto fastening = FasteningProcessor::create(scene, mesh, post(0.45));
     if (!fastening && method != IntegrationMethod::implicit) {
-      EXPECT_THAT(fastening.error().sentence(), HasSubstr("more than 1000; set"));
+      EXPECT_THAT(fastening.error().sentence(), HasSubstr("more than 1200; set"));
       EXPECT_THAT(fastening.error().remedy, HasSubstr("time.integrator"));
       continue;
     }
