@@ -6,6 +6,7 @@
 
 #include "geometry/vectors.h"
 #include "ribbon_mesh/springs.h"
+#include "simulation/integration/ordered_sums.h"
 #include "simulation/integration/spring_forces.h"
 #include "simulation/state/edge_strain.h"
 #include "simulation/step/time_step.h"
@@ -33,12 +34,6 @@ Scene of_springs_alone(Scene scene, double fastest_rad_s) {
   return scene;
 }
 
-double sum_of_squares(const Matrix3Xd& columns) {
-  double sum = 0;
-  for (const auto& column : columns.colwise()) sum += squared_length_of(column);
-  return sum;
-}
-
 bool any_farther(const Matrix3Xd& from, double distance_m, const Matrix3Xd& positions) {
   for (Eigen::Index particle = 0; particle < positions.cols(); ++particle)
     if (length_of(positions.col(particle) - from.col(particle)) > distance_m) return true;
@@ -62,7 +57,9 @@ int relax(const Scene& scene, const RestSize& size, const ContactLengths& length
     time_step.take(nullptr, bodies, cloth);
     ++steps;
     if (any_farther(drawn, farthest * size.width_m, cloth.positions)) break;
-    const double energy_before = std::exchange(energy, sum_of_squares(cloth.velocities));
+    const double* velocities = cloth.velocities.data();
+    const double energy_before =
+        std::exchange(energy, sum_of_products(velocities, velocities, cloth.velocities.size()));
     most_energy = std::max(most_energy, energy);
     if (energy >= energy_before) continue;
     if (energy <= energy_left * most_energy) break;
