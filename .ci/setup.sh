@@ -87,6 +87,19 @@ install_gltf_validator() {
   npm install --prefix "$folder" --no-save --no-audit --no-fund "$package" || true
 }
 
+# fetch_newest_source PACKAGE APT_OPTION...: into the current folder. Of what a mirror lists it may miss
+# some files, most often of a security update; the version before has the same sources, but for Debian's
+# patches, which are not applied.
+fetch_newest_source() {
+  local version
+  while read -r version; do
+    ! apt-get --quiet --quiet "${@:2}" source --download-only "$1=$version" || return 0
+    rm -f "$1"_*
+  done < <(apt-cache "${@:2}" showsrc --only-source "$1" | sed --quiet 's/^Version: //p' |
+    sort --unique --version-sort --reverse)
+  return 1
+}
+
 # Sources of the libraries that pages need and Debian compiles for this machine only: into the build
 # folder, from where this machine gets its packages, by lists of their own: the machine's stay as they
 # are.
@@ -102,12 +115,9 @@ fetch_page_sources() {
   done
   lists=(-o Dir::Etc::sourcelist=- -o "Dir::Etc::sourceparts=$folder/parts"
     -o "Dir::State::lists=$folder/lists" -o "Dir::Cache=$folder/cache" -o APT::Sandbox::User=root)
-  (
-    cd "$folder" || exit
-    apt-get --quiet --quiet "${lists[@]}" update &&
-      apt-get --quiet --quiet "${lists[@]}" source --download-only libzstd pugixml libdeflate
-  ) || return
+  apt-get --quiet --quiet "${lists[@]}" update || return
   for package in libzstd pugixml libdeflate; do
+    (cd "$folder" && fetch_newest_source "$package" "${lists[@]}") || return
     mkdir -p "$folder/$package"
     tar --extract --directory "$folder/$package" --strip-components=1 \
       --file "$(echo "$folder/$package"_*.orig.tar.?z)" || return
