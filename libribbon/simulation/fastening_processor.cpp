@@ -89,8 +89,8 @@ struct FasteningProcessor::Parts {
         const std::optional<TriangleMesh>& obstacle, Matrix3Xd positions);
 
   Result<void> find_start(const Scene& scene, const RibbonMesh& ribbon,
-                          const ContactLengths& lengths, StartStrain strain,
-                          const StartObserver& observer);
+                          const ContactLengths& lengths, const StartObserver& observer,
+                          const StartTest& test);
   StartReport recover_as_published();
   void employ_hands(const Scene& scene);
   void look_at_loose_ends();
@@ -140,7 +140,7 @@ Result<FasteningProcessor> FasteningProcessor::create(const Scene& as_read,
                                                       const RibbonMesh& ribbon,
                                                       const std::optional<TriangleMesh>& obstacle,
                                                       const StartObserver& observer,
-                                                      StartStrain strain) {
+                                                      const StartTest& test) {
   const RestSize size = rest_size(ribbon, 1);
   const double reach_m = recorded_reach_m(as_read, size, ribbon.positions);
   const Scene scene = with_fabric(with_rounding(as_read, size, reach_m), size);
@@ -152,19 +152,19 @@ Result<FasteningProcessor> FasteningProcessor::create(const Scene& as_read,
   if (!possible) return tl::unexpected(possible.error());
   auto parts = std::make_unique<Parts>(scene, size, lengths, obstacle, ribbon.positions);
   parts->reach_m = reach_m;
-  const auto found = parts->find_start(scene, ribbon, lengths, strain, observer);
+  const auto found = parts->find_start(scene, ribbon, lengths, observer, test);
   if (!found) return tl::unexpected(found.error());
   return FasteningProcessor(std::move(parts));
 }
 
 Result<void> FasteningProcessor::Parts::find_start(const Scene& scene, const RibbonMesh& ribbon,
                                                    const ContactLengths& lengths,
-                                                   StartStrain strain,
-                                                   const StartObserver& observer) {
+                                                   const StartObserver& observer,
+                                                   const StartTest& test) {
   if (auto few = check_substeps(scene, springs, time_step.integrator()); !few) return few;
   if (scene.contact == ContactMethod::gate) {
     const auto found =
-        find_free_start(scene, ribbon, lengths, strain, observer, bodies, time_step, cloth);
+        find_free_start(scene, ribbon, lengths, observer, test, bodies, time_step, cloth);
     if (!found) return tl::unexpected(found.error());
     start = *found;
     guaranteed_gap_m = recorded_gap_m(lengths);

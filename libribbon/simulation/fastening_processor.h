@@ -39,11 +39,12 @@ class FasteningProcessor {
   // schemes recover what they can at the start too, and what is left is counted. Fails, with the
   // scene's name, where there is no free start (free_start.h), where the ribbon lies inside the
   // obstacle (inside_obstacle.h) and where numbers could not hold what is promised
-  // (scene_limits.h). The search for a start may take minutes, and tells the observer.
+  // (scene_limits.h). The search for a start may take minutes, and tells the observer;
+  // a ribbon that lets go of its strain is put to the test.
   static Result<FasteningProcessor> create(const Scene& as_read, const RibbonMesh& ribbon,
                                            const std::optional<TriangleMesh>& obstacle,
                                            const StartObserver& observer = {},
-                                           StartStrain strain = StartStrain::let_go);
+                                           const StartTest& test = {});
 
   // Goes on from a state() of the same scene, ribbon size and obstacle to the same bits as the
   // processor that was asked for it. With changed settings, which may be any but the particles, the

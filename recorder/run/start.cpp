@@ -9,8 +9,7 @@ namespace ribbon {
 
 namespace {
 
-// Growth keeps how the ribbon is tied; the recovery schemes know nothing of it, and short ends slip
-// out of a wide ribbon that lets go of its strain.
+// Growth keeps how the ribbon is tied; the recovery schemes know nothing of it.
 Result<void> start_is_tied_as_drawn(const Scene& scene, const RibbonMesh& ribbon,
                                     const std::optional<TriangleMesh>& obstacle,
                                     const FasteningProcessor& fastening) {
@@ -32,15 +31,13 @@ Result<Start> find_start(const Scene& scene, const std::optional<TriangleMesh>& 
   if (!ribbon) return tl::unexpected(ribbon.error());
   if (auto expected = check_expected_knot(scene, *ribbon); !expected)
     return tl::unexpected(expected.error());
-  auto fastening = FasteningProcessor::create(scene, *ribbon, obstacle, observer);
+  const StartTest is_meant_knot = [&](const Eigen::Matrix3Xd& positions) {
+    return check_first_frame(scene, *ribbon, positions).has_value();
+  };
+  auto fastening = FasteningProcessor::create(scene, *ribbon, obstacle, observer, is_meant_knot);
   if (!fastening) return tl::unexpected(fastening.error());
-  auto tied = start_is_tied_as_drawn(scene, *ribbon, obstacle, *fastening);
-  if (!tied && fastening->start().kind != StartKind::recovered) {
-    fastening = FasteningProcessor::create(scene, *ribbon, obstacle, observer, StartStrain::kept);
-    if (!fastening) return tl::unexpected(fastening.error());
-    tied = start_is_tied_as_drawn(scene, *ribbon, obstacle, *fastening);
-  }
-  if (!tied) return tl::unexpected(tied.error());
+  if (auto tied = start_is_tied_as_drawn(scene, *ribbon, obstacle, *fastening); !tied)
+    return tl::unexpected(tied.error());
   return Start{*std::move(ribbon), *std::move(fastening)};
 }
 

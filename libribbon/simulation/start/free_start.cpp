@@ -26,13 +26,13 @@ constexpr int patience = 30;                   // scheme A leads out of an obsta
 class StartSearch {
  public:
   StartSearch(const Scene& scene, const RibbonMesh& ribbon, const ContactLengths& lengths,
-              StartStrain strain, const StartObserver& observer, Bodies& bodies,
+              const StartObserver& observer, const StartTest& test, Bodies& bodies,
               TimeStep& time_step, Cloth& cloth)
       : scene_(scene),
         ribbon_(ribbon),
         lengths_(lengths),
-        strain_(strain),
         observer_(observer),
+        test_(test),
         too_close_m_((1 - 1e-9) * lengths.min_separation_m),
         bodies_(bodies),
         time_step_(time_step),
@@ -83,9 +83,10 @@ class StartSearch {
   }
 
   StartReport relaxed() {
-    if (strain_ == StartStrain::kept) return report_;
+    const Matrix3Xd strained = cloth_.positions;
     tell("the ribbon lets go of what bending it has strained");
-    relax(scene_, ribbon_.size(), lengths_, bodies_, cloth_);
+    const int steps = relax(scene_, ribbon_.size(), lengths_, bodies_, cloth_);
+    if (steps > 0 && test_ && !test_(cloth_.positions)) cloth_.positions = strained;
     return report_;
   }
 
@@ -208,8 +209,8 @@ class StartSearch {
   const Scene& scene_;
   const RibbonMesh& ribbon_;
   const ContactLengths& lengths_;
-  StartStrain strain_;
   const StartObserver& observer_;
+  const StartTest& test_;
   double too_close_m_;
   Bodies& bodies_;
   TimeStep& time_step_;
@@ -235,11 +236,11 @@ std::string_view word_for(StartKind kind) {
 }
 
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon,
-                                    const ContactLengths& lengths, StartStrain strain,
-                                    const StartObserver& observer, Bodies& bodies,
-                                    TimeStep& time_step, Cloth& cloth) {
+                                    const ContactLengths& lengths, const StartObserver& observer,
+                                    const StartTest& test, Bodies& bodies, TimeStep& time_step,
+                                    Cloth& cloth) {
   Result<StartReport> start =
-      StartSearch(scene, ribbon, lengths, strain, observer, bodies, time_step, cloth).find();
+      StartSearch(scene, ribbon, lengths, observer, test, bodies, time_step, cloth).find();
   bodies.ribbon.forget();
   return start;
 }

@@ -13,8 +13,9 @@
 
 namespace ribbon {
 
-// Moves the cloth from where it was generated to a start that is free, settled, relaxed where
-// strain is let go, and at rest, nothing closer than the minimum separation. Where it intersects
+// Moves the cloth from where it was generated to a start that is free, settled, at rest, nothing
+// closer than the minimum separation, and relaxed (dynamic_relaxation.h) unless that would fail the
+// test: short ends slip out of a wide ribbon that lets go of its strain. Where it intersects
 // nothing it is taken as generated. Otherwise its rows are narrowed about their centres until the
 // thin band is free, and its rest width is raised step by step (grow_width): all motion passes the
 // gate, so the band stays free, and it folds and waves where it has no room. Where no thin band is
@@ -24,8 +25,8 @@ namespace ribbon {
 // where on the ribbon and what to change, where even a thin band stays pierced and where the ribbon
 // finds no room for its width. The cloth then lies anywhere.
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon,
-                                    const ContactLengths& lengths, StartStrain strain,
-                                    const StartObserver& observer, Bodies& bodies,
-                                    TimeStep& time_step, Cloth& cloth);
+                                    const ContactLengths& lengths, const StartObserver& observer,
+                                    const StartTest& test, Bodies& bodies, TimeStep& time_step,
+                                    Cloth& cloth);
 
 }  // namespace ribbon

@@ -1,6 +1,7 @@
 // How a ribbon came to its start.
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -16,10 +17,6 @@ enum class StartKind {
 // "free", "grown" or "recovered".
 std::string_view word_for(StartKind kind);
 
-// What becomes of the strain that bending the ribbon into its drawn curve has left: is it let go
-// (dynamic_relaxation.h), or kept until the first step?
-enum class StartStrain { let_go, kept };
-
 struct StartReport {
   StartKind kind = StartKind::free;
   int recovery_iterations = 0;  // how often a scheme was applied
@@ -29,5 +26,9 @@ struct StartReport {
 // Called with what becomes of the ribbon while its start is looked for, which may take minutes:
 // "the ribbon is grown to 40 % of its width". May be empty.
 using StartObserver = std::function<void(const std::string& what)>;
+
+// Is the ribbon still the knot that was meant, with its particles there (3 x particles)? May be
+// empty: any will do.
+using StartTest = std::function<bool(const Eigen::Matrix3Xd& positions)>;
 
 }  // namespace ribbon

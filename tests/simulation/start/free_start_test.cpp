@@ -214,8 +214,7 @@ TEST(FreeStart, leaves_behind_nothing_that_the_gate_does_without) {
   const RestSize size = rest_size(mesh, 1);
   const ContactLengths lengths = contact_lengths(scene, size);
   TimeStep time_step(scene, size, lengths, cloth.particle_mass_kg);
-  const auto start =
-      find_free_start(scene, mesh, lengths, StartStrain::let_go, {}, bodies, time_step, cloth);
+  const auto start = find_free_start(scene, mesh, lengths, {}, {}, bodies, time_step, cloth);
   EXPECT_EQ(start->kind, StartKind::recovered);
   time_step.take(nullptr, bodies, cloth);
   EXPECT_EQ(state_of(bodies), state_of(untouched));
