@@ -94,6 +94,11 @@ struct TrianglesAtEdges {
   std::vector<int> triangles;
 };
 
+// Of the triangles at an edge each is a neighbour of so many before it and after it: of all, where
+// they are eight or fewer. Of thousands, as the pages of a book, all pairs would fill the memory,
+// and grouping them would take hours.
+constexpr std::size_t most_after = 7;
+
 Level triangle_level(const CollisionSurface& surface, const Matrix3Xd& positions) {
   Level level;
   const auto count = surface.triangles.cols();
@@ -105,10 +110,13 @@ Level triangle_level(const CollisionSurface& surface, const Matrix3Xd& positions
   for (std::size_t e = 0; e < surface.edges.size(); ++e) {
     const auto [a, b] = surface.edges[e];
     const double length_m = length_of(positions.col(b) - positions.col(a));
-    for (const int t : triangles.at(e)) {
+    const std::span<const int> meeting = triangles.at(e);
+    for (std::size_t i = 0; i < meeting.size(); ++i) {
+      const int t = meeting[i];
       level.contours_m[t] += length_m;
-      for (const int other : triangles.at(e))
-        if (other != t) pieces.push_back({t, other, length_m});
+      const std::span<const int> after = meeting.subspan(i + 1);
+      for (const int other : after.first(std::min(after.size(), most_after)))
+        if (other != t) pieces.insert(pieces.end(), {{t, other, length_m}, {other, t, length_m}});
     }
   }
   set_neighbours(std::move(pieces), level);

@@ -13,11 +13,12 @@
 namespace ribbon {
 
 // A tree over the triangles of one surface. Each leaf is a triangle; a region one level higher
-// groups the three adjacent regions whose common contour is shortest. The tree is built once; for
-// each detection its boxes and, where they are asked for, its curvatures are refitted bottom-up,
-// boxes by union and curvatures by bitwise and. A curvature has one bit for each of 14 directions:
-// set while every normal of the region points that way. While one bit is left the region is too
-// flat to meet itself.
+// groups the three adjacent regions whose common contour is shortest. (Of more than eight triangles
+// at one edge not all count as adjacent: all pairs of thousands would take hours.) The tree is
+// built once; for each detection its boxes and, where they are asked for, its curvatures are
+// refitted bottom-up, boxes by union and curvatures by bitwise and. A curvature has one bit for
+// each of 14 directions: set while every normal of the region points that way. While one bit is
+// left the region is too flat to meet itself.
 class TriangleBvh {
  public:
   // What spares a pair of regions of one surface: `curvature_and_boxes` as published, or `boxes`

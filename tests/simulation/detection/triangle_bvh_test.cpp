@@ -9,6 +9,7 @@
 #include "geometry/flat_ribbon.h"
 #include "geometry/ribbon_grid.h"
 #include "parallel/any_threads.h"
+#include "simulation/detection/book.h"
 #include "simulation/detection/feature_pairs.h"
 #include "simulation/detection/vertex_ranges.h"
 
@@ -135,22 +136,42 @@ TEST(TriangleBvh, boxes_cover_the_whole_way_of_a_step) {
   EXPECT_GT(bvh.pairs_within(both).size(), still + 10);
 }
 
+void expect_pairs_as_by_brute_force(const CollisionSurface& first, const Matrix3Xd& x,
+                                    const CollisionSurface& second, const Matrix3Xd& y) {
+  std::set<std::array<int, 2>> expected;
+  for (int a = 0; a < first.triangles.cols(); ++a)
+    for (int b = 0; b < second.triangles.cols(); ++b)
+      if (box_of(first, x, a, 0).meets(box_of(second, y, b, 0))) expected.insert({a, b});
+  std::set<std::array<int, 2>> found;
+  for (const CandidatePair& pair : TriangleBvh(first, x).pairs_with(TriangleBvh(second, y)))
+    found.insert({pair.a, pair.b});
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(found, expected);
+}
+
 TEST(TriangleBvh, pairs_with_another_surface_equal_brute_force) {
   const RibbonGrid grid{50, 4};
   const CollisionSurface surface = collision_surface(grid.triangles());
   const Matrix3Xd x = spiral(grid, 1, 0.2);
   Matrix3Xd y = x;
   y.row(0).array() += 0.4;
-  TriangleBvh first(surface, x);
-  const TriangleBvh second(surface, y);
-  std::set<std::array<int, 2>> expected;
-  for (int a = 0; a < grid.triangle_count(); ++a)
-    for (int b = 0; b < grid.triangle_count(); ++b)
-      if (box_of(surface, x, a, 0).meets(box_of(surface, y, b, 0))) expected.insert({a, b});
-  std::set<std::array<int, 2>> found;
-  for (const CandidatePair& pair : first.pairs_with(second)) found.insert({pair.a, pair.b});
-  EXPECT_FALSE(expected.empty());
-  EXPECT_EQ(found, expected);
+  expect_pairs_as_by_brute_force(surface, x, surface, y);
+}
+
+// If all pairs of them were neighbours, this would take hours.
+TEST(TriangleBvh, thousands_of_triangles_at_an_edge_are_grouped_as_others_are) {
+  const RibbonGrid grid{10, 2};
+  const CollisionSurface ribbon = collision_surface(grid.triangles());
+  const Matrix3Xd across = 0.1 * flat_ribbon(grid);
+  const int count = 5000;
+  for (const int outer_corners : {count, 1}) {  // pages of a book; copies of one triangle
+    SCOPED_TRACE(outer_corners);
+    const Book book(count, outer_corners);
+    const CollisionSurface surface = collision_surface(book.triangles);
+    const TriangleBvh bvh(surface, book.vertices);
+    EXPECT_LT(bvh.node_count() - count, count * 3 / 4);
+    expect_pairs_as_by_brute_force(surface, book.vertices, ribbon, across);
+  }
 }
 
 TEST(TriangleBvh, a_surface_of_separate_pieces_is_one_tree) {
