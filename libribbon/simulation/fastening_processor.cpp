@@ -18,7 +18,6 @@
 #include "simulation/start/free_start.h"
 #include "simulation/start/inside_obstacle.h"
 #include "simulation/start/scene_limits.h"
-#include "simulation/start/width_growth.h"
 #include "simulation/state/cloth.h"
 #include "simulation/state/edge_strain.h"
 #include "simulation/state/state_archive.h"
@@ -141,7 +140,7 @@ Result<FasteningProcessor> FasteningProcessor::create(const Scene& as_read,
                                                       const std::optional<TriangleMesh>& obstacle,
                                                       const StartObserver& observer,
                                                       const StartTest& test) {
-  const RestSize size = rest_size(ribbon, 1);
+  const RestSize size = ribbon.size();
   const double reach_m = recorded_reach_m(as_read, size, ribbon.positions);
   const Scene scene = with_fabric(with_rounding(as_read, size, reach_m), size);
   const ContactLengths lengths = contact_lengths(scene, size);

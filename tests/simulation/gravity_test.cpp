@@ -8,7 +8,6 @@
 #include "simulation/fastening_processor.h"
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
-#include "simulation/start/width_growth.h"
 #include "simulation/state/edge_strain.h"
 
 namespace ribbon::gravity_test {
@@ -226,7 +225,7 @@ TEST(Gravity, a_settled_ribbon_answers_within_a_frame_when_gravity_turns_by_a_de
   const Scene scene = scene_of_drape();
   FasteningProcessor processor = above_the_post(scene);
   for (int step = 0; step < 1000; ++step) processor.step();
-  const RestSize size = rest_size(level_ribbon(scene), 1);
+  const RestSize size = level_ribbon(scene).size();
   const double degree = std::numbers::pi / 180;
   Scene turned = scene;
   turned.gravity_m_s2 = earths * Vector3d(0, std::sin(degree), -std::cos(degree));
@@ -247,7 +246,7 @@ TEST(Gravity, a_settled_ribbon_answers_within_a_frame_when_hands_pull) {
   scene.fastening = FasteningScene{.speed_m_s = 1e-6, .pull = FasteningPull::ends};
   FasteningProcessor processor = above_the_post(scene);
   for (int step = 0; step < 1000; ++step) processor.step();
-  const RestSize size = rest_size(level_ribbon(scene), 1);
+  const RestSize size = level_ribbon(scene).size();
   Scene pulled = scene;
   pulled.fastening->speed_m_s = 0.01;
   const Matrix3Xd answer =

@@ -60,7 +60,7 @@ class StartSearch {
   }
 
   [[nodiscard]] double shortest_edge_m() const {
-    return rest_size(ribbon_, fraction_).shortest_edge_m();
+    return ribbon_.size().narrowed(fraction_).shortest_edge_m();
   }
 
   std::optional<MeetingPlace> meeting_place() {
@@ -129,7 +129,7 @@ class StartSearch {
   [[nodiscard]] std::string place_of(int particle) const {
     const int row = ribbon_.grid.row(particle);
     return "row " + std::to_string(row + 1) + " of " + std::to_string(ribbon_.grid.along) + ", " +
-           metres(row * rest_size(ribbon_, 1).along_m()) + " from its first end";
+           metres(row * ribbon_.size().along_m()) + " from its first end";
   }
 
   [[nodiscard]] bool of_obstacle(const MeetingPlace& place) const {

@@ -66,10 +66,6 @@ class TornEdge {
 
 }  // namespace
 
-RestSize rest_size(const RibbonMesh& ribbon, double fraction) {
-  return ribbon.size().narrowed(fraction);
-}
-
 Matrix3Xd rows_scaled(const RibbonGrid& grid, double scale, const Matrix3Xd& positions) {
   Matrix3Xd result = positions;
   for (int i = 0; i < grid.along; ++i) {
@@ -86,7 +82,7 @@ GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fra
   GrowthReport report;
   double scale = 1;
   while (true) {
-    const RestSize size = rest_size(ribbon, fraction);
+    const RestSize size = ribbon.size().narrowed(fraction);
     if (observer)
       observer("the ribbon is grown to " + std::to_string(std::lround(100 * fraction)) +
                " % of its width");

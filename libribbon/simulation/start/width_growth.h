@@ -12,9 +12,6 @@
 
 namespace ribbon {
 
-// `ribbon` with a fraction (above 0) of its width.
-RestSize rest_size(const RibbonMesh& ribbon, double fraction);
-
 // `positions` (3 x particles) with every row of the ribbon scaled about its centre.
 Eigen::Matrix3Xd rows_scaled(const RibbonGrid& grid, double scale,
                              const Eigen::Matrix3Xd& positions);

@@ -8,7 +8,6 @@
 #include "simulation/fastening_processor.h"
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
-#include "simulation/start/width_growth.h"
 #include "simulation/state/state_archive.h"
 
 namespace ribbon::free_start_test {
@@ -211,7 +210,7 @@ TEST(FreeStart, leaves_behind_nothing_that_the_gate_does_without) {
   Bodies bodies{mesh.grid, ObstacleBody(obstacle.triangles, obstacle.vertices.cast<double>())};
   Bodies untouched{mesh.grid, std::nullopt};
   Cloth cloth{mesh.positions, Matrix3Xd::Zero(3, mesh.positions.cols()), 0.001};
-  const RestSize size = rest_size(mesh, 1);
+  const RestSize size = mesh.size();
   const ContactLengths lengths = contact_lengths(scene, size);
   TimeStep time_step(scene, size, lengths, cloth.particle_mass_kg);
   const auto start = find_free_start(scene, mesh, lengths, {}, {}, bodies, time_step, cloth);

@@ -7,7 +7,6 @@
 #include "result/refusal.h"
 #include "simulation/fastening_processor.h"
 #include "simulation/loop_scene.h"
-#include "simulation/start/width_growth.h"
 #include "simulation/truncation/strain_constraints.h"
 
 namespace ribbon::scene_limits_test {
@@ -71,8 +70,7 @@ TEST(SceneLimits, a_recording_too_coarse_for_edges_and_gap_is_refused_with_an_er
 // Of the ribbon's length, where the scene leaves it out.
 double usual_error(Scene scene) {
   scene.recording.max_position_error.reset();
-  return with_rounding(scene, rest_size(mesh_of_loop(scene), 1), 0)
-      .recording.max_position_error.value();
+  return with_rounding(scene, mesh_of_loop(scene).size(), 0).recording.max_position_error.value();
 }
 
 TEST(SceneLimits, an_error_that_is_left_out_is_as_small_as_edges_along_need) {
@@ -80,7 +78,7 @@ TEST(SceneLimits, an_error_that_is_left_out_is_as_small_as_edges_along_need) {
   scene.ribbon.along = 600;
   EXPECT_EQ(usual_error(scene), 1e-5);
   scene.ribbon.along = 1200;
-  const RestSize size = rest_size(mesh_of_loop(scene), 1);
+  const RestSize size = mesh_of_loop(scene).size();
   EXPECT_LT(usual_error(scene), 6e-6);
   EXPECT_NEAR(aimed_strain(0.08, size.along_m(), usual_error(scene) * size.length_m), 0.07, 1e-9);
 }
@@ -89,7 +87,7 @@ TEST(SceneLimits, an_error_that_is_left_out_is_as_small_as_the_edges_need) {
   Scene scene = scene_of_loop();
   EXPECT_EQ(usual_error(scene), 1e-5);
   scene.ribbon.across = 40;  // too many for that error
-  const RestSize size = rest_size(mesh_of_loop(scene), 1);
+  const RestSize size = mesh_of_loop(scene).size();
   EXPECT_THAT(refusal(scene, mesh_of_loop(scene)), HasSubstr("or fewer particles"));
   EXPECT_LT(usual_error(scene), 1e-5);
   EXPECT_NEAR(aimed_strain(0.08, size.shortest_edge_m(), usual_error(scene) * size.length_m), 0.05,

@@ -23,7 +23,7 @@ TEST(WidthGrowth, an_edge_of_a_narrower_band_is_shorter_across_only) {
   ribbon.grid = {11, 5};
   ribbon.length_m = 2;
   ribbon.width_m = 0.4;
-  const RestSize size = rest_size(ribbon, 0.25);
+  const RestSize size = ribbon.size().narrowed(0.25);
   EXPECT_DOUBLE_EQ(size.along_m(), 0.2);
   EXPECT_DOUBLE_EQ(size.across_m(), 0.025);
   EXPECT_DOUBLE_EQ(size.shortest_edge_m(), 0.025);

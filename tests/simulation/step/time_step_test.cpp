@@ -4,7 +4,6 @@
 
 #include "simulation/loop_scene.h"
 #include "simulation/published/recovery.h"
-#include "simulation/start/width_growth.h"
 
 namespace ribbon::time_step_test {
 
@@ -17,7 +16,7 @@ struct Band {
   Cloth cloth{mesh.positions, Matrix3Xd::Zero(3, mesh.positions.cols()), 0.001};
 
   TimeStep time_step(double fraction_of_width) {
-    const RestSize size = rest_size(mesh, fraction_of_width);
+    const RestSize size = mesh.size().narrowed(fraction_of_width);
     return {scene, size, contact_lengths(scene, size), cloth.particle_mass_kg};
   }
 };
