@@ -143,7 +143,7 @@ class ImplicitEuler final : public Integrator {
       const auto run = [&](auto& rows) { return rows.middleRows(first, count); };
       run(moved_) = run(state_.positions) + run(iterate.displacement);
     });
-    iterate.elastic_j = springs_.forces(moved_, forces_);
+    iterate.elastic_j = springs_.forces_and_energy(moved_, forces_);
     const auto of_run = [&](Index first, Index count, std::array<double, 2>& squares) {
       const auto run = [&](auto& rows) { return rows.middleRows(first, count); };
       auto apart = run(apart_);

@@ -31,11 +31,8 @@ SpringForces::SpringForces(const SpringNetwork& network)
   for (const Family& family : families_) farthest = std::max(farthest, family.offset);
   grain_ = std::max(least_grain, grain_per_offset * farthest);
   workspaces_.resize((particle_count_ + grain_ - 1) / grain_);
-  for (Workspace& workspace : workspaces_) {
-    const Index most = std::min(grain_, particle_count_) + farthest;
-    workspace.tension.resize(most, 3);
-    workspace.twice_energy_j.resize(most);
-  }
+  for (Workspace& workspace : workspaces_)
+    workspace.tension.resize(std::min(grain_, particle_count_) + farthest, 3);
 }
 
 void SpringForces::add(const SpringFamily& family, double stiffness, const RibbonGrid& grid) {
@@ -49,46 +46,57 @@ void SpringForces::add(const SpringFamily& family, double stiffness, const Ribbo
 
 // Family by family: first the tension of each spring that starts or ends at the range, then what
 // the particles of the range get of it.
-void SpringForces::forces_on(Index begin, Index end, const MatrixX3d& positions,
+void SpringForces::forces_on(Index begin, Index end, bool with_energy, const MatrixX3d& positions,
                              MatrixX3d& forces) {
   Workspace& workspace = workspaces_[begin / grain_];
   forces.middleRows(begin, end - begin).setZero();
   workspace.energy_j = 0;
+  Eigen::VectorXd& twice_energy_j = workspace.twice_energy_j;
+  if (with_energy) twice_energy_j.resize(workspace.tension.rows());
   for (const Family& family : families_) {
     // Workspace and springs from the first that ends in the range to the last that starts in it.
     const Index begin_run = begin - family.offset;
     const Index first = std::max<Index>(0, begin_run);
     const Index last = std::max(first, std::min(end, particle_count_ - family.offset));
     auto tension = workspace.tension.topRows(end - begin_run);
-    auto twice_energy_j = workspace.twice_energy_j.head(end - begin_run);
     tension.topRows(first - begin_run).setZero();
     tension.bottomRows(end - last).setZero();
-    twice_energy_j.tail(end - last).setZero();
     SpringRun run{.count = last - first,
                   .stiffness = family.stiffness.data() + first,
                   .rest_length_m = family.rest_length_m,
                   .rest_lengths_m = family.rest_lengths_m.empty()
                                         ? nullptr
-                                        : family.rest_lengths_m.data() + first,
-                  .twice_energy_j = twice_energy_j.data() + (first - begin_run)};
+                                        : family.rest_lengths_m.data() + first};
     for (int axis = 0; axis < 3; ++axis) {
       run.starts[axis] = positions.col(axis).data() + first;
       run.ends[axis] = run.starts[axis] + family.offset;
       run.tension[axis] = tension.col(axis).data() + (first - begin_run);
     }
+    if (with_energy) run.twice_energy_j = twice_energy_j.data() + (first - begin_run);
     compute_tension(run);
     // Coordinate by coordinate: as blocks of a matrix they would not be vectorised everywhere.
     for (int axis = 0; axis < 3; ++axis)
       forces.col(axis).segment(begin, end - begin) +=
           tension.col(axis).tail(end - begin) - tension.col(axis).head(end - begin);
-    workspace.energy_j += sum_of(twice_energy_j.tail(end - begin).data(), end - begin) / 2;
+    if (!with_energy) continue;
+    twice_energy_j.segment(last - begin_run, end - last).setZero();
+    workspace.energy_j += sum_of(twice_energy_j.data() + family.offset, end - begin) / 2;
   }
 }
 
-double SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
+void SpringForces::compute(bool with_energy, const MatrixX3d& positions, MatrixX3d& forces) {
   forces.resize(particle_count_, 3);
-  const auto body = [&](Index begin, Index end) { forces_on(begin, end, positions, forces); };
-  parallel_ranges(particle_count_, grain_, body);
+  parallel_ranges(particle_count_, grain_, [&](Index begin, Index end) {
+    forces_on(begin, end, with_energy, positions, forces);
+  });
+}
+
+void SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
+  compute(false, positions, forces);
+}
+
+double SpringForces::forces_and_energy(const MatrixX3d& positions, MatrixX3d& forces) {
+  compute(true, positions, forces);
   double energy_j = 0;
   for (const Workspace& workspace : workspaces_) energy_j += workspace.energy_j;
   return energy_j;

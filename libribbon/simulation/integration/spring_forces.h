@@ -17,9 +17,11 @@ class SpringForces {
 
   // Overwrites `forces` (particles x 3, N) with the force of all springs on each particle:
   // stiffness times elongation, along the spring. A spring without length has no direction and
-  // exerts none. positions: particles x 3, m. Returns the elastic energy, J: half of each
-  // stiffness times elongation squared.
-  double forces(const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
+  // exerts none. positions: particles x 3, m.
+  void forces(const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
+
+  // Likewise. Returns the elastic energy, J: half of each stiffness times elongation squared.
+  double forces_and_energy(const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
 
   [[nodiscard]] bool empty() const { return families_.empty(); }
 
@@ -36,13 +38,15 @@ class SpringForces {
   // What the springs at one range of particles need while they are computed.
   struct Workspace {
     Eigen::MatrixX3d tension;        // N, of each spring on the particle where it starts
-    Eigen::VectorXd twice_energy_j;  // of each spring
+    Eigen::VectorXd twice_energy_j;  // of each spring, once energy was asked for
     double energy_j = 0;             // of the springs that start in the range
   };
 
   void add(const SpringFamily& family, double stiffness, const RibbonGrid& grid);
-  void forces_on(Eigen::Index begin, Eigen::Index end, const Eigen::MatrixX3d& positions,
-                 Eigen::MatrixX3d& forces);
+  // Of all particles and of a range; with_energy: and the energy into the workspaces.
+  void compute(bool with_energy, const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
+  void forces_on(Eigen::Index begin, Eigen::Index end, bool with_energy,
+                 const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
 
   Eigen::Index particle_count_;
   std::vector<Family> families_;

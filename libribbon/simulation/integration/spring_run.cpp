@@ -20,7 +20,7 @@ struct Alike {
 
 // The compiler vectorises this loop for the registers of the function that it becomes a part of. It
 // believes promises that nothing overlaps only of parameters.
-template <class RestLengths>
+template <bool with_energy, class RestLengths>
 [[gnu::always_inline]] inline void tension_of_each(
     std::ptrdiff_t count, const double* __restrict stiffness, RestLengths rest_lengths_m,
     const double* __restrict ax, const double* __restrict ay, const double* __restrict az,
@@ -35,26 +35,34 @@ template <class RestLengths>
     const double elongation_m = length_m - rest_lengths_m[i];
     const double tension_n = stiffness[i] * elongation_m;
     const double per_length = tension_n / (length_m > shortest_m ? length_m : shortest_m);
-    twice_energy_j[i] = tension_n * elongation_m;
+    if constexpr (with_energy) twice_energy_j[i] = tension_n * elongation_m;
     tension_x[i] = per_length * x;
     tension_y[i] = per_length * y;
     tension_z[i] = per_length * z;
   }
 }
 
-template <class RestLengths>
+template <bool with_energy, class RestLengths>
 [[gnu::always_inline]] inline void tension_of_each(const SpringRun& run,
                                                    RestLengths rest_lengths_m) {
-  tension_of_each(run.count, run.stiffness, rest_lengths_m, run.starts[0], run.starts[1],
-                  run.starts[2], run.ends[0], run.ends[1], run.ends[2], run.tension[0],
-                  run.tension[1], run.tension[2], run.twice_energy_j);
+  tension_of_each<with_energy>(run.count, run.stiffness, rest_lengths_m, run.starts[0],
+                               run.starts[1], run.starts[2], run.ends[0], run.ends[1], run.ends[2],
+                               run.tension[0], run.tension[1], run.tension[2], run.twice_energy_j);
+}
+
+template <bool with_energy>
+[[gnu::always_inline]] inline void tension_of_each(const SpringRun& run) {
+  if (run.rest_lengths_m == nullptr)
+    tension_of_each<with_energy>(run, Alike{run.rest_length_m});
+  else
+    tension_of_each<with_energy>(run, run.rest_lengths_m);
 }
 
 [[gnu::always_inline]] inline void tension_of_each(const SpringRun& run) {
-  if (run.rest_lengths_m == nullptr)
-    tension_of_each(run, Alike{run.rest_length_m});
+  if (run.twice_energy_j == nullptr)
+    tension_of_each<false>(run);
   else
-    tension_of_each(run, run.rest_lengths_m);
+    tension_of_each<true>(run);
 }
 
 void plain(const SpringRun& run) {

@@ -16,7 +16,8 @@ struct SpringRun {
   std::array<const double*, 3> starts{};   // the coordinates of their starts and ends, m
   std::array<const double*, 3> ends{};
   std::array<double*, 3> tension{};  // result: the force on the start, N
-  double* twice_energy_j = nullptr;  // result: stiffness times elongation squared
+  // Result: stiffness times elongation squared; not computed where there is no list.
+  double* twice_energy_j = nullptr;
 };
 
 // Fills in the results. Uses the widest registers that the processor has; each spring is computed

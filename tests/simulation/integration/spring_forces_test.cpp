@@ -54,8 +54,10 @@ struct CrumpledBand {
 TEST(SpringForces, return_the_elastic_energy) {
   const CrumpledBand band;
   Eigen::MatrixX3d forces;
-  const double energy_j = SpringForces(band.network).forces(band.positions.transpose(), forces);
+  const double energy_j =
+      SpringForces(band.network).forces_and_energy(band.positions.transpose(), forces);
   EXPECT_NEAR(energy_j / elastic_energy_j(band.network, band.positions), 1, 1e-14);
+  EXPECT_EQ(forces.transpose(), forces_of(band.network, band.positions));
 }
 
 TEST(SpringForces, are_the_negative_slope_of_the_elastic_energy) {
