@@ -90,6 +90,7 @@ const ContactCandidates& BroadPhase::detect(Bodies& bodies, const Matrix3Xd& fro
   });
   candidates_.pairs.clear();
   candidates_.distances_m.clear();
+  candidates_.weights.clear();
   list_pairs_within_ranges(bodies, candidates_.bounds, lengths_.reach_m, found_);
   add_near_pairs(bodies);
   return candidates_;
@@ -113,14 +114,17 @@ void BroadPhase::drop_pairs_of(std::span<const int> particles) {
   for (const int particle : particles) is_named_[particle] = 1;
   std::vector<FeaturePair>& pairs = candidates_.pairs;
   std::vector<double>& distances_m = candidates_.distances_m;
+  std::vector<Eigen::Vector4d>& weights = candidates_.weights;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (has_any(pairs[i], is_named_)) continue;
     pairs[kept] = pairs[i];
-    distances_m[kept++] = distances_m[i];
+    distances_m[kept] = distances_m[i];
+    weights[kept++] = weights[i];
   }
   pairs.resize(kept);
   distances_m.resize(kept);
+  weights.resize(kept);
 }
 
 bool BroadPhase::could_meet(const FeaturePair& pair, double distance_m, double approach_m) const {
@@ -133,6 +137,7 @@ bool BroadPhase::could_meet(const FeaturePair& pair, double distance_m, double a
 void BroadPhase::add_near_pairs(const Bodies& bodies) {
   const VertexPositions from = bodies.vertices(candidates_.from);
   distances_m_.resize(found_.size());
+  weights_.resize(found_.size());
   is_near_.resize(found_.size());
   parallel_ranges(found_.size(), pairs_at_a_time, [&](std::size_t begin, std::size_t end) {
     const Motion still{Vector3d::Zero()};
@@ -147,7 +152,8 @@ void BroadPhase::add_near_pairs(const Bodies& bodies) {
         freedoms_m[k] = motion.freedom_m;
       }
       const auto x = corners(pair, from);
-      distances_m_[i] = length_of(weighted_sum(x, closest_weights(pair.kind, x)));
+      weights_[i] = closest_weights(pair.kind, x);
+      distances_m_[i] = length_of(weighted_sum(x, weights_[i]));
       const bool edges = pair.kind == FeaturePair::Kind::edge_edge;
       const double last_m = std::max(freedoms_m[2], freedoms_m[3]);
       const double freedom_m = edges ? std::max(freedoms_m[0], freedoms_m[1]) + last_m
@@ -161,6 +167,7 @@ void BroadPhase::add_near_pairs(const Bodies& bodies) {
     if (is_near_[i] == 0) continue;
     candidates_.pairs.push_back(found_[i]);
     candidates_.distances_m.push_back(distances_m_[i]);
+    candidates_.weights.push_back(weights_[i]);
   }
 }
 
@@ -228,6 +235,12 @@ const std::vector<std::size_t>& ApproachingPairs::find_among(std::span<const std
   for (std::size_t n = 0; n < pairs.size(); ++n)
     if (is_approaching_[n] != 0) found_.push_back(pairs[n]);
   return found_;
+}
+
+Eigen::Vector4d ApproachingPairs::weights(std::size_t pair, const ContactCandidates& candidates,
+                                          const Eigen::Matrix<double, 3, 4>& corners) const {
+  return has_gone_ ? closest_weights(candidates.pairs[pair].kind, corners)
+                   : candidates.weights[pair];
 }
 
 void find_particles_outside(const ContactCandidates& candidates, const Matrix3Xd& target,

@@ -25,10 +25,11 @@ namespace ribbon {
 // travel far together are not listed. The bound of a straggler, which something stops on the way,
 // reaches back to its place.
 struct ContactCandidates {
-  Eigen::Matrix3Xd from;            // where the particles were at the detection
-  std::vector<MovingBox> bounds;    // one for each particle
-  std::vector<FeaturePair> pairs;   // ribbon-ribbon and ribbon-obstacle, each once
-  std::vector<double> distances_m;  // of the pairs, at the detection
+  Eigen::Matrix3Xd from;                 // where the particles were at the detection
+  std::vector<MovingBox> bounds;         // one for each particle
+  std::vector<FeaturePair> pairs;        // ribbon-ribbon and ribbon-obstacle, each once
+  std::vector<double> distances_m;       // of the pairs, at the detection
+  std::vector<Eigen::Vector4d> weights;  // likewise, as closest_weights() gives them
 };
 
 struct BroadPhaseLengths {
@@ -85,13 +86,14 @@ class BroadPhase {
   BroadPhaseLengths lengths_;
   std::optional<PairDistances> distances_;
   ContactCandidates candidates_;
-  Eigen::Matrix3Xd led_;             // of the last detection
-  double fall_m_ = 0;                // likewise, its length
-  std::vector<Motion> motions_;      // of the particles
-  std::vector<FeaturePair> found_;   // whose boxes meet
-  std::vector<double> distances_m_;  // of these pairs
-  std::vector<char> is_near_;        // are they?
-  std::vector<char> is_named_;       // are the particles?
+  Eigen::Matrix3Xd led_;                  // of the last detection
+  double fall_m_ = 0;                     // likewise, its length
+  std::vector<Motion> motions_;           // of the particles
+  std::vector<FeaturePair> found_;        // whose boxes meet
+  std::vector<double> distances_m_;       // of these pairs
+  std::vector<Eigen::Vector4d> weights_;  // likewise
+  std::vector<char> is_near_;             // are they?
+  std::vector<char> is_named_;            // are the particles?
 };
 
 // Tells pairs whose vertices move together from those that approach. Keeps its memory.
@@ -109,6 +111,12 @@ class ApproachingPairs {
   const std::vector<std::size_t>& find_among(std::span<const std::size_t> pairs,
                                              const ContactCandidates& candidates,
                                              const Eigen::Matrix3Xd& displacement);
+
+  // After find() with these candidates: closest_weights() of the listed pair with this index, whose
+  // corners lie so at the positions given there. Computed only if any particle has left the place
+  // where the detection measured it.
+  [[nodiscard]] Eigen::Vector4d weights(std::size_t pair, const ContactCandidates& candidates,
+                                        const Eigen::Matrix<double, 3, 4>& corners) const;
 
  private:
   void measure(const ContactCandidates& candidates, const Eigen::Matrix3Xd& positions,

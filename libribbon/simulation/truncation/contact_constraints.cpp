@@ -43,9 +43,8 @@ struct Contact {
 // hardly moves keeps to the former, lest a normal turn with every tremor. None where the closest
 // points leave no direction.
 std::optional<Contact> contact_of(FeaturePair::Kind kind, const Corners& start,
-                                  const Corners& displacement, double near_m,
-                                  double min_separation_m) {
-  const Vector4d weights = closest_weights(kind, start);
+                                  const Vector4d& weights, const Corners& displacement,
+                                  double near_m, double min_separation_m) {
   const Vector3d apart = weighted_sum(start, weights);
   const double distance_m = length_of(apart);
   if (distance_m == 0) return std::nullopt;
@@ -115,8 +114,8 @@ void ContactConstraints::find(const ContactCandidates& candidates, const Bodies&
       const double activation_m = distances.activation_m(pair);
       const double min_separation_m = distances.min_separation_m(pair);
       const std::optional<Contact> contact =
-          contact_of(pair.kind, start, displacements(pair, displacement_), activation_m + beyond_m,
-                     min_separation_m);
+          contact_of(pair.kind, start, approaching_.weights(order_[i], candidates, start),
+                     displacements(pair, displacement_), activation_m + beyond_m, min_separation_m);
       found_[i].distance_m = 0;  // of none
       if (!contact ||
           !are_locally_closest(pair, contact->weights_then, contact->normal, vertices, bodies))

@@ -54,9 +54,10 @@ void DisplacementTruncation::bound(const Motion& motion, std::span<const std::si
   parallel_ranges(pairs.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const FeaturePair& pair = all[pairs[n]];
-      of_pair_[n] = displacement_fractions(pair.kind, corners(pair, motion.start),
-                                           displacements(pair, displacement_),
-                                           motion.distances.min_separation_m(pair));
+      const auto start = corners(pair, motion.start);
+      of_pair_[n] = displacement_fractions(
+          pair.kind, start, approaching_.weights(pairs[n], motion.candidates, start),
+          displacements(pair, displacement_), motion.distances.min_separation_m(pair));
     }
   });
   for (std::size_t n = 0; n < pairs.size(); ++n) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geometry/vectors.h"
-#include "simulation/detection/closest_weights.h"
 #include "simulation/truncation/approach.h"
 
 namespace ribbon {
@@ -48,9 +47,9 @@ Vector4d fractions_beside_plane(int of_first, const Vector3d& normal, const Corn
 }  // namespace
 
 Vector4d displacement_fractions(FeaturePair::Kind kind, const Corners& start,
-                                const Corners& displacement, double min_separation_m) {
+                                const Vector4d& weights, const Corners& displacement,
+                                double min_separation_m) {
   const int of_first = first_count(kind);
-  const Vector4d weights = closest_weights(kind, start);
   const Vector3d apart = weighted_sum(start, weights);
   const double distance_m = length_of(apart);
   if (distance_m == 0) return Vector4d::Zero();  // no direction separates what already touches

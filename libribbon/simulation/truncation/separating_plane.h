@@ -9,7 +9,7 @@ namespace ribbon {
 
 // The fraction of its displacement that each of the pair's vertices may go, 0 ... 1, so that the
 // separation stays above min_separation_m at every instant. start, displacement: 3 x 4, the corners
-// of a pair of `kind` and how far they are to move.
+// of a pair of `kind` and how far they are to move; weights: closest_weights() of the start.
 //
 // A plane between the two features divides the room between them in proportion to how fast each
 // side approaches. A vertex that would use more than its part of the room is truncated, so each
@@ -22,6 +22,7 @@ namespace ribbon {
 // Cf. planar "divide and truncate" bounds (Chen et al. 2026).
 Eigen::Vector4d displacement_fractions(FeaturePair::Kind kind,
                                        const Eigen::Matrix<double, 3, 4>& start,
+                                       const Eigen::Vector4d& weights,
                                        const Eigen::Matrix<double, 3, 4>& displacement,
                                        double min_separation_m);
 

@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "geometry/vectors.h"
 #include "simulation/detection/closest_weights.h"
 #include "simulation/detection/swept_pairs.h"
 #include "simulation/detection/vertex_ranges.h"
@@ -35,6 +36,7 @@ using Key = std::pair<FeaturePair::Kind, std::array<int, 4>>;
 
 std::set<Key> listed_in(const ContactCandidates& candidates) {
   EXPECT_EQ(candidates.pairs.size(), candidates.distances_m.size());
+  EXPECT_EQ(candidates.pairs.size(), candidates.weights.size());
   std::set<Key> listed;
   for (const FeaturePair& pair : candidates.pairs)
     EXPECT_TRUE(listed.insert({pair.kind, pair.vertices}).second) << "listed twice";
@@ -152,6 +154,16 @@ TEST(ContactCandidates, of_thick_cloth_that_lies_flat_are_few) {
   EXPECT_LT(20 * BroadPhase(lengths, thick).detect(bodies, flat, flat, flat).pairs.size(), uniform);
 }
 
+void expect_measured_at_the_detection(const ContactCandidates& candidates) {
+  ASSERT_EQ(candidates.pairs.size(), candidates.distances_m.size());
+  ASSERT_EQ(candidates.pairs.size(), candidates.weights.size());
+  for (std::size_t i = 0; i < candidates.pairs.size(); ++i) {
+    const auto c = corners(candidates.pairs[i], candidates.from);
+    EXPECT_EQ(closest_weights(candidates.pairs[i].kind, c), candidates.weights[i]);
+    EXPECT_EQ(length_of(weighted_sum(c, candidates.weights[i])), candidates.distances_m[i]);
+  }
+}
+
 TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once) {
   auto [grid, from, bodies] = folded(0.5);
   std::mt19937 random(8);
@@ -172,18 +184,34 @@ TEST(ContactCandidates, widened_around_some_particles_still_list_every_pair_once
   const std::vector<int> back = {2, 23, 60};
   broad_phase.widen(back, Widening::onward_and_back, bodies, farther);
   for (const int p : back) EXPECT_TRUE(candidates.bounds[p].end.contains(from.col(p)));
+  expect_measured_at_the_detection(candidates);
   expect_all_within_reach_are_listed(candidates, bodies, random);
 }
 
-TEST(ContactCandidates, know_the_distances_and_leave_far_pairs_out) {
-  auto [grid, from, bodies] = folded(0.5);
+TEST(ContactCandidates, know_the_closest_points_and_leave_far_pairs_out) {
+  auto [grid, from, bodies] = folded(0.1);
   const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0, .longest_way_m = 1};
   const ContactCandidates still = BroadPhase(lengths).detect(bodies, from, from, from);
-  ASSERT_EQ(still.pairs.size(), still.distances_m.size());
-  for (std::size_t i = 0; i < still.pairs.size(); ++i) {
-    const auto c = corners(still.pairs[i], from);
-    EXPECT_EQ((c * closest_weights(still.pairs[i].kind, c)).norm(), still.distances_m[i]);
-    EXPECT_LE(still.distances_m[i], reach_m);
+  EXPECT_GT(still.pairs.size(), 100U);
+  expect_measured_at_the_detection(still);
+  for (const double distance_m : still.distances_m) EXPECT_LE(distance_m, reach_m);
+}
+
+TEST(ApproachingPairs, know_the_closest_points_wherever_the_particles_have_gone) {
+  auto [grid, from, bodies] = folded(0.1);
+  std::mt19937 random(8);
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0.2, .longest_way_m = 1};
+  const Matrix3Xd target = kicked(from, 0.1, random);
+  const ContactCandidates candidates = BroadPhase(lengths).detect(bodies, from, from, target);
+  EXPECT_GT(candidates.pairs.size(), 100U);
+  ApproachingPairs approaching;
+  for (const Matrix3Xd& x : {from, target}) {
+    approaching.find(candidates, x, target - x, {reach_m});
+    for (std::size_t i = 0; i < candidates.pairs.size(); ++i) {
+      const auto c = corners(candidates.pairs[i], x);
+      EXPECT_EQ(approaching.weights(i, candidates, c),
+                closest_weights(candidates.pairs[i].kind, c));
+    }
   }
 }
 

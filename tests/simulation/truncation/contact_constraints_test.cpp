@@ -5,6 +5,7 @@
 #include <array>
 #include <random>
 
+#include "simulation/detection/closest_weights.h"
 #include "simulation/published/planted_penetrations.h"
 
 namespace ribbon::contact_constraints_test {
@@ -19,11 +20,13 @@ constexpr BroadPhaseLengths lengths{.reach_m = 0.2, .slack_m = 0.1, .longest_way
 
 // A vertex and a triangle.
 ContactCandidates only(const std::array<int, 4>& vertices, const Matrix3Xd& positions,
-                       double distance_m = 0.1) {
+                       const Bodies& bodies, double distance_m = 0.1) {
+  const FeaturePair pair{FeaturePair::Kind::vertex_triangle, vertices};
   return {.from = positions,
           .bounds = {},
-          .pairs = {{FeaturePair::Kind::vertex_triangle, vertices}},
-          .distances_m = {distance_m}};
+          .pairs = {pair},
+          .distances_m = {distance_m},
+          .weights = {closest_weights(pair.kind, corners(pair, bodies.vertices(positions)))}};
 }
 
 // The flat ribbon over a floor at height floor_y, about to sink by `sink` everywhere.
@@ -77,7 +80,7 @@ TEST(ContactConstraints, move_what_is_light_farther) {
   Eigen::ArrayXd lightness = Eigen::ArrayXd::Ones(grid.particle_count());
   lightness[vertex] = 1.0 / 3;
   ContactConstraints constraints(lightness);
-  constraints.find(only({vertex, 0, 3, 1}, positions), bodies, distances, 0.1, positions,
+  constraints.find(only({vertex, 0, 3, 1}, positions, bodies), bodies, distances, 0.1, positions,
                    positions);
   ASSERT_EQ(constraints.found().size(), 1U);
   EXPECT_NEAR(constraints.found()[0].corrections[0], 0.5, 1e-12);
@@ -145,7 +148,7 @@ struct Flying {
     before = cloth.positions;
     cloth.positions.col(vertex) += way;
     cloth.velocities.col(vertex) = 100 * way;
-    constraints.find(only({vertex, 0, 3, 1}, before), bodies, distances, 0.1, before,
+    constraints.find(only({vertex, 0, 3, 1}, before, bodies), bodies, distances, 0.1, before,
                      cloth.positions);
   }
   void keep_apart_once() {
@@ -196,7 +199,8 @@ TEST(ContactConstraints, count_where_weight_alone_leads_to_contact) {
   target.col(vertex).x() += 0.05;
   const Vector3d fall_m(0, -0.6, 0);
   ContactConstraints constraints;
-  const ContactCandidates candidates = only({vertex, corner, corner + 2, corner + 1}, before, 0.4);
+  const ContactCandidates candidates =
+      only({vertex, corner, corner + 2, corner + 1}, before, bodies, 0.4);
   constraints.find(candidates, bodies, distances, 0.1, before, target);
   EXPECT_TRUE(constraints.found().empty());
   constraints.find(candidates, bodies, distances, 0.1, before, target, fall_m);
@@ -220,7 +224,7 @@ TEST(ContactConstraints, part_by_momentum_conservation) {
   const Matrix3Xd before = x;
   const PairDistances clear{of_four, {.min_separation_m = 0.2 / 1.2, .activation_m = 0.2}};
   ContactConstraints constraints;
-  constraints.find(only({0, 1, 2, 3}, x), bodies, clear, 0.3, x, x);
+  constraints.find(only({0, 1, 2, 3}, x, bodies), bodies, clear, 0.3, x, x);
   SweepActivity activity(of_four.grid, 1);
   constraints.begin_sweeps();
   EXPECT_TRUE(constraints.keep_apart(0, before, bodies, activity, cloth));

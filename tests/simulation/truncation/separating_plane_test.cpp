@@ -20,13 +20,18 @@ Corners vertex_over_triangle() {
   return x;
 }
 
+Vector4d fractions_of(Kind kind, const Corners& start, const Corners& displacement,
+                      double min_separation_m) {
+  return displacement_fractions(kind, start, closest_weights(kind, start), displacement,
+                                min_separation_m);
+}
+
 TEST(DisplacementFractions, without_approach_all_may_go) {
   Corners displacement = Corners::Zero();
   displacement.row(0).setConstant(100);
   displacement(1, 0) = 5;
-  EXPECT_EQ(
-      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 0.1),
-      Vector4d::Ones().eval());
+  EXPECT_EQ(fractions_of(Kind::vertex_triangle, vertex_over_triangle(), displacement, 0.1),
+            Vector4d::Ones().eval());
 }
 
 TEST(DisplacementFractions, a_vertex_that_falls_through_stops_with_nine_tenths_of_the_room_used) {
@@ -34,7 +39,7 @@ TEST(DisplacementFractions, a_vertex_that_falls_through_stops_with_nine_tenths_o
   displacement(1, 0) = -3;
   // By hand: gap 1, minimum 0.1, room 0.9 * 0.9 = 0.81 of a displacement of 3.
   const Vector4d fractions =
-      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 0.1);
+      fractions_of(Kind::vertex_triangle, vertex_over_triangle(), displacement, 0.1);
   EXPECT_NEAR(fractions[0], 0.27, 1e-12);
   EXPECT_EQ(fractions.tail(3), Vector4d::Ones().tail(3));
 }
@@ -45,10 +50,9 @@ TEST(DisplacementFractions, a_vertex_that_slides_over_a_triangle_may_go_all_the_
   x.col(0) << -2, 0.2, 3;
   Corners displacement = Corners::Zero();
   displacement.col(0) << 5, 0, -1;
-  EXPECT_EQ(displacement_fractions(Kind::vertex_triangle, x, displacement, 0.1),
-            Vector4d::Ones().eval());
+  EXPECT_EQ(fractions_of(Kind::vertex_triangle, x, displacement, 0.1), Vector4d::Ones().eval());
   displacement(1, 0) = -0.15;
-  EXPECT_LT(displacement_fractions(Kind::vertex_triangle, x, displacement, 0.1)[0], 1);
+  EXPECT_LT(fractions_of(Kind::vertex_triangle, x, displacement, 0.1)[0], 1);
 }
 
 TEST(DisplacementFractions, edges_that_slide_over_each_other_may_go_all_the_way) {
@@ -58,7 +62,7 @@ TEST(DisplacementFractions, edges_that_slide_over_each_other_may_go_all_the_way)
       0, 0.1, 1, -1;
   Corners displacement = Corners::Zero();
   displacement.leftCols(2).colwise() += Vector3d(4, 0, 0);
-  EXPECT_EQ(displacement_fractions(Kind::edge_edge, x, displacement, 0.1), Vector4d::Ones().eval());
+  EXPECT_EQ(fractions_of(Kind::edge_edge, x, displacement, 0.1), Vector4d::Ones().eval());
 }
 
 TEST(DisplacementFractions, are_divided_in_proportion_to_the_approach_of_each_side) {
@@ -66,7 +70,7 @@ TEST(DisplacementFractions, are_divided_in_proportion_to_the_approach_of_each_si
   displacement(1, 0) = -1;
   displacement.row(1).tail(3).setConstant(2);
   const Vector4d fractions =
-      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 0.1);
+      fractions_of(Kind::vertex_triangle, vertex_over_triangle(), displacement, 0.1);
   EXPECT_TRUE(fractions.isApprox(Vector4d::Constant(0.27)));
 }
 
@@ -74,12 +78,10 @@ TEST(DisplacementFractions, closer_than_the_minimum_only_parting_passes) {
   Corners displacement = Corners::Zero();
   displacement(1, 0) = -0.01;
   displacement(0, 1) = 1;
-  EXPECT_EQ(
-      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 2)[0], 0);
-  EXPECT_EQ(
-      displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 2)[1], 1);
+  EXPECT_EQ(fractions_of(Kind::vertex_triangle, vertex_over_triangle(), displacement, 2)[0], 0);
+  EXPECT_EQ(fractions_of(Kind::vertex_triangle, vertex_over_triangle(), displacement, 2)[1], 1);
   displacement(1, 0) = 0.5;
-  EXPECT_EQ(displacement_fractions(Kind::vertex_triangle, vertex_over_triangle(), displacement, 2),
+  EXPECT_EQ(fractions_of(Kind::vertex_triangle, vertex_over_triangle(), displacement, 2),
             Vector4d::Ones().eval());
 }
 
@@ -94,7 +96,7 @@ TEST(DisplacementFractions, keep_the_gap_at_every_instant_for_random_motion) {
     for (double& value : displacement.reshaped()) value = 3 * coordinate(random);
     const double gap = (x * closest_weights(kind, x)).norm();
     if (gap < 0.05) continue;
-    const Vector4d fractions = displacement_fractions(kind, x, displacement, 0.04);
+    const Vector4d fractions = fractions_of(kind, x, displacement, 0.04);
     for (int instant = 1; instant <= 20; ++instant) {
       // Another pair may stop any of them earlier.
       Vector4d parts = fractions;
@@ -119,7 +121,7 @@ TEST(DisplacementFractions, almost_touching_edges_do_not_slip_through_each_other
     const Vector3d normal = (x.col(1) - x.col(0)).cross(x.col(3) - x.col(2)).normalized();
     const Vector3d shift = (x.col(0) + x.col(1) - x.col(2) - x.col(3)) / 2 - 1e-11 * normal;
     x.rightCols(2).colwise() += shift;
-    const Vector4d fractions = displacement_fractions(Kind::edge_edge, x, displacement, 0.04);
+    const Vector4d fractions = fractions_of(Kind::edge_edge, x, displacement, 0.04);
     const Corners end = x + displacement * fractions.asDiagonal();
     const auto side = [](const Corners& c) {
       return (c.col(1) - c.col(0)).cross(c.col(3) - c.col(2)).dot(c.col(0) - c.col(2));
