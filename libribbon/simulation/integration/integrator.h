@@ -60,8 +60,11 @@ class Integrator {
   void set_gravity(const std::optional<Eigen::Vector3d>& acceleration_m_s2) {
     properties_.gravity_m_s2 = acceleration_m_s2;
   }
-  // With the next force gravity counts with that fraction, 0 to 1.
-  void ease_gravity(double fraction) { gravity_fraction_ = fraction; }
+  // From the next force on gravity and the springs count with that fraction (above 0, up to 1).
+  void ease(double fraction) {
+    gravity_fraction_ = fraction;
+    springs_.slacken(fraction);
+  }
 
   [[nodiscard]] virtual IntegrationMethod method() const = 0;
 

@@ -89,6 +89,7 @@ void SpringForces::compute(bool with_energy, const MatrixX3d& positions, MatrixX
   parallel_ranges(particle_count_, grain_, [&](Index begin, Index end) {
     forces_on(begin, end, with_energy, positions, forces);
   });
+  if (fraction_ != 1) forces *= fraction_;
 }
 
 void SpringForces::forces(const MatrixX3d& positions, MatrixX3d& forces) {
@@ -99,7 +100,7 @@ double SpringForces::forces_and_energy(const MatrixX3d& positions, MatrixX3d& fo
   compute(true, positions, forces);
   double energy_j = 0;
   for (const Workspace& workspace : workspaces_) energy_j += workspace.energy_j;
-  return energy_j;
+  return fraction_ * energy_j;
 }
 
 namespace {

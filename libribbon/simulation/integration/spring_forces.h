@@ -23,6 +23,9 @@ class SpringForces {
   // Likewise. Returns the elastic energy, J: half of each stiffness times elongation squared.
   double forces_and_energy(const Eigen::MatrixX3d& positions, Eigen::MatrixX3d& forces);
 
+  // From now on they resist with that fraction (above 0) of their stiffness.
+  void slacken(double fraction) { fraction_ = fraction; }
+
   [[nodiscard]] bool empty() const { return families_.empty(); }
 
  private:
@@ -51,6 +54,7 @@ class SpringForces {
   Eigen::Index particle_count_;
   std::vector<Family> families_;
   Eigen::Index grain_ = 0;  // particles in a range
+  double fraction_ = 1;     // of their stiffness
   std::vector<Workspace> workspaces_;
 };
 

@@ -39,7 +39,8 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
 // A step that would leave an edge beyond the limit of strain is taken again, through the gate twice
 // as often, at last as often as it may. What the cloth cannot bear even then, hands do not get: the
 // step is taken with half of their force, a quarter of the weight and from half of the velocities,
-// at last from rest. If nothing helps, the ribbon stays where it is.
+// at last from rest; and, since a jammed ribbon strains itself, with a quarter of the springs'
+// stiffness and of what contact would open. If nothing helps, the ribbon stays where it is.
 StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth) {
   before_step_ = cloth;
   if (integrator_->method() == IntegrationMethod::implicit)
@@ -50,17 +51,22 @@ StepReport TimeStep::advance_within_limit(Hands* hands, Bodies& bodies, Cloth& c
         advance_with_gates(gates, fastening_force(hands, cloth), bodies, cloth);  // section 5.2
     if (report.is_bearable || eased_attempts == most_eased_attempts) {
       if (!report.is_bearable) cloth = before_step_;
-      integrator_->ease_gravity(1);
+      ease(1);
       return report;
     }
     if (gates == most_gates()) {
       ++eased_attempts;
       before_step_.velocities *= eased_attempts < most_eased_attempts ? 0.5 : 0;
-      integrator_->ease_gravity(std::ldexp(1.0, -2 * eased_attempts));
+      ease(std::ldexp(1.0, -2 * eased_attempts));
       if (hands != nullptr) hands->ease();
     }
     cloth = before_step_;
   }
+}
+
+void TimeStep::ease(double fraction) {
+  integrator_->ease(fraction);
+  contacts_.ease(fraction);
 }
 
 StepReport TimeStep::advance(const Matrix3Xd& force, Bodies& bodies, Cloth& cloth) {

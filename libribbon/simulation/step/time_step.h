@@ -83,6 +83,7 @@ class TimeStep {
 
  private:
   StepReport advance_within_limit(Hands* hands, Bodies& bodies, Cloth& cloth);
+  void ease(double fraction);
   StepReport advance_as_published(const Eigen::Matrix3Xd& force, Bodies& bodies, Cloth& cloth);
   [[nodiscard]] int substeps() const { return integrator_->substeps(); }
   [[nodiscard]] int parts_for(const RibbonGrid& grid, const Cloth& cloth) const;

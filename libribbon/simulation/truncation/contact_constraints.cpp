@@ -64,6 +64,12 @@ double kept_distance_m(double distance_m, double activation_m, double min_separa
   return std::min(activation_m, std::max(opened_m, clear_of_truncation * min_separation_m));
 }
 
+// That distance, of which contact opens a fraction only.
+double eased_m(double kept_m, double distance_m, double fraction) {
+  return kept_m > distance_m && fraction < 1 ? distance_m + fraction * (kept_m - distance_m)
+                                             : kept_m;
+}
+
 ContactConstraint constraint_of(const FeaturePair& pair, const Contact& contact, double kept_m,
                                 const Bodies& bodies, const Eigen::ArrayXd& lightness) {
   ContactConstraint constraint;
@@ -121,7 +127,8 @@ void ContactConstraints::find(const ContactCandidates& candidates, const Bodies&
           !are_locally_closest(pair, contact->weights_then, contact->normal, vertices, bodies))
         continue;
       const double distance_m = dot(contact->normal, weighted_sum(start, contact->weights));
-      const double kept_m = kept_distance_m(distance_m, activation_m, min_separation_m);
+      const double kept_m = eased_m(kept_distance_m(distance_m, activation_m, min_separation_m),
+                                    distance_m, opened_fraction_);
       found_[i] = constraint_of(pair, *contact, kept_m, bodies, lightness_);
     }
   });

@@ -43,6 +43,9 @@ class ContactConstraints {
             const Eigen::Vector3d& fall_m = Eigen::Vector3d::Zero());
   [[nodiscard]] const std::vector<ContactConstraint>& found() const { return found_; }
 
+  // From the next find() on contact opens by that fraction (0 to 1) of how far it otherwise would.
+  void ease(double fraction) { opened_fraction_ = fraction; }
+
   // None of the constraints has been looked at, and activity has been reset.
   void begin_sweeps();
 
@@ -64,6 +67,7 @@ class ContactConstraints {
   };
 
   Eigen::ArrayXd lightness_;
+  double opened_fraction_ = 1;
   Eigen::Matrix3Xd displacement_;
   Eigen::Matrix3Xd falling_;  // likewise, with the fall
   ApproachingPairs approaching_;
