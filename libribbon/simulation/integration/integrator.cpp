@@ -23,7 +23,6 @@ Integrator::Integrator(const SpringNetwork& springs, const MotionProperties& pro
                        double fastest_rad_s, double stability_limit)
     : springs_(springs),
       properties_(properties),
-      fastest_rad_s_(fastest_rad_s),
       substeps_(stable_substeps(properties.step_s, fastest_rad_s, stability_limit)) {
   if (springs.damping > 0)
     damping_.emplace(springs, properties.particle_mass_kg, properties.lightness);
@@ -105,25 +104,13 @@ int most_explicit_parts(IntegrationMethod method, ContactMethod contact,
   return springs.bends_most() ? 12 : 20;
 }
 
-namespace {
-
-// Measured of silk: where edges are so short that springs swing faster, the explicit scheme takes
-// three times as long as the implicit one.
-constexpr double fastest_usual_rad_s = 30'000;
-
-bool is_suitable(const Integrator& usual, ContactMethod contact, const SpringNetwork& springs) {
-  return usual.fastest_rad_s() <= fastest_usual_rad_s &&
-         usual.substeps() <= most_explicit_parts(usual.method(), contact, springs);
-}
-
-}  // namespace
-
 std::unique_ptr<Integrator> suitable_integrator(const TimeScene& time, ContactMethod contact,
                                                 const SpringNetwork& springs,
                                                 const MotionProperties& properties) {
   if (time.integrator) return create_integrator(*time.integrator, springs, properties);
   auto usual = create_integrator(time.usual_integrator, springs, properties);
-  if (is_suitable(*usual, contact, springs) || springs.grid.across > most_across_implicit)
+  if (usual->substeps() <= most_explicit_parts(usual->method(), contact, springs) ||
+      springs.grid.across > most_across_implicit)
     return usual;
   return implicit_euler(springs, properties);
 }

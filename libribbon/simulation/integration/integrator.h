@@ -75,9 +75,6 @@ class Integrator {
   // springs and in its air, however the ribbon lies; the implicit one as divide_steps() said last.
   [[nodiscard]] int substeps() const { return substeps_; }
 
-  // What may swing or decay fastest, as far as its parts have to resolve it.
-  [[nodiscard]] double fastest_rad_s() const { return fastest_rad_s_; }
-
   // Divides the steps that follow into so many parts, as far as stability leaves it the choice: the
   // implicit scheme alone, which begins with 1.
   virtual void divide_steps(int /*parts*/) {}
@@ -104,7 +101,6 @@ class Integrator {
   Holding holding_;
 
  private:
-  double fastest_rad_s_;
   int substeps_;
   double gravity_fraction_ = 1;
   std::optional<InternalDamping> damping_;
@@ -121,8 +117,7 @@ int most_explicit_parts(IntegrationMethod method, ContactMethod contact,
                         const SpringNetwork& springs);
 
 // The one that the scene names. Where it names none: the usual one or, where that may not divide a
-// step into as many parts as it needs, or what swings is very fast, the implicit one, if it takes
-// so wide a ribbon.
+// step into as many parts as it needs, the implicit one, if it takes so wide a ribbon.
 std::unique_ptr<Integrator> suitable_integrator(const TimeScene& time, ContactMethod contact,
                                                 const SpringNetwork& springs,
                                                 const MotionProperties& properties);

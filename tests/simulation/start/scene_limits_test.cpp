@@ -158,21 +158,17 @@ TEST(SceneLimits, springs_too_stiff_for_the_usual_integrator_get_the_implicit_on
   EXPECT_EQ(states_after(5), stiff);
 }
 
-// In short steps, too: what it lets go is as fast in these.
-TEST(SceneLimits, springs_that_swing_very_fast_get_the_implicit_scheme_however_short_a_step) {
+// What hangs rests in no other.
+TEST(SceneLimits, springs_that_swing_very_fast_keep_the_usual_scheme_where_it_may_divide_the_step) {
   Scene scene = scene_of_loop();
   const auto chosen = [&] {
     return FasteningProcessor::create(scene, mesh_of_loop(scene), std::nullopt).value();
   };
-  for (const double step_s : {0.02, 0.0001}) {
-    scene.time.step_s = step_s;
-    scene.springs.stretch = 2e4;
-    EXPECT_EQ(chosen().integrator(), IntegrationMethod::symplectic_euler);
-    scene.springs.stretch = 2e5;
-    EXPECT_EQ(chosen().integrator(), IntegrationMethod::implicit);
-  }
-  scene.time.integrator = IntegrationMethod::symplectic_euler;
-  EXPECT_LT(chosen().substeps(), 10);
+  scene.springs.stretch = 2e5;
+  EXPECT_EQ(chosen().integrator(), IntegrationMethod::symplectic_euler);
+  EXPECT_GT(chosen().substeps(), 200);
+  scene.time.step_s = 0.1;
+  EXPECT_EQ(chosen().integrator(), IntegrationMethod::implicit);
 }
 
 TEST(SceneLimits, springs_too_stiff_for_a_ribbon_too_wide_for_the_implicit_scheme_are_refused) {
