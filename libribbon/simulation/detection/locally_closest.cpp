@@ -36,12 +36,17 @@ struct FeaturePoint {
 };
 
 // Does a neighbour of the point lie in that direction, by more than this sine? Inside a triangle it
-// has none; inside an edge, the corners beside it are.
+// has none. Inside an edge it has the triangles there, which lie straight beside the point, however
+// far along the edge their corners are.
 bool has_neighbour_toward(const Vector3d& direction, double sine, const FeaturePoint& point,
                           const VertexPositions& positions, const Bodies& bodies) {
+  Vector3d along = Vector3d::Zero();
+  if (point.corner_count == 2)
+    along = safely_normalised((positions[point.corners[1]] - positions[point.corners[0]]).eval());
   const auto is_toward = [&](int vertex) {
     const Vector3d way = positions[vertex] - point.place;
-    return dot(way, direction) > sine * length_of(way);
+    const Vector3d beside = way - dot(way, along) * along;
+    return dot(beside, direction) > sine * length_of(beside);
   };
   if (point.corner_count == 1)
     return bodies.any_triangle_at(point.corners[0],
