@@ -1,6 +1,8 @@
 #include "simulation/fastening_processor.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -31,8 +33,9 @@ using Eigen::Matrix3Xd;
 
 // Of STATE.md. Raised whenever the layout changes, and whenever equal states no longer go on to
 // equal bits.
-constexpr std::int64_t state_version = 16;
+constexpr std::int64_t state_version = 17;
 constexpr std::int64_t most_steps = 4'000'000'000;
+constexpr double longest_s = 1e9;
 
 std::optional<ObstacleBody> obstacle_body(const std::optional<TriangleMesh>& obstacle) {
   if (!obstacle) return std::nullopt;
@@ -225,7 +228,11 @@ StepReport FasteningProcessor::step() {
 
 // Costs a detection.
 void FasteningProcessor::Parts::look_at_loose_ends() {
-  staged->guard().look(contact_extent(bodies, size, distances, cloth.positions).loose_ends_m);
+  LooseEnds ends = contact_extent(bodies, size, distances, cloth.positions).loose_ends_m;
+  const std::array<bool, 2> held = staged->have_ends();
+  for (std::size_t end = 0; end < ends.size(); ++end)
+    if (held[end]) ends[end].reset();
+  staged->guard().look(ends);
 }
 
 double FasteningProcessor::time_s() const {
@@ -311,7 +318,9 @@ std::string FasteningProcessor::state() {
 Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, const RestSize& size,
                                                        const std::optional<TriangleMesh>& obstacle,
                                                        std::string_view state, Settings settings) {
-  if (auto narrow = check_width(as_read, size.grid); !narrow) return tl::unexpected(narrow.error());
+  auto possible = check_width(as_read, size.grid);
+  if (possible) possible = check_fabric(as_read, size);
+  if (!possible) return tl::unexpected(possible.error());
   const auto refused = [&as_read](Error error) {
     error.place = as_read.name;
     return tl::unexpected(std::move(error));
@@ -343,6 +352,7 @@ void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings sett
   archive.visit(steps_now, 0, most_steps);
   archive.visit(steps_then, 0, steps_now);
   archive.visit(then_s);
+  if (then_s < 0 || then_s > longest_s) archive.refuse("its steps took an impossible time");
   archive.visit(gap_m);
   visit_start(archive, start_then);
   cloth_now.visit_state(archive);

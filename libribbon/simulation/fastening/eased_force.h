@@ -17,7 +17,10 @@ class EasedForce {
   // A step went well.
   void pull_more() { bearable_ = std::min(1.0, more * bearable_); }
 
-  void visit_state(StateArchive& archive) { archive.visit(bearable_); }
+  void visit_state(StateArchive& archive) {
+    archive.visit(bearable_);
+    if (bearable_ < 0 || bearable_ > 1) archive.refuse("the cloth can bear an impossible force");
+  }
 
  private:
   static constexpr double least = 1e-9;

@@ -21,9 +21,11 @@ constexpr double felt_widths = 2;  // to either side of what the hand has
 // How far a part may lag behind, over speed^2 / acceleration: half of the way on which all of the
 // hand's strength brings it to the speed at which it is carried.
 constexpr double of_gathering_speed = 0.25;
-// It has arrived where so short a way at that speed is left, and no more than such a part of it.
+// It has arrived where so short a way at that speed is left, but a quarter of the width at most,
+// for hands may be strong; and where at its own speed that way would take it longer than so.
 constexpr double arrived_within_s = 0.01;
-constexpr double arrived_at = 0.2;
+constexpr double arrived_within_widths = 0.25;
+constexpr double hardly_moves_s = 0.05;
 
 HeldRows felt_rows(const HeldRows& held, const RestSize& size) {
   const double reach = std::ceil(felt_widths * size.width_m / size.along_m());
@@ -43,7 +45,9 @@ StageHand::StageHand(const HandScene& hand, const Scene& scene, const RestSize& 
       draws_(0.5 * size.grid.along / size.mean_rows(rows_.first, rows_.last)),
       weights_(Eigen::ArrayXd::Ones(rows_.count() * size.grid.across)),
       air_per_s_(scene.air_resistance_per_s),
-      step_s_(scene.time.step_s) {
+      step_s_(scene.time.step_s),
+      arrived_m_(
+          std::min(arrived_within_s * carrying_m_s(), arrived_within_widths * size.width_m)) {
   if (const Eigen::ArrayXd light = lightness(size); light.size() > 0)
     weights_ = light.segment(grid_.particle(rows_.first, 0), weights_.size()).inverse();
   if (hand.yield_strain.value_or(unyielding) < unyielding)
@@ -97,8 +101,8 @@ void StageHand::follow(const Cloth& cloth) {
   if (!carried_) return;
   carried_->go_on(goes_on_m_);
   const Vector3d lag_m = middle(cloth.positions) - carried_->now();
-  has_arrived_ = carried_->has_arrived() && length_of(lag_m) < arrived_within_s * carrying_m_s() &&
-                 length_of(middle(cloth.velocities)) < arrived_at * carrying_m_s();
+  has_arrived_ = carried_->has_arrived() && length_of(lag_m) < arrived_m_ &&
+                 hardly_moves_s * length_of(middle(cloth.velocities)) < arrived_m_;
 }
 
 double StageHand::pull(const Cloth& cloth, const Workplace& place, Matrix3Xd& force,
@@ -121,11 +125,10 @@ double StageHand::pull(const Cloth& cloth, const Workplace& place, Matrix3Xd& fo
 }
 
 void StageHand::visit_state(StateArchive& archive) {
-  if (!carried_) return;
-  carried_->visit_state(archive);
-  int arrived = has_arrived_ ? 1 : 0;
-  archive.visit(arrived, 0, 1);
-  has_arrived_ = arrived == 1;
+  auto& [hand, fastening, grid, rows, newton_per_m_s, draws, weights, air, step, arrived_within,
+         yielding, carried, goes_on_in_step, has_arrived] = *this;
+  carried->visit_state(archive);
+  archive.visit(has_arrived);
 }
 
 }  // namespace ribbon

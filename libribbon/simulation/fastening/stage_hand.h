@@ -31,6 +31,7 @@ class StageHand {
 
   [[nodiscard]] const HeldRows& rows() const { return rows_; }
   [[nodiscard]] bool pulls() const { return ribbon::pulls(*hand_.task); }
+  [[nodiscard]] bool carries() const { return carried_.has_value(); }
   // Is what it carries, if anything, where it is to be, and nearly at rest?
   [[nodiscard]] bool has_arrived() const { return !carried_ || has_arrived_; }
 
@@ -48,6 +49,7 @@ class StageHand {
   // After the step.
   void follow(const Cloth& cloth);
 
+  // Of one that carries.
   void visit_state(StateArchive& archive);
 
  private:
@@ -65,6 +67,7 @@ class StageHand {
   Eigen::ArrayXd weights_;  // of its particles, as Grip has them
   double air_per_s_;
   double step_s_;
+  double arrived_m_;  // from the end of the path: near enough
   std::optional<Yielding> yielding_;
   std::optional<CarriedPlace> carried_;
   double goes_on_m_ = 0;  // so far does it carry in the present step

@@ -99,7 +99,7 @@ const Matrix3Xd& StagedHands::pull(const Cloth& cloth) {
 
 void StagedHands::follow(const Cloth& cloth) {
   eased_.pull_more();
-  if (are_over()) return;
+  if (are_over() || guard_.slipping_end()) return;
   progress_.add(command_, before_, cloth.positions);
   for (StageHand& hand : hands_) hand.follow(cloth);
   elapsed_s_ += scene_.time.step_s;
@@ -137,6 +137,15 @@ std::optional<Eigen::Vector3d> StagedHands::gravity_m_s2() const {
   return own->isZero(0) ? std::nullopt : own;
 }
 
+std::array<bool, 2> StagedHands::have_ends() const {
+  const auto have = [this](int row) {
+    return std::any_of(hands_.begin(), hands_.end(), [row](const StageHand& hand) {
+      return !hand.pulls() && row >= hand.rows().first && row <= hand.rows().last;
+    });
+  };
+  return {have(0), have(size_.grid.along - 1)};
+}
+
 bool StagedHands::guard_is_due() const {
   const auto looks = [](double time_s) { return std::floor(time_s / guard_every_s + 1e-9); };
   return !are_over() && looks(elapsed_s_) > looks(elapsed_s_ - scene_.time.step_s);
@@ -149,12 +158,33 @@ void StagedHands::visit_state(StateArchive& archive) {
   along.visit_state(archive);
   archive.visit(stage, 0, static_cast<int>(scene.stages.size()) - 1);
   archive.visit(elapsed);
+  if (elapsed < 0) archive.refuse("a stage began after it");
   archive.visit(begun);
   eased.visit_state(archive);
   archive.visit(force_fraction);
   if (archive.is_reading()) take_places();
-  for (StageHand& hand : hands) hand.visit_state(archive);
+  visit_carrying(archive);
   progress.visit_state(archive);
+}
+
+// A take may go on with other hands: in order, they have carried as far as those before; of more of
+// them the last begin.
+void StagedHands::visit_carrying(StateArchive& archive) {
+  std::vector<StageHand*> carrying;
+  for (StageHand& hand : hands_)
+    if (hand.carries()) carrying.push_back(&hand);
+  int count = static_cast<int>(carrying.size());
+  archive.visit(count, 0, size_.grid.along);
+  for (int i = 0; i < count && !archive.is_refused(); ++i) {
+    if (i < std::ssize(carrying)) {
+      carrying[i]->visit_state(archive);
+      continue;
+    }
+    double gone_m = 0;
+    bool has_arrived = false;
+    archive.visit(gone_m);
+    archive.visit(has_arrived);
+  }
 }
 
 void StagedHands::visit_memory(StateArchive& archive) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,6 +50,8 @@ class StagedHands : public Hands {
   // Are all stages over?
   [[nodiscard]] bool are_over() const;
   [[nodiscard]] SlipGuard& guard() { return guard_; }
+  // Does a hand hold or carry the first end, and the second?
+  [[nodiscard]] std::array<bool, 2> have_ends() const;
   // Does the guard have to look after this step?
   [[nodiscard]] bool guard_is_due() const;
 
@@ -60,6 +63,7 @@ class StagedHands : public Hands {
   [[nodiscard]] bool is_over() const;
   [[nodiscard]] bool goal_is_reached() const;
   void take_places();
+  void visit_carrying(StateArchive& archive);
 
   Scene scene_;
   RestSize size_;

@@ -26,7 +26,7 @@ struct GrowthReport {
 // Raises the rest width of the band, which lies free at a fraction of it, to all of it, by 5 % at a
 // time. Each time the rows are scaled up likewise, as far as contact lets; then the band takes
 // steps without force, at rest before each, until it has settled: until at most 1 % of its edges,
-// along and across, are off their rest length by more than 15 %. At its full width it goes on,
+// along and across, are off their rest length by more than 10 %. At its full width it goes on,
 // within the same number of steps, until none is. Ends early where it does not settle: it has no
 // room, or its worst edge stays torn for some steps. All motion passes the contact of the scene,
 // which must be the gate.

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "geometry/flat_ribbon.h"
 #include "ribbon_mesh/springs.h"
@@ -185,6 +189,23 @@ TEST(StagedHands, a_stage_is_over_when_all_is_carried) {
   EXPECT_LT(steps_of(2), 2);
 }
 
+// By hand, of a ribbon 1 m wide: within a quarter of it, where a hundredth of a second of its speed
+// would be a whole metre.
+TEST(StagedHands, what_strong_hands_carry_has_not_arrived_before_it_is_there) {
+  Scene scene = scene_of({{.hands = {carrying_hand()}, .goal = StageGoal::carried},
+                          {.until_s = 9, .hands = {hand(0, 0, HandTask::hold)}}});
+  scene.stages[0].hands[0].speed_m_s = 100;
+  Carried row(scene);
+  for (int step = 0; step < 500 && row.hands().stage() == 0; ++step) {
+    row.hands().begin_step(row.cloth());
+    if (row.hands().stage() == 1) break;
+    row.step();
+  }
+  ASSERT_EQ(row.hands().stage(), 1);
+  EXPECT_LT((row.middle() - Vector3d(54, 3, 0.5)).norm(), 0.25);
+  EXPECT_LT(rows(row.cloth().velocities, 50, 1).rowwise().mean().norm(), 5);
+}
+
 TEST(StagedHands, wait_for_what_cannot_follow_and_pull_no_harder_than_they_can) {
   // Forty-one rows, of which each draws no more than one or two: they need all their force soon.
   Carried stuck(scene_of({{.hands = {carrying_hand(0.3, 0.7)}, .goal = StageGoal::carried}}));
@@ -271,6 +292,72 @@ TEST(StagedHands, let_go_when_an_end_slips) {
   EXPECT_EQ(hands.pull(cloth_at_rest()).norm(), 0);
   pull(hands, 40, 0);
   EXPECT_EQ(hands.stage(), 0);
+}
+
+TEST(StagedHands, carry_no_further_once_an_end_slips) {
+  Carried row(scene_of({{.until_s = 90, .hands = {carrying_hand()}}}));
+  for (int step = 0; step < 5; ++step) row.step();
+  row.hands().guard().look({2.0, 50.0});
+  row.hands().guard().look({1.4, 50.0});
+  StateArchive then;
+  row.hands().visit_state(then);
+  for (int step = 0; step < 3; ++step) row.hands().follow(row.cloth());
+  StateArchive later;
+  row.hands().visit_state(later);
+  EXPECT_EQ(later.bytes(), then.bytes());
+}
+
+TEST(StagedHands, have_the_ends_that_they_hold_or_carry) {
+  const auto ends = [](double begin, double end, HandTask task) {
+    return hands_of(scene_of({{.until_s = 1, .hands = {hand(begin, end, task, {1, 0, 0})}}}))
+        .have_ends();
+  };
+  EXPECT_EQ(ends(0, 0.1, HandTask::hold), (std::array{true, false}));
+  EXPECT_EQ(ends(0.9, 1, HandTask::hold), (std::array{false, true}));
+  EXPECT_EQ(ends(0.1, 0.9, HandTask::hold), (std::array{false, false}));
+  EXPECT_EQ(ends(0, 0.1, HandTask::pull), (std::array{false, false})) << "its end is loose";
+}
+
+// What a take changes.
+TEST(StagedHands, go_on_from_others_that_carried_more_or_fewer_parts) {
+  const HandScene first = carrying_hand(0.2, 0.2);
+  const HandScene second = carrying_hand(0.8, 0.8);
+  const auto scene_with = [](std::vector<HandScene> hands) {
+    return scene_of({{.until_s = 90, .hands = std::move(hands)}});
+  };
+  const auto state_of = [](StagedHands& hands) {
+    StateArchive archive;
+    hands.visit_state(archive);
+    return archive.bytes();
+  };
+  // How far each place has gone tells what the hand does next.
+  const auto places = [&](const Scene& scene, const std::string& state) {
+    StagedHands hands = hands_of(scene);
+    StateArchive archive(state);
+    hands.visit_state(archive);
+    const auto read = archive.finish();
+    EXPECT_TRUE(read) << read.error().sentence();
+    (void)hands.pull(cloth_at_rest());
+    std::vector<Vector3d> result;
+    for (const Grip& grip : hands.grips()) result.emplace_back(grip.places.col(0));
+    return result;
+  };
+  Carried one(scene_with({first}));
+  Carried two(scene_with({first, second}));
+  for (int step = 0; step < 5; ++step) {
+    one.step();
+    two.step();
+  }
+  const auto of_one = places(scene_with({first}), state_of(one.hands()));
+  const auto of_two = places(scene_with({first, second}), state_of(two.hands()));
+  EXPECT_NE(of_one[0], of_two[1]);
+
+  const auto fewer = places(scene_with({first}), state_of(two.hands()));
+  EXPECT_EQ(fewer[0], of_two[0]);
+  const auto more = places(scene_with({first, second}), state_of(one.hands()));
+  EXPECT_EQ(more[0], of_one[0]);
+  StagedHands beginning = hands_of(scene_with({second}));
+  EXPECT_EQ(more[1], places(scene_with({second}), state_of(beginning))[0]) << "it begins";
 }
 
 // By hand, of a ribbon 2 m wide: 3 m are too short.
