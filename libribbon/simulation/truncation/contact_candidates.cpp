@@ -174,19 +174,28 @@ void BroadPhase::add_near_pairs(const Bodies& bodies) {
 const std::vector<std::size_t>& ApproachingPairs::find(const ContactCandidates& candidates,
                                                        const Matrix3Xd& positions,
                                                        const Matrix3Xd& displacement,
-                                                       const PairReach& reach) {
+                                                       const PairReach& reach,
+                                                       RestingPairs resting) {
   measure(candidates, positions, displacement);
   const auto moved_m = [&](int vertex) {
     return vertex < std::ssize(moved_m_) ? moved_m_[vertex] : 0;
+  };
+  const auto rests = [&](int vertex) {
+    return vertex >= std::ssize(is_resting_) || is_resting_[vertex] != 0;
   };
   const std::vector<FeaturePair>& pairs = candidates.pairs;
   rooms_m_.resize(pairs.size());
   is_approaching_.resize(pairs.size());
   parallel_ranges(pairs.size(), pairs_at_a_time, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      // What hardly moves is told by that alone; the rest by how differently it moves.
       const FeaturePair& pair = pairs[i];
       const auto& v = pair.vertices;
+      if (resting == RestingPairs::left_out && std::all_of(v.begin(), v.end(), rests)) {
+        rooms_m_[i] = std::numeric_limits<double>::infinity();
+        is_approaching_[i] = 0;
+        continue;
+      }
+      // What hardly moves is told by that alone; the rest by how differently it moves.
       const double most_m = std::max({moved_m(v[0]), moved_m(v[1]), moved_m(v[2]), moved_m(v[3])});
       double& room_m = rooms_m_[i];
       room_m = candidates.distances_m[i] - reach.largest_m;
@@ -213,10 +222,12 @@ void ApproachingPairs::measure(const ContactCandidates& candidates, const Matrix
   has_gone_ = positions != candidates.from;
   gone_.resize(3, positions.cols());
   moved_m_.resize(positions.cols());
+  is_resting_.resize(positions.cols());
   parallel_ranges(moved_m_.size(), particles_at_a_time, [&](std::size_t begin, std::size_t end) {
     for (auto particle = static_cast<int>(begin); particle < static_cast<int>(end); ++particle) {
       gone_.col(particle) = positions.col(particle) - candidates.from.col(particle);
       moved_m_[particle] = length_of(gone_.col(particle)) + length_of(displacement.col(particle));
+      is_resting_[particle] = displacement.col(particle).isZero(0) ? 1 : 0;
     }
   });
 }

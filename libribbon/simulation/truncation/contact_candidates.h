@@ -96,15 +96,19 @@ class BroadPhase {
   std::vector<char> is_named_;            // are the particles?
 };
 
+// Pairs of which no vertex is to be displaced.
+enum class RestingPairs { found, left_out };
+
 // Tells pairs whose vertices move together from those that approach. Keeps its memory.
 class ApproachingPairs {
  public:
   // Indices, in order, of the listed pairs that may come within reach of each other while all
   // particles move from `positions` along equal parts of their `displacement` (3 x particles each).
+  // Those that rest within reach are found only where they are asked for.
   const std::vector<std::size_t>& find(const ContactCandidates& candidates,
                                        const Eigen::Matrix3Xd& positions,
-                                       const Eigen::Matrix3Xd& displacement,
-                                       const PairReach& reach);
+                                       const Eigen::Matrix3Xd& displacement, const PairReach& reach,
+                                       RestingPairs resting);
 
   // Likewise, of the listed pairs with these indices alone, after find() with the same candidates,
   // positions and reach, and where no particle goes farther than it would have gone there.
@@ -122,9 +126,10 @@ class ApproachingPairs {
   void measure(const ContactCandidates& candidates, const Eigen::Matrix3Xd& positions,
                const Eigen::Matrix3Xd& displacement);
 
-  bool has_gone_ = false;        // has any particle, since the detection?
-  Eigen::Matrix3Xd gone_;        // by each particle
-  std::vector<double> moved_m_;  // that, and what it is to be displaced by
+  bool has_gone_ = false;         // has any particle, since the detection?
+  Eigen::Matrix3Xd gone_;         // by each particle
+  std::vector<double> moved_m_;   // that, and what it is to be displaced by
+  std::vector<char> is_resting_;  // is it to be displaced by nothing?
   // Of the pairs: by so much, or more, their displacements may differ; infinite where none that is
   // as short as in find() can differ by too much.
   std::vector<double> rooms_m_;

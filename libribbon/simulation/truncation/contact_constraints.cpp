@@ -110,7 +110,7 @@ void ContactConstraints::find(const ContactCandidates& candidates, const Bodies&
   const bool falls = !fall_m.isZero(0);
   if (falls) falling_ = displacement_.colwise() + fall_m;
   put_in_order(approaching_.find(candidates, free_positions, falls ? falling_ : displacement_,
-                                 distances.activation_reach(beyond_m)),
+                                 distances.activation_reach(beyond_m), RestingPairs::found),
                candidates, bodies, order_);
   found_.resize(order_.size());
   parallel_ranges(order_.size(), 256, [&](std::size_t begin, std::size_t end) {

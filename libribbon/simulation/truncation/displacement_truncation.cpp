@@ -32,8 +32,9 @@ void DisplacementTruncation::find_least_fractions(const Motion& motion,
   fractions_.assign(displacement_.cols(), 1);
   is_lowered_.assign(displacement_.cols(), 0);
   last_looked_at_.assign(candidates.pairs.size(), -1);
-  bound(motion, approaching_.find(candidates, positions, displacement_,
-                                  motion.distances.min_separation_reach(roomy)));
+  bound(motion,
+        approaching_.find(candidates, positions, displacement_,
+                          motion.distances.min_separation_reach(roomy), RestingPairs::left_out));
   if (!lowered_.empty()) allowed_ = displacement_;
   for (int round = 0; !lowered_.empty(); ++round) {
     take_lowered();

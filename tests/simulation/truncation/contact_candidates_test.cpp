@@ -108,6 +108,28 @@ TEST(ContactCandidates, of_thick_cloth_list_what_comes_within_its_own_reach) {
   expect_all_within_reach_are_listed(broad_phase.candidates(), bodies, random, reach);
 }
 
+// By hand: still, none approaches; of one particle that moves at once all its pairs do, within a
+// reach that all are in.
+TEST(ApproachingPairs, that_rest_are_found_only_where_asked_for) {
+  auto [grid, from, bodies] = folded(0.1);
+  const BroadPhaseLengths lengths{.reach_m = reach_m, .slack_m = 0, .longest_way_m = 1};
+  const ContactCandidates still = BroadPhase(lengths).detect(bodies, from, from, from);
+  Matrix3Xd displacement = Matrix3Xd::Zero(3, grid.particle_count());
+  const auto found = [&, &from = from](RestingPairs resting) {
+    return ApproachingPairs().find(still, from, displacement, {reach_m}, resting).size();
+  };
+  ASSERT_GT(still.pairs.size(), 100U);
+  EXPECT_EQ(found(RestingPairs::found), still.pairs.size());
+  EXPECT_EQ(found(RestingPairs::left_out), 0U);
+  const int moving = still.pairs.front().vertices[3];
+  displacement(1, moving) = 1e-9;
+  std::size_t of_particle = 0;
+  for (const FeaturePair& pair : still.pairs)
+    of_particle += std::count(pair.vertices.begin(), pair.vertices.end(), moving) > 0 ? 1U : 0U;
+  EXPECT_EQ(found(RestingPairs::found), still.pairs.size());
+  EXPECT_EQ(found(RestingPairs::left_out), of_particle);
+}
+
 // None is left out that its straight way brings within its own reach.
 TEST(ApproachingPairs, of_thick_cloth_are_those_that_come_within_their_own_reach) {
   auto [grid, from, bodies] = folded(1.5);
@@ -120,7 +142,8 @@ TEST(ApproachingPairs, of_thick_cloth_are_those_that_come_within_their_own_reach
                  thick)
           .detect(bodies, from, from, target);
   ApproachingPairs approaching;
-  const std::vector<std::size_t> found = approaching.find(candidates, from, target - from, reach);
+  const std::vector<std::size_t> found =
+      approaching.find(candidates, from, target - from, reach, RestingPairs::found);
   std::vector<char> is_found(candidates.pairs.size(), 0);
   for (const std::size_t i : found) is_found[i] = 1;
   int within_reach = 0;
@@ -206,7 +229,7 @@ TEST(ApproachingPairs, know_the_closest_points_wherever_the_particles_have_gone)
   EXPECT_GT(candidates.pairs.size(), 100U);
   ApproachingPairs approaching;
   for (const Matrix3Xd& x : {from, target}) {
-    approaching.find(candidates, x, target - x, {reach_m});
+    approaching.find(candidates, x, target - x, {reach_m}, RestingPairs::found);
     for (std::size_t i = 0; i < candidates.pairs.size(); ++i) {
       const auto c = corners(candidates.pairs[i], x);
       EXPECT_EQ(approaching.weights(i, candidates, c),
@@ -236,7 +259,9 @@ TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
   const ContactCandidates candidates =
       BroadPhase(lengths).detect(bodies, from, from, from + displacement);
   EXPECT_GT(candidates.pairs.size(), 100U);
-  EXPECT_TRUE(ApproachingPairs().find(candidates, from, displacement, {reach_m}).empty());
+  EXPECT_TRUE(ApproachingPairs()
+                  .find(candidates, from, displacement, {reach_m}, RestingPairs::found)
+                  .empty());
   // By hand: one particle that lags by its whole displacement approaches all that it is listed
   // with.
   const int lagging = grid.particle(10, 2);
@@ -244,7 +269,10 @@ TEST(ContactCandidates, pairs_that_fly_together_do_not_approach) {
   std::size_t of_particle = 0;
   for (const FeaturePair& pair : candidates.pairs)
     of_particle += std::count(pair.vertices.begin(), pair.vertices.end(), lagging) > 0 ? 1U : 0U;
-  EXPECT_EQ(ApproachingPairs().find(candidates, from, displacement, {reach_m}).size(), of_particle);
+  EXPECT_EQ(ApproachingPairs()
+                .find(candidates, from, displacement, {reach_m}, RestingPairs::found)
+                .size(),
+            of_particle);
 }
 
 }  // namespace ribbon::contact_candidates_test
