@@ -1,8 +1,6 @@
 #include "simulation/published/strain_correction.h"
 
 #include "geometry/vectors.h"
-#include "simulation/state/smoothed_tangents.h"
-
 namespace ribbon {
 
 using Eigen::Matrix3Xd;
@@ -12,7 +10,8 @@ PublishedStrainCorrection::PublishedStrainCorrection(const RestSize& size, doubl
     : grid_(size.grid),
       along_(stretch_families(size)[0]),
       across_(stretch_families(size)[1]),
-      limit_(limit) {}
+      limit_(limit),
+      tangents_(grid_) {}
 
 double PublishedStrainCorrection::excess_m(double length_m, double rest_length_m) const {
   // What is over the limit is brought a little within it, so that repeated rounds come to an end.
@@ -22,13 +21,18 @@ double PublishedStrainCorrection::excess_m(double length_m, double rest_length_m
   return 0;
 }
 
-bool PublishedStrainCorrection::any_over_limit(const Matrix3Xd& positions) const {
+bool PublishedStrainCorrection::any_over_limit(const SpringFamily& family,
+                                               const Matrix3Xd& positions) const {
   bool any = false;
-  for (const SpringFamily& family : {along_, across_})
-    for_each_spring(grid_, family, [&](int a, int b) {
+  for (int row = 0; row + family.rows < grid_.along && !any; ++row)
+    for_each_spring_of_row(grid_, family, row, [&](int a, int b) {
       any = any || excess_m(length_of(positions.col(b) - positions.col(a)), family.rest_m(a)) != 0;
     });
   return any;
+}
+
+bool PublishedStrainCorrection::any_over_limit(const Matrix3Xd& positions) const {
+  return any_over_limit(along_, positions) || any_over_limit(across_, positions);
 }
 
 void PublishedStrainCorrection::correct_edge(int a, int b, double rest_length_m,
@@ -44,8 +48,8 @@ void PublishedStrainCorrection::correct_edge(int a, int b, double rest_length_m,
   positions.col(b) -= 0.5 * excess * direction;
 }
 
-void PublishedStrainCorrection::apply(Matrix3Xd& positions) const {
-  const Matrix3Xd directions = SmoothedTangents(grid_).at(positions);
+void PublishedStrainCorrection::apply(Matrix3Xd& positions) {
+  const Matrix3Xd& directions = tangents_.at(positions);
   for_each_spring(grid_, along_, [&](int a, int b) {
     correct_edge(a, b, along_.rest_m(a), directions.col(a) + directions.col(b), positions);
   });

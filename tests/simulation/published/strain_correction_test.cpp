@@ -10,7 +10,7 @@ using Eigen::Matrix3Xd;
 
 TEST(PublishedStrainCorrection, leaves_a_ribbon_within_the_limit_alone) {
   const RibbonGrid grid{5, 3};
-  const PublishedStrainCorrection correction({grid, 4, 2}, 0.1);
+  PublishedStrainCorrection correction({grid, 4, 2}, 0.1);
   Matrix3Xd positions = 1.09 * flat_ribbon(grid);
   EXPECT_FALSE(correction.any_over_limit(positions));
   correction.apply(positions);
@@ -21,7 +21,7 @@ TEST(PublishedStrainCorrection, brings_a_stretched_pair_together_about_its_centr
   // Two rows 2 m apart at rest length 1: brought to 1.095, each particle moves
   // 0.4525 toward the other.
   const RibbonGrid grid{2, 2};
-  const PublishedStrainCorrection correction({grid, 1, 1}, 0.1);
+  PublishedStrainCorrection correction({grid, 1, 1}, 0.1);
   Matrix3Xd positions = flat_ribbon(grid);
   positions.row(0) *= 2;
   EXPECT_TRUE(correction.any_over_limit(positions));
@@ -33,7 +33,7 @@ TEST(PublishedStrainCorrection, brings_a_stretched_pair_together_about_its_centr
 
 TEST(PublishedStrainCorrection, pushes_a_shrunk_pair_apart) {
   const RibbonGrid grid{2, 2};
-  const PublishedStrainCorrection correction({grid, 1, 1}, 0.1);
+  PublishedStrainCorrection correction({grid, 1, 1}, 0.1);
   Matrix3Xd positions = flat_ribbon(grid);
   positions.row(0) *= 0.5;
   correction.apply(positions);
@@ -44,7 +44,7 @@ TEST(PublishedStrainCorrection, moves_particles_along_the_smoothed_surface_not_o
   // One particle of a flat ribbon is lifted a little: its stretched edges are shortened in the
   // plane.
   const RibbonGrid grid{21, 3};
-  const PublishedStrainCorrection correction({grid, 20, 2}, 0.01);
+  PublishedStrainCorrection correction({grid, 20, 2}, 0.01);
   Matrix3Xd positions = flat_ribbon(grid);
   positions(1, grid.particle(10, 1)) = 0.3;
   Matrix3Xd corrected = positions;
@@ -57,7 +57,7 @@ TEST(PublishedStrainCorrection, moves_particles_along_the_smoothed_surface_not_o
 
 TEST(PublishedStrainCorrection, repeated_it_brings_every_edge_within_the_limit) {
   const RibbonGrid grid{12, 4};
-  const PublishedStrainCorrection correction({grid, 11, 3}, 0.1);
+  PublishedStrainCorrection correction({grid, 11, 3}, 0.1);
   Matrix3Xd positions = 1.4 * flat_ribbon(grid);
   int rounds = 0;
   while (correction.any_over_limit(positions) && rounds < 500) {
