@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "knot/type/knot_names.h"
 #include "knot/type/tied_forms.h"
 
 namespace ribbon {
@@ -76,6 +77,7 @@ void KnotCertifier::certify(int index, KnotCertificate certificate) {
     }
     result_.changes.push_back(std::move(change));
   }
+  if (certificate.is_known()) type_ = certificate.jones;
   known_ = {index, std::move(certificate), witness_.wide_turns()};
 }
 
@@ -86,8 +88,19 @@ bool KnotCertifier::turned_ends_explain(const KnotCertificate& certificate) cons
              witness_.wide_turns() - known_->wide_turns;
 }
 
+// An end that is drawn back out of a loop unties a knot, though nothing passes through anything.
+std::optional<ClosedAnew> KnotCertifier::closed_anew() const {
+  if (!result_.buried_since || !type_) return std::nullopt;
+  KnotWitness witness(part_ ? part_->grid(grid_) : grid_, std::nullopt);
+  witness.follow(positions_);
+  const auto type = witness.certificate().jones;
+  if (!type) return std::nullopt;
+  return ClosedAnew{knot_text(*type), *type == *type_};
+}
+
 CertifiedKnot KnotCertifier::finish() {
   if (followed_ > certified_) certify(followed_, witness_.certificate());
+  result_.closed_anew = closed_anew();
   return std::move(result_);
 }
 

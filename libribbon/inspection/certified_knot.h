@@ -9,6 +9,7 @@
 #include "geometry/object_axis.h"
 #include "knot/knot_witness.h"
 #include "knot/ribbon_part.h"
+#include "knot/type/laurent_polynomial.h"
 
 namespace ribbon {
 
@@ -30,6 +31,12 @@ struct FarMove {
   double moved_m = 0;  // the farthest that a particle went
 };
 
+// The knot of the last frame by itself, closed where that is clearest.
+struct ClosedAnew {
+  std::string knot;
+  bool is_the_same = false;  // as the last that was known
+};
+
 struct CertifiedKnot {
   std::string certificate;  // of the first frame that could be read; empty: none could
   int certified_frames = 0;
@@ -44,6 +51,8 @@ struct CertifiedKnot {
   std::optional<CertificateChange> turned_too_far;
   std::optional<int> buried_since;         // the frame in which first an end is buried
   std::optional<FarMove> may_have_passed;  // the first since then
+  // Nothing where no end got buried, where the knot was not known before, or is not known then.
+  std::optional<ClosedAnew> closed_anew;
 };
 
 class KnotCertifier {
@@ -74,15 +83,17 @@ class KnotCertifier {
   void certify(int index, KnotCertificate certificate);
   [[nodiscard]] bool tells_the_knot(const KnotCertificate& certificate) const;
   [[nodiscard]] bool turned_ends_explain(const KnotCertificate& certificate) const;
+  [[nodiscard]] std::optional<ClosedAnew> closed_anew() const;
 
   RibbonGrid grid_;
   std::optional<RibbonPart> part_;
   KnotWitness witness_;
   Eigen::Matrix3Xf positions_;  // of the frame followed last
   std::string expected_;
-  int followed_ = -1;           // index of the frame followed last
-  int certified_ = -1;          // and of the one certified last
-  std::optional<Known> known_;  // the last that tells the knot
+  int followed_ = -1;                      // index of the frame followed last
+  int certified_ = -1;                     // and of the one certified last
+  std::optional<Known> known_;             // the last that tells the knot
+  std::optional<LaurentPolynomial> type_;  // of the last that is known
   // index of the frame before the one in which first an end is buried; none: there is none
   std::optional<int> last_closed_;
   CertifiedKnot result_;

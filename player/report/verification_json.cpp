@@ -87,6 +87,10 @@ Json far_move_json(const FarMove& move) {
           {"moved_m", move.moved_m}};
 }
 
+Json closed_anew_json(const ClosedAnew& last) {
+  return {{"knot", last.knot}, {"is_the_same", last.is_the_same}};
+}
+
 Json certified_json(const CertifiedKnot& knot) {
   Json changes = Json::list({});
   for (const CertificateChange& change : knot.changes) changes.add(change_json(change));
@@ -95,6 +99,7 @@ Json certified_json(const CertifiedKnot& knot) {
           {"buried_frames", knot.buried_frames},
           {"uncertain_frames", knot.uncertain_frames},
           {"buried_since", knot.buried_since},
+          {"closed_anew", knot.closed_anew ? closed_anew_json(*knot.closed_anew) : Json()},
           {"may_have_passed", knot.may_have_passed ? far_move_json(*knot.may_have_passed) : Json()},
           {"turned_too_far", knot.turned_too_far ? change_json(*knot.turned_too_far) : Json()},
           {"changes", changes}};

@@ -92,6 +92,14 @@ std::string strain_text(const Verification& verification) {
                    particle_text(header.grid, strain.second), strain_limit_text(verification));
 }
 
+std::string slipped_text(const CertifiedKnot& knot) {
+  if (!knot.closed_anew) return ", though an end may have slipped out";
+  return ", and closed anew the last frame is " +
+         (knot.closed_anew->is_the_same
+              ? "the same knot"
+              : knot.closed_anew->knot + ": an end has slipped out, or lies in a loop");
+}
+
 std::string buried_text(const CertifiedKnot& knot) {
   if (!knot.buried_since) return "";
   std::string text =
@@ -103,8 +111,7 @@ std::string buried_text(const CertifiedKnot& knot) {
         knot.may_have_passed->frame_before, knot.may_have_passed->frame_after,
         knot.may_have_passed->moved_m);
   else if (knot.uncertain_frames == 0)
-    text +=
-        "; its centre line has not passed through itself since, though an end may have slipped out";
+    text += "; its centre line has not passed through itself since" + slipped_text(knot);
   return report_line("", text);
 }
 

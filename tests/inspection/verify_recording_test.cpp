@@ -149,6 +149,23 @@ TEST(Verify, a_knot_whose_end_gets_buried_is_the_same_while_nothing_passes) {
   EXPECT_EQ(knot.uncertain_frames, 0);
   EXPECT_TRUE(knot.changes.empty());
   EXPECT_FALSE(knot.may_have_passed);
+  EXPECT_FALSE(knot.closed_anew) << "the last frame has no closure";
+}
+
+// What a ribbon is at last tells the closure of its last frame alone.
+TEST(Verify, a_knot_whose_end_was_buried_is_closed_anew_in_the_last_frame) {
+  const auto still = certified_balls({ball(0.6), ball(0.02), ball(0.6)}, 1).closed_anew;
+  ASSERT_TRUE(still);
+  EXPECT_TRUE(still->is_the_same);
+  EXPECT_EQ(still->knot, "unknot");
+
+  const auto untied =
+      certified_balls({open_trefoil({700, 2}, 1, 0.01).cast<float>(), ball(0.02), ball(0.6)}, 1)
+          .closed_anew;
+  ASSERT_TRUE(untied);
+  EXPECT_FALSE(untied->is_the_same);
+  EXPECT_EQ(untied->knot, "unknot");
+  EXPECT_FALSE(certified_balls({ball(0.6), ball(0.5)}, 1).closed_anew) << "never buried";
 }
 
 TEST(Verify, a_knot_whose_end_is_buried_from_the_first_is_the_same_while_nothing_passes) {

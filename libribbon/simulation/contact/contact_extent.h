@@ -20,8 +20,9 @@ struct ContactExtent {
 };
 
 // Rows touch where two features that share no vertex lie within one and a half times the distance
-// at which contact begins: what rests on something rests at about that distance. positions: 3 x
-// particles. Costs a detection; `bodies` are refitted to the positions.
+// at which contact with the gate begins: what rests on something rests at about that distance, or
+// nearer as published. positions: 3 x particles. Costs a detection; `bodies` are refitted to the
+// positions.
 ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairDistances& distances,
                              const Eigen::Matrix3Xd& positions);
 

@@ -165,6 +165,16 @@ TEST(VerificationText, says_since_when_an_end_is_buried_and_whether_something_ma
       AllOf(HasSubstr("from frame 21 on an end is buried in the ribbon; its centre line has "
                       "not passed through itself since, though an end may have slipped out\n"),
             HasSubstr("the same in all of 3 frames certified\n"), EndsWith("nothing is wrong\n")));
+  verification.knot.closed_anew = {"trefoil", true};
+  EXPECT_THAT(verification_text("", verification),
+              HasSubstr("itself since, and closed anew the last frame is the same knot\n"));
+  verification.knot.closed_anew = {"unknot", false};
+  EXPECT_THAT(verification_text("", verification),
+              HasSubstr("itself since, and closed anew the last frame is unknot: an end has "
+                        "slipped out, or lies in a loop\n"));
+  EXPECT_EQ(
+      nlohmann::json::parse(verification_json("", verification))["knot"]["closed_anew"]["knot"],
+      "unknot");
   verification.knot.uncertain_frames = 1;
   EXPECT_THAT(verification_text("", verification),
               HasSubstr("from frame 21 on an end is buried in the ribbon\n"));
