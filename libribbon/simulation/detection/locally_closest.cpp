@@ -16,6 +16,7 @@ using Eigen::Vector4d;
 // nearly flat, count as flat.
 constexpr double from_triangle = 0.01;
 constexpr double from_obstacle = 0.03;  // its edges and vertices
+constexpr double doubtful = 1e-9;       // of a corner's distance: how far it lies beside an edge
 
 // The closest point of a feature and the corners that have a share in it.
 struct FeaturePoint {
@@ -46,7 +47,9 @@ bool has_neighbour_toward(const Vector3d& direction, double sine, const FeatureP
   const auto is_toward = [&](int vertex) {
     const Vector3d way = positions[vertex] - point.place;
     const Vector3d beside = way - dot(way, along) * along;
-    return dot(beside, direction) > sine * length_of(beside);
+    const double beside_m = length_of(beside);
+    // Corners of a triangle without area lie on its edge, but for rounding.
+    return beside_m > doubtful * length_of(way) && dot(beside, direction) > sine * beside_m;
   };
   if (point.corner_count == 1)
     return bodies.any_triangle_at(point.corners[0],
