@@ -109,18 +109,6 @@ Result<void> at_most_a_frame_a_step(const Document& document, const Scene& scene
                  "write 'frames_per_second = " + shortest(most) + "' or less, or a shorter step");
 }
 
-// The first frame tells the start; a run that is shorter than the way to the next would tell no
-// more.
-Result<void> a_frame_after_the_first(const Document& document, const Scene& scene) {
-  const double apart_s = 1 / scene.recording.frames_per_second;
-  if (scene.time.duration_s >= apart_s * (1 - 1e-9)) return {};
-  return failure(
-      document.place("time", "duration"),
-      "'duration' is " + shortest(scene.time.duration_s) + " s, but frames are " +
-          shortest(apart_s) + " s apart, so nothing would be recorded but the start",
-      "write 'duration = " + shortest(apart_s) + "' or more, or more 'frames_per_second'");
-}
-
 Result<void> fastening_against_air(const Document& document, const Scene& scene) {
   if (!scene.fastening || scene.air_resistance_per_s > 0) return {};
   return failure(document.place("fastening", ""),
@@ -200,7 +188,7 @@ Result<void> check_rules(const Document& document, const Scene& scene) {
   for (const auto& rule :
        {one_drawing, one_width, one_way_to_pass_over, expected_between_places, countable_particles,
         fabric_tells_something, cloth_is_flat, countable_steps, at_most_a_frame_a_step,
-        a_frame_after_the_first, fastening_against_air, tight_by_fastening, check_stages})
+        fastening_against_air, tight_by_fastening, check_stages})
     if (auto kept = rule(document, scene); !kept) return kept;
   return {};
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scene/setting.h"
+#include "text/number_text.h"
 
 namespace ribbon {
 
@@ -15,12 +16,21 @@ int frames_within(double duration_s, double frames_per_second) {
   return static_cast<int>(std::floor(duration_s * frames_per_second * (1 + 1e-12))) + 1;
 }
 
+// The first frame tells the start; a run that ends before the next would tell no more.
+Result<RunPlan> with_frames(RunPlan plan) {
+  if (plan.frames > 1) return plan;
+  return failure(plan.scene.name,
+                 "the run would be over before its second frame, which comes after " +
+                     shortest(1 / plan.scene.recording.frames_per_second) + " s",
+                 "let it last longer, or set a larger recording.frames_per_second");
+}
+
 }  // namespace
 
 Result<RunPlan> plan_of(const Scene& scene, const RunLimit& limit) {
   const double frames_per_second = scene.recording.frames_per_second;
   RunPlan plan{scene, frame_count(scene)};
-  if (!limit.is_set()) return plan;
+  if (!limit.is_set()) return with_frames(std::move(plan));
   const int limited =
       limit.frames ? *limit.frames : frames_within(*limit.until_s, frames_per_second);
   if (limited > plan.frames) {
@@ -33,7 +43,7 @@ Result<RunPlan> plan_of(const Scene& scene, const RunLimit& limit) {
   }
   plan.is_cut_short = limited < plan.frames;
   plan.frames = std::min(plan.frames, limited);
-  return plan;
+  return with_frames(std::move(plan));
 }
 
 int frame_count(const Scene& scene) {

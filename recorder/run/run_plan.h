@@ -24,6 +24,7 @@ struct RunPlan {
   [[nodiscard]] bool until_tight() const { return scene.time.until == RunsUntil::tight; }
 };
 
+// Fails where no frame would follow the first.
 Result<RunPlan> plan_of(const Scene& scene, const RunLimit& limit = {});
 
 // One frame at the start of `scene` and then one for each frame time up to its duration.

@@ -400,10 +400,6 @@ INSTANTIATE_TEST_SUITE_P(
         Impossible{"too_many_steps", ribbon_line("duration = 4", "duration = 1e8"),
                    "8:12: 'duration' is 10000000000 steps of 0.01 s; "
                    "write a shorter duration or a longer step, at most 1e9 steps"},
-        Impossible{"less_than_a_frame", ribbon_line("duration = 4", "duration = 0.015"),
-                   "8:12: 'duration' is 0.015 s, but frames are 0.02 s apart, so nothing would be "
-                   "recorded but the start; write 'duration = 0.02' or more, or more "
-                   "'frames_per_second'"},
         Impossible{"less_than_a_step", ribbon_line("duration = 4", "duration = 0.005"),
                    "8:12: 'duration' is shorter than one 'step' of 0.01 s; "
                    "write a longer duration or a shorter step"},

@@ -63,6 +63,13 @@ TEST_F(Run, without_loss_a_ribbon_that_leaves_its_reach_ends_the_run_with_a_sent
   EXPECT_THAT(told, HasSubstr("max_position_error above 0"));
 }
 
+// By hand: 30 frames/s; the second comes after 33.3 ms.
+TEST_F(Run, that_would_record_the_start_alone_is_refused) {
+  EXPECT_EQ(plan_of(scene_, {.until_s = 0.034})->frames, 2);
+  EXPECT_THAT(refusal_of(plan_of(scene_, {.until_s = 0.033})),
+              HasSubstr("the run would be over before its second frame, which comes after"));
+}
+
 TEST_F(Run, a_limit_beyond_the_scene_lengthens_it_and_one_within_cuts_it_short) {
   const auto frames = [&](const RunLimit& limit) { return plan_of(scene_, limit)->frames; };
   // 0.2 s at 30 frames/s.
