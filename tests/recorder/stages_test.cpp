@@ -152,6 +152,24 @@ TEST_F(Stages, an_end_that_is_about_to_slip_ends_the_run_with_the_advice) {
   EXPECT_FALSE(resume(file(), "test", goes_on, {.until_s = 12})->has_value());
 }
 
+// The second end is carried over to the first, near which the band then touches itself.
+TEST_F(Stages, an_end_that_a_hand_holds_does_not_slip) {
+  const auto done =
+      recorded({},
+               "[curve]\npoints = [[-500, 0], [-250, 0], [0, 0], [250, 0], [500, 0]]\naxis = 'z'\n"
+               "[ribbon]\nwidth = 0.05\nalong = 80\nacross = 5\nmass = 0.02\n"
+               "[springs]\nstretch = 1000\nshear = 1000\nbend = 100\n[air]\nresistance = 4\n"
+               "[fastening]\nspeed = 1\n"
+               "[[stage]]\nuntil = 'carried'\n"
+               "[[stage.hand]]\nat = [0.97, 1]\nspeed = 2\n"
+               "carry = [[500, 0], [450, -200], [-300, -100], [-300, -10], [-600, -10]]\n"
+               "[[stage.hand]]\nat = [0, 0.1]\nhold = true\nspeed = 5\n"
+               "[time]\nduration = 1.5\n[recording]\nframes_per_second = 10\n");
+  ASSERT_EQ(refusal_of(done), "");
+  EXPECT_EQ(done->ending, RunEnding::duration);
+  EXPECT_EQ(done->frames, 16);
+}
+
 std::string drawing_with_marks() {
   return "<svg xmlns='http://www.w3.org/2000/svg'><path id='band' d='M -300 0 L 300 0'/>"
          "<g transform='translate(100 0)'><circle id='middle' cx='-100' cy='5' r='4'/></g>"

@@ -129,6 +129,7 @@ void StageHand::visit_state(StateArchive& archive) {
          yielding, carried, goes_on_in_step, has_arrived] = *this;
   carried->visit_state(archive);
   archive.visit(has_arrived);
+  has_arrived = has_arrived && carried->has_arrived();  // at the end of another way
 }
 
 }  // namespace ribbon

@@ -148,7 +148,8 @@ std::array<bool, 2> StagedHands::have_ends() const {
 
 bool StagedHands::guard_is_due() const {
   const auto looks = [](double time_s) { return std::floor(time_s / guard_every_s + 1e-9); };
-  return !are_over() && looks(elapsed_s_) > looks(elapsed_s_ - scene_.time.step_s);
+  return !are_over() && !guard_.slipping_end() &&
+         looks(elapsed_s_) > looks(elapsed_s_ - scene_.time.step_s);
 }
 
 void StagedHands::visit_state(StateArchive& archive) {
@@ -167,8 +168,7 @@ void StagedHands::visit_state(StateArchive& archive) {
   progress.visit_state(archive);
 }
 
-// A take may go on with other hands: in order, they have carried as far as those before; of more of
-// them the last begin.
+// A take may go on with other hands: what carries the same part goes on from where it was.
 void StagedHands::visit_carrying(StateArchive& archive) {
   std::vector<StageHand*> carrying;
   for (StageHand& hand : hands_)
@@ -176,8 +176,13 @@ void StagedHands::visit_carrying(StateArchive& archive) {
   int count = static_cast<int>(carrying.size());
   archive.visit(count, 0, size_.grid.along);
   for (int i = 0; i < count && !archive.is_refused(); ++i) {
-    if (i < std::ssize(carrying)) {
-      carrying[i]->visit_state(archive);
+    int first_row = archive.is_reading() ? 0 : carrying[i]->rows().first;
+    archive.visit(first_row, 0, size_.grid.along - 1);
+    const auto same = std::find_if(carrying.begin(), carrying.end(), [&](const StageHand* hand) {
+      return hand->rows().first == first_row;
+    });
+    if (same != carrying.end()) {
+      (*same)->visit_state(archive);
       continue;
     }
     double gone_m = 0;

@@ -60,6 +60,19 @@ TEST(SpringForces, return_the_elastic_energy) {
   EXPECT_EQ(forces.transpose(), forces_of(band.network, band.positions));
 }
 
+TEST(SpringForces, of_slack_springs_are_a_fraction_and_so_is_the_energy) {
+  const CrumpledBand band;
+  SpringForces springs(band.network);
+  Eigen::MatrixX3d all;
+  Eigen::MatrixX3d some;
+  const double all_j = springs.forces_and_energy(band.positions.transpose(), all);
+  springs.slacken(0.25);
+  EXPECT_EQ(springs.forces_and_energy(band.positions.transpose(), some), 0.25 * all_j);
+  EXPECT_EQ(some, 0.25 * all);
+  springs.forces(band.positions.transpose(), some);
+  EXPECT_EQ(some, 0.25 * all);
+}
+
 TEST(SpringForces, are_the_negative_slope_of_the_elastic_energy) {
   const CrumpledBand band;
   const Matrix3Xd forces = forces_of(band.network, band.positions);

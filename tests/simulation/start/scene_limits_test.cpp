@@ -158,7 +158,7 @@ TEST(SceneLimits, springs_too_stiff_for_the_usual_integrator_get_the_implicit_on
   EXPECT_EQ(states_after(5), stiff);
 }
 
-// What hangs rests in no other.
+// What hangs does not rest in the implicit one.
 TEST(SceneLimits, springs_that_swing_very_fast_keep_the_usual_scheme_where_it_may_divide_the_step) {
   Scene scene = scene_of_loop();
   const auto chosen = [&] {
