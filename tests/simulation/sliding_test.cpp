@@ -36,8 +36,8 @@ TriangleMesh floor_of_squares(double size_m) {
   const Vector3d u = size_m * Vector3d(std::cos(0.3), 0, -std::sin(0.3));
   const Vector3d v = size_m * Vector3d(std::sin(0.3), 0, std::cos(0.3));
   TriangleMesh floor;
-  floor.vertices.resize(3, (along + 1) * (across + 1));
-  floor.triangles.resize(3, 2 * along * across);
+  floor.vertices.resize(3, Eigen::Index{along + 1} * (across + 1));
+  floor.triangles.resize(3, 2 * Eigen::Index{along} * across);
   const auto vertex = [&](int i, int j) { return i * (across + 1) + j; };
   for (int i = 0; i <= along; ++i)
     for (int j = 0; j <= across; ++j)
@@ -57,16 +57,17 @@ TriangleMesh floor_of_squares(double size_m) {
 TriangleMesh floor_of_strips(double width_m) {
   const int count = static_cast<int>(std::ceil(2 / width_m));
   TriangleMesh floor;
-  floor.vertices.resize(3, 2 * (count + 1));
-  floor.triangles.resize(3, 2 * count);
+  floor.vertices.resize(3, 2 * Eigen::Index{count + 1});
+  floor.triangles.resize(3, 2 * Eigen::Index{count});
   for (int i = 0; i <= count; ++i) {
     const double x = -0.5017 + i * width_m;
-    floor.vertices.col(2 * i) = Vector3d(x, 0, -1).cast<float>();
-    floor.vertices.col(2 * i + 1) = Vector3d(x, 0, 1).cast<float>();
+    floor.vertices.middleCols<2>(2 * Eigen::Index{i}) << static_cast<float>(x),
+        static_cast<float>(x), 0, 0, -1, 1;
   }
   for (int i = 0; i < count; ++i) {
-    floor.triangles.col(2 * i) << 2 * i, 2 * i + 1, 2 * i + 2;
-    floor.triangles.col(2 * i + 1) << 2 * i + 2, 2 * i + 1, 2 * i + 3;
+    const int first = 2 * i;
+    floor.triangles.col(first) << first, first + 1, first + 2;
+    floor.triangles.col(first + 1) << first + 2, first + 1, first + 3;
   }
   return floor;
 }

@@ -43,7 +43,7 @@ StageHand::StageHand(const HandScene& hand, const Scene& scene, const RestSize& 
       rows_(held_rows(std::get<Span>(hand.at), size.grid)),
       newton_per_m_s_(particle_mass_kg * scene.air_resistance_per_s),
       draws_(0.5 * size.grid.along / size.mean_rows(rows_.first, rows_.last)),
-      weights_(Eigen::ArrayXd::Ones(rows_.count() * size.grid.across)),
+      weights_(Eigen::ArrayXd::Ones(Eigen::Index{rows_.count()} * size.grid.across)),
       air_per_s_(scene.air_resistance_per_s),
       step_s_(scene.time.step_s),
       arrived_m_(

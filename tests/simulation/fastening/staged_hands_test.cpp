@@ -142,7 +142,7 @@ class Carried {
   Matrix3Xd step_stuck() {
     const Cloth before = cloth_;
     step();
-    const Matrix3Xd velocities = rows(cloth_.velocities, 30, 41);
+    Matrix3Xd velocities = rows(cloth_.velocities, 30, 41);
     cloth_ = before;
     return velocities;
   }
