@@ -1,5 +1,6 @@
 #include "simulation/integration/holding.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -20,7 +21,7 @@ constexpr double return_per_s = 200;
 constexpr double stiff = 1e4;
 
 // Of a particle by itself.
-constexpr double whole[] = {1.0};
+constexpr std::array whole = {1.0};
 
 RowVector3d shortened(const RowVector3d& vector, double most) {
   const double length = length_of(vector);
