@@ -77,7 +77,6 @@ void KnotCertifier::certify(int index, KnotCertificate certificate) {
     }
     result_.changes.push_back(std::move(change));
   }
-  if (certificate.is_known()) type_ = certificate.jones;
   known_ = {index, std::move(certificate), witness_.wide_turns()};
 }
 
@@ -90,12 +89,13 @@ bool KnotCertifier::turned_ends_explain(const KnotCertificate& certificate) cons
 
 // An end that is drawn back out of a loop unties a knot, though nothing passes through anything.
 std::optional<ClosedAnew> KnotCertifier::closed_anew() const {
-  if (!result_.buried_since || !type_) return std::nullopt;
+  const std::optional<KnotCertificate>& closed = witness_.last_closed();
+  if (!closed || !closed->jones) return std::nullopt;
   KnotWitness witness(part_ ? part_->grid(grid_) : grid_, std::nullopt);
   witness.follow(positions_);
   const auto type = witness.certificate().jones;
   if (!type) return std::nullopt;
-  return ClosedAnew{knot_text(*type), *type == *type_};
+  return ClosedAnew{knot_text(*type), *type == *closed->jones};
 }
 
 CertifiedKnot KnotCertifier::finish() {

@@ -9,7 +9,6 @@
 #include "geometry/object_axis.h"
 #include "knot/knot_witness.h"
 #include "knot/ribbon_part.h"
-#include "knot/type/laurent_polynomial.h"
 
 namespace ribbon {
 
@@ -34,7 +33,7 @@ struct FarMove {
 // The knot of the last frame by itself, closed where that is clearest.
 struct ClosedAnew {
   std::string knot;
-  bool is_the_same = false;  // as the last that was known
+  bool is_the_same = false;  // as when an end got buried
 };
 
 struct CertifiedKnot {
@@ -51,7 +50,7 @@ struct CertifiedKnot {
   std::optional<CertificateChange> turned_too_far;
   std::optional<int> buried_since;         // the frame in which first an end is buried
   std::optional<FarMove> may_have_passed;  // the first since then
-  // Nothing where no end got buried, where the knot was not known before, or is not known then.
+  // Nothing where no end got buried, where the knot was not known before, or is not known at last.
   std::optional<ClosedAnew> closed_anew;
 };
 
@@ -90,10 +89,9 @@ class KnotCertifier {
   KnotWitness witness_;
   Eigen::Matrix3Xf positions_;  // of the frame followed last
   std::string expected_;
-  int followed_ = -1;                      // index of the frame followed last
-  int certified_ = -1;                     // and of the one certified last
-  std::optional<Known> known_;             // the last that tells the knot
-  std::optional<LaurentPolynomial> type_;  // of the last that is known
+  int followed_ = -1;           // index of the frame followed last
+  int certified_ = -1;          // and of the one certified last
+  std::optional<Known> known_;  // the last that tells the knot
   // index of the frame before the one in which first an end is buried; none: there is none
   std::optional<int> last_closed_;
   CertifiedKnot result_;

@@ -1,6 +1,7 @@
 #include "simulation/published/strain_correction.h"
 
 #include "geometry/vectors.h"
+
 namespace ribbon {
 
 using Eigen::Matrix3Xd;
