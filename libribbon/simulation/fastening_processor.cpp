@@ -23,6 +23,7 @@
 #include "simulation/state/cloth.h"
 #include "simulation/state/edge_strain.h"
 #include "simulation/state/state_archive.h"
+#include "simulation/step/published_step.h"
 #include "simulation/step/time_step.h"
 
 namespace ribbon {
@@ -93,7 +94,7 @@ struct FasteningProcessor::Parts {
   Result<void> find_start(const Scene& scene, const RibbonMesh& ribbon,
                           const ContactLengths& lengths, const StartObserver& observer,
                           const StartTest& test);
-  StartReport recover_as_published();
+  StartReport recover_as_published(const Scene& scene);
   void employ_hands(const Scene& scene);
   void look_at_loose_ends();
   void go_on_with_other_steps(double other_step_s);
@@ -106,7 +107,7 @@ struct FasteningProcessor::Parts {
   double before_s = 0;            // that they took
   Cloth cloth;
   Bodies bodies;
-  TimeStep time_step;
+  std::unique_ptr<TimeStep> time_step;
   std::unique_ptr<Hands> hands;   // null where nothing fastens the ribbon
   StagedHands* staged = nullptr;  // the same, where there are stages
   int fastened_as = 0;            // StateHead::fastened
@@ -126,7 +127,7 @@ FasteningProcessor::Parts::Parts(const Scene& scene, const RestSize& rest_size,
       cloth{std::move(positions), Matrix3Xd::Zero(3, rest_size.grid.particle_count()),
             scene.ribbon.mass_kg / rest_size.grid.particle_count(), lightness(rest_size)},
       bodies(rest_size.grid, obstacle_body(obstacle)),
-      time_step(scene, rest_size, lengths, cloth.particle_mass_kg),
+      time_step(create_time_step(scene, rest_size, lengths, cloth.particle_mass_kg)),
       size(rest_size),
       distances(size, lengths),
       rounding_m(lengths.rounding_m) {}
@@ -163,18 +164,16 @@ Result<void> FasteningProcessor::Parts::find_start(const Scene& scene, const Rib
                                                    const ContactLengths& lengths,
                                                    const StartObserver& observer,
                                                    const StartTest& test) {
-  if (auto few = check_substeps(scene, springs, time_step.integrator()); !few) return few;
+  if (auto few = check_substeps(scene, springs, time_step->integrator()); !few) return few;
   if (scene.contact == ContactMethod::gate) {
-    const auto found =
-        find_free_start(scene, ribbon, lengths, observer, test, bodies, time_step, cloth);
+    const auto found = find_free_start(scene, ribbon, lengths, observer, test, bodies, cloth);
     if (!found) return tl::unexpected(found.error());
     start = *found;
     guaranteed_gap_m = recorded_gap_m(lengths);
   } else {
-    start = recover_as_published();
+    start = recover_as_published(scene);
   }
   employ_hands(scene);
-  time_step.clock().reset();
   return {};
 }
 
@@ -192,8 +191,9 @@ void FasteningProcessor::Parts::employ_hands(const Scene& scene) {
 
 // A band that was bent into a drawn curve is strained here and there, and may be pierced. Before
 // the first step it is corrected and recovered as after any other, without force and at rest.
-StartReport FasteningProcessor::Parts::recover_as_published() {
-  const StepReport report = time_step.settle(settling_rounds, bodies, cloth);
+StartReport FasteningProcessor::Parts::recover_as_published(const Scene& scene) {
+  PublishedStep step(scene, size, cloth.particle_mass_kg);
+  const StepReport report = step.settle(settling_rounds, bodies, cloth);
   return {.kind = report.recovery_iterations > 0 ? StartKind::recovered : StartKind::free,
           .recovery_iterations = report.recovery_iterations,
           .penetrating_edges = report.penetrating_edges};
@@ -206,22 +206,22 @@ const StartReport& FasteningProcessor::start() const {
 // ---- The steps
 
 IntegrationMethod FasteningProcessor::integrator() const {
-  return parts_->time_step.integrator().method();
+  return parts_->time_step->integrator().method();
 }
 
 int FasteningProcessor::substeps() const {
-  return parts_->time_step.integrator().substeps();
+  return parts_->time_step->integrator().substeps();
 }
 
 StepReport FasteningProcessor::step() {
   ++parts_->steps;
   if (parts_->staged != nullptr) {
     parts_->staged->begin_step(parts_->cloth);
-    parts_->time_step.set_friction(parts_->staged->friction());
-    parts_->time_step.set_gravity(parts_->staged->gravity_m_s2());
+    parts_->time_step->set_friction(parts_->staged->friction());
+    parts_->time_step->set_gravity(parts_->staged->gravity_m_s2());
   }
   const StepReport report =
-      parts_->time_step.take(parts_->hands.get(), parts_->bodies, parts_->cloth);
+      parts_->time_step->take(parts_->hands.get(), parts_->bodies, parts_->cloth);
   if (parts_->staged != nullptr && parts_->staged->guard_is_due()) parts_->look_at_loose_ends();
   return report;
 }
@@ -250,7 +250,7 @@ std::int64_t FasteningProcessor::steps_at(double time_s) const {
 }
 
 const StageSums& FasteningProcessor::stage_sums() const {
-  return parts_->time_step.clock().sums();
+  return parts_->time_step->stage_sums();
 }
 
 // ---- What became of the ribbon
@@ -304,7 +304,7 @@ double FasteningProcessor::guaranteed_gap_m() const {
 }
 
 double FasteningProcessor::guaranteed_strain() const {
-  return parts_->time_step.guaranteed_strain();
+  return parts_->time_step->guaranteed_strain();
 }
 
 // ---- The state
@@ -333,7 +333,7 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
   const Scene scene = with_fabric(with_rounding(as_read, size, head.reach_m), size);
   auto parts = std::make_unique<Parts>(scene, size, contact_lengths(scene, size), obstacle,
                                        Matrix3Xd::Zero(3, size.grid.particle_count()));
-  if (auto few = check_substeps(scene, parts->springs, parts->time_step.integrator()); !few)
+  if (auto few = check_substeps(scene, parts->springs, parts->time_step->integrator()); !few)
     return tl::unexpected(few.error());
   parts->employ_hands(scene);
   StateArchive archive(state);

@@ -9,7 +9,7 @@
 #include "simulation/integration/ordered_sums.h"
 #include "simulation/integration/spring_forces.h"
 #include "simulation/state/edge_strain.h"
-#include "simulation/step/time_step.h"
+#include "simulation/step/gated_step.h"
 
 namespace ribbon {
 
@@ -48,13 +48,13 @@ int relax(const Scene& scene, const RestSize& size, const ContactLengths& length
   const SpringNetwork springs = spring_network(size, scene.springs);
   if (worst_strain(springs, cloth.positions) <= slight_strain) return 0;
   const double fastest_rad_s = fastest_frequency(springs, cloth.particle_mass_kg, cloth.lightness);
-  TimeStep time_step(of_springs_alone(scene, fastest_rad_s), size, lengths, cloth.particle_mass_kg);
+  GatedStep step(of_springs_alone(scene, fastest_rad_s), size, lengths, cloth.particle_mass_kg);
   const Matrix3Xd drawn = cloth.positions;
   double energy = 0;  // kinetic, as if all particles weighed the same, but for a factor
   double most_energy = 0;
   int steps = 0;
   while (steps < most_relaxing_steps) {
-    time_step.take(nullptr, bodies, cloth);
+    step.take(nullptr, bodies, cloth);
     ++steps;
     if (any_farther(drawn, farthest * size.width_m, cloth.positions)) break;
     const double* velocities = cloth.velocities.data();

@@ -9,6 +9,7 @@
 #include "simulation/start/first_intersection.h"
 #include "simulation/start/width_growth.h"
 #include "simulation/state/edge_strain.h"
+#include "simulation/step/gated_step.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -26,8 +27,7 @@ constexpr int patience = 30;                   // scheme A leads out of an obsta
 class StartSearch {
  public:
   StartSearch(const Scene& scene, const RibbonMesh& ribbon, const ContactLengths& lengths,
-              const StartObserver& observer, const StartTest& test, Bodies& bodies,
-              TimeStep& time_step, Cloth& cloth)
+              const StartObserver& observer, const StartTest& test, Bodies& bodies, Cloth& cloth)
       : scene_(scene),
         ribbon_(ribbon),
         lengths_(lengths),
@@ -35,7 +35,7 @@ class StartSearch {
         test_(test),
         too_close_m_((1 - 1e-9) * lengths.min_separation_m),
         bodies_(bodies),
-        time_step_(time_step),
+        step_(scene, ribbon.size(), lengths, cloth.particle_mass_kg),
         cloth_(cloth),
         generated_(cloth.positions) {}
 
@@ -74,9 +74,9 @@ class StartSearch {
   bool settles() {
     tell("the ribbon settles at its whole width");
     fraction_ = 1;
-    time_step_.settle(settling_rounds, bodies_, cloth_);
+    step_.settle(settling_rounds, bodies_, cloth_);
     for (int step = 0; step < parting_steps && (is_too_close() || is_strained()); ++step) {
-      time_step_.advance(Matrix3Xd(3, 0), bodies_, cloth_);
+      step_.advance_under(Matrix3Xd(3, 0), bodies_, cloth_);
       cloth_.velocities.setZero();
     }
     return !is_too_close() && !is_strained() && is_free();
@@ -94,7 +94,7 @@ class StartSearch {
     return first_closer_than(too_close_m_, bodies_, cloth_.positions).has_value();
   }
 
-  bool is_strained() { return !time_step_.is_within_limit(cloth_); }
+  bool is_strained() { return !step_.is_within_limit(cloth_); }
 
   bool take_thin_band() {
     report_.kind = StartKind::grown;
@@ -213,7 +213,7 @@ class StartSearch {
   const StartTest& test_;
   double too_close_m_;
   Bodies& bodies_;
-  TimeStep& time_step_;
+  GatedStep step_;
   Cloth& cloth_;
   Matrix3Xd generated_;
   double fraction_ = 1;                  // of its width, that the band has now
@@ -237,10 +237,9 @@ std::string_view word_for(StartKind kind) {
 
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon,
                                     const ContactLengths& lengths, const StartObserver& observer,
-                                    const StartTest& test, Bodies& bodies, TimeStep& time_step,
-                                    Cloth& cloth) {
+                                    const StartTest& test, Bodies& bodies, Cloth& cloth) {
   Result<StartReport> start =
-      StartSearch(scene, ribbon, lengths, observer, test, bodies, time_step, cloth).find();
+      StartSearch(scene, ribbon, lengths, observer, test, bodies, cloth).find();
   bodies.ribbon.forget();
   return start;
 }

@@ -9,7 +9,6 @@
 #include "simulation/detection/bodies.h"
 #include "simulation/start/start_report.h"
 #include "simulation/state/cloth.h"
-#include "simulation/step/time_step.h"
 
 namespace ribbon {
 
@@ -21,12 +20,11 @@ namespace ribbon {
 // gate, so the band stays free, and it folds and waves where it has no room. Where no thin band is
 // free, schemes A, B and C move one out of what it pierces first.
 //
-// scene.contact must be the gate; `lengths` and `time_step` are of the whole width. Fails, saying
-// where on the ribbon and what to change, where even a thin band stays pierced and where the ribbon
-// finds no room for its width. The cloth then lies anywhere.
+// scene.contact must be the gate; `lengths` are of the whole width. Fails, saying where on the
+// ribbon and what to change, where even a thin band stays pierced and where the ribbon finds no
+// room for its width. The cloth then lies anywhere.
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon,
                                     const ContactLengths& lengths, const StartObserver& observer,
-                                    const StartTest& test, Bodies& bodies, TimeStep& time_step,
-                                    Cloth& cloth);
+                                    const StartTest& test, Bodies& bodies, Cloth& cloth);
 
 }  // namespace ribbon

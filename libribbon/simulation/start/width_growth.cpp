@@ -7,7 +7,9 @@
 #include <string>
 
 #include "geometry/vectors.h"
+#include "simulation/contact/contact_lengths.h"
 #include "simulation/state/edge_strain.h"
+#include "simulation/step/gated_step.h"
 
 namespace ribbon {
 
@@ -86,13 +88,13 @@ GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fra
     if (observer)
       observer("the ribbon is grown to " + std::to_string(std::lround(100 * fraction)) +
                " % of its width");
-    TimeStep time_step(scene, size, contact_lengths(scene, size), cloth.particle_mass_kg);
-    time_step.move(rows_scaled(size.grid, scale, cloth.positions), bodies, cloth);
+    GatedStep step(scene, size, contact_lengths(scene, size), cloth.particle_mass_kg);
+    step.move(rows_scaled(size.grid, scale, cloth.positions), bodies, cloth);
     StrainedEdges edges;
     TornEdge torn_edge;
-    for (int step = 0; step < steps_per_stage; ++step) {
-      time_step.advance(Matrix3Xd(3, 0), bodies, cloth);
-      time_step.settle(rounds_a_width, bodies, cloth);
+    for (int n = 0; n < steps_per_stage; ++n) {
+      step.advance_under(Matrix3Xd(3, 0), bodies, cloth);
+      step.settle(rounds_a_width, bodies, cloth);
       ++report.steps;
       edges = strained_edges(size, cloth.positions);
       if (edges.count == 0 || (fraction < 1 && are_few(edges, size.grid))) break;

@@ -8,7 +8,6 @@
 #include "simulation/detection/bodies.h"
 #include "simulation/start/start_report.h"
 #include "simulation/state/cloth.h"
-#include "simulation/step/time_step.h"
 
 namespace ribbon {
 

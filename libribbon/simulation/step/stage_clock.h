@@ -46,9 +46,7 @@ class StageClock {
   void count_sweeps(int sweeps) { sums_.sweeps += sweeps; }
   void count_parts(int parts) { sums_.parts += parts; }
 
-  // Since the last reset.
   [[nodiscard]] const StageSums& sums() const { return sums_; }
-  void reset() { sums_ = {}; }
 
  private:
   friend class StageTimer;

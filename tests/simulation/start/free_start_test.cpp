@@ -9,6 +9,7 @@
 #include "simulation/frame_judge.h"
 #include "simulation/loop_scene.h"
 #include "simulation/state/state_archive.h"
+#include "simulation/step/gated_step.h"
 
 namespace ribbon::free_start_test {
 
@@ -210,12 +211,10 @@ TEST(FreeStart, leaves_behind_nothing_that_the_gate_does_without) {
   Bodies bodies{mesh.grid, ObstacleBody(obstacle.triangles, obstacle.vertices.cast<double>())};
   Bodies untouched{mesh.grid, std::nullopt};
   Cloth cloth{mesh.positions, Matrix3Xd::Zero(3, mesh.positions.cols()), 0.001};
-  const RestSize size = mesh.size();
-  const ContactLengths lengths = contact_lengths(scene, size);
-  TimeStep time_step(scene, size, lengths, cloth.particle_mass_kg);
-  const auto start = find_free_start(scene, mesh, lengths, {}, {}, bodies, time_step, cloth);
+  const ContactLengths lengths = contact_lengths(scene, mesh.size());
+  const auto start = find_free_start(scene, mesh, lengths, {}, {}, bodies, cloth);
   EXPECT_EQ(start->kind, StartKind::recovered);
-  time_step.take(nullptr, bodies, cloth);
+  GatedStep(scene, mesh.size(), lengths, cloth.particle_mass_kg).take(nullptr, bodies, cloth);
   EXPECT_EQ(state_of(bodies), state_of(untouched));
   bodies.ribbon.triangle_bvh(cloth.positions);
   EXPECT_NE(state_of(bodies), state_of(untouched)) << "which would tell";

@@ -6,7 +6,7 @@
 
 #include "simulation/published/planted_penetrations.h"
 #include "simulation/state/edge_strain.h"
-#include "simulation/step/time_step.h"
+#include "simulation/step/gated_step.h"
 #include "simulation/truncation/contact_candidates.h"
 
 namespace ribbon::gated_step_test {
@@ -33,15 +33,15 @@ Scene scene_of_step() {
   return scene;
 }
 
-TimeStep time_step_of(const Scene& scene) {
+GatedStep step_of(const Scene& scene) {
   return {scene, size, contact_lengths(scene, size), 1};
 }
 
 // One step at the cloth's velocities.
-void drift(TimeStep& time_step, Bodies& bodies, Cloth& cloth) {
+void drift(GatedStep& gated, Bodies& bodies, Cloth& cloth) {
   const Matrix3Xd before = cloth.positions;
   cloth.positions += step_s * cloth.velocities;
-  time_step.correct(before, bodies, cloth);
+  gated.correct(before, bodies, cloth);
 }
 
 double smallest_height(const Cloth& cloth) {
@@ -51,10 +51,10 @@ double smallest_height(const Cloth& cloth) {
 TEST(GatedStep, a_sheet_that_falls_comes_to_rest_over_the_floor) {
   OverFloor planted = ribbon_over_floor(grid, -1);
   Cloth cloth = cloth_at(planted.positions);
-  TimeStep time_step = time_step_of(scene_of_step());
+  GatedStep gated = step_of(scene_of_step());
   for (int step = 0; step < 30; ++step) {
     cloth.velocities.row(1).array() -= 1;
-    drift(time_step, planted.bodies, cloth);
+    drift(gated, planted.bodies, cloth);
     ASSERT_GE(smallest_height(cloth), -1 + 0.05) << step;
   }
   EXPECT_LT(smallest_height(cloth), -1 + 0.3);
@@ -63,11 +63,11 @@ TEST(GatedStep, a_sheet_that_falls_comes_to_rest_over_the_floor) {
 TEST(GatedStep, nothing_passes_however_far_the_target_lies_beyond) {
   OverFloor planted = ribbon_over_floor(grid, -0.3);
   Cloth cloth = cloth_at(planted.positions);
-  TimeStep time_step = time_step_of(scene_of_step());
+  GatedStep gated = step_of(scene_of_step());
   for (int round = 0; round < 20; ++round) {
     const Matrix3Xd before = cloth.positions;
     cloth.positions.row(1).array() -= 3;
-    time_step.correct(before, planted.bodies, cloth);
+    gated.correct(before, planted.bodies, cloth);
     ASSERT_GE(smallest_height(cloth), -0.3 + 0.05 - 1e-12) << round;
   }
 }
@@ -79,10 +79,10 @@ TEST(GatedStep, goes_as_far_in_a_step_as_its_velocity_leads_and_contact_lets) {
     OverFloor planted = ribbon_over_floor(grid, -40);
     Cloth cloth = cloth_at(planted.positions);
     cloth.velocities.row(1).array() += wind_m_s;
-    TimeStep time_step = time_step_of(scene_of_step());
+    GatedStep gated = step_of(scene_of_step());
     const Matrix3Xd no_force(3, 0);
     for (int step = 1; step <= 2; ++step) {
-      (void)time_step.advance(no_force, planted.bodies, cloth);
+      (void)gated.advance_under(no_force, planted.bodies, cloth);
       const bool is_stopped = wind_m_s < 0 && step == 2;
       const double height_m = is_stopped ? -40 : planted.positions(1, 0) + 0.1 * step * wind_m_s;
       EXPECT_NEAR(smallest_height(cloth), height_m, is_stopped ? 0.2 : 1e-9) << step;
@@ -94,12 +94,12 @@ TEST(GatedStep, goes_as_far_in_a_step_as_its_velocity_leads_and_contact_lets) {
 TEST(GatedStep, tells_how_many_particles_were_truncated) {
   OverFloor planted = ribbon_over_floor(grid, -0.3);
   Cloth cloth = cloth_at(planted.positions);
-  TimeStep time_step = time_step_of(scene_of_step());
+  GatedStep gated = step_of(scene_of_step());
   const Matrix3Xd before = cloth.positions;
-  EXPECT_EQ(time_step.correct(before, planted.bodies, cloth).truncated, 0);
+  EXPECT_EQ(gated.correct(before, planted.bodies, cloth).truncated, 0);
   // Of what does not move no displacement is longer than four edges, however free it is.
   cloth.positions.row(0).array() += 30;
-  EXPECT_EQ(time_step.correct(before, planted.bodies, cloth).truncated, grid.particle_count());
+  EXPECT_EQ(gated.correct(before, planted.bodies, cloth).truncated, grid.particle_count());
 }
 
 // Its end is pulled as hard as all of it can bear. Sweeps alone would pass that on row by row: 60 a
@@ -110,14 +110,14 @@ TEST(GatedStep, a_long_end_that_is_pulled_takes_few_sweeps) {
   OverFloor planted = ribbon_over_floor(long_grid, -5);
   Cloth cloth{planted.positions, Matrix3Xd::Zero(3, long_grid.particle_count()), 1};
   const Scene scene = scene_of_step();
-  TimeStep time_step(scene, long_size, contact_lengths(scene, long_size), 1);
+  GatedStep gated(scene, long_size, contact_lengths(scene, long_size), 1);
   constexpr int steps = 40;
   for (int step = 0; step < steps; ++step) {
     cloth.velocities.bottomRightCorner(3, long_grid.across).row(0).array() += 40;
-    drift(time_step, planted.bodies, cloth);
-    ASSERT_TRUE(time_step.is_within_limit(cloth)) << step;
+    drift(gated, planted.bodies, cloth);
+    ASSERT_TRUE(gated.is_within_limit(cloth)) << step;
   }
-  EXPECT_LT(time_step.clock().sums().sweeps, 150 * steps);
+  EXPECT_LT(gated.stage_sums().sweeps, 150 * steps);
 }
 
 // Both ends are pulled outward while all of it is pressed on the floor. Rounded by 0.01 m, what is
@@ -128,14 +128,14 @@ TEST(GatedStep, what_is_pulled_against_contact_stays_within_the_strain_limit_as_
     Cloth cloth = cloth_at(planted.positions);
     Scene scene = scene_of_step();
     scene.recording.max_position_error = rounding_m / size.length_m;
-    TimeStep time_step = time_step_of(scene);
+    GatedStep gated = step_of(scene);
     const double begun_m = cloth.positions.row(0).maxCoeff();
     for (int step = 0; step < 50; ++step) {
       for (int p = 0; p < grid.particle_count(); ++p) {
         cloth.velocities(0, p) += grid.row(p) > 15 ? 1 : grid.row(p) < 5 ? -1 : 0;
         cloth.velocities(1, p) -= 0.5;
       }
-      drift(time_step, planted.bodies, cloth);
+      drift(gated, planted.bodies, cloth);
       ASSERT_LE(worst_strain(spring_network(size, {.stretch = 1, .shear = 1}), cloth.positions) +
                     2 * std::sqrt(3) * rounding_m,
                 0.1)
@@ -157,10 +157,10 @@ TEST(GatedStep, friction_slows_what_slides_under_pressure) {
     cloth.velocities.row(0).setConstant(5);
     Scene scene = scene_of_step();
     scene.friction = friction;
-    TimeStep time_step = time_step_of(scene);
+    GatedStep gated = step_of(scene);
     for (int step = 0; step < 8; ++step) {
       cloth.velocities.row(1).array() -= 1;
-      drift(time_step, planted.bodies, cloth);
+      drift(gated, planted.bodies, cloth);
     }
     const double slowed_m_s = 5 - cloth.velocities.row(0).mean();
     if (friction == 0)
@@ -189,15 +189,15 @@ TEST(GatedStep, thick_layers_part_to_their_thickness_and_are_not_pressed_under_h
   Cloth cloth = cloth_at(start);
   Scene scene = scene_of_step();
   scene.ribbon.thickness_m = 0.6;
-  TimeStep time_step = time_step_of(scene);
+  GatedStep gated = step_of(scene);
   EXPECT_NEAR(gap_between_layers(bodies, cloth.positions), 0.4, 0.01);
-  for (int step = 0; step < 10; ++step) drift(time_step, bodies, cloth);
+  for (int step = 0; step < 10; ++step) drift(gated, bodies, cloth);
   EXPECT_NEAR(gap_between_layers(bodies, cloth.positions), 0.6, 0.05);
   double closest = 1;
   for (int step = 0; step < 20; ++step) {
     for (int p = 0; p < grid.particle_count(); ++p)
       cloth.velocities(1, p) += grid.row(p) < 10 ? 3 : -3;
-    drift(time_step, bodies, cloth);
+    drift(gated, bodies, cloth);
     closest = std::min(closest, gap_between_layers(bodies, cloth.positions));
   }
   EXPECT_GE(closest, 0.3 - 1e-9);
@@ -210,8 +210,8 @@ TEST(GatedStep, flat_neighbours_are_at_rest_however_thick_the_cloth) {
   Cloth cloth = cloth_at(flat);
   Scene scene = scene_of_step();
   scene.ribbon.thickness_m = 3;
-  TimeStep time_step = time_step_of(scene);
-  drift(time_step, bodies, cloth);
+  GatedStep gated = step_of(scene);
+  drift(gated, bodies, cloth);
   EXPECT_EQ(cloth.positions, flat);
 }
 
