@@ -1,6 +1,7 @@
 // A processor that was restored goes on as if it had never stopped, bit for bit.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -277,6 +278,26 @@ TEST(Resume, every_number_of_a_state_may_be_wrong) {
   EXPECT_GE(refused, static_cast<int>(2 * state.size()) - 4);
 }
 
+// Each in place of every number: a count of -4.6e18 or, where it is a measure, -0.5 of it.
+TEST(Resume, what_cannot_have_been_is_refused_and_told_why) {
+  Case run{"in stages", fast_loop(IntegrationMethod::symplectic_euler, ContactMethod::gate)};
+  run.scene.ribbon.along = 20;
+  run.scene.ribbon.across = 2;
+  run.scene.stages = stages();
+  FasteningProcessor fastening = begun(run, 20);
+  const std::vector<std::int64_t> state = numbers_of(fastening.state());
+  std::string refusals;
+  for (std::size_t at = 0; at < state.size(); ++at) {
+    std::vector<std::int64_t> wrong = state;
+    wrong[at] = std::bit_cast<std::int64_t>(-0.5);
+    refusals += refusal(run, state_of(wrong));
+  }
+  for (const char* words :
+       {"another version", "reaches nowhere", "an impossible time", "a stage began after it",
+        "an impossible force", "from before its begin", "a count in it is impossible"})
+    EXPECT_THAT(refusals, HasSubstr(words));
+}
+
 TEST(Resume, a_state_of_another_scene_is_refused_and_told_why) {
   const Case run{"post", scene_of_loop(), post(post_radius_m)};
   FasteningProcessor fastening = begun(run);
@@ -360,6 +381,18 @@ TEST(Resume, springs_too_stiff_for_the_step_are_refused_as_at_the_start) {
   stiff.scene.springs.stretch = 1e12;
   stiff.scene.time.integrator = IntegrationMethod::symplectic_euler;
   EXPECT_THAT(refusal(stiff, begun(run).state()), HasSubstr("parts"));
+}
+
+TEST(Resume, a_fabric_too_thick_for_the_particles_is_refused_as_at_the_start) {
+  const Case run{"post", scene_of_loop(), post(post_radius_m)};
+  Case thick = run;
+  thick.scene.cloth = ClothScene{.fabric = {.name = "felt"}, .tells_thickness = true};
+  thick.scene.ribbon.thickness_m = 1;
+  const std::string remedy = "set a smaller thickness of your own in [ribbon]";
+  EXPECT_THAT(refusal(thick, begun(run).state()), HasSubstr(remedy));
+  EXPECT_THAT(refusal_of(FasteningProcessor::create(thick.scene, mesh_of_loop(thick.scene),
+                                                    thick.obstacle)),
+              HasSubstr(remedy));
 }
 
 }  // namespace ribbon::resume_test

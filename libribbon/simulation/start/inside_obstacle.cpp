@@ -93,8 +93,11 @@ bool leaves_body(const TriangleMesh& mesh, const std::vector<int>& body, const V
 // As two of three lines say: one may run along an edge.
 bool encloses(const TriangleMesh& mesh, const std::vector<int>& body, const Vector3d& point) {
   double reach_m = 1;
-  for (const auto& vertex : mesh.vertices.colwise())
-    reach_m = std::max(reach_m, length_of((vertex.cast<double>() - point).eval()));
+  for (const int triangle : body)
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d corner = mesh.vertices.col(mesh.triangles(k, triangle)).cast<double>();
+      reach_m = std::max(reach_m, length_of((corner - point).eval()));
+    }
   int enclosed = 0;
   for (const Vector3d& direction :
        {Vector3d(0.86, 0.31, 0.41), Vector3d(-0.29, 0.91, 0.31), Vector3d(0.23, -0.37, 0.9)})

@@ -137,7 +137,7 @@ Result<void> check_fabric(const Scene& scene, const RestSize& size) {
                  "'" + std::string(scene.cloth->fabric.name) + "' is " + metres(thickness_m) +
                      " thick, more than three times the " + metres(edge_m) +
                      " between its particles",
-                 "set fewer particles, or a smaller thickness of your own in [ribbon]");
+                 "set a smaller thickness of your own in [ribbon], or fewer particles");
 }
 
 Result<void> check_width(const Scene& scene, const RibbonGrid& grid) {
