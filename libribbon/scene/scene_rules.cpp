@@ -91,22 +91,13 @@ Result<void> countable_steps(const Document& document, const Scene& scene) {
                    "'duration' is shorter than one 'step' of " + shortest(scene.time.step_s) + " s",
                    "write a longer duration or a shorter step");
   if (steps > most_steps)
-    return failure(document.place("time", "duration"),
-                   "'duration' is " + shortest(std::round(steps)) + " steps of " +
-                       shortest(scene.time.step_s) + " s",
-                   "write a shorter duration or a longer step, at most 1e9 steps");
+    return failure(
+        document.place("time", "duration"),
+        "'duration' is " + shortest(std::round(steps)) + " steps of " +
+            shortest(scene.time.step_s) + " s",
+        "write a shorter duration, a longer step or fewer frames per second, at most 1e9 "
+        "steps");
   return {};
-}
-
-// Frames are taken at steps, so there cannot be more frames than steps.
-Result<void> at_most_a_frame_a_step(const Document& document, const Scene& scene) {
-  const double most = 1 / scene.time.step_s;
-  if (scene.recording.frames_per_second <= most * (1 + 1e-9)) return {};
-  return failure(document.place("recording", "frames_per_second"),
-                 "'frames_per_second' is " + shortest(scene.recording.frames_per_second) +
-                     ", but with a step of " + shortest(scene.time.step_s) + " s there are only " +
-                     shortest(most) + " steps per second",
-                 "write 'frames_per_second = " + shortest(most) + "' or less, or a shorter step");
 }
 
 Result<void> fastening_against_air(const Document& document, const Scene& scene) {
@@ -155,6 +146,17 @@ void set_cloth(const Document& document, Scene& scene) {
   if (tells("friction", "coefficient")) scene.friction = cloth.fabric.friction;
 }
 
+// Every frame is to be that of its time, so each begins with a step: taken at the first step after
+// their times, frames would be now one step apart and now another, and what moves evenly would
+// judder.
+void fit_steps_to_frames(Scene& scene) {
+  constexpr double negligible = 1e-9;  // of the steps in a frame
+  const double frame_s = 1 / scene.recording.frames_per_second;
+  const double steps = frame_s / scene.time.step_s;
+  if (std::abs(steps - std::round(steps)) <= negligible * steps) return;
+  scene.time.step_s = frame_s / std::ceil(steps);
+}
+
 // Hands pull and yield as [fastening] says, unless they say otherwise.
 void set_defaults_of_stages(Scene& scene) {
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
@@ -181,14 +183,15 @@ void set_defaults(const Document& document, Scene& scene) {
   if (document.find("recording", "checkpoint_every") == nullptr)
     scene.recording.checkpoint_every_s =
         default_frames_per_checkpoint / scene.recording.frames_per_second;
+  fit_steps_to_frames(scene);
   set_defaults_of_stages(scene);
 }
 
 Result<void> check_rules(const Document& document, const Scene& scene) {
   for (const auto& rule :
        {one_drawing, one_width, one_way_to_pass_over, expected_between_places, countable_particles,
-        fabric_tells_something, cloth_is_flat, countable_steps, at_most_a_frame_a_step,
-        fastening_against_air, tight_by_fastening, check_stages})
+        fabric_tells_something, cloth_is_flat, countable_steps, fastening_against_air,
+        tight_by_fastening, check_stages})
     if (auto kept = rule(document, scene); !kept) return kept;
   return {};
 }

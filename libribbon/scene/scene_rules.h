@@ -8,7 +8,7 @@
 namespace ribbon {
 
 // What the scene leaves out and other keys tell: rates, clearance, what hands do not say
-// themselves.
+// themselves. Steps are shortened so far that each frame falls on one.
 void set_defaults(const Document& document, Scene& scene);
 
 // Fails, with the place, where two keys contradict each other or one lacks the other.

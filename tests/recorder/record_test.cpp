@@ -34,14 +34,36 @@ class Record : public TestInFolder {
   Scene scene_;
 };
 
-TEST_F(Record, a_frame_is_recorded_at_the_first_step_at_or_after_its_time) {
-  const RunStatistics statistics = record_all(folder_ / "knot.rbn");
-  // By hand: 0.2 s at 30 frames/s are frames at 0, 1/30, ... 6/30; steps of 10 ms.
-  EXPECT_EQ(frame_count(scene_), 7);
-  EXPECT_EQ(statistics.frames, 7);
-  EXPECT_EQ(statistics.steps, 20);
+// By hand: 0.2 s are frames at 0, 1/30, ... 6/30 s of four steps of 8.3 ms, and likewise.
+TEST_F(Record, each_frame_is_recorded_at_its_time) {
+  struct Rate {
+    const char* setting;
+    double frames_per_second;
+    int frames;
+    int steps;
+  };
+  for (const Rate& rate : {Rate{"recording.frames_per_second=30", 30, 7, 24},
+                           Rate{"recording.frames_per_second=24", 24, 5, 20},
+                           Rate{"recording.frames_per_second=60", 60, 13, 24},
+                           Rate{"recording.frames_per_second=23.976", 23.976, 5, 20},
+                           Rate{"recording.frames_per_second=120", 120, 25, 24}}) {
+    scene_ = read_scene(folder_ / "small.toml", std::vector<std::string>{rate.setting}).value();
+    const RunStatistics statistics = record_all(folder_ / "knot.rbn");
+    EXPECT_EQ(frame_count(scene_), rate.frames) << rate.setting;
+    EXPECT_EQ(statistics.frames, rate.frames) << rate.setting;
+    EXPECT_EQ(statistics.steps, rate.steps) << rate.setting;
+    const auto reader = recorded();
+    ASSERT_EQ(reader.frame_count(), rate.frames) << rate.setting;
+    for (int frame = 0; frame < rate.frames; ++frame)
+      EXPECT_NEAR(reader.numbers(frame)->time_s, frame / rate.frames_per_second, 1e-12)
+          << rate.setting << ", frame " << frame;
+  }
+}
+
+TEST_F(Record, a_frame_between_two_steps_is_recorded_at_the_second) {
+  scene_.time.step_s = 0.01;
+  EXPECT_EQ(record_all(folder_ / "knot.rbn").steps, 20);
   const auto reader = recorded();
-  ASSERT_EQ(reader.frame_count(), 7);
   constexpr std::array expected_s = {0.0, 0.04, 0.07, 0.1, 0.14, 0.17, 0.2};
   for (int frame = 0; frame < 7; ++frame)
     EXPECT_NEAR(reader.numbers(frame)->time_s, expected_s[frame], 1e-12);

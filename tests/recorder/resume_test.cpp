@@ -65,7 +65,7 @@ TEST_F(ResumeRun, a_stopped_run_goes_on_to_the_frames_of_one_that_never_stopped)
     const auto statistics = resume(file_, "resumer", goes_on).value().value();
     EXPECT_EQ(statistics.frames, 61);
     EXPECT_EQ(statistics.first_frame, frames);
-    EXPECT_EQ(statistics.steps, 200);
+    EXPECT_EQ(statistics.steps, 240);
     expect_whole();
     const auto sessions = RecordingReader::open(file_)->sessions();
     ASSERT_EQ(sessions.size(), 1U);
@@ -78,7 +78,7 @@ TEST_F(ResumeRun, checkpoints_are_at_the_start_at_multiples_of_their_interval_an
   const auto reader = RecordingReader::open(folder_ / "whole.rbn").value();
   // By hand: 30 frames/s, one each half second; the last frame is at 2 s.
   EXPECT_EQ(reader.checkpoints(), (std::vector<std::uint32_t>{0, 15, 30, 45, 60}));
-  EXPECT_EQ(reader.read_checkpoint(15)->steps, 50U);
+  EXPECT_EQ(reader.read_checkpoint(15)->steps, 60U);
   scene_.recording.checkpoint_every_s = 0;
   record_stopped(20);
   EXPECT_EQ(RecordingReader::open(file_)->checkpoints(), (std::vector<std::uint32_t>{0, 19}));

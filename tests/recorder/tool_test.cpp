@@ -38,7 +38,7 @@ class RibbonRecord : public ToolTest {
 
 TEST_F(RibbonRecord, records_a_scene_and_sums_it_up_in_one_line) {
   const std::string answer = output_of(run("small.toml -o knot.rbn"));
-  EXPECT_THAT(answer, StartsWith("knot.rbn: free start; 7 frames, 0.2 s in 20 steps"));
+  EXPECT_THAT(answer, StartsWith("knot.rbn: free start; 7 frames, 0.2 s in 24 steps"));
   EXPECT_EQ(std::count(answer.begin(), answer.end(), '\n'), 1);
   EXPECT_EQ(RecordingReader::open(folder_ / "knot.rbn").value().frame_count(), 7);
 }
@@ -273,7 +273,7 @@ TEST_F(RibbonRecord, resumes_extends_and_branches) {
   ASSERT_EQ(run("small.toml -o whole.rbn --quiet").exit_code, 0);
   ASSERT_EQ(run("small.toml -o knot.rbn --frames 3").exit_code, 0);
   EXPECT_THAT(output_of(run("--resume knot.rbn")),
-              StartsWith("knot.rbn: free start; 7 frames, 0.2 s in 20 steps"));
+              StartsWith("knot.rbn: free start; 7 frames, 0.2 s in 24 steps"));
   EXPECT_EQ(frames_of(folder_ / "knot.rbn"), frames_of(folder_ / "whole.rbn"));
   EXPECT_THAT(output_of(run("--resume knot.rbn")), HasSubstr("nothing to add"));
   EXPECT_EQ(run("--resume knot.rbn --until 0.3 --quiet").output, "");

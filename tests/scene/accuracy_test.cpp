@@ -55,10 +55,13 @@ TEST(Accuracy, keys_of_the_scene_win_over_the_level) {
   EXPECT_EQ(scene.time.tolerance, accuracy_levels[0].tolerance);
 }
 
-TEST(Accuracy, a_frame_a_step_is_the_most_at_the_level_of_the_scene) {
+TEST(Accuracy, no_step_is_longer_than_a_frame) {
   const std::string text = "accuracy = 'draft'\n" + smallest_scene();
-  EXPECT_EQ(complaint(text + "[recording]\nframes_per_second = 50\n"), "");
-  EXPECT_NE(complaint(text + "[recording]\nframes_per_second = 51\n"), "");
+  const auto step_s = [&](const std::string& rate) {
+    return read_text(text + "[recording]\nframes_per_second = " + rate + "\n").value().time.step_s;
+  };
+  EXPECT_EQ(step_s("50"), 0.02);
+  EXPECT_DOUBLE_EQ(step_s("80"), 0.0125);
 }
 
 }  // namespace ribbon::accuracy_test

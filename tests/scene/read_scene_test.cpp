@@ -393,13 +393,10 @@ INSTANTIATE_TEST_SUITE_P(
         Impossible{"too_coarse_recording", with("[recording]\nmax_position_error = 0.5\n"),
                    "11:22: 'max_position_error' must be a number from 1e-7 to 0.01, or 0, not 0.5; "
                    "write for example 'max_position_error = 1e-5'"},
-        Impossible{"too_many_frames", with("[recording]\nframes_per_second = 101\n"),
-                   "11:21: 'frames_per_second' is 101, but with a step of 0.01 s there are only "
-                   "100 steps per second; write 'frames_per_second = 100' or less, or a shorter "
-                   "step"},
         Impossible{"too_many_steps", ribbon_line("duration = 4", "duration = 1e8"),
                    "8:12: 'duration' is 10000000000 steps of 0.01 s; "
-                   "write a shorter duration or a longer step, at most 1e9 steps"},
+                   "write a shorter duration, a longer step or fewer frames per second, at most "
+                   "1e9 steps"},
         Impossible{"less_than_a_step", ribbon_line("duration = 4", "duration = 0.005"),
                    "8:12: 'duration' is shorter than one 'step' of 0.01 s; "
                    "write a longer duration or a shorter step"},
@@ -424,10 +421,26 @@ INSTANTIATE_TEST_SUITE_P(
                    "reaches 'speed' against it; write for example 'resistance = 10' in [air]"}),
     [](const auto& instance) { return instance.param.name; });
 
-TEST(ReadScene, the_highest_frame_rate_is_one_frame_a_step) {
-  // 1 / 0.0003 is no round number: what the message offers must be accepted.
-  const std::string text = with("[recording]\nframes_per_second = 3333.3333333333335\n");
-  EXPECT_EQ(complaint(replaced(text, "duration", "step = 0.0003\nduration")), "");
+// By hand; those of 50 frames a second are as long as they were asked for, to the bit.
+TEST(ReadScene, steps_are_shortened_until_each_frame_falls_on_one) {
+  struct Rate {
+    const char* frames_per_second;
+    const char* step;
+    double expected_s;
+  };
+  for (const Rate& rate :
+       {Rate{"50", "0.01", 0.01}, Rate{"20", "0.01", 0.01}, Rate{"100", "0.01", 0.01},
+        Rate{"24", "0.01", 1.0 / 120}, Rate{"60", "0.01", 1.0 / 120}, Rate{"30", "0.01", 1.0 / 120},
+        Rate{"29.97", "0.01", 1 / 29.97 / 4}, Rate{"101", "0.01", 1.0 / 101},
+        Rate{"1000", "0.01", 0.001}, Rate{"24", "0.00125", 1.0 / 24 / 34},
+        Rate{"0.001", "0.01", 0.01}, Rate{"3333.3333333333335", "0.0003", 0.0003}}) {
+    const std::string text =
+        with("[recording]\nframes_per_second = " + std::string(rate.frames_per_second) + "\n");
+    const auto scene =
+        read_text(replaced(text, "duration", "step = " + std::string(rate.step) + "\nduration"));
+    EXPECT_DOUBLE_EQ(scene.value().time.step_s, rate.expected_s) << rate.frames_per_second;
+    EXPECT_LE(scene.value().time.step_s, std::stod(rate.step)) << rate.frames_per_second;
+  }
 }
 
 TEST(ReadScene, long_steps_lower_the_default_frame_rate) {
