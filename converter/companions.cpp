@@ -1,7 +1,5 @@
 #include "converter/companions.h"
 
-#include <utility>
-
 #include "converter/motion_format.h"
 #include "converter/output_names.h"
 #include "files/files.h"

@@ -1,6 +1,5 @@
 #include "converter/comparison.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

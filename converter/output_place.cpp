@@ -1,7 +1,6 @@
 #include "converter/output_place.h"
 
 #include <algorithm>
-#include <system_error>
 
 #include "files/files.h"
 

@@ -27,12 +27,15 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
   const auto size = [](const Scene& scene) {
     return std::array{scene.ribbon.along, scene.ribbon.across};
   };
+  const auto widths = [](const Scene& scene) {
+    return std::pair(scene.ribbon.width_m, row_widths_m(scene.ribbon));
+  };
+  // Particles and width first: a clearance that is left out depends on them.
   const std::array rules = {
+      Rule{size(a) == size(b), "the number of particles", "all frames have the same particles"},
+      Rule{widths(a) == widths(b), "ribbon.width", "the ribbon has grown to it"},
       Rule{a.curve == b.curve, "[curve]", "the ribbon has left its drawing"},
       Rule{a.knot == b.knot, "[knot]", "it is that of the drawing"},
-      Rule{size(a) == size(b), "the number of particles", "all frames have the same particles"},
-      Rule{row_widths_m(a.ribbon) == row_widths_m(b.ribbon), "ribbon.width",
-           "the ribbon has grown to it"},
       Rule{a.obstacle == b.obstacle, "[obstacle]", "the ribbon lies around it"},
       Rule{a.contact == b.contact, "contact", "the header tells what gap all frames keep"},
       Rule{a.fastening.has_value() == b.fastening.has_value(), "whether there is a [fastening]",

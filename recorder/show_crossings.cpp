@@ -1,7 +1,6 @@
 #include "recorder/show_crossings.h"
 
 #include <optional>
-#include <system_error>
 #include <vector>
 
 #include "curve/crossings.h"

@@ -1,7 +1,6 @@
 #include "converter/export/fbx_settings.h"
 
 #include <algorithm>
-#include <string>
 #include <string_view>
 
 #include "converter/export/fbx_motion.h"

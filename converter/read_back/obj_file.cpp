@@ -2,7 +2,6 @@
 
 #include <tiny_obj_loader.h>
 
-#include <exception>
 #include <fstream>
 #include <string>
 

@@ -1,7 +1,5 @@
 #include "curve/joined_drawing.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "curve/outline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>

@@ -40,7 +40,7 @@ std::optional<Piercing> pierce(const Vector3d& p, const Vector3d& q, const Vecto
   if ((weights.array() < 0).any() && (weights.array() > 0).any()) return std::nullopt;
   const double sum = weights[0] + weights[1] + weights[2];
   if (sum == 0) return std::nullopt;
-  return Piercing{p_side / (p_side - q_side), weights / sum};
+  return Piercing{weights / sum};
 }
 
 }  // namespace ribbon

@@ -8,8 +8,7 @@ namespace ribbon {
 
 // Where segment pq pierces triangle abc.
 struct Piercing {
-  double along_segment = 0;  // 0 at p, 1 at q
-  Eigen::Vector3d weights;   // barycentric weights of a, b, c
+  Eigen::Vector3d weights;  // barycentric weights of a, b, c
 };
 
 // The piercing point of segment pq and triangle abc, if there is one. Segments within the

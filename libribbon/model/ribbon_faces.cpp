@@ -1,6 +1,5 @@
 #include "model/ribbon_faces.h"
 
-#include <array>
 #include <vector>
 
 namespace ribbon {

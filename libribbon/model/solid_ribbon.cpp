@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "model/outward_direction.h"

@@ -33,9 +33,8 @@ inline constexpr double most_stretch_of_mass_m2_s2 = 500;
 //   bend = 16 B w / (a⁵ c²). In a mesh so fine that this is more than a fourteenth of what a line
 //   resists stretch, edges would give way instead; bend stays at that, and cloth folds more easily.
 // - Stretch: a line must bear E w x strain, E the fabric's or the most of above. Springs over two
-// edges bear as much as four times the
-//   same stiffness between neighbours, so stretch = E w / a - 4 bend. (What the diagonals bear,
-//   G a² / b² of E, is left out.)
+//   edges bear as much as four times the same stiffness between neighbours, so
+//   stretch = E w / a - 4 bend. (What the diagonals bear, G a² / b² of E, is left out.)
 //
 // Exact along the band. Across it the same numbers hold as far as a is b.
 SpringScene springs_of(const Fabric& fabric, const RestSize& size);

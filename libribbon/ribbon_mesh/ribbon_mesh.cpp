@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <cmath>
-#include <string>
 
 #include "ribbon_mesh/width_vectors.h"
 #include "text/number_text.h"

@@ -5,7 +5,6 @@
 
 #include <cerrno>
 #include <csignal>
-#include <string_view>
 
 namespace ribbon {
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
 
 #include "parallel/parallel.h"
 #include "player/picture/strokes.h"

@@ -1,6 +1,5 @@
 #include "player/page/shown_recording.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

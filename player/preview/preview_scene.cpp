@@ -1,7 +1,6 @@
 #include "player/preview/preview_scene.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "player/picture/curve_style.h"
 #include "player/preview/cloth_texels.h"

@@ -1,7 +1,6 @@
 #include "player/render/render.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "player/render/surface.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

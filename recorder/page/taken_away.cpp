@@ -1,6 +1,5 @@
 #include "recorder/page/taken_away.h"
 
-#include <memory>
 #include <vector>
 
 #include "files/files.h"

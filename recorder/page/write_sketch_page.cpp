@@ -1,7 +1,5 @@
 #include "recorder/page/write_sketch_page.h"
 
-#include <system_error>
-
 #include "files/files.h"
 #include "page/page_parts.h"
 #include "recorder/page/packed.h"

@@ -151,6 +151,14 @@ TEST_F(Branch, what_all_frames_have_in_common_cannot_change) {
   }
 }
 
+TEST_F(Branch, a_width_cannot_change_where_the_scene_says_its_clearance_either) {
+  const std::string text = read_file(folder_ / "knot.toml").value();
+  const std::string setting = "curve.clearance=0.003";
+  record_source(read_scene(folder_ / "knot.toml", with_setting("", text, setting).value()).value());
+  EXPECT_THAT(refusal(20, {"ribbon.width=0.02"}), HasSubstr("ribbon.width cannot change"));
+  EXPECT_EQ(refusal(20, {"ribbon.width=0.03"}), "") << "as it is";
+}
+
 TEST_F(Branch, its_header_names_the_edges_that_are_limited_in_all_of_its_frames) {
   const LimitedEdges without_diagonals{.along = true, .across = true};
   const auto header = [](const fs::path& file) { return RecordingReader::open(file)->header(); };

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 
 #include "exact/orientation.h"
 #include "geometry/object_axis.h"
@@ -31,8 +30,6 @@ class AxisTurns {
   [[nodiscard]] bool met() const { return met_; }
 
  private:
-  using Ends = std::array<Eigen::Vector3d, 2>;
-
   [[nodiscard]] int passage(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
   [[nodiscard]] bool meets(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
   int watched_passage(const Eigen::Vector3d& from, const Eigen::Vector3d& to);

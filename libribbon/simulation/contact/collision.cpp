@@ -46,8 +46,7 @@ std::optional<Collision> find_collision(const FeaturePair& pair, const VertexPos
     // Coplanar at this instant, they either meet or lie beside each other.
     if (length_of(weighted_sum(x, weights)) <= activation_m) {
       direction1 *= side0 > 0 ? 1 : -1;
-      const Vector3d normal = normalised(direction1);
-      return Collision{weights, normal, dot(normal, weighted_sum(x1, weights))};
+      return Collision{weights, normalised(direction1)};
     }
   }
 
@@ -55,7 +54,7 @@ std::optional<Collision> find_collision(const FeaturePair& pair, const VertexPos
   const Vector3d apart = weighted_sum(x1, weights);
   const double distance_m = length_of(apart);
   if (distance_m >= activation_m || distance_m == 0) return std::nullopt;
-  return Collision{weights, apart / distance_m, distance_m};
+  return Collision{weights, apart / distance_m};
 }
 
 }  // namespace ribbon

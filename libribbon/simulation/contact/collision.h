@@ -14,7 +14,6 @@ namespace ribbon {
 struct Collision {
   Eigen::Vector4d weights;
   Eigen::Vector3d normal;
-  double separation_m = 0;  // of the contact points along the normal at the end; negative: passed
 };
 
 // Do the two features collide on their straight way from `t0` to `t1`? They do

@@ -1,7 +1,6 @@
 #include "simulation/integration/quasi_newton_matrix.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "parallel/parallel.h"

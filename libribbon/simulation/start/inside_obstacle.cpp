@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <set>
-#include <string>
 #include <utility>
 
 #include "geometry/segment_triangle.h"

@@ -1,7 +1,6 @@
 #include "simulation/truncation/row_chain.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 
 #include "geometry/vectors.h"

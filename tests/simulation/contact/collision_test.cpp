@@ -36,7 +36,6 @@ TEST(Collision, a_vertex_that_passes_through_a_triangle_is_found_with_its_weight
           .value();
   EXPECT_TRUE(collision.weights.isApprox(Vector4d(1, -0.5, -0.25, -0.25)));
   EXPECT_TRUE(collision.normal.isApprox(Vector3d::UnitY()));
-  EXPECT_DOUBLE_EQ(collision.separation_m, -3);
 }
 
 TEST(Collision, an_edge_that_passes_through_an_edge_is_found_with_its_weights) {
@@ -80,9 +79,8 @@ TEST(Collision, ending_closer_than_the_gap_is_one_and_at_the_gap_none) {
 TEST(Collision, a_moving_triangle_meets_a_still_vertex) {
   Matrix3Xd after = vertex_over_triangle(1);
   after.row(1).tail(3).setConstant(2);
-  const auto collision =
-      find_collision(vertex_triangle, vertex_over_triangle(1), after, 0.1).value();
-  EXPECT_DOUBLE_EQ(collision.separation_m, -1);
+  EXPECT_TRUE(find_collision(vertex_triangle, vertex_over_triangle(1), after, 0.1)
+                  ->normal.isApprox(Vector3d::UnitY()));
 }
 
 }  // namespace ribbon::collision_test
