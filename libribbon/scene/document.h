@@ -4,15 +4,18 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "result/result.h"
+#include "scene/line_origins.h"
 #include "scene/toml.h"
 
 namespace ribbon {
 
 struct Document {
   std::filesystem::path file;
-  TomlValue root;  // a table
+  TomlValue root;                        // a table
+  std::vector<LineOrigin> origins = {};  // of all lines; none where they are those of the file
 
   // The table of that name, the whole file for the empty name; null when there is none. Of several
   // tables of one name "stage[2]" is the second, and "stage[2].hand[1]" the first in that.
@@ -20,7 +23,8 @@ struct Document {
   // The key of a table; null when there is none.
   [[nodiscard]] const TomlValue* find(std::string_view table, std::string_view key) const;
 
-  // "knot.toml:4:9"; the file alone where TOML only implies it.
+  // "knot.toml:4:9", or "knot.toml with 'time.step=1'" where a setting wrote the line; the file
+  // alone where TOML only implies it.
   [[nodiscard]] std::string place(const TomlPosition& position) const;
   // Of the key, else of its table, else of the file.
   [[nodiscard]] std::string place(std::string_view table, std::string_view key) const;

@@ -8,6 +8,7 @@
 #include "scene/accuracy.h"
 #include "scene/document.h"
 #include "scene/fabric.h"
+#include "scene/line_origins.h"
 #include "scene/nearest_word.h"
 #include "scene/scene.h"
 #include "scene/scene_rules.h"
@@ -475,8 +476,8 @@ Result<Scene> scene_of(const Document& document) {
   return scene;
 }
 
-// Lines of a text with settings are not those of the file. Where it can be read without one of
-// them, but not with it, nor with those that come after, that one is told.
+// Where a text can be read without one of its settings, but not with it, nor with those that come
+// after, that one is told.
 Result<Scene> blamed(Result<Scene> refused, const std::filesystem::path& file,
                      const std::string& text, std::vector<std::string> settings) {
   while (!refused && !settings.empty()) {
@@ -513,12 +514,17 @@ Result<Scene> read_scene(const std::filesystem::path& file,
 
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
                          const std::vector<std::string>& settings, const std::string& name) {
+  std::vector<LineOrigin> origins = origins_in_file(text);
   for (const std::string& setting : settings) {
     auto changed = with_setting(file, text, setting);
     if (!changed) return tl::unexpected(changed.error());
+    trace_setting(setting, text, *changed, origins);
     text = *std::move(changed);
   }
-  return parse_document(file, text).and_then(scene_of).map([&](Scene scene) {
+  auto document = parse_document(file, text);
+  if (!document) return tl::unexpected(document.error());
+  document->origins = std::move(origins);
+  return scene_of(*document).map([&](Scene scene) {
     if (scene.name.empty()) scene.name = name.empty() ? file.stem().string() : name;
     scene.file = file;
     scene.text = std::move(text);

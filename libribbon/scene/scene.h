@@ -160,7 +160,7 @@ struct FasteningScene {
 enum class RunsUntil { duration, tight };
 
 struct TimeScene {
-  double step_s = 0.01;  // divides the time between two frames, in scenes that were read
+  double step_s = 0.01;   // divides the time between two frames, in scenes that were read
   double duration_s = 0;  // at most
   RunsUntil until = RunsUntil::duration;
   std::optional<IntegrationMethod> integrator =

@@ -66,6 +66,25 @@ TEST(WithSetting, the_scene_says_whether_it_knows_the_key_and_the_value) {
   EXPECT_EQ(read_scene("knot.toml", changed(commented, "ribbon.width=2"))->ribbon.width_m, 2);
 }
 
+// The mesh stands on line 8 and stays there, whatever settings write above it or below.
+TEST(ReadScene, with_settings_places_are_those_of_the_file_or_the_setting) {
+  const std::string text =
+      "[curve]\npoints = [[0, 0], [100, 50]]\n[ribbon]\nalong = 40\nacross = 5\nwidth = 0.05\n"
+      "[obstacle]\nmesh = 'ball.obj'\n[time]\nduration = 1";
+  const auto place = [&](const std::vector<std::string>& settings) {
+    return read_scene("knot.toml", text, settings).value().obstacle->file.place;
+  };
+  EXPECT_EQ(place({}), "knot.toml:8:8");
+  for (const char* setting :
+       {"accuracy=fine", "ribbon.along=100", "ribbon.across=9", "curve.points=[[0, 0], [1, 2]]",
+        "time.step=0.001", "air.resistance=1"})
+    EXPECT_EQ(place({setting}), "knot.toml:8:8") << setting;
+  EXPECT_EQ(place({"accuracy=fine", "air.resistance=1", "obstacle.scale=2", "ribbon.along=100"}),
+            "knot.toml:8:8");
+  EXPECT_EQ(place({"accuracy=fine", "obstacle.mesh=box.obj", "name=box"}),
+            "knot.toml with 'obstacle.mesh=box.obj'");
+}
+
 TEST(WithSetting, what_is_not_a_setting_is_refused) {
   for (const std::string setting :
        {"", "=", "width", "=3", "ribbon.=3", "ribbon.wi dth=3", "a.b.c=3",
