@@ -1,5 +1,8 @@
 #include "commandline/tool.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -21,6 +24,12 @@ Result<ExitCode> printed(ExitCode code) {
                          "make room where it goes, and call it again");
 }
 
+// A file that is opened next would get the number, and with it all that is said there.
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0) (void)::open("/dev/null", O_RDWR);
+}
+
 int could_not(const std::string& tool_name, const std::string& sentence) {
   return told(ExitCode::could_not, tool_name, sentence);
 }
@@ -28,6 +37,7 @@ int could_not(const std::string& tool_name, const std::string& sentence) {
 }  // namespace
 
 int run_tool(const std::string& tool_name, const std::function<Result<ExitCode>()>& body) {
+  occupy_closed_streams();
   // A limit on file sizes is a write error like a full disk, with a sentence.
   std::signal(SIGXFSZ, SIG_IGN);
   try {

@@ -1,7 +1,10 @@
 #include "commandline/tool.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
 
@@ -42,6 +45,19 @@ TEST(RunTool, an_error_that_may_pass_asks_for_another_try) {
       []() -> Result<ExitCode> { return passing_failure("", "interrupted", "start again"); });
   EXPECT_EQ(code, 3);
   EXPECT_EQ(standard_error, "ribbon-test: interrupted; start again\n");
+}
+
+// What is said on a closed stream would go into the file that is opened next.
+TEST(RunToolDeathTest, closed_streams_are_no_files_of_the_job) {
+  const auto open_a_file = []() -> Result<ExitCode> {
+    return ::open("/dev/null", O_WRONLY) > STDERR_FILENO ? ExitCode::done : ExitCode::answer_is_no;
+  };
+  EXPECT_EXIT(
+      {
+        for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::close(stream);
+        std::_Exit(run_tool("ribbon-test", open_a_file));
+      },
+      testing::ExitedWithCode(0), "");
 }
 
 TEST(RunTool, a_lack_of_memory_is_reported) {
