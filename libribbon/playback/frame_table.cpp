@@ -26,4 +26,8 @@ bool FrameTable::insert(const IndexedFrame& frame) {
   return true;
 }
 
+void FrameTable::replace(const IndexedFrame& frame) {
+  (*pages_[frame.frame / page_frames])[frame.frame % page_frames] = frame;
+}
+
 }  // namespace ribbon

@@ -27,6 +27,8 @@ class FrameTable {
 
   // False, changing nothing, where that frame is known already.
   bool insert(const IndexedFrame& frame);
+  // Likewise of a frame that is known; what find() gave is that of the new one then.
+  void replace(const IndexedFrame& frame);
 
  private:
   using Page = std::array<std::optional<IndexedFrame>, page_frames>;

@@ -172,13 +172,26 @@ const char* RecordingContents::take(const WalkStep& step) {
 const char* RecordingContents::take_frame(const WalkStep& step) {
   const auto record = parse_frame_payload(step.payload);
   if (!record || record->recording_id != start_.recording_id ||
-      record->frame >= most_frames(step.offset) || find(record->frame) != nullptr)
+      record->frame >= most_frames(step.offset))
     return foreign;
-  table_.insert({record->frame, static_cast<std::uint32_t>(step.length), step.offset,
-                 record->reference, record->numbers});
+  const IndexedFrame frame{record->frame, static_cast<std::uint32_t>(step.length), step.offset,
+                           record->reference, record->numbers};
+  if (const IndexedFrame* known = find(record->frame)) {
+    // Of two, one is a copy over something else, and not where it was written.
+    if (lies_behind_its_reference(*known) || !lies_behind_its_reference(frame)) return foreign;
+    table_.replace(frame);
+  } else {
+    table_.insert(frame);
+  }
   finished_ = false;
   ending_ = RunEnding::unknown;
   return nullptr;
+}
+
+bool RecordingContents::lies_behind_its_reference(const IndexedFrame& frame) {
+  if (!frame.reference) return true;
+  const IndexedFrame* reference = find(*frame.reference);
+  return reference != nullptr && reference->offset < frame.offset;
 }
 
 // An index also tells of frames that are lost.

@@ -62,6 +62,7 @@ class RecordingContents {
   void walk();
   const char* take(const WalkStep& step);
   const char* take_frame(const WalkStep& step);
+  bool lies_behind_its_reference(const IndexedFrame& frame);
   const char* take_index(const WalkStep& step);
   const char* take_directory(const WalkStep& step);
   const char* take_footer(const WalkStep& step);

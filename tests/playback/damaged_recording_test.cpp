@@ -270,6 +270,14 @@ TEST_F(DamagedRecording, frames_of_another_recording_do_not_belong) {
   EXPECT_FALSE(reader.damage().empty());
 }
 
+// As a disk does that writes a block twice: what comes again earlier lies before its reference.
+TEST_F(DamagedRecording, records_that_come_again_earlier_are_read_where_they_were) {
+  const std::string again = killed_.substr(begin_[5], end_[6] - begin_[5]);
+  auto reader = open(killed_.substr(0, begin_[1]) + again + killed_.substr(begin_[1])).value();
+  EXPECT_EQ(reader.frame_count(), frames);
+  EXPECT_TRUE(lost_frames(reader).empty());
+}
+
 TEST_F(DamagedRecording, a_frame_number_that_the_file_cannot_hold_is_refused) {
   std::string bytes = killed_.substr(0, begin_[1]);
   std::string payload =
