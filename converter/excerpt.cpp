@@ -129,11 +129,15 @@ Result<ConversionReport> write_excerpt(const ConversionRequest& request, Convers
   const auto header = excerpt_header(job.reader.header(), job.frames, request.max_error_m, reach_m);
   if (!header)
     return failure(request.recording.string(), header.error().problem, header.error().remedy);
-  const PartFile part(request.output);
-  auto writer = RecordingWriter::create(part.path(), *header);
+  auto part = PartFile::create(request.output);
+  if (!part) return tl::unexpected(part.error());
+  auto writer = RecordingWriter::create(part->path(), *header);
   if (!writer) return tl::unexpected(writer.error());
   return copy_frames(request, job, *writer).and_then([&](ConversionReport report) {
-    return replace_file(request.output, part.path()).map([&] { return report; });
+    return part->take_place_of(request.output).map([&] {
+      sync_folder_of(request.output);
+      return report;
+    });
   });
 }
 

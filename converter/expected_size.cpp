@@ -83,14 +83,17 @@ ExpectedSize size_of(double frames, const std::vector<double>& found) {
 
 Result<double> motion_bytes(const MotionFormat& format, const std::vector<Model>& poses,
                             TimeSpent& writing) {
-  const PartFile part(std::filesystem::temp_directory_path() / "ribbon-convert-dry-run");
-  const auto writer = format.new_writer(part.path(), poses.front(), static_cast<int>(poses.size()));
+  const auto part =
+      PartFile::create(std::filesystem::temp_directory_path() / "ribbon-convert-dry-run");
+  if (!part) return tl::unexpected(part.error());
+  const auto writer =
+      format.new_writer(part->path(), poses.front(), static_cast<int>(poses.size()));
   if (!writer) return tl::unexpected(writer.error());
   for (const Model& pose : poses)
     if (auto appended = writing.on([&] { return (*writer)->append(pose); }); !appended)
       return tl::unexpected(appended.error());
   return (*writer)->finish().map(
-      [&] { return static_cast<double>(std::filesystem::file_size(part.path())); });
+      [&] { return static_cast<double>(std::filesystem::file_size(part->path())); });
 }
 
 // What a frame adds is how much longer a file is of three frames than of the two others: the second
@@ -148,8 +151,10 @@ Result<double> excerpt_bytes(ConversionRequest request, const std::vector<int>& 
   auto job = open_job(request);
   if (!job) return tl::unexpected(job.error());
   job->frames = frames;
-  const PartFile part(std::filesystem::temp_directory_path() / "ribbon-convert-dry-run");
-  request.output = part.path();
+  const auto part =
+      PartFile::create(std::filesystem::temp_directory_path() / "ribbon-convert-dry-run");
+  if (!part) return tl::unexpected(part.error());
+  request.output = part->path();
   request.progress = ProgressStyle::none;
   return write_excerpt(request, std::move(*job)).map([](const ConversionReport& report) {
     return static_cast<double>(report.bytes_written);

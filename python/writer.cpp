@@ -106,6 +106,7 @@ class Writer {
     numbers.worst_strain =
         largest_strain(rest_size(header), all_edges, positions.cast<float>()).strain;
     value_of(writer_->append(numbers, positions));
+    value_of(writer_->take_place());
   }
 
   [[nodiscard]] int frame_count() { return static_cast<int>(open_writer().frames_written()); }

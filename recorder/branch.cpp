@@ -133,7 +133,7 @@ Result<RecordingWriter> begin_with_copies(const NewRecording& take, const Record
     if (auto appended = target->append(*source.numbers(frame), **quantised); !appended)
       return tl::unexpected(appended.error());
   }
-  auto copy = RecordingReader::open(take.file);
+  auto copy = RecordingReader::open(target->present_path());
   if (!copy) return tl::unexpected(copy.error());
   for (int frame = 0; frame < count; ++frame)
     if (!same_frame(source, *copy, frame))

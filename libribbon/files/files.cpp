@@ -50,13 +50,4 @@ Result<void> write_file(const std::filesystem::path& path, std::string_view byte
   return file->append(bytes).and_then([&] { return file->finish(); });
 }
 
-Result<void> replace_file(const std::filesystem::path& path,
-                          const std::filesystem::path& replacement) {
-  if (::rename(replacement.c_str(), path.c_str()) != 0)
-    return failure(path.string(), "cannot be replaced (" + last_error_text() + ")",
-                   "check the permissions of its folder");
-  sync_folder_of(path);
-  return {};
-}
-
 }  // namespace ribbon

@@ -24,9 +24,4 @@ Result<std::string> read_file(const std::filesystem::path& path);
 // temporary is removed and an older file under `path` is untouched.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// `replacement`, which must be on the disk already, takes the place and name of `path` in one step,
-// and that is on the disk afterwards, too. On failure both are as they were.
-Result<void> replace_file(const std::filesystem::path& path,
-                          const std::filesystem::path& replacement);
-
 }  // namespace ribbon

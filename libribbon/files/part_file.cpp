@@ -1,18 +1,33 @@
 #include "files/part_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <string>
-#include <system_error>
-
 namespace ribbon {
 
-PartFile::PartFile(const std::filesystem::path& whole)
-    : path_(whole.string() + ".part" + std::to_string(::getpid())) {}
+Result<PartFile> PartFile::create(const std::filesystem::path& whole) {
+  if (auto created = create_folder_of(whole); !created) return tl::unexpected(created.error());
+  for (long number = ::getpid();; ++number) {
+    std::filesystem::path path =
+        whole.string() + std::string(temporary_mark) + std::to_string(number);
+    FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.is_open()) return PartFile(std::move(path), std::move(file));
+    if (errno != EEXIST) return cannot_be_written(whole);
+  }
+}
 
 PartFile::~PartFile() {
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
+  if (!path_.empty()) ::unlink(path_.c_str());
+}
+
+Result<void> PartFile::take_place_of(const std::filesystem::path& whole) {
+  if (::rename(path_.c_str(), whole.c_str()) != 0)
+    return failure(whole.string(), "cannot be replaced (" + last_error_text() + ")",
+                   "check the permissions of its folder");
+  path_.clear();
+  return {};
 }
 
 }  // namespace ribbon

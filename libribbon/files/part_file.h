@@ -1,23 +1,45 @@
-// The name of a file that is not whole yet.
+// A file that is not whole yet, beside the one whose place it is to take.
 #pragma once
 
 #include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "files/descriptor.h"
+#include "result/result.h"
 
 namespace ribbon {
 
-// Beside `whole`, of this process alone. A file of that name goes in the end unless it has taken
-// the place of the whole one. A kill may leave it behind.
+// What stands in a temporary name behind the final one, before a number.
+constexpr std::string_view temporary_mark = ".part";
+
+// Is gone in the end unless it has taken that place. A kill may leave it behind.
 class PartFile {
  public:
-  explicit PartFile(const std::filesystem::path& whole);
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
+  // Creates a file that nobody else has, not even a process of the same number on another machine
+  // or in another container. Creates missing parent folders. Errors name `whole`.
+  static Result<PartFile> create(const std::filesystem::path& whole);
+
+  PartFile(PartFile&& other) noexcept
+      : path_(std::exchange(other.path_, {})), file_(std::move(other.file_)) {}
+  PartFile& operator=(PartFile&&) = delete;
   ~PartFile();
 
+  // Of the temporary name; empty once it has taken the place.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  // Open for reading and writing.
+  [[nodiscard]] FileDescriptor& file() { return file_; }
+
+  // Renames it to `whole`, which may exist, in one step: that name has the older file or this one
+  // at any moment. sync_folder_of() brings the name to the disk. On failure both are as they were.
+  Result<void> take_place_of(const std::filesystem::path& whole);
 
  private:
+  PartFile(std::filesystem::path path, FileDescriptor file)
+      : path_(std::move(path)), file_(std::move(file)) {}
+
   std::filesystem::path path_;
+  FileDescriptor file_;
 };
 
 }  // namespace ribbon

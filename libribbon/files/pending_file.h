@@ -5,14 +5,12 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "files/descriptor.h"
+#include "files/part_file.h"
 #include "result/result.h"
 
 namespace ribbon {
-
-// What stands in a temporary name behind the final one, before a number.
-constexpr std::string_view temporary_mark = ".part";
 
 // Stands beside its final name under a temporary one until finish() renames it. Destroyed earlier,
 // it leaves nothing behind, and an older file under the name is untouched. Errors name the file
@@ -22,10 +20,6 @@ class PendingFile {
   // Creates missing parent folders. Fails where a folder, a device or a pipe has that name: a file
   // must not take its place.
   static Result<PendingFile> create(const std::filesystem::path& path);
-
-  PendingFile(PendingFile&&) noexcept;
-  PendingFile& operator=(PendingFile&&) = delete;
-  ~PendingFile();
 
   // Small pieces wait in memory until they are worth a write, and may fail only then.
   Result<void> append(std::string_view bytes);
@@ -39,12 +33,12 @@ class PendingFile {
   Result<void> finish();
 
  private:
-  PendingFile(std::filesystem::path path, std::filesystem::path temporary, FileDescriptor file);
+  PendingFile(std::filesystem::path path, PartFile part)
+      : path_(std::move(path)), part_(std::move(part)) {}
   Result<void> write_waiting();
 
   std::filesystem::path path_;
-  std::filesystem::path temporary_;  // empty: renamed, or moved from
-  FileDescriptor file_;
+  PartFile part_;
   std::uint64_t size_ = 0;
   std::string waiting_;  // the last of these bytes, not yet in the file
 };

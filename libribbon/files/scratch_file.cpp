@@ -1,6 +1,5 @@
 #include "files/scratch_file.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,12 +15,9 @@ constexpr std::size_t piece_bytes = 1 << 16;
 }  // namespace
 
 Result<ScratchFile> ScratchFile::create(const std::filesystem::path& path) {
-  if (auto created = create_folder_of(path); !created) return tl::unexpected(created.error());
-  const std::string name =
-      path.string() + ".scratch" + std::string(temporary_mark) + std::to_string(::getpid());
-  FileDescriptor file(::open(name.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
-  if (!file.is_open() || ::unlink(name.c_str()) != 0) return cannot_be_written(path);
-  return ScratchFile(path, std::move(file));
+  auto part = PartFile::create(path);
+  if (!part) return tl::unexpected(part.error());
+  return ScratchFile(path, std::move(part->file()));  // open, though its name goes now
 }
 
 ScratchFile::ScratchFile(std::filesystem::path path, FileDescriptor file)

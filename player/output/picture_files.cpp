@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "files/files.h"
-#include "files/pending_file.h"
+#include "files/part_file.h"
 #include "player/picture/exr_encoder.h"
 #include "player/picture/png_encoder.h"
 

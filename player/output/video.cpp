@@ -14,8 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "files/files.h"
-#include "files/pending_file.h"
 #include "player/output/existing_file.h"
 #include "player/output/picture_format.h"
 #include "text/number_text.h"
@@ -102,8 +100,7 @@ int spawn_ffmpeg(Words words, int input, int complaints, pid_t& process) {
 
 }  // namespace
 
-Video::Video(fs::path file, fs::path temporary)
-    : file_(std::move(file)), temporary_(std::move(temporary)) {}
+Video::Video(fs::path file, PartFile part) : file_(std::move(file)), part_(std::move(part)) {}
 
 Result<std::unique_ptr<PictureSink>> Video::open(const fs::path& file, PictureSize size,
                                                  double frames_per_second,
@@ -114,9 +111,9 @@ Result<std::unique_ptr<PictureSink>> Video::open(const fs::path& file, PictureSi
                    filled_in("cannot show {:.6g} pictures a second, a GIF has at most {:.6g}",
                              frames_per_second, fastest_gif),
                    "choose fewer by --fps");
-  if (auto created = create_folder_of(file); !created) return tl::unexpected(created.error());
-  std::unique_ptr<Video> video(
-      new Video(file, file.string() + std::string(temporary_mark) + std::to_string(::getpid())));
+  auto part = PartFile::create(file);
+  if (!part) return tl::unexpected(part.error());
+  std::unique_ptr<Video> video(new Video(file, *std::move(part)));
   if (auto started = video->start(size, frames_per_second); !started)
     return tl::unexpected(started.error());
   return video;
@@ -131,7 +128,7 @@ Result<void> Video::start(PictureSize size, double frames_per_second) {
   const FileDescriptor input(ends[0]);
   pixels_ = FileDescriptor(ends[1]);
   const int problem =
-      spawn_ffmpeg(ffmpeg_words(temporary_, lower_case_extension(file_), size, frames_per_second),
+      spawn_ffmpeg(ffmpeg_words(part_.path(), lower_case_extension(file_), size, frames_per_second),
                    input.number(), complaints_.number(), ffmpeg_);
   if (problem == 0) return {};
   ffmpeg_ = -1;
@@ -148,7 +145,6 @@ Video::~Video() {
     ::kill(ffmpeg_, SIGKILL);
     ::waitpid(ffmpeg_, nullptr, 0);
   }
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
 Result<void> Video::put(OutputPicture picture) {
@@ -160,11 +156,9 @@ Result<void> Video::put(OutputPicture picture) {
 
 Result<void> Video::finish() {
   if (auto ended = wait_for_ffmpeg(); !ended) return ended;
-  const FileDescriptor written(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
+  const FileDescriptor written(::open(part_.path().c_str(), O_RDONLY | O_CLOEXEC));
   if (!written.is_open() || ::fsync(written.number()) != 0) return cannot_be_written(file_);
-  if (auto replaced = replace_file(file_, temporary_); !replaced) return replaced;
-  temporary_.clear();
-  return {};
+  return part_.take_place_of(file_).map([&] { sync_folder_of(file_); });
 }
 
 // The last line, with what matters most.

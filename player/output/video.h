@@ -8,6 +8,7 @@
 #include <string>
 
 #include "files/descriptor.h"
+#include "files/part_file.h"
 #include "player/output/existing_file.h"
 #include "player/output/picture_sink.h"
 
@@ -28,16 +29,16 @@ class Video final : public PictureSink {
   Result<void> finish() override;
 
  private:
-  Video(std::filesystem::path file, std::filesystem::path temporary);
+  Video(std::filesystem::path file, PartFile part);
   Result<void> start(PictureSize size, double frames_per_second);
   [[nodiscard]] std::string complaint() const;
   Result<void> wait_for_ffmpeg();
 
   std::filesystem::path file_;
-  std::filesystem::path temporary_;  // empty: it has its name
-  FileDescriptor pixels_;            // into ffmpeg
-  FileDescriptor complaints_;        // what ffmpeg says
-  pid_t ffmpeg_ = -1;                // not running
+  PartFile part_;
+  FileDescriptor pixels_;      // into ffmpeg
+  FileDescriptor complaints_;  // what ffmpeg says
+  pid_t ffmpeg_ = -1;          // not running
 };
 
 }  // namespace ribbon

@@ -54,6 +54,15 @@ TEST_F(RibbonRecord, writes_the_figures_of_the_run) {
   EXPECT_EQ(json["bytes"], fs::file_size(folder_ / "knot.rbn"));
 }
 
+TEST_F(RibbonRecord, what_is_to_be_replaced_stays_where_nothing_can_be_recorded) {
+  ASSERT_EQ(run("small.toml -o knot.rbn --quiet").exit_code, 0);
+  const std::string knot = bytes("knot.rbn");
+  for (const char* words : {"small.toml -o knot.rbn --force", "small.toml -o new.rbn --force"})
+    expect_refusal(run(words, "ulimit -f 1 &&"), ".rbn: cannot be written (File too large)");
+  EXPECT_TRUE(bytes("knot.rbn") == knot);
+  EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
+}
+
 TEST_F(RibbonRecord, figures_take_no_other_files_place) {
   ASSERT_EQ(run("small.toml -o knot.rbn --quiet --frames 3 --stats run.json").exit_code, 0);
   const std::string knot = bytes("knot.rbn");

@@ -19,6 +19,11 @@ bool is_on_disk(int answer) {
   return answer == 0 || errno == EINVAL || errno == EROFS;
 }
 
+bool holds_anything(const FileDescriptor& file) {
+  struct stat status {};
+  return ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0;
+}
+
 // Another file may have taken its name before it was locked.
 bool is_still_at(const std::filesystem::path& path, const FileDescriptor& file) {
   struct stat opened {};
@@ -48,10 +53,32 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path, Overwri
   std::error_code code;
   const bool is_file = !std::filesystem::is_other(path, code);
   auto file = open(path, overwrite == Overwrite::no && is_file ? O_CREAT | O_EXCL : O_CREAT);
-  // Emptied only now that nobody else writes it. Pipes and devices are empty anyway.
-  if (file && ::ftruncate(file->file_.number(), 0) != 0 && errno != EINVAL)
-    return cannot_be_written(path);
-  return file;
+  if (!file || !holds_anything(file->file_)) return file;
+  return file->stand_beside().map([&] { return *std::move(file); });
+}
+
+Result<void> RecordFile::stand_beside() {
+  std::error_code code;  // a link goes on to lead to it
+  if (const auto target = std::filesystem::canonical(path_, code); !code) path_ = target;
+  auto part = PartFile::create(path_);
+  if (!part) return tl::unexpected(part.error());
+  part_.emplace(*std::move(part));
+  replaced_ = std::exchange(file_, std::move(part_->file()));
+  struct stat older {};
+  if (!lock_for_writing(file_) || ::fstat(replaced_.number(), &older) != 0 ||
+      ::fchmod(file_.number(), older.st_mode) != 0)
+    return cannot_be_written(path_);
+  return {};
+}
+
+Result<void> RecordFile::take_place() {
+  if (!part_) return {};
+  if (auto synced = sync(); !synced) return synced;
+  if (auto taken = part_->take_place_of(path_); !taken) return taken;
+  sync_folder_of(path_);
+  part_.reset();
+  replaced_.close();
+  return {};
 }
 
 Result<RecordFile> RecordFile::open(const std::filesystem::path& path) {
@@ -85,7 +112,8 @@ Result<void> RecordFile::cut(std::uint64_t size) {
 
 void RecordFile::remove_if_empty() {
   std::error_code code;
-  if (size_ == 0 && std::filesystem::is_regular_file(path_, code)) ::unlink(path_.c_str());
+  if (size_ == 0 && !part_ && std::filesystem::is_regular_file(path_, code))
+    ::unlink(path_.c_str());
 }
 
 Result<void> RecordFile::sync() {
@@ -95,6 +123,14 @@ Result<void> RecordFile::sync() {
 }
 
 Result<void> RecordFile::close() {
+  struct stat status {};
+  const bool is_whole =
+      ::fstat(file_.number(), &status) == 0 &&
+      (!S_ISREG(status.st_mode) || static_cast<std::uint64_t>(status.st_size) == size_);
+  if (!is_whole || !is_still_at(path_, file_))
+    return failure(path_.string(),
+                   "is no longer what was written: somebody has removed, replaced or cut it",
+                   "run it again, and leave the file alone until it is finished");
   if (!file_.close()) return may_be_lost();
   return {};
 }

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "files/descriptor.h"
+#include "files/part_file.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -16,9 +18,9 @@ enum class Overwrite { no, yes };
 
 class RecordFile {
  public:
-  // Creates `path`, or empties an older file if that is wanted, and locks it; creates missing
-  // parent folders. Fails, and leaves an older file as it is, when it cannot be written or somebody
-  // else is writing it. Pipes and devices hold nothing that could be lost.
+  // Creates `path` and locks it; creates missing parent folders. An older file stays as it is until
+  // take_place(). Fails when it is not to be replaced, cannot be written or somebody else is
+  // writing it. Pipes and devices hold nothing that could be lost.
   static Result<RecordFile> create(const std::filesystem::path& path,
                                    Overwrite overwrite = Overwrite::yes);
 
@@ -28,6 +30,10 @@ class RecordFile {
   // Whole records only.
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  // What it is called at present: otherwise, until take_place().
+  [[nodiscard]] const std::filesystem::path& present_path() const {
+    return part_ ? part_->path() : path_;
+  }
 
   // Hands whole records to the operating system, in one write(). What a failed one left of them is
   // taken back, so that the file always ends with a whole record.
@@ -36,23 +42,30 @@ class RecordFile {
   // Cuts off what lies behind `size` bytes, which must be a record's end.
   Result<void> cut(std::uint64_t size);
 
+  // From now on this file has the name, and what had it before is gone.
+  Result<void> take_place();
+
   // Takes back a file in which nothing is, so that its name is free again. Pipes and devices stay.
   void remove_if_empty();
 
   // Waits until everything appended is on the disk.
   Result<void> sync();
 
-  // Closes and unlocks; nothing can be appended afterwards.
+  // Closes and unlocks; nothing can be appended afterwards. Fails as well where the name no longer
+  // leads to all that was appended.
   Result<void> close();
 
  private:
   RecordFile(std::filesystem::path path, FileDescriptor file)
       : path_(std::move(path)), file_(std::move(file)) {}
   static Result<RecordFile> open(const std::filesystem::path& path, int flags);
+  Result<void> stand_beside();
   [[nodiscard]] tl::unexpected<Error> may_be_lost() const;
 
   std::filesystem::path path_;
   FileDescriptor file_;
+  FileDescriptor replaced_;       // the older file, locked
+  std::optional<PartFile> part_;  // what file_ is called until then
   std::uint64_t size_ = 0;
   bool name_is_safe_ = false;  // the folder's entry is on the disk, too
 };

@@ -161,6 +161,10 @@ Result<void> RecordingWriter::append_session(const SessionNote& note) {
                      session_payload(so_far_.recording_id, Session{so_far_.frames, note}));
 }
 
+Result<void> RecordingWriter::take_place() {
+  return so_far_.frames > 0 ? file_.take_place() : Result<void>();
+}
+
 Result<void> RecordingWriter::sync() {
   const Timing timing(figures_.syncing_s);
   auto synced = file_.sync();
@@ -183,6 +187,7 @@ Result<void> RecordingWriter::finish(RunEnding ending) {
                                           {so_far_.frames, ending, so_far_.indices})) +
             make_record(RecordType::footer, footer_payload(so_far_.recording_id, offset)));
   if (!written) return written;
+  if (auto taken = file_.take_place(); !taken) return taken;
   if (auto synced = sync(); !synced) return synced;
   return file_.close();
 }

@@ -55,7 +55,7 @@ class RecordingWriter {
  public:
   // Creates `path` as RecordFile::create() does and writes the header at once, so that an
   // unwritable target is known before a long run. The file stays locked as long as the writer
-  // lives.
+  // lives. An older file stays until take_place() or finish().
   static Result<RecordingWriter> create(const std::filesystem::path& path,
                                         const RecordingHeader& header,
                                         Overwrite overwrite = Overwrite::yes);
@@ -83,6 +83,9 @@ class RecordingWriter {
   // The run is taken up again with the next frame.
   Result<void> append_session(const SessionNote& note);
 
+  // Once there is a frame: the recording takes the place of an older file of its name.
+  Result<void> take_place();
+
   // Waits until all that was appended is on the disk.
   Result<void> sync();
 
@@ -90,6 +93,8 @@ class RecordingWriter {
   // still complete: readers then scan.
   Result<void> finish(RunEnding ending = RunEnding::unknown);
 
+  // Where to read what has been written so far.
+  [[nodiscard]] const std::filesystem::path& present_path() const { return file_.present_path(); }
   [[nodiscard]] const RecordingHeader& header() const { return so_far_.header; }
   [[nodiscard]] std::uint32_t recording_id() const { return so_far_.recording_id; }
   [[nodiscard]] std::uint64_t bytes_written() const { return file_.size(); }  // the file's size

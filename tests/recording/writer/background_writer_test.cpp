@@ -113,6 +113,20 @@ TEST(BackgroundWriter, what_is_written_reaches_the_disk_while_the_run_goes_on) {
   EXPECT_GT(writer.figures().writer.syncing_s, 0);
 }
 
+TEST(BackgroundWriter, the_first_frame_takes_the_place_of_an_older_file) {
+  const auto path = temporary_file("older background.rbn");
+  ASSERT_TRUE(write_file(path, "older").has_value());
+  BackgroundWriter writer(RecordingWriter::create(path, sample_header()).value());
+  writer.append_session({.reason = SessionReason::begun});
+  for (int i = 0; writer.figures().writer.syncing_s == 0 && i < 5000; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(read_file(path).value(), "older");
+  writer.append(sample_numbers(0), sample_positions(0));
+  for (int i = 0; read_file(path).value() == "older" && i < 5000; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(RecordingReader::open(path)->frame_count(), 1) << "while the run goes on";
+}
+
 TEST(BackgroundWriter, a_full_disk_is_told_once_and_nothing_is_written_after_it) {
   const auto path = temporary_file("full background.rbn");
   auto target = RecordingWriter::create(path, sample_header()).value();

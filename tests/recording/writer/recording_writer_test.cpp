@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "files/files.h"
 #include "playback/recording_reader.h"
@@ -37,6 +40,70 @@ TEST(RecordingWriter, an_older_file_is_replaced_only_where_that_is_wished) {
   std::filesystem::remove(path);
   EXPECT_TRUE(RecordingWriter::create(path, sample_header(), Overwrite::no).has_value());
   EXPECT_TRUE(RecordingWriter::create("/dev/null", sample_header(), Overwrite::no).has_value());
+}
+
+int frames_at(const std::filesystem::path& path) {
+  return RecordingReader::open(path).value().frame_count();
+}
+
+TEST(RecordingWriter, an_older_recording_stays_until_the_new_one_has_a_frame) {
+  const auto path = temporary_file("older") / "knot.rbn";
+  {
+    auto older = RecordingWriter::create(path, sample_header()).value();
+    append_sample_frames(older, 0, 2);
+  }
+  EXPECT_TRUE(RecordingWriter::create(path, sample_header()).has_value()) << "and is given up";
+  {
+    const SizeLimit limit(1);
+    EXPECT_FALSE(RecordingWriter::create(path, sample_header()).has_value());
+  }
+  EXPECT_EQ(frames_at(path), 2);
+  EXPECT_TRUE(std::filesystem::hard_link_count(path) == 1 &&
+              std::distance(std::filesystem::directory_iterator(path.parent_path()), {}) == 1)
+      << "nothing is left beside it";
+
+  auto newer = RecordingWriter::create(path, sample_header()).value();
+  EXPECT_TRUE(newer.take_place().has_value());
+  EXPECT_EQ(frames_at(path), 2) << "there is no frame yet";
+  append_sample_frames(newer, 0, 1);
+  EXPECT_EQ(frames_at(path), 2);
+  EXPECT_EQ(frames_at(newer.present_path()), 1);
+  ASSERT_TRUE(newer.take_place().has_value());
+  EXPECT_EQ(newer.present_path(), path);
+  EXPECT_EQ(frames_at(path), 1);
+  EXPECT_THAT(refusal_of(RecordingWriter::create(path, sample_header())),
+              HasSubstr("is being written by another program"));
+  append_sample_frames(newer, 1, 3);
+  ASSERT_TRUE(newer.finish().has_value());
+  EXPECT_EQ(frames_at(path), 3);
+}
+
+TEST(RecordingWriter, a_link_goes_on_to_lead_to_the_recording) {
+  const auto path = temporary_file("behind a link.rbn");
+  const auto link = temporary_file("link.rbn");
+  ASSERT_TRUE(write_file(path, "older").has_value());
+  std::filesystem::permissions(path, std::filesystem::perms(0640));
+  std::filesystem::create_symlink(path, link);
+  auto writer = RecordingWriter::create(link, sample_header()).value();
+  append_sample_frames(writer, 0, 1);
+  ASSERT_TRUE(writer.finish().has_value());
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(frames_at(path), 1);
+  EXPECT_EQ(std::filesystem::status(path).permissions(), std::filesystem::perms(0640));
+}
+
+TEST(RecordingWriter, a_file_that_somebody_takes_away_is_told) {
+  for (const auto& [name, harm] :
+       {std::pair<const char*, std::function<void(const std::filesystem::path&)>>{
+            "removed.rbn", [](const auto& path) { std::filesystem::remove(path); }},
+        {"replaced.rbn", [](const auto& path) { (void)write_file(path, "another"); }},
+        {"cut.rbn", [](const auto& path) { std::filesystem::resize_file(path, 10); }}}) {
+    const auto path = temporary_file(name);
+    auto writer = RecordingWriter::create(path, sample_header()).value();
+    append_sample_frames(writer, 0, 2);
+    harm(path);
+    EXPECT_THAT(refusal_of(writer.finish()), HasSubstr("removed, replaced or cut it")) << name;
+  }
 }
 
 TEST(RecordingWriter, each_frame_is_in_the_file_when_append_returns) {
