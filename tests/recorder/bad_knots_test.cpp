@@ -13,12 +13,25 @@ class BadKnots : public ToolTest {
  protected:
   BadKnots() : ToolTest(RIBBON_RECORD) {}
 
-  // A scene of the gallery with settings, refused where it first tells this key.
-  void expect_refusal_of(const std::string& scene, const std::string& settings,
+  static std::string file_of(const std::string& scene) {
+    return RIBBON_SAMPLES "/gallery/" + scene + ".toml";
+  }
+  void expect_refusal_with(const std::string& scene, const std::string& setting,
+                           const std::string& words) const {
+    expect_refusal(run(file_of(scene) + " -o knot.rbn --set '" + setting + "'"),
+                   scene + ".toml" + words);
+  }
+
+  // A scene of the gallery with a setting, refused for what that says.
+  void expect_refusal_of(const std::string& scene, const std::string& setting,
+                         const std::string& sentence) const {
+    expect_refusal_with(scene, setting, " with '" + setting + "': " + sentence);
+  }
+  // Likewise, for what the scene first says of this key.
+  void expect_refusal_at(const std::string& scene, const std::string& setting,
                          const std::string& key, const std::string& sentence) const {
-    const std::string file = RIBBON_SAMPLES "/gallery/" + scene + ".toml";
-    expect_refusal(run(file + " -o knot.rbn" + settings),
-                   scene + ".toml:" + place_of_value(file, key) + ": " + sentence);
+    expect_refusal_with(scene, setting,
+                        ":" + place_of_value(file_of(scene), key) + ": " + sentence);
   }
 
   // Line and column.
@@ -60,14 +73,12 @@ class BadKnots : public ToolTest {
 };
 
 TEST_F(BadKnots, a_list_that_does_not_fit_its_drawing) {
-  expect_refusal_of("reef", " --set curve.crossings=OUOOUOUOUUO", "crossings",
+  expect_refusal_of("reef", "curve.crossings=OUOOUOUOUUO",
                     "the drawing has 12 passages, 'crossings' has 11 letters; passage 12 "
                     "is at (60, 530)");
-  expect_refusal_of("reef", " --set curve.crossings=OOOOUOUOUUOU", "crossings",
+  expect_refusal_of("reef", "curve.crossings=OOOOUOUOUUOU",
                     "passages 2 and 11 meet at (0, 530) of the drawing, and both say O");
-  expect_refusal(
-      run(RIBBON_SAMPLES "/gallery/reef.toml -o knot.rbn --set curve.crossings=OXOOUOUOUUOU"),
-      "reef.toml with 'curve.crossings=OXOOUOUOUUOU': letter 2 of 'crossings' is 'X'");
+  expect_refusal_of("reef", "curve.crossings=OXOOUOUOUUOU", "letter 2 of 'crossings' is 'X'");
 }
 
 TEST_F(BadKnots, gaps_that_do_not_tell_what_passes_over) {
@@ -80,7 +91,7 @@ TEST_F(BadKnots, gaps_that_do_not_tell_what_passes_over) {
 }
 
 TEST_F(BadKnots, hands_that_have_nothing_or_the_same) {
-  expect_refusal_of("bow", " --set 'stage[1].hand[1].at=\"arm-lfet\"'", "at",
+  expect_refusal_at("bow", "stage[1].hand[1].at=\"arm-lfet\"", "at",
                     "the drawing has no mark 'arm-lfet'; it has 'arm-left'");
   expect_refusal_of_stage("name = 'knot'\n", "knot.toml:13:1: 'knot' has no hands");
   expect_refusal_of_stage("[[stage.hand]]\nat = [0, 0.1]\npull = [1, 0, 0]\nhold = true\n",
@@ -97,20 +108,19 @@ TEST_F(BadKnots, a_stage_that_can_never_end) {
 }
 
 TEST_F(BadKnots, a_knot_that_the_drawing_does_not_tie) {
-  expect_refusal_of("reef", " --set 'knot.expect=granny knot'", "expect",
+  expect_refusal_of("reef", "knot.expect=granny knot",
                     "the drawing ties: reef knot (6 crossings); expected is: granny knot");
 }
 
 TEST_F(BadKnots, widths_that_no_mesh_can_hold) {
-  expect_refusal_of("tapered", " --set 'ribbon.width=[[0, 0.0005], [1, 0.13]]'", "width",
+  expect_refusal_of("tapered", "ribbon.width=[[0, 0.0005], [1, 0.13]]",
                     "where the ribbon is 0.0005 m wide its particles are");
-  expect_refusal_of("tapered", " --set 'ribbon.width=[[0, 0.05], [0.5, 0.05], [0.51, 3], [1, 3]]'",
-                    "width", "at 0.5 of its length the ribbon becomes wider or narrower by");
+  expect_refusal_of("tapered", "ribbon.width=[[0, 0.05], [0.5, 0.05], [0.51, 3], [1, 3]]",
+                    "at 0.5 of its length the ribbon becomes wider or narrower by");
 }
 
 TEST_F(BadKnots, a_ribbon_that_begins_inside_the_object) {
-  expect_refusal_of("reef", " --set obstacle.scale=40", "mesh",
-                    "the ribbon lies inside the obstacle");
+  expect_refusal_at("reef", "obstacle.scale=40", "mesh", "the ribbon lies inside the obstacle");
 }
 
 }  // namespace ribbon::bad_knots_test
