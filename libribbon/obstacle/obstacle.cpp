@@ -1,11 +1,6 @@
 #include "obstacle/obstacle.h"
 
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -15,56 +10,12 @@
 #include <string_view>
 #include <utility>
 
+#include "obstacle/imported_mesh.h"
 #include "obstacle/isolated.h"
 
 namespace ribbon {
 
 namespace {
-
-// Everything but positions and faces is dropped before equal vertices are joined: a seam in uv or
-// normals must not tear the surface open.
-constexpr unsigned dropped_components =
-    aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
-    aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
-    aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS;
-
-constexpr unsigned steps = aiProcess_RemoveComponent | aiProcess_Triangulate |
-                           aiProcess_PreTransformVertices | aiProcess_SortByPType |
-                           aiProcess_JoinIdenticalVertices;
-
-bool holds_triangles(const aiMesh& mesh) {
-  return (mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0;
-}
-
-// All triangles of all meshes of the file, in its units.
-TriangleMesh merged(const aiScene& file) {
-  Eigen::Index vertex_count = 0;
-  Eigen::Index triangle_count = 0;
-  for (unsigned m = 0; m < file.mNumMeshes; ++m) {
-    if (!holds_triangles(*file.mMeshes[m])) continue;
-    vertex_count += file.mMeshes[m]->mNumVertices;
-    triangle_count += file.mMeshes[m]->mNumFaces;
-  }
-  TriangleMesh result;
-  result.vertices.resize(3, vertex_count);
-  result.triangles.resize(3, triangle_count);
-  int vertex = 0;
-  int triangle = 0;
-  for (unsigned m = 0; m < file.mNumMeshes; ++m) {
-    const aiMesh& mesh = *file.mMeshes[m];
-    if (!holds_triangles(mesh)) continue;
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f)
-      for (unsigned corner = 0; corner < 3; ++corner)
-        result.triangles(corner, triangle + static_cast<int>(f)) =
-            vertex + static_cast<int>(mesh.mFaces[f].mIndices[corner]);
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v)
-      result.vertices.col(vertex + static_cast<int>(v)) << mesh.mVertices[v].x, mesh.mVertices[v].y,
-          mesh.mVertices[v].z;
-    vertex += static_cast<int>(mesh.mNumVertices);
-    triangle += static_cast<int>(mesh.mNumFaces);
-  }
-  return result;
-}
 
 // As the other process hands it over: the number of vertices, their coordinates, the corners.
 std::string bytes_of(const TriangleMesh& mesh) {
@@ -102,12 +53,8 @@ std::optional<TriangleMesh> mesh_of(std::string_view bytes) {
 
 // Nothing, not even a count, where assimp cannot read it.
 std::string imported(const std::filesystem::path& path) {
-  Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, static_cast<int>(dropped_components));
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* file = importer.ReadFile(path.string(), steps);
-  return file == nullptr ? std::string() : bytes_of(merged(*file));
+  const auto mesh = import_mesh(path);
+  return mesh ? bytes_of(*mesh) : std::string();
 }
 
 // Damaged files make some of assimp's readers crash or run for ever.
@@ -148,7 +95,7 @@ bool holds_triangle_strips(const std::filesystem::path& path) {
 // Why assimp could not read a file that is there. What it says itself is for programmers.
 tl::unexpected<Error> not_read(const NamedFile& file) {
   const std::string ending = file.path.extension().string();
-  if (!Assimp::Importer().IsExtensionSupported(ending))
+  if (!is_importable(ending))
     return failure(file, "is no kind of mesh file that can be read",
                    "export the object as .obj, .ply, .stl, .glb or .fbx");
   return failure(

@@ -11,6 +11,7 @@
 #include "model/placement.h"
 #include "model/sample_knot.h"
 #include "model/sample_picture.h"
+#include "obstacle/obstacle.h"
 #include "playback/recording_reader.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
@@ -117,6 +118,20 @@ TEST_F(Tool, axes_unit_and_scale_reach_the_numbers) {
   ASSERT_EQ(run("knot.rbn -o cm.pc2 --up z --unit cm --scale 0.5").exit_code, 0);
   const Placement placement{.up = UpAxis::z, .metres_per_unit = 0.01, .scale = 0.5};
   EXPECT_EQ(cached_sample(bytes("cm.pc2"), 1), placement.place(cached_sample(bytes("m.pc2"), 1)));
+}
+
+// Single precision has rounded centimetres.
+TEST_F(Tool, an_obstacle_that_goes_out_as_fbx_comes_back_in_metres_and_y_up) {
+  const TriangleMesh& rock = *sample_knot().header.obstacle;
+  for (const std::string settings :
+       {"--up y --unit m", "--up y --unit cm", "--up z --unit m", "--up z --unit cm"}) {
+    ASSERT_EQ(run("knot.rbn -o rock.fbx --force --object obstacle " + settings).exit_code, 0);
+    ObstacleScene scene;
+    scene.file.path = folder_ / "rock.fbx";
+    const TriangleMesh read = read_obstacle(scene).value();
+    EXPECT_TRUE(read.vertices.isApprox(rock.vertices, 1e-6F)) << settings << "\n" << read.vertices;
+    EXPECT_EQ(read.triangles, rock.triangles) << settings;
+  }
 }
 
 TEST_F(Tool, what_a_format_has_no_place_for_is_refused) {

@@ -126,9 +126,12 @@ TEST(Obstacle, triangles_without_area_duplicates_and_inverted_ones_are_kept) {
 }
 
 TEST(Obstacle, a_coordinate_that_is_no_number_is_told_with_its_triangle) {
-  EXPECT_THAT(refusal_of(read_obstacle(scene_of(
-                  written("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 nan 1\nf 1 2 3\nf 1 2 4\n")))),
-              HasSubstr("nan.obj: has a coordinate in triangle 2 of 2"));
+  for (const std::string vertex : {"nan 1 0", "0 nan 1", "0 1 nan", "inf 0 1"})
+    EXPECT_THAT(
+        refusal_of(read_obstacle(scene_of(written(
+            "nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv " + vertex + "\nf 1 2 3\nf 1 2 4\n")))),
+        HasSubstr("nan.obj: has a coordinate in triangle 2 of 2"))
+        << vertex;
 }
 
 TEST(Obstacle, coordinates_beyond_single_precision_are_refused) {
