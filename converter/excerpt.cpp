@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "commandline/progress.h"
 #include "files/files.h"
@@ -18,9 +20,13 @@ double largest_change_m(double coordinate_error_m) {
   return 2 * std::sqrt(3.0) * (1 + 1e-12) * coordinate_error_m;
 }
 
-// One of how many frames is kept?
-int thinned_by(const std::vector<int>& kept) {
-  return kept.size() < 2 ? 1 : kept[1] - kept[0];
+// From each of `kept` to the next; 1 where that is not the same everywhere.
+int even_stride(const std::vector<int>& kept) {
+  if (kept.size() < 2) return 1;
+  const int stride = kept[1] - kept[0];
+  for (std::size_t i = 1; i < kept.size(); ++i)
+    if (kept[i] - kept[i - 1] != stride) return 1;
+  return stride;
 }
 
 Result<void> coarsen(RecordingHeader& header, double max_error_m, float reach_m) {
@@ -89,13 +95,18 @@ Result<ConversionReport> copy_frames(const ConversionRequest& request, Conversio
   Excerpt excerpt(job.reader, writer, request.max_error_m == 0);
   ProgressLine progress("frame", static_cast<int>(job.frames.size()), request.progress);
   ConversionReport report;
-  report.thinned_by = thinned_by(job.frames);
+  std::optional<int> last_kept;
   for (const int index : job.frames) {
     if (request.interrupted()) return passing_failure("", "interrupted", "start again");
     const Result<bool> taken = excerpt.take(index);
     if (!taken) return tl::unexpected(taken.error());
-    if (!*taken) report.missing.push_back(index + 1);
-    report.frames_written += *taken ? 1 : 0;
+    if (*taken) {
+      if (last_kept) report.left_out = std::max(report.left_out, index - *last_kept - 1);
+      last_kept = index;
+      ++report.frames_written;
+    } else {
+      report.missing.push_back(index + 1);
+    }
     progress.update(report.frames_written + static_cast<int>(report.missing.size()));
   }
   if (report.frames_written == 0)
@@ -115,7 +126,7 @@ Result<RecordingHeader> excerpt_header(const RecordingHeader& source, const std:
                                        double max_error_m, float reach_m) {
   RecordingHeader header = source;
   header.writer = std::string("ribbon-convert ") + RIBBON_VERSION;
-  header.frames_per_second = source.frames_per_second / thinned_by(kept);
+  header.frames_per_second = source.frames_per_second / even_stride(kept);
   if (max_error_m > 0)
     if (auto coarsened = coarsen(header, max_error_m, reach_m); !coarsened)
       return tl::unexpected(coarsened.error());

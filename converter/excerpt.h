@@ -7,7 +7,8 @@
 namespace ribbon {
 
 // The header of an excerpt with the frames `kept` (indices from 0, ascending) in which every
-// coordinate is within max_error_m of the truth (0: as it was recorded, bit for bit).
+// coordinate is within max_error_m of the truth (0: as it was recorded, bit for bit). Where these
+// are every nth, they come at an nth of the frame rate.
 //
 // Coordinates that move by e bring two features nearer to each other by at most 2 sqrt(3) e: by so
 // much the stated gap shrinks, and the limit of strain grows. Fails where nothing is left of the

@@ -22,6 +22,11 @@ std::string pinched_text(int most) {
       most == 1 ? "particle" : "particles");
 }
 
+std::string left_out_text(int frames) {
+  return frames == 1 ? "single frames are"
+                     : ribbon::filled_in("up to {} frames in a row are", frames);
+}
+
 void print_summary(const ribbon::ConversionReport& report, double seconds) {
   const bool several = report.first_file != report.last_file;
   if (report.frames_written > 0)
@@ -30,11 +35,11 @@ void print_summary(const ribbon::ConversionReport& report, double seconds) {
   std::printf("%.1f MB in %.1f s: %s%s%s\n", static_cast<double>(report.bytes_written) / 1e6,
               seconds, report.first_file.c_str(), several ? " ... " : "",
               several ? report.last_file.c_str() : "");
-  if (report.thinned_by > 1)
+  if (report.left_out > 0)
     std::printf(
-        "one of %d frames is kept: straight ways between them, by which the knot is followed, may "
-        "now pass through cloth; ribbon-play --verify tells whether they do\n",
-        report.thinned_by);
+        "%s left out between frames that are kept: straight ways between these, by which the knot "
+        "is followed, may now pass through cloth; ribbon-play --verify tells whether they do\n",
+        left_out_text(report.left_out).c_str());
   if (report.least_thickness_m)
     std::printf("the ribbon is at least %s thick%s\n",
                 ribbon::metres(*report.least_thickness_m).c_str(),

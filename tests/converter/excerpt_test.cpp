@@ -51,6 +51,22 @@ TEST_F(Excerpts, keep_their_frames_bit_for_bit) {
   EXPECT_EQ(target.header().frames_per_second, source.header().frames_per_second / 4);
 }
 
+TEST_F(Excerpts, of_frames_that_are_not_evenly_apart_keep_the_rate) {
+  const double recorded = RecordingReader::open(source_).value().header().frames_per_second;
+  for (const std::string frames : {"1,10,11,12", "1,2,5,12", "4"}) {
+    ASSERT_TRUE(write(frames));
+    EXPECT_EQ(RecordingReader::open(target_).value().header().frames_per_second, recorded);
+  }
+}
+
+TEST_F(Excerpts, tell_how_many_frames_are_left_out_in_a_row) {
+  EXPECT_EQ(write("").value().left_out, 0);
+  EXPECT_EQ(write("5:9").value().left_out, 0);
+  EXPECT_EQ(write("::3").value().left_out, 2);
+  EXPECT_EQ(write("1,10,11,12").value().left_out, 8);
+  EXPECT_EQ(write("1,2,5,12").value().left_out, 6);
+}
+
 TEST_F(Excerpts, that_are_interrupted_may_be_tried_again) {
   ConversionRequest request;
   request.recording = source_;
