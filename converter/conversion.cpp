@@ -8,6 +8,7 @@
 #include "converter/frame_sequence.h"
 #include "converter/number_table.h"
 #include "converter/planned_files.h"
+#include "converter/remarks.h"
 #include "converter/still_life.h"
 #include "converter/whole_motion.h"
 #include "model/solid_ribbon.h"
@@ -36,9 +37,12 @@ Result<ConversionReport> convert(const ConversionRequest& request) {
     if (auto free = check_places(*files); !free) return tl::unexpected(free.error());
   const std::shared_ptr<const SolidRibbon> solid = job->model.solid;
   const double factor = request.model.placement.factor();
+  // The obstacle is the same, whatever becomes of the ribbon.
+  auto remarks = request.model.with_ribbon ? remarks_on(*job) : std::vector<std::string>{};
   return write_job(request, std::move(*job)).map([&](ConversionReport report) {
     if (solid) report.least_thickness_m = solid->least_thickness() / factor;
     if (solid) report.most_pinched = solid->most_pinched();
+    report.remarks.insert(report.remarks.begin(), remarks.begin(), remarks.end());
     return report;
   });
 }

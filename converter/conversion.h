@@ -36,8 +36,9 @@ struct ConversionReport {
   std::uint64_t bytes_written = 0;
   std::filesystem::path first_file;
   std::filesystem::path last_file;
-  std::string warning;  // of what other programs do with the file; mostly empty
-  int left_out = 0;     // of a recording: most frames in a row between two that are kept
+  std::vector<std::string>
+      remarks;       // a sentence each: of the recording, and of what other programs do
+  int left_out = 0;  // of a recording: most frames in a row between two that are kept
   std::optional<double> least_thickness_m;  // of a solid ribbon in the frames written now
   int most_pinched = 0;        // particles of one frame where front and back of the solid touch
   std::vector<int> refused;    // numbers (from 1) of asked frames that cannot be made a solid

@@ -62,7 +62,8 @@ void print_losses(const ribbon::ConversionReport& report) {
 // What converting has told, as an exit code.
 ribbon::ExitCode tell(const ribbon::ConversionReport& report, double seconds, bool quiet) {
   if (!quiet) print_summary(report, seconds);
-  if (!report.warning.empty()) std::fprintf(stderr, "ribbon-convert: %s\n", report.warning.c_str());
+  for (const std::string& remark : report.remarks)
+    std::fprintf(stderr, "ribbon-convert: %s\n", remark.c_str());
   print_losses(report);
   const bool whole = report.missing.empty() && report.refused.empty() && report.damage.empty();
   return whole ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;

@@ -78,7 +78,8 @@ Result<ConversionReport> write_whole_motion(const ConversionRequest& request, Co
   ConversionReport report;
   report.first_file = report.last_file = request.output;
   if (format.warning != nullptr)
-    report.warning = format.warning(base, static_cast<int>(job.frames.size()));
+    if (auto warning = format.warning(base, static_cast<int>(job.frames.size())); !warning.empty())
+      report.remarks.push_back(std::move(warning));
   return append_frames(job.reader, job.frames, job.model, **writer, request, report)
       .and_then([&] { return (*writer)->finish(); })
       .and_then([&] {

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "commandline/tool_run.h"
+#include "continuation/resume_recording.h"
 #include "files/files.h"
 #include "files/flipped.h"
 #include "model/placement.h"
@@ -44,8 +45,16 @@ class Tool : public ToolTest {
  protected:
   Tool() : ToolTest(RIBBON_CONVERT) { record(sample_knot()); }
 
-  void record(const SampleKnot& knot) const {
-    write_recording(recording_, knot.header, knot.frames);
+  // Frames beyond `penetrating` have no penetrating edges.
+  void record(const SampleKnot& knot, const std::vector<std::uint32_t>& penetrating = {},
+              Ending ending = Ending::finished) const {
+    auto writer = RecordingWriter::create(recording_, knot.header).value();
+    for (std::size_t frame = 0; frame < knot.frames.size(); ++frame) {
+      FrameNumbers numbers = sample_numbers(static_cast<int>(frame));
+      numbers.penetrating_edges = frame < penetrating.size() ? penetrating[frame] : 0;
+      ASSERT_TRUE(writer.append(numbers, knot.frames[frame]));
+    }
+    ASSERT_TRUE(ending == Ending::killed || writer.finish());
   }
 
   fs::path recording_ = folder_ / "knot.rbn";
@@ -91,6 +100,40 @@ TEST_F(Tool, a_point_cache_equals_the_recording_and_has_its_base) {
   }
   ASSERT_EQ(run("knot.rbn -o first.obj --frames 1").exit_code, 0);
   EXPECT_EQ(objects_of(bytes("out/knot.obj")), objects_of(bytes("first.obj")));
+}
+
+TEST_F(Tool, a_recording_that_intersects_is_told) {
+  record(sample_knot(), {0, 3, 7, 7, 0});
+  const std::string all = "ribbon-convert: the recording intersects, and so do the files: ";
+  EXPECT_THAT(
+      run("knot.rbn -o a.abc --quiet").errors,
+      StartsWith(all + "in 3 of 5 frames, first in frame 2, worst in frame 3, where 7 edges "
+                       "pierce triangles\n"));
+  const ToolRun few = run("knot.rbn -o '{frame}.obj' --frames 1:2");
+  EXPECT_EQ(few.exit_code, 0);
+  EXPECT_THAT(few.errors, HasSubstr("in 1 of 2 frames, first in frame 2, worst in frame 2"));
+  for (const std::string silent : {"b.abc --frames 1", "a.rbn", "a.csv", "a.obj --object obstacle"})
+    output_of(run("knot.rbn -o " + silent));
+  SampleKnot with_gap = sample_knot();
+  with_gap.header.stated_gap_m = 1e-6;
+  record(with_gap, {0, 3, 7, 7, 0});
+  output_of(run("knot.rbn -o c.abc"));
+}
+
+TEST_F(Tool, a_recording_that_has_no_end_is_told_where_its_last_frame_is_asked_for) {
+  record(sample_knot(), {}, Ending::killed);
+  for (const std::string output : {"a.abc", "'{frame}.obj' --frames -2:", "a.csv", "a.rbn"}) {
+    const ToolRun stopped = run("knot.rbn --quiet -o " + output);
+    EXPECT_EQ(stopped.exit_code, 0);
+    EXPECT_EQ(stopped.errors,
+              "ribbon-convert: the recording is unfinished: it ends with frame 5, where its "
+              "recorder was stopped\n");
+  }
+  output_of(run("knot.rbn -o b.abc --frames 1:4"));
+  output_of(run("knot.rbn -o b.obj --object obstacle"));
+  const auto writer = resume_recording(recording_).value();
+  EXPECT_THAT(run("knot.rbn -o c.abc").errors,
+              HasSubstr("it ends with frame 5, and is still being written"));
 }
 
 TEST_F(Tool, the_last_frame_alone_needs_no_pattern) {
@@ -263,6 +306,7 @@ TEST_F(Tool, a_whole_motion_with_a_pattern_is_refused) {
 }
 
 TEST_F(Tool, the_numbers_of_each_frame_become_a_table) {
+  record(sample_knot(), {0, 1, 2});
   EXPECT_THAT(output_of(run("knot.rbn -o out/knot.csv --frames 2:3")), StartsWith("2 frames"));
   EXPECT_THAT(bytes("out/knot.csv"), StartsWith("frame,time [s],"));
   EXPECT_THAT(bytes("out/knot.csv"), HasSubstr("\n3,0.04,0.002,2,4,"));
