@@ -38,8 +38,10 @@ Result<ConversionReport> convert(const ConversionRequest& request) {
   const std::shared_ptr<const SolidRibbon> solid = job->model.solid;
   const double factor = request.model.placement.factor();
   // The obstacle is the same, whatever becomes of the ribbon.
+  const int frame_count = job->reader.frame_count();
   auto remarks = request.model.with_ribbon ? remarks_on(*job) : std::vector<std::string>{};
   return write_job(request, std::move(*job)).map([&](ConversionReport report) {
+    report.frame_count = frame_count;
     if (solid) report.least_thickness_m = solid->least_thickness() / factor;
     if (solid) report.most_pinched = solid->most_pinched();
     report.remarks.insert(report.remarks.begin(), remarks.begin(), remarks.end());

@@ -17,8 +17,10 @@ namespace ribbon {
 
 struct ConversionRequest {
   std::filesystem::path recording;
-  std::string output;                       // "out/knot.{frame:04}.obj", "out/knot.abc"
-  std::string frames;                       // "A:B:STEP"; empty: all
+  std::string output;  // "out/knot.{frame:04}.obj", "out/knot.abc"
+  std::string frames;  // "A:B:STEP"; empty: all
+  // Of which these are some: those that the recording has gained since are not asked for.
+  std::optional<int> frame_count = {};
   ModelSettings model;                      // its pictures are read from the textures
   std::filesystem::path texture = {};       // of the ribbon; empty: none
   std::filesystem::path texture_back = {};  // of a solid's back; empty: the same
@@ -31,6 +33,7 @@ struct ConversionRequest {
 };
 
 struct ConversionReport {
+  int frame_count = 0;     // that the recording had
   int frames_written = 0;  // or kept
   int frames_kept = 0;     // complete before this conversion went on
   std::uint64_t bytes_written = 0;

@@ -1,5 +1,6 @@
 #include "converter/conversion_job.h"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -17,7 +18,9 @@ namespace {
 // A request for the obstacle alone is one for a single file, whatever the frames.
 Result<std::vector<int>> asked_frames(const ConversionRequest& request,
                                       const RecordingReader& reader) {
-  return parse_frame_range(request.frames, reader.frame_count())
+  const int count =
+      std::min(reader.frame_count(), request.frame_count.value_or(reader.frame_count()));
+  return parse_frame_range(request.frames, count)
       .and_then([&](const std::vector<int>& frames) -> Result<std::vector<int>> {
         if (frames.empty())
           return failure(request.recording.string(), "holds no frames", "record it again");

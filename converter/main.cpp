@@ -59,22 +59,24 @@ void print_losses(const ribbon::ConversionReport& report) {
                  report.refused.size(), ribbon::number_list(report.refused).c_str());
 }
 
-// What converting has told, as an exit code.
-ribbon::ExitCode tell(const ribbon::ConversionReport& report, double seconds, bool quiet) {
+void tell(const ribbon::ConversionReport& report, double seconds, bool quiet) {
   if (!quiet) print_summary(report, seconds);
   for (const std::string& remark : report.remarks)
     std::fprintf(stderr, "ribbon-convert: %s\n", remark.c_str());
   print_losses(report);
+}
+
+ribbon::ExitCode exit_code(const ribbon::ConversionReport& report) {
   const bool whole = report.missing.empty() && report.refused.empty() && report.damage.empty();
   return whole ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;
 }
 
-ribbon::Result<ribbon::ExitCode> convert(const ribbon::CommandLine& line) {
+ribbon::Result<ribbon::ConversionReport> convert(const ribbon::CommandLine& line) {
   const auto start = std::chrono::steady_clock::now();
-  return ribbon::convert(line.request).map([&](const ribbon::ConversionReport& report) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    return tell(report, elapsed.count(), line.quiet);
-  });
+  auto report = ribbon::convert(line.request);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  if (report) tell(*report, elapsed.count(), line.quiet);
+  return report;
 }
 
 // Good news go where the summary goes.
@@ -89,6 +91,16 @@ ribbon::Result<ribbon::ExitCode> verify(const ribbon::CommandLine& line) {
       });
 }
 
+// The recording may have grown in between: what is read back is what was written.
+ribbon::Result<ribbon::ExitCode> convert_and_verify(ribbon::CommandLine line) {
+  const auto report = convert(line);
+  if (!report) return tl::unexpected(report.error());
+  line.request.frame_count = report->frame_count;
+  return verify(line).map([&](ribbon::ExitCode verified) {
+    return verified == ribbon::ExitCode::done ? exit_code(*report) : verified;
+  });
+}
+
 ribbon::Result<ribbon::ExitCode> plan(const ribbon::ConversionRequest& request) {
   return ribbon::plan_conversion(request).map([](const ribbon::ConversionPlan& plan) {
     std::printf("%s\n", ribbon::plan_text(plan).c_str());
@@ -99,14 +111,8 @@ ribbon::Result<ribbon::ExitCode> plan(const ribbon::ConversionRequest& request) 
 ribbon::Result<ribbon::ExitCode> do_job(const ribbon::CommandLine& line) {
   if (line.dry_run) return plan(line.request);
   if (line.verify_only) return verify(line);
-  if (!line.verify) return convert(line);
-  return ribbon::check_verifiable(line.request)
-      .and_then([&] { return convert(line); })
-      .and_then([&](ribbon::ExitCode converted) {
-        return verify(line).map([&](ribbon::ExitCode verified) {
-          return verified == ribbon::ExitCode::done ? converted : verified;
-        });
-      });
+  if (!line.verify) return convert(line).map(exit_code);
+  return ribbon::check_verifiable(line.request).and_then([&] { return convert_and_verify(line); });
 }
 
 ribbon::Result<ribbon::ExitCode> run(int argc, const char* const* argv) {

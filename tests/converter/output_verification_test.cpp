@@ -143,6 +143,20 @@ TEST_F(OutputVerification, what_is_tolerated_is_up_to_the_user) {
   }
 }
 
+TEST_F(OutputVerification, frames_that_came_later_are_not_looked_for) {
+  for (const std::string output : outputs) {
+    record(knot_);
+    ConversionRequest written = request(output);
+    written.frame_count = convert(written).value().frame_count;
+    SampleKnot longer = knot_;
+    longer.frames.push_back(sample_wave(knot_.header.grid, 1.5));
+    record(longer);
+    const VerificationReport found = verify_output(written, std::nullopt).value();
+    EXPECT_EQ(found.deviations.frames, 5) << output;
+    EXPECT_TRUE(found.deviations.good()) << output << ": " << verification_text(found);
+  }
+}
+
 TEST_F(OutputVerification, swapped_frames_are_found) {
   write_all();
   knot_.frames[1].swap(knot_.frames[4]);
