@@ -60,6 +60,16 @@ float reach_of(RecordingReader& reader, const std::vector<int>& frames) {
   return reach_m;
 }
 
+// What is told of a part that is thrown away, as of the output. What the writer calls safe goes
+// with the part.
+Error of_output(Error error, const std::string& part, const std::string& output) {
+  if (!error.place.starts_with(part)) return error;
+  if (error.place == part)
+    error.remedy = error.may_pass ? "free some space and convert again" : "choose another place";
+  error.place.replace(0, part.size(), output);
+  return error;
+}
+
 class Excerpt {
  public:
   Excerpt(RecordingReader& reader, RecordingWriter& writer, bool same_step)
@@ -90,6 +100,12 @@ class Excerpt {
   bool same_step_;
 };
 
+// With what ended the run, where the last frame is kept; one that has no end gets none here either.
+Result<void> finish(RecordingWriter& writer, const ConversionJob& job) {
+  if (job.frames.back() + 1 != job.reader.frame_count()) return writer.finish(RunEnding::unknown);
+  return job.reader.finished() ? writer.finish(job.reader.ending()) : writer.sync();
+}
+
 Result<ConversionReport> copy_frames(const ConversionRequest& request, ConversionJob& job,
                                      RecordingWriter& writer) {
   Excerpt excerpt(job.reader, writer, request.max_error_m == 0);
@@ -111,8 +127,7 @@ Result<ConversionReport> copy_frames(const ConversionRequest& request, Conversio
   }
   if (report.frames_written == 0)
     return failure("", "none of the frames can be read", "record it again");
-  const bool to_the_end = job.frames.back() + 1 == job.reader.frame_count();
-  return writer.finish(to_the_end ? job.reader.ending() : RunEnding::unknown).map([&] {
+  return finish(writer, job).map([&] {
     report.bytes_written = writer.bytes_written();
     report.damage = job.reader.damage();
     report.first_file = report.last_file = request.output;
@@ -142,14 +157,17 @@ Result<ConversionReport> write_excerpt(const ConversionRequest& request, Convers
     return failure(request.recording.string(), header.error().problem, header.error().remedy);
   auto part = PartFile::create(request.output);
   if (!part) return tl::unexpected(part.error());
-  auto writer = RecordingWriter::create(part->path(), *header);
-  if (!writer) return tl::unexpected(writer.error());
-  return copy_frames(request, job, *writer).and_then([&](ConversionReport report) {
-    return part->take_place_of(request.output).map([&] {
-      sync_folder_of(request.output);
-      return report;
-    });
-  });
+  return RecordingWriter::create(part->path(), *header)
+      .and_then([&](RecordingWriter writer) { return copy_frames(request, job, writer); })
+      .map_error([&](Error error) {
+        return of_output(std::move(error), part->path().string(), request.output);
+      })
+      .and_then([&](ConversionReport report) {
+        return part->take_place_of(request.output).map([&] {
+          sync_folder_of(request.output);
+          return report;
+        });
+      });
 }
 
 }  // namespace ribbon

@@ -52,7 +52,8 @@ std::vector<std::string> remarks_on(const ConversionJob& job) {
   const int recorded = job.reader.frame_count();
   const bool last_is_asked =
       std::find(job.frames.begin(), job.frames.end(), recorded - 1) != job.frames.end();
-  if (!job.reader.finished() && last_is_asked)
+  const bool unfinished = !job.reader.finished() || job.reader.ending() == RunEnding::stopped;
+  if (unfinished && last_is_asked)
     remarks.push_back(unfinished_text(recorded, job.reader.is_being_written()));
   return remarks;
 }

@@ -67,6 +67,16 @@ TEST_F(Excerpts, tell_how_many_frames_are_left_out_in_a_row) {
   EXPECT_EQ(write("1,2,5,12").value().left_out, 6);
 }
 
+TEST_F(Excerpts, of_a_recording_without_an_end_have_none_where_its_last_frame_is_kept) {
+  write_sample_recording(source_, 12, Ending::killed);
+  ASSERT_TRUE(write("5:"));
+  const auto target = RecordingReader::open(target_).value();
+  EXPECT_FALSE(target.finished());
+  EXPECT_EQ(target.frame_count(), 8);
+  ASSERT_TRUE(write(":5"));
+  EXPECT_TRUE(RecordingReader::open(target_).value().finished());
+}
+
 TEST_F(Excerpts, that_are_interrupted_may_be_tried_again) {
   ConversionRequest request;
   request.recording = source_;

@@ -131,9 +131,11 @@ TEST_F(Tool, a_recording_that_has_no_end_is_told_where_its_last_frame_is_asked_f
   }
   output_of(run("knot.rbn -o b.abc --frames 1:4"));
   output_of(run("knot.rbn -o b.obj --object obstacle"));
-  const auto writer = resume_recording(recording_).value();
+  auto writer = resume_recording(recording_).value();
   EXPECT_THAT(run("knot.rbn -o c.abc").errors,
               HasSubstr("it ends with frame 5, and is still being written"));
+  ASSERT_TRUE(writer.finish(RunEnding::stopped));
+  EXPECT_THAT(run("knot.rbn -o d.abc").errors, HasSubstr("where its recorder was stopped"));
 }
 
 TEST_F(Tool, the_last_frame_alone_needs_no_pattern) {
@@ -467,6 +469,19 @@ TEST_F(Tool, a_disk_that_fills_up_leaves_no_half_file) {
 }
 
 // Vertices coincide in the third frame of the sample, and its obstacle is in the way.
+// The part of an excerpt, in which frames would be safe, goes.
+TEST_F(Tool, a_recording_that_cannot_be_written_whole_is_not_called_safe) {
+  SampleKnot knot = sample_knot();
+  while (knot.frames.size() < 60)
+    knot.frames.push_back(
+        sample_wave(knot.header.grid, 0.1 * static_cast<double>(knot.frames.size())));
+  record(knot);
+  ASSERT_GT(fs::file_size(recording_), 8 * 1024U);
+  expect_refusal(run("knot.rbn -o out/a.rbn", "ulimit -f 8 &&"),
+                 "out/a.rbn: cannot be written (File too large); choose another place\n");
+  EXPECT_THAT(names("out"), ElementsAre());
+}
+
 TEST_F(Tool, frames_that_cannot_be_made_a_solid_are_named_and_the_others_written) {
   record(without_obstacle());
   const auto sequence = run("knot.rbn -o 'out/{frame}.obj' --thickness 0.001");

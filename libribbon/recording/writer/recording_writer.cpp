@@ -49,8 +49,8 @@ Result<void> RecordingWriter::write(std::string_view records) {
   auto written = file_.append(records);
   if (written) return written;
   Error error = std::move(written.error());
-  error.problem += "; " + safe_frames(so_far_.frames);
   if (so_far_.frames > 0) error.remedy = "free some space and resume the run";
+  error.remedy = safe_frames(so_far_.frames) + "; " + error.remedy;
   return tl::unexpected(std::move(error));
 }
 
@@ -173,7 +173,7 @@ Result<void> RecordingWriter::sync() {
     return synced;
   }
   Error error = std::move(synced.error());
-  error.problem += "; " + safe_frames(synced_frames_);
+  error.remedy = safe_frames(synced_frames_) + "; " + error.remedy;
   return tl::unexpected(std::move(error));
 }
 

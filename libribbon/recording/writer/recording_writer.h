@@ -64,7 +64,7 @@ class RecordingWriter {
   RecordingWriter(RecordFile file, RecordedSoFar so_far);
 
   // All of these hand what they append to the operating system before they return. They fail on a
-  // write error; what was written before stays readable, and the sentence says how much that is.
+  // write error; what was written before stays readable, and the remedy says how much that is.
 
   // The next frame. positions: 3 x particles in metres. Fails as well where they cannot be encoded
   // within the bound, and can then be called again.
