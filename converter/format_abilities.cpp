@@ -76,6 +76,8 @@ Result<void> check_abilities(const ConversionRequest& request, OutputFormat outp
     return failure(request.output, "a " + format.extension + " file " + what,
                    std::string("leave ") + option + " out");
   };
+  if (request.model.frames_per_second > 0 && output == OutputFormat::recording)
+    return lacks("keeps the rate of its frames", "--fps");
   if (request.model.frames_per_second > 0 && !format.frame_rate)
     return lacks("does not say how many frames a second it has", "--fps");
   if (request.resume && !(format.numbers && request.model.with_ribbon))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "converter/sequence_log.h"
 #include "files/files.h"
 
 namespace ribbon {
@@ -20,9 +21,10 @@ int existing_count(const std::vector<std::filesystem::path>& files) {
 }
 
 Result<void> check_places(const PlannedFiles& files) {
-  if (!files.log.empty() && is_taken(files.log))
+  if (SequenceLog::is_at(files.log))
     return failure(files.log.string(), "tells that a conversion was stopped here",
                    "go on with it by --resume, or begin anew with --force");
+  if (is_taken(files.log)) return taken(files.log);
   for (const std::filesystem::path& file : files.own)
     if (is_taken(file)) return taken(file);
   for (const auto& [file, content] : files.shared)

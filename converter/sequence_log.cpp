@@ -19,7 +19,16 @@ std::string heading(const std::string& job) {
   return job + std::string(separator);
 }
 
+bool is_log(const std::string& text) {
+  return text.find(separator) != std::string::npos;
+}
+
 }  // namespace
+
+bool SequenceLog::is_at(const std::filesystem::path& path) {
+  const auto text = read_file(path);
+  return text && is_log(*text);
+}
 
 Result<SequenceLog> SequenceLog::begin(const std::filesystem::path& path, const std::string& job) {
   SequenceLog log(path);
@@ -32,6 +41,9 @@ Result<SequenceLog> SequenceLog::resume(const std::filesystem::path& path, const
   const auto text = read_file(path);
   if (!text)
     return failure(path.string(), "is not there, so nothing is half-written", "leave --resume out");
+  if (!is_log(*text))
+    return failure(path.string(), "is no log of a conversion that was stopped",
+                   "name another file after -o");
   if (!text->starts_with(heading(job)))
     return failure(path.string(), "tells of another recording or other settings than are asked for",
                    "repeat the command line that was stopped, or begin anew with --force");

@@ -20,6 +20,8 @@ namespace ribbon {
 // in flight, which are then written again.
 class SequenceLog {
  public:
+  // Is there one, of whatever job?
+  static bool is_at(const std::filesystem::path& path);
   // An older log under that name is replaced. `job` is one line or several.
   static Result<SequenceLog> begin(const std::filesystem::path& path, const std::string& job);
   // Goes on with the log that is there. Fails where there is none, or it is of another job.

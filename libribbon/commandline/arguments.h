@@ -50,7 +50,7 @@ struct GivenArgument {
 
 // What a tool can be told. `names` as in "-o,--output", or without dashes for what stands alone;
 // `kind` is what --help calls the value, as in "FILE"; `help` one line. Values that are not given
-// stay as they were; all must outlive the parsing.
+// stay as they were, and empty ones are refused; all must outlive the parsing.
 class Arguments {
  public:
   // `examples` stands at the end of --help; `version` is what --version prints.

@@ -32,4 +32,22 @@ TEST(Arguments, what_is_no_number_lies_within_no_limits) {
                                                  "ribbon-test --help");
 }
 
+TEST(Arguments, an_empty_value_is_refused_with_its_option) {
+  std::string text;
+  std::filesystem::path file;
+  std::vector<std::string> texts;
+  std::pair<std::string, std::string> pair;
+  Arguments arguments("ribbon-test", "", "0", "");
+  arguments.add("--frames", text, "RANGE", "");
+  arguments.add("-o,--output", file, "FILE", "");
+  arguments.add("--set", texts, "KEY=VALUE", "");
+  arguments.add("--between", pair, "MARK", "");
+  for (const char* option : {"--frames", "--output", "--set", "--between"}) {
+    const std::array<const char*, 4> words = {"ribbon-test", option, "", "b"};
+    const int count = option == std::string("--between") ? 4 : 3;
+    EXPECT_EQ(refusal_of(arguments.parse(count, words.data())),
+              option + std::string(": the value is empty; see ribbon-test --help"));
+  }
+}
+
 }  // namespace ribbon::arguments_test

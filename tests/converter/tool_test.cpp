@@ -185,6 +185,8 @@ TEST_F(Tool, what_a_format_has_no_place_for_is_refused) {
   expect_refusal(run("knot.rbn -o a.pc2 --start-frame 1001"), "--start-frame");
   expect_refusal(run("knot.rbn -o a.pc2 --normals"), "--normals");
   expect_refusal(run("knot.rbn -o a.pc2 --resume"), "--resume");
+  expect_refusal(run("knot.rbn -o a.rbn --fps 24"),
+                 "keeps the rate of its frames; leave --fps out");
   EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
 }
 
@@ -275,6 +277,13 @@ TEST_F(StoppedConversion, with_other_settings_is_refused) {
   expect_refusal(run(command_ + " --resume --frames 1:4"), "other settings");
   ASSERT_TRUE(write_file(folder_ / "cloth.png", sample_png()));
   expect_refusal(run(command_ + " --resume --texture cloth.png"), "other settings");
+}
+
+TEST_F(Tool, a_file_in_the_place_of_the_log_tells_of_no_conversion) {
+  ASSERT_TRUE(write_file(folder_ / "a.obj.unfinished", "mine"));
+  expect_refusal(run("knot.rbn -o 'a.{frame}.obj'"), "a.obj.unfinished: exists already; replace");
+  expect_refusal(run("knot.rbn -o 'a.{frame}.obj' --resume"),
+                 "a.obj.unfinished: is no log of a conversion that was stopped; name another file");
 }
 
 TEST_F(StoppedConversion, of_another_recording_is_refused) {
@@ -376,6 +385,11 @@ TEST_F(Tool, a_missing_recording_and_a_wrong_option_could_not) {
   expect_refusal(run("other.rbn -o a.pc2"), "other.rbn");
   EXPECT_EQ(run("knot.rbn -o a.pc2 --speed 3").exit_code, 2);
   EXPECT_EQ(run("knot.rbn").exit_code, 2);
+}
+
+TEST_F(Tool, empty_values_are_no_wish) {
+  expect_refusal(run("knot.rbn -o a.abc --frames ''"), "--frames: the value is empty");
+  expect_refusal(run("knot.rbn -o ''"), "--output: the value is empty");
 }
 
 TEST_F(Tool, help_shows_examples_and_version_a_number) {
