@@ -18,12 +18,15 @@ Result<ExitCode> follow_recording(RecordingReader& reader, const Options& option
     if (auto begun = pictures->begin(); !begun) return tl::unexpected(begun.error());
   }
   const Interrupt interrupt;
+  // Raw frames stay alone on standard output.
+  std::FILE* const told = options.pictures == "-" ? stderr : stdout;
   const auto tell_frame = [&](int index) -> Result<void> {
     if (pictures)
       if (auto shown = pictures->show(index); !shown) return shown;
     if (options.quiet) return {};
-    std::printf("%s\n", frame_line(index, reader.numbers(index).value_or(FrameNumbers{})).c_str());
-    std::fflush(stdout);
+    std::fprintf(told, "%s\n",
+                 frame_line(index, reader.numbers(index).value_or(FrameNumbers{})).c_str());
+    std::fflush(told);
     return {};
   };
   auto followed = follow(reader, {tell_frame, [&] { return interrupt.requested(); }});

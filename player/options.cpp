@@ -127,6 +127,14 @@ Result<void> check_names(const Options& options) {
   return {};
 }
 
+// Raw frames are alone on standard output.
+Result<void> check_standard_output(const Options& options) {
+  if (options.pictures != "-" || !(options.info || options.json)) return {};
+  return failure(options.info ? "--info" : "--json",
+                 "would stand among the raw frames on standard output (-o -)",
+                 "ask for it in a call of its own, or write the pictures to files");
+}
+
 void add_job_options(Arguments& arguments, Options& options, Texts& texts, Argument follow) {
   arguments.flag("--force", options.replaceable.all, "replace files that are there");
   arguments
@@ -249,7 +257,8 @@ Result<void> understand(const Texts& texts, Options& options) {
       })
       .and_then([&] { return check_sheet(options.sheet); })
       .and_then([&] { return check_plot(options.plot); })
-      .and_then([&] { return check_names(options); });
+      .and_then([&] { return check_names(options); })
+      .and_then([&] { return check_standard_output(options); });
 }
 
 }  // namespace

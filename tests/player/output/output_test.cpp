@@ -55,6 +55,14 @@ TEST_F(Output, raw_frames_are_alone_on_standard_output) {
             raw.output.substr(2 * frame_bytes, frame_bytes));
 }
 
+TEST_F(Output, what_else_is_told_does_not_get_among_raw_frames) {
+  expect_refusal(play_small("-o - --info"), "--info: would stand among the raw frames");
+  expect_refusal(play_small("-o - --json"), "--json: would stand among the raw frames");
+  const ToolRun followed = play_small("-o - --follow");
+  EXPECT_EQ(followed.output.size(), 7 * frame_bytes);
+  EXPECT_THAT(followed.errors, HasSubstr("frame 7"));
+}
+
 TEST_F(Output, raw_frames_come_in_any_order) {
   const std::string all = output_of(play_small("-o - --quiet"));
   const auto frames = [&](const std::vector<int>& numbers) {
