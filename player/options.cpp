@@ -7,6 +7,7 @@
 
 #include "commandline/arguments.h"
 #include "files/files.h"
+#include "player/job_options.h"
 #include "player/look_options.h"
 #include "player/order_options.h"
 #include "player/output/picture_format.h"
@@ -172,12 +173,15 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
                                   "charts over time to write, as .svg or .png: strain, tightness, "
                                   "pull, contact, penetrations");
   const auto info = arguments.flag("--info", options.info, "tell what the recording holds");
-  arguments
-      .flag("--bench", options.bench,
-            "measure how fast frames are read and the last one is rendered, stage by stage")
-      .excludes(pictures)
-      .excludes(sheet)
-      .excludes(frames);
+  const auto bench =
+      arguments
+          .flag("--bench", options.bench,
+                "measure how fast frames are read and the last one is rendered, stage by stage")
+          .excludes(pictures)
+          .excludes(sheet)
+          .excludes(plot)
+          .excludes(info)
+          .excludes(frames);
   const auto verify =
       arguments
           .flag("--verify", options.verify,
@@ -186,13 +190,15 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
           .excludes(pictures)
           .excludes(sheet)
           .excludes(plot)
-          .excludes(info);
+          .excludes(info)
+          .excludes(bench);
   const auto follow = arguments
                           .flag("--follow", options.follow,
                                 "go on with what is recorded meanwhile, until the recorder ends")
                           .excludes(frames)
                           .excludes(sheet)
                           .excludes(plot)
+                          .excludes(bench)
                           .excludes(verify);
   arguments
       .add("--certify-every", options.certify_every, {1, 1'000'000'000}, "N",
@@ -206,6 +212,7 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
            "of the drawing, or shares of its length from 0 to 1")
       .needs(verify);
   arguments.flag("--json", options.json, "tell it, or report what --verify found, as JSON")
+      .excludes(bench)
       .excludes(follow);
   arguments.add("--threads", options.threads, {1, 1024}, "N",
                 "use at most this many threads (default: all cores)");
@@ -243,7 +250,8 @@ Result<void> take(Result<Value> read, Value& value) {
 Result<void> understand(const Texts& texts, Options& options) {
   options.progress = progress_style(texts.progress, options.quiet);
   options.replaceable.never = files_read(options, texts.look);
-  return take(parse_size(texts.size), options.size)
+  return check_job_options(options.given)
+      .and_then([&] { return take(parse_size(texts.size), options.size); })
       .and_then([&] { return take(read_look(texts.look), options.render); })
       .and_then([&] { return take(parse_views(texts.views), options.views); })
       .and_then([&] { return take(read_order(texts.order), options.order); })

@@ -132,7 +132,7 @@ TEST_F(RibbonPlay, a_preview_of_no_frames_or_of_an_absurd_size_is_refused) {
 }
 
 TEST_F(RibbonPlay, a_contact_sheet_is_one_file) {
-  EXPECT_EQ(play_small("--sheet out/sheet.png").exit_code, 0);
+  EXPECT_EQ(run("knot.rbn --samples 1 --sheet out/sheet.png").exit_code, 0);
   EXPECT_GT(png_size(bytes("out/sheet.png")).width, 5 * 520);
 }
 
@@ -147,7 +147,8 @@ TEST_F(RibbonPlay, a_contact_sheet_of_stages_shows_where_they_end_and_the_last_f
   }
   ASSERT_TRUE(writer.finish().has_value());
   const auto columns_of = [&](const std::string& frames) {
-    EXPECT_EQ(play_small("--force --sheet sheet.png --frames " + frames).exit_code, 0);
+    EXPECT_EQ(run("knot.rbn --samples 1 --force --sheet sheet.png --frames " + frames).exit_code,
+              0);
     return png_size(bytes("sheet.png")).width / 520;
   };
   EXPECT_EQ(columns_of("1:7"), 4) << "1, 3, 5, 7";
@@ -164,7 +165,8 @@ TEST_F(RibbonPlay, a_ribbon_is_coloured_by_what_is_measured) {
     ASSERT_EQ(play_small("-o c.png --force --frames 5 --color-by " + quantity).exit_code, 0)
         << quantity;
     EXPECT_TRUE(pictures.insert(bytes("c.png")).second) << quantity;
-    EXPECT_EQ(play_small("--sheet sheet.png --force --color-by " + quantity).exit_code, 0)
+    EXPECT_EQ(
+        run("knot.rbn --samples 1 --sheet sheet.png --force --color-by " + quantity).exit_code, 0)
         << quantity;
   }
   ASSERT_EQ(
@@ -230,12 +232,14 @@ TEST_F(RibbonPlay, nothing_that_is_read_is_replaced) {
   const std::string recording = bytes("knot.rbn");
   const std::string picture = bytes("1.png");
   const std::string path = bytes("path.png");
-  for (const char* output : {"-o 1.png --frames 1", "-o ./{frame:01}.png", "--sheet 1.png",
-                             "--plot 1.png", "-o {frame:01}.png --resume"})
+  for (const char* output : {"-o 1.png --size 32x16 --frames 1", "-o ./{frame:01}.png",
+                             "--sheet 1.png", "-o {frame:01}.png --resume"})
     for (const char* input :
          {"--texture 1.png", "--texture front.png --texture-back 1.png", "--environment 1.png"})
-      expect_refusal(run(std::string("knot.rbn --force --size 32x16 ") + output + " " + input),
+      expect_refusal(run(std::string("knot.rbn --force ") + output + " " + input),
                      "1.png: is read for what would be written there; choose another name");
+  expect_refusal(run("knot.rbn --force --plot 1.png --sheet 2.png --texture 1.png"),
+                 "1.png: is read for what would be written there");
   expect_refusal(run("knot.rbn -o path.png --frames 1 --force --camera-path path.png"),
                  "path.png: is read");
   expect_refusal(run("knot.rbn --sheet knot.rbn --force"), "is no .png");
@@ -406,7 +410,7 @@ TEST_F(RibbonPlay, a_recording_without_frames_has_no_pictures) {
   write_sample_recording(recording_, 0);
   EXPECT_EQ(run("knot.rbn --info").exit_code, 0);
   expect_refusal(play_small("-o '{frame}.png'"), "no frames");
-  expect_refusal(play_small("--sheet sheet.png"), "no frames");
+  expect_refusal(run("knot.rbn --sheet sheet.png"), "no frames");
 }
 
 TEST_F(RibbonPlay, without_an_obstacle_the_ribbon_is_shown_alone) {
@@ -425,7 +429,7 @@ TEST_F(RibbonPlay, without_an_obstacle_the_ribbon_is_shown_alone) {
   EXPECT_NE(last_picture("colours.png", "--view front " + words), alone);
   for (const std::string view : {"top", "knot"}) last_picture(view + ".png", "--view " + view);
   output_of(run("knot.rbn --quiet --preview --size 64x48 -o preview.png --frames -1"));
-  output_of(play_small("--quiet --sheet sheet.png"));
+  output_of(run("knot.rbn --samples 1 --quiet --sheet sheet.png"));
   EXPECT_THAT(output_of(play_small("--bench")), HasSubstr("plain Embree "));
 }
 
@@ -442,7 +446,7 @@ TEST_F(RibbonPlay, a_texture_that_is_missing_or_broken_is_refused) {
 TEST_F(RibbonPlay, a_folder_that_cannot_be_written_is_refused) {
   ASSERT_TRUE(write_file(folder_ / "taken", "a file"));
   expect_refusal(play_small("-o 'taken/{frame}.png'"), "taken");
-  expect_refusal(play_small("--sheet taken/sheet.png"), "taken");
+  expect_refusal(run("knot.rbn --sheet taken/sheet.png"), "taken");
 }
 
 TEST_F(RibbonPlay, absurd_sizes_are_refused) {
@@ -463,6 +467,25 @@ TEST_F(RibbonPlay, asking_for_nothing_or_for_something_unknown_is_refused) {
   expect_refusal(run("nothere.rbn"), "nothere.rbn: cannot be opened");
   expect_refusal(run("knot.rbn --turbo"), "--turbo");
   expect_refusal(run(""), "--help");
+}
+
+TEST_F(RibbonPlay, what_nothing_that_is_asked_for_looks_at_is_refused) {
+  expect_refusal(run("knot.rbn --info --frames 500"),
+                 "--frames: is nothing that --info looks at; leave it out");
+  expect_refusal(run("knot.rbn --json --color-by strain"), "--color-by: is nothing that --json");
+  expect_refusal(run("knot.rbn --verify --color-by strain"),
+                 "--color-by: is nothing that --verify");
+  expect_refusal(run("knot.rbn --verify --json --size 64x48"), "--size: is nothing that --verify");
+  expect_refusal(run("knot.rbn --plot plot.svg --info --overlay time"),
+                 "that --plot, --info looks");
+  expect_refusal(run("knot.rbn --sheet sheet.png --size 64x48"), "--size: is nothing that --sheet");
+  expect_refusal(run("knot.rbn --follow --view top"), "--view: is nothing that --follow");
+  for (const std::string other : {"--json", "--info", "--verify", "--follow", "--plot plot.svg"})
+    expect_refusal(run("knot.rbn --bench " + other), "--bench");
+  EXPECT_TRUE(names(".") == std::set<std::string>{"knot.rbn"});
+  EXPECT_EQ(run("knot.rbn --info --size 64x48 --view top --quality draft").exit_code, 0);
+  EXPECT_EQ(run("knot.rbn --plot plot.svg --info --frames 2:5").exit_code, 0);
+  EXPECT_EQ(run("knot.rbn -o 1.png --sheet 2.png --size 64x48 --frames 1").exit_code, 0);
 }
 
 TEST_F(RibbonPlay, help_has_examples_and_version_is_a_line) {

@@ -186,13 +186,13 @@ TEST_F(Output, what_is_there_is_not_replaced_unless_asked) {
   expect_refusal(play_small("-o 'a/{frame:01}.png'"), "a/3.png: exists already");
   expect_refusal(play_small("-o 'a/{frame:01}.png' --resume"), "a/3.png: exists already");
   expect_refusal(play_small("-o knot.mp4"), "knot.mp4: exists already");
-  expect_refusal(play_small("--sheet last.png"), "last.png: exists already");
+  expect_refusal(run("knot.rbn --samples 1 --sheet last.png"), "last.png: exists already");
   EXPECT_THAT(pictures("a"), ElementsAre("3.png"));
   EXPECT_EQ(bytes("last.png") + bytes("a/3.png") + bytes("knot.mp4"),
             "a photographa photographa film");
   EXPECT_EQ(play_small("-o last.png --frames -1 --force").exit_code, 0);
   EXPECT_EQ(play_small("-o 'a/{frame:01}.png' --force").exit_code, 0);
-  EXPECT_EQ(play_small("--sheet last.png --force").exit_code, 0);
+  EXPECT_EQ(run("knot.rbn --samples 1 --sheet last.png --force").exit_code, 0);
   EXPECT_THAT(bytes("a/3.png"), StartsWith("\x89PNG"));
 }
 
