@@ -37,7 +37,7 @@ constexpr const char* examples = R"(Examples:
   ribbon-play knot.rbn -o 'preview/{frame:04}.png' --preview
       draws every frame at the speed of replay
   ribbon-play knot.rbn --sheet sheet.png --frames 1:-1:50
-      puts frames on one sheet, seen from two sides, with their numbers
+      puts every fiftieth frame on one sheet, seen from two sides, with their numbers
   ribbon-play knot.rbn -o last.png --frames -1 --color-by strain --overlay wireframe,time
       shows how far the cloth is stretched, its mesh and the time
   ribbon-play knot.rbn --plot knot.svg
@@ -162,7 +162,8 @@ void add_options(Arguments& arguments, Options& options, Texts& texts) {
       "frames by number and from A to B, every STEP-th; -1 is the last (default: all)");
   arguments.add("--size", texts.size, "WxH", "size of the pictures in pixels").with_default_shown();
   const auto sheet = arguments.add("--sheet", options.sheet, "FILE",
-                                   "contact sheet to write: several frames, two cameras, captions");
+                                   "contact sheet to write: several frames (all of --frames up to "
+                                   "12), two cameras or those of --view, captions");
   arguments.flag("--preview", texts.preview,
                  "draw instead of ray tracing: fast, no shadows, the object as a wireframe, the "
                  "drawn curve");

@@ -14,28 +14,40 @@ namespace ribbon {
 
 namespace {
 
-constexpr int sheet_columns = 5;
-constexpr int most_stage_columns = 12;
+constexpr int usual_columns = 5;
+constexpr int most_columns = 12;
 
-// Of a ribbon that is fastened in stages: its start, how each of them ended, and its end.
-std::vector<int> frames_to_show(const std::vector<int>& frames, const RecordingInfo& info) {
+// All that the user named, where there is room for them. Of a ribbon that is fastened in stages:
+// its start, how each of them ended, and its end.
+std::vector<int> frames_to_show(const std::vector<int>& frames, const RecordingInfo& info,
+                                bool are_named) {
+  if (are_named && frames.size() <= most_columns) return frames;
   std::vector<int> ends;
   for (const StageFrames& stage : info.stages()) ends.push_back(stage.last - 1);
   const bool all_are_wanted = std::ranges::all_of(
       ends, [&](int end) { return std::ranges::find(frames, end) != frames.end(); });
-  if (ends.empty() || !all_are_wanted) return spread_frames(frames, sheet_columns);
+  if (ends.empty() || !all_are_wanted) return spread_frames(frames, usual_columns);
   const int first = std::ranges::min(frames);
   if (first < ends.front()) ends.insert(ends.begin(), first);
   const int last = std::ranges::max(frames);
   if (last > ends.back() + 1) ends.push_back(last);
-  return spread_frames(ends, most_stage_columns);
+  return spread_frames(ends, most_columns);
+}
+
+// The whole and the knot, or what the user wants to see.
+std::vector<Shot> shots_to_show(const Options& options) {
+  if (options.views.empty()) return {{three_quarter_view, sheet_cell}, {knot_view, sheet_cell}};
+  std::vector<Shot> shots;
+  for (const NamedView& view : options.views) shots.push_back({view.view, sheet_cell});
+  return shots;
 }
 
 }  // namespace
 
 Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& info,
                                 const std::vector<int>& frames, const Options& options) {
-  const std::vector<Shot> shots{{three_quarter_view, sheet_cell}, {knot_view, sheet_cell}};
+  const std::vector<Shot> shots = shots_to_show(options);
+  const std::vector<int> shown = frames_to_show(frames, info, !options.frames.empty());
   const CameraWork cameras(reader, shots);
   if (auto free = check_place(options.sheet, options.replaceable); !free)
     return tl::unexpected(free.error());
@@ -43,8 +55,8 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   if (!painter) return tl::unexpected(painter.error());
   painter->set_lowest(cameras.lowest_m());
   std::vector<SheetColumn> columns;
-  for (const int index : frames_to_show(frames, info)) {
-    if (auto shown = painter->show(index); !shown) return tl::unexpected(shown.error());
+  for (const int index : shown) {
+    if (auto loaded = painter->show(index); !loaded) return tl::unexpected(loaded.error());
     SheetColumn column{index + 1, reader.numbers(index).value_or(FrameNumbers{}), {}};
     column.stage = stage_name(reader.header(), column.numbers);
     for (std::size_t shot = 0; shot < shots.size(); ++shot) {
@@ -61,7 +73,8 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   Picture sheet = contact_sheet(header.scene_name, ribbon, columns);
   if (const auto legend = painter->legend()) draw_sheet_legend(*legend, sheet);
   return write_png(options.sheet, sheet).map([&] {
-    return "contact sheet: " + options.sheet.string();
+    return filled_in("contact sheet: {}, {} of {} frames", options.sheet.string(), shown.size(),
+                     frames.size());
   });
 }
 

@@ -140,9 +140,9 @@ TEST_F(RibbonPlay, a_contact_sheet_of_stages_shows_where_they_end_and_the_last_f
   RecordingHeader header = sample_header();
   header.stages = {"half knot", "bow"};
   auto writer = RecordingWriter::create(recording_, header, Overwrite::yes).value();
-  for (int frame = 0; frame < 7; ++frame) {
+  for (int frame = 0; frame < 70; ++frame) {
     FrameNumbers numbers = sample_numbers(frame);
-    numbers.stage = frame < 3 ? 1 : frame < 5 ? 2 : 0;
+    numbers.stage = frame < 30 ? 1 : frame < 50 ? 2 : 0;
     ASSERT_TRUE(writer.append(numbers, sample_positions(frame)).has_value());
   }
   ASSERT_TRUE(writer.finish().has_value());
@@ -151,11 +151,33 @@ TEST_F(RibbonPlay, a_contact_sheet_of_stages_shows_where_they_end_and_the_last_f
               0);
     return png_size(bytes("sheet.png")).width / 520;
   };
-  EXPECT_EQ(columns_of("1:7"), 4) << "1, 3, 5, 7";
-  EXPECT_EQ(columns_of("7:1:-1"), 4);
-  EXPECT_EQ(columns_of("1:6"), 3) << "1, 3, 5: the sixth is hardly another";
-  EXPECT_EQ(columns_of("1:5"), 3) << "1, 3, 5";
-  EXPECT_EQ(columns_of("3:5"), 2) << "3, 5";
+  EXPECT_EQ(columns_of("1:70"), 4) << "1, 30, 50, 70";
+  EXPECT_EQ(columns_of("70:1:-1"), 4);
+  EXPECT_EQ(columns_of("1:51"), 3) << "1, 30, 50: the next is hardly another";
+  EXPECT_EQ(columns_of("1:50"), 3) << "1, 30, 50";
+  EXPECT_EQ(columns_of("30:50"), 2) << "30, 50";
+  EXPECT_EQ(columns_of("40:70"), 5) << "without the end of the first";
+}
+
+TEST_F(RibbonPlay, a_contact_sheet_shows_the_frames_and_views_that_are_named) {
+  write_sample_recording(recording_, 20);
+  const auto sheet = [&](const std::string& arguments, const std::string& told) {
+    EXPECT_THAT(output_of(run("knot.rbn --samples 1 --force --sheet s.png " + arguments)),
+                HasSubstr("s.png, " + told));
+    const PictureSize size = png_size(bytes("s.png"));
+    return std::pair(size.width / 520, size.height / 300);
+  };
+  EXPECT_EQ(sheet("--frames 1,2,3,4,5,6,7,8", "8 of 8 frames"), std::pair(8, 2));
+  EXPECT_EQ(sheet("--frames ::2", "10 of 10 frames"), std::pair(10, 2));
+  EXPECT_EQ(sheet("--frames 1:12", "12 of 12 frames"), std::pair(12, 2));
+  EXPECT_EQ(sheet("--frames 1:13", "5 of 13 frames"), std::pair(5, 2));
+  EXPECT_EQ(sheet("", "5 of 20 frames"), std::pair(5, 2));
+  EXPECT_EQ(sheet("--frames 7 --view top", "1 of 1 frames"), std::pair(1, 1));
+  const std::string top = bytes("s.png");
+  EXPECT_EQ(sheet("--frames 7 --view front", "1 of 1 frames"), std::pair(1, 1));
+  EXPECT_NE(bytes("s.png"), top);
+  EXPECT_EQ(sheet("--frames 7 --view top --view knot --view front", "1 of 1 frames"),
+            std::pair(1, 3));
 }
 
 TEST_F(RibbonPlay, a_ribbon_is_coloured_by_what_is_measured) {
