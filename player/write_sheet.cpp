@@ -70,8 +70,7 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   std::string ribbon = filled_in("{} × {} particles, {} frames recorded", header.grid.across,
                                  header.grid.along, reader.frame_count());
   if (info.outcome) ribbon += " · " + outcome_text(*info.outcome);
-  Picture sheet = contact_sheet(header.scene_name, ribbon, columns);
-  if (const auto legend = painter->legend()) draw_sheet_legend(*legend, sheet);
+  const Picture sheet = contact_sheet(header.scene_name, ribbon, columns, painter->legend());
   return write_png(options.sheet, sheet).map([&] {
     return filled_in("contact sheet: {}, {} of {} frames", options.sheet.string(), shown.size(),
                      frames.size());

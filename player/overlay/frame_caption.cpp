@@ -51,14 +51,19 @@ void draw_caption(const std::vector<std::string>& lines, const CaptionPainter& p
   const int text = picture_text_height(picture.size);
   const int line_height = (3 * text) / 2;
   const int padding = (3 * text) / 4;
+  const int room = picture.size.width - 2 * (text + padding);
+  std::vector<std::string> fitted;
   int width = 0;
-  for (const std::string& line : lines) width = std::max(width, painter.width(line, text));
+  for (const std::string& line : lines) {
+    fitted.push_back(painter.fitted(line, text, room));
+    width = std::max(width, painter.width(fitted.back(), text));
+  }
   const auto count = static_cast<int>(lines.size());
   fill({text, text, text + width + 2 * padding,
         text + count * line_height - (line_height - text) + 2 * padding},
        page_paper, 0.75F, picture);
   int baseline = text + padding + (7 * text) / 8;
-  for (const std::string& line : lines) {
+  for (const std::string& line : fitted) {
     painter.draw(line, text + padding, baseline, text, page_ink, picture);
     baseline += line_height;
   }

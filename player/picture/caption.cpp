@@ -76,6 +76,20 @@ int CaptionPainter::width(std::string_view text, int height) const {
   return state_->walk(text, height, [](FT_GlyphSlot, int) {});
 }
 
+std::string CaptionPainter::fitted(std::string_view text, int height, int room) const {
+  if (width(text, height) <= room) return std::string(text);
+  constexpr std::string_view ellipsis = "…";
+  const int left = room - width(ellipsis, height);
+  std::size_t kept = 0;
+  for (std::string_view rest = text; !rest.empty();) {
+    take_character(rest);
+    const std::size_t with_this = text.size() - rest.size();
+    if (width(text.substr(0, with_this), height) > left) break;
+    kept = with_this;
+  }
+  return std::string(text.substr(0, kept)).append(ellipsis);
+}
+
 void CaptionPainter::draw(std::string_view text, int left, int baseline, int height,
                           const Color& ink, Picture& picture) const {
   const auto bytes = srgb_bytes(ink);

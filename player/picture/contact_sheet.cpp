@@ -23,6 +23,14 @@ PictureSize sheet_size(int columns, int views) {
           heading_height + views * (sheet_cell.height + cell_gap) + caption_height};
 }
 
+// Down to two thirds as high where the room asks for it, and then shortened.
+void draw_line(const std::string& line, int left, int baseline, int height, int room,
+               const Color& ink, const CaptionPainter& painter, Picture& sheet) {
+  const int smallest = 2 * height / 3;
+  while (height > smallest && painter.width(line, height) > room) --height;
+  painter.draw(painter.fitted(line, height, room), left, baseline, height, ink, sheet);
+}
+
 void draw_column(const SheetColumn& column, int left, const CaptionPainter& painter,
                  Picture& sheet) {
   int top = heading_height;
@@ -31,7 +39,8 @@ void draw_column(const SheetColumn& column, int left, const CaptionPainter& pain
     top += sheet_cell.height + cell_gap;
   }
   for (const std::string& line : sheet_caption(column.frame_number, column.numbers, column.stage)) {
-    painter.draw(line, left, top + text_height, text_height, page_ink, sheet);
+    draw_line(line, left, top + text_height, text_height, sheet_cell.width, page_ink, painter,
+              sheet);
     top += line_height;
   }
 }
@@ -48,27 +57,30 @@ std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& num
 }
 
 Picture contact_sheet(const std::string& title, const std::string& subtitle,
-                      const std::vector<SheetColumn>& columns) {
+                      const std::vector<SheetColumn>& columns,
+                      const std::optional<Legend>& legend) {
   assert(!columns.empty());
   const CaptionPainter painter;
   Picture sheet = blank_picture(
       sheet_size(static_cast<int>(columns.size()), static_cast<int>(columns[0].views.size())),
       page_paper);
-  painter.draw(title, sheet_margin, sheet_margin + title_height - 6, title_height, page_ink, sheet);
-  painter.draw(subtitle, sheet_margin, sheet_margin + title_height + line_height - 4, text_height,
-               page_pale_ink, sheet);
+  int room = sheet.size.width - 2 * sheet_margin;
+  if (legend) {
+    const PictureSize size = legend_size(text_height);
+    room -= size.width;
+    draw_legend(*legend, sheet_margin + room, (heading_height - size.height) / 2, text_height,
+                painter, sheet);
+  }
+  draw_line(title, sheet_margin, sheet_margin + title_height - 6, title_height, room, page_ink,
+            painter, sheet);
+  draw_line(subtitle, sheet_margin, sheet_margin + title_height + line_height - 4, text_height,
+            room, page_pale_ink, painter, sheet);
   int left = sheet_margin;
   for (const SheetColumn& column : columns) {
     draw_column(column, left, painter, sheet);
     left += sheet_cell.width + cell_gap;
   }
   return sheet;
-}
-
-void draw_sheet_legend(const Legend& legend, Picture& sheet) {
-  const PictureSize size = legend_size(text_height);
-  draw_legend(legend, sheet.size.width - sheet_margin - size.width,
-              (heading_height - size.height) / 2, text_height, CaptionPainter(), sheet);
 }
 
 std::vector<int> spread_frames(const std::vector<int>& frames, int most) {

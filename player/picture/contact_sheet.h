@@ -1,6 +1,7 @@
 // Several frames side by side, as in the paper's Figures 16 and 18.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,11 @@ struct SheetColumn {
 
 inline constexpr PictureSize sheet_cell{520, 300};
 
-// All columns must have the same number of views, each of size sheet_cell; at least one column.
+// All columns must have the same number of views, each of size sheet_cell; at least one column. A
+// legend stands beside the title. Words that find no room are written smaller, or shortened.
 Picture contact_sheet(const std::string& title, const std::string& subtitle,
-                      const std::vector<SheetColumn>& columns);
-
-// Tells beside the title what the colours of the pictures stand for.
-void draw_sheet_legend(const Legend& legend, Picture& sheet);
+                      const std::vector<SheetColumn>& columns,
+                      const std::optional<Legend>& legend = std::nullopt);
 
 // What stands under a column: two lines.
 std::vector<std::string> sheet_caption(int frame_number, const FrameNumbers& numbers,

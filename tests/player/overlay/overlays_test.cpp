@@ -47,4 +47,13 @@ TEST(FrameCaption, tells_what_was_asked_for) {
                           "progress 50.0 % · pull 75.0 % · in contact 25.0 %"));
 }
 
+TEST(FrameCaption, stays_within_a_small_picture) {
+  const Color black(0, 0, 0);
+  Picture picture = blank_picture({320, 200}, black);
+  draw_caption({"frame 12 · 0.40 s · the left end is laid over the knot and led round behind it"},
+               CaptionPainter(), picture);
+  EXPECT_NE(*picture.pixel(160, 20), 0);
+  for (int y = 0; y < 200; ++y) EXPECT_EQ(*picture.pixel(315, y), 0) << y;
+}
+
 }  // namespace ribbon::overlays_test

@@ -33,6 +33,21 @@ TEST(Caption, the_width_is_what_is_drawn) {
   EXPECT_EQ(inked(picture, width, 0, 200, 30), 0);
 }
 
+TEST(Caption, what_does_not_fit_is_shortened_by_whole_characters) {
+  const CaptionPainter painter;
+  const std::string text = "fold é over and under";
+  const int all = painter.width(text, 15);
+  EXPECT_EQ(painter.fitted(text, 15, all), text);
+  for (int room = all - 1; room > 15; --room) {
+    const std::string shorter = painter.fitted(text, 15, room);
+    EXPECT_LE(painter.width(shorter, 15), room);
+    ASSERT_TRUE(shorter.ends_with("…"));
+    EXPECT_TRUE(text.starts_with(shorter.substr(0, shorter.size() - 3)));
+    EXPECT_FALSE(shorter.ends_with("\xC3…")) << "half a letter";
+  }
+  EXPECT_EQ(painter.fitted(text, 15, 0), "…");
+}
+
 TEST(Caption, text_outside_the_picture_is_left_out) {
   Picture picture = blank_picture({20, 20}, white);
   CaptionPainter().draw("a long line of text", -30, 5, 15, black, picture);
