@@ -16,7 +16,8 @@ namespace ribbon {
 std::vector<std::string> frame_caption(const Overlays& overlays, double frame,
                                        const FrameNumbers& numbers, const std::string& stage = {});
 
-// In the upper left corner, as large as suits the picture's height. Nothing without lines.
+// In the upper left corner, as large as suits the picture's height; lines that are too long for it
+// are shortened. Nothing without lines.
 void draw_caption(const std::vector<std::string>& lines, const CaptionPainter& painter,
                   Picture& picture);
 

@@ -12,6 +12,7 @@ namespace {
 struct LegendLayout {
   int text;
   int padding = (3 * text) / 4;
+  int bar_left = 2 * padding;
   int bar_width = 18 * text;
   int bar_height = (7 * text) / 8;
   int gap = text / 2;
@@ -35,16 +36,49 @@ int mark_column(const Legend& legend, int k, int width) {
   return static_cast<int>(legend.marks[k].place * static_cast<float>(width));
 }
 
+// Where the text of mark k begins and ends, from the bar's left end; it stays on the legend.
+struct Extent {
+  int left;
+  int right;
+};
+
+Extent extent(const Legend& legend, int k, const LegendLayout& layout,
+              const CaptionPainter& painter) {
+  const int width = painter.width(legend.marks[k].text, layout.text);
+  const int first = layout.gap / 2 - layout.bar_left;
+  const int last = layout.width() - layout.bar_left - layout.gap / 2 - width;
+  const int left = std::clamp(mark_column(legend, k, layout.bar_width) - width / 2, first,
+                              std::max(first, last));
+  return {left, left + width};
+}
+
+// The marks that are told: those of both ends, and from the left on what keeps clear of them and of
+// one another.
+std::vector<int> marks_with_room(const Legend& legend, const LegendLayout& layout,
+                                 const CaptionPainter& painter) {
+  const auto count = static_cast<int>(legend.marks.size());
+  std::vector<int> told;
+  if (count == 0) return told;
+  const int end = extent(legend, count - 1, layout, painter).left - layout.gap;
+  for (int k = 0; k < count - 1; ++k) {
+    const auto [left, right] = extent(legend, k, layout, painter);
+    const bool is_clear =
+        told.empty() || left >= extent(legend, told.back(), layout, painter).right + layout.gap;
+    if (k == 0 || (is_clear && right <= end)) told.push_back(k);
+  }
+  told.push_back(count - 1);
+  return told;
+}
+
 void draw_marks(const Legend& legend, const LegendLayout& layout, int left, int bottom,
                 const CaptionPainter& painter, Picture& picture) {
-  for (int k = 0; k < static_cast<int>(legend.marks.size()); ++k) {
+  for (const int k : marks_with_room(legend, layout, painter)) {
     const int x = left + mark_column(legend, k, layout.bar_width);
     if (!legend.fields) {
       const int tick_x = std::clamp(x, left, left + layout.bar_width - 1);
       fill({tick_x, bottom, tick_x + 1, bottom + layout.gap / 2}, page_ink, 1, picture);
     }
-    const std::string& text = legend.marks[k].text;
-    painter.draw(text, x - painter.width(text, layout.text) / 2,
+    painter.draw(legend.marks[k].text, left + extent(legend, k, layout, painter).left,
                  bottom + layout.gap / 2 + layout.text, layout.text, page_ink, picture);
   }
 }
@@ -63,7 +97,7 @@ PictureSize legend_size(int text_height) {
 void draw_legend(const Legend& legend, int left, int top, int text_height,
                  const CaptionPainter& painter, Picture& picture) {
   const LegendLayout layout{text_height};
-  const int bar_left = left + 2 * layout.padding;
+  const int bar_left = left + layout.bar_left;
   const int title_baseline = top + layout.padding + layout.text;
   painter.draw(legend.title, bar_left, title_baseline, layout.text, page_ink, picture);
   const int bar_top = title_baseline + layout.gap;

@@ -18,7 +18,7 @@ struct LegendMark {
 struct Legend {
   std::string title;  // what is measured, and its unit
   ColorMap map;
-  std::vector<LegendMark> marks;  // ascending
+  std::vector<LegendMark> marks;  // ascending; inner ones that find no room are left out
   // The marks are all the values that there are: each has a field of its own colour.
   bool fields = false;
 };

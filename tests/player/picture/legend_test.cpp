@@ -69,4 +69,40 @@ TEST(Legend, stays_in_the_smallest_picture_and_out_of_the_rest_of_large_ones) {
       }
 }
 
+// How many pixels differ in the columns from left to right.
+int differing(const Picture& a, const Picture& b, int left, int right) {
+  int count = 0;
+  for (int y = 0; y < a.size.height; ++y)
+    for (int x = left; x < right; ++x)
+      count += std::equal(a.pixel(x, y), a.pixel(x, y) + 3, b.pixel(x, y)) ? 0 : 1;
+  return count;
+}
+
+Picture drawn(const std::vector<LegendMark>& marks) {
+  Picture picture = blank_picture({640, 360}, Color(1, 1, 1));
+  draw_legend({"gap", sequential_map(), marks}, 100, 100, 15, CaptionPainter(), picture);
+  return picture;
+}
+
+TEST(Legend, inner_marks_that_would_touch_others_are_left_out) {
+  const LegendMark low{0, "0"};
+  const LegendMark high{1, "≥ 0.00074"};
+  const Picture ends = drawn({low, high});
+  EXPECT_EQ(differing(drawn({low, {0.8F, "0.0006"}, high}), ends, 0, 640), 0) << "touches the end";
+  EXPECT_EQ(differing(drawn({low, {0.05F, "0.0001"}, high}), ends, 0, 640), 0);
+  const Picture one = drawn({low, {0.3F, "0.0002"}, high});
+  EXPECT_GT(differing(one, ends, 0, 640), 0);
+  EXPECT_EQ(differing(drawn({low, {0.3F, "0.0002"}, {0.4F, "0.0003"}, high}), one, 0, 640), 0);
+  EXPECT_GT(differing(drawn({low, {0.25F, "2"}, {0.4F, "3"}, {0.55F, "4"}, high}),
+                      drawn({low, {0.25F, "2"}, {0.55F, "4"}, high}), 0, 640),
+            0);
+}
+
+TEST(Legend, long_marks_stay_on_it) {
+  const Picture blank = blank_picture({640, 360}, Color(1, 1, 1));
+  const Picture picture = drawn({{0, "≤ 1.25e-06"}, {1, "≥ 1.86e+05"}});
+  EXPECT_EQ(differing(picture, blank, 0, 100), 0);
+  EXPECT_EQ(differing(picture, blank, 100 + legend_size(15).width, 640), 0);
+}
+
 }  // namespace ribbon::legend_test
