@@ -12,12 +12,12 @@
 namespace ribbon {
 
 Result<ExitCode> follow_recording(RecordingReader& reader, const Options& options) {
+  const Interrupt interrupt;
   std::optional<LivePictures> pictures;
   if (!options.pictures.empty()) {
     pictures.emplace(reader, options);
-    if (auto begun = pictures->begin(); !begun) return tl::unexpected(begun.error());
+    if (auto begun = pictures->begin(interrupt); !begun) return tl::unexpected(begun.error());
   }
-  const Interrupt interrupt;
   // Raw frames stay alone on standard output.
   std::FILE* const told = options.pictures == "-" ? stderr : stdout;
   const auto tell_frame = [&](int index) -> Result<void> {

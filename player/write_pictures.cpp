@@ -14,7 +14,8 @@ namespace ribbon {
 
 namespace {
 
-OutputRequest request_of(const RecordingReader& reader, const Options& options, std::string name) {
+OutputRequest request_of(const RecordingReader& reader, const Options& options, std::string name,
+                         Stopped stopped) {
   return {.name = std::move(name),
           .size = options.size,
           .frames_per_second =
@@ -22,17 +23,19 @@ OutputRequest request_of(const RecordingReader& reader, const Options& options, 
           .made_of = {},
           .shard = options.shard,
           .resumes = options.resume,
-          .replaceable = options.replaceable};
+          .replaceable = options.replaceable,
+          .stopped = std::move(stopped)};
 }
 
 // What is to be done for each shot.
 Result<std::vector<Output>> open_outputs(const RecordingReader& reader, const Options& options,
-                                         const std::vector<PlayedFrame>& film) {
+                                         const std::vector<PlayedFrame>& film,
+                                         const Stopped& stopped) {
   const auto names = output_names(options);
   if (!names) return tl::unexpected(names.error());
   std::vector<Output> outputs;
   for (std::size_t shot = 0; shot < names->size(); ++shot) {
-    OutputRequest request = request_of(reader, options, (*names)[shot]);
+    OutputRequest request = request_of(reader, options, (*names)[shot], stopped);
     auto made = made_of(reader, options, shot);
     if (!made) return tl::unexpected(made.error());
     request.made_of = *std::move(made);
@@ -92,9 +95,10 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
   if (!film) return tl::unexpected(film.error());
   const auto shots = shots_of(options);
   if (!shots) return tl::unexpected(shots.error());
-  auto outputs = open_outputs(reader, options, *film);
-  if (!outputs) return tl::unexpected(outputs.error());
   const Interrupt interrupt;
+  auto outputs =
+      open_outputs(reader, options, *film, [&interrupt] { return interrupt.requested(); });
+  if (!outputs) return tl::unexpected(outputs.error());
   const auto start = std::chrono::steady_clock::now();
   FilmRenderer renderer(reader, options, *shots, *outputs);
   if (auto prepared = renderer.prepare(readable_frames(frames, lost)); !prepared)
@@ -115,11 +119,15 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
 LivePictures::LivePictures(RecordingReader& reader, const Options& options)
     : reader_(reader), options_(options) {}
 
-Result<void> LivePictures::begin() {
+Result<void> LivePictures::begin(const Interrupt& interrupt) {
   const auto names = output_names(options_);
   if (!names) return tl::unexpected(names.error());
+  // A film ends by Ctrl-C, and ffmpeg has the time that it needs to complete it.
+  const bool is_read = options_.pictures == "-";
+  const Stopped stopped =
+      is_read ? Stopped([&interrupt] { return interrupt.requested(); }) : Stopped();
   for (const std::string& name : *names) {
-    auto output = open_live_output(request_of(reader_, options_, name));
+    auto output = open_live_output(request_of(reader_, options_, name, stopped));
     if (!output) return tl::unexpected(output.error());
     outputs_.push_back(*std::move(output));
   }

@@ -31,9 +31,9 @@ class LivePictures {
   // Keeps references to `reader` and `options`.
   LivePictures(RecordingReader& reader, const Options& options);
 
-  // Comes before all else. Fails when names, cameras or colours make no sense, or
-  // a preview cannot be drawn.
-  Result<void> begin();
+  // Comes before all else; keeps a reference to `interrupt`. Fails when names, cameras or colours
+  // make no sense, or a preview cannot be drawn.
+  Result<void> begin(const Interrupt& interrupt);
   // Takes frame `index`, and renders what no longer has to wait.
   Result<void> show(int index);
   // After the last one: renders the rest, unless interrupted.

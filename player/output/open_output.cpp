@@ -19,11 +19,12 @@ Result<std::unique_ptr<PictureSink>> open_stream(const OutputRequest& request,
   if (request.shard.parts > 1 || request.resumes)
     return failure(request.name, "holds all pictures, and cannot be written in parts",
                    "write pictures (.png) where --shard or --resume is needed");
-  if (format == PictureFormat::raw) return RawFrames::open();
+  if (format == PictureFormat::raw) return RawFrames::open(request.stopped);
   if (request.name.find("{frame") != std::string::npos)
     return failure(request.name, "has a place for the frame number, but holds all frames",
                    "leave {frame} out");
-  return Video::open(request.name, request.size, request.frames_per_second, request.replaceable);
+  return Video::open(request.name, request.size, request.frames_per_second, request.replaceable,
+                     request.stopped);
 }
 
 Result<Output> background(const OutputRequest& request, PictureFormat format,

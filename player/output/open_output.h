@@ -10,6 +10,7 @@
 #include "player/output/picture_format.h"
 #include "player/output/picture_sink.h"
 #include "player/output/play_order.h"
+#include "player/output/reader_pipe.h"
 
 namespace ribbon {
 
@@ -21,6 +22,7 @@ struct OutputRequest {
   Shard shard = {};
   bool resumes = false;  // keeps what is complete; otherwise nothing may be there but
   Replaceable replaceable = {};
+  Stopped stopped = {};  // of a video or a stream; must outlive the output
 };
 
 struct Output {

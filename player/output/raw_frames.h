@@ -6,6 +6,7 @@
 
 #include "files/descriptor.h"
 #include "player/output/picture_sink.h"
+#include "player/output/reader_pipe.h"
 
 namespace ribbon {
 
@@ -13,15 +14,18 @@ namespace ribbon {
 class RawFrames final : public PictureSink {
  public:
   // Fails where standard output is a terminal.
-  static Result<std::unique_ptr<PictureSink>> open();
+  static Result<std::unique_ptr<PictureSink>> open(Stopped stopped);
 
+  // Fails, too, where it was stopped and nobody reads.
   Result<void> put(OutputPicture picture) override;
   Result<void> finish() override;
 
  private:
-  explicit RawFrames(FileDescriptor output) : output_(std::move(output)) {}
+  RawFrames(FileDescriptor output, Stopped stopped)
+      : output_(std::move(output)), stopped_(std::move(stopped)) {}
 
   FileDescriptor output_;
+  Stopped stopped_;
 };
 
 }  // namespace ribbon

@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,6 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
+
+// At whether ffmpeg has ended.
+constexpr std::chrono::milliseconds between_looks{5};
 
 // Viewers show anything faster at ten a second.
 constexpr double fastest_gif = 50;
@@ -100,11 +105,12 @@ int spawn_ffmpeg(Words words, int input, int complaints, pid_t& process) {
 
 }  // namespace
 
-Video::Video(fs::path file, PartFile part) : file_(std::move(file)), part_(std::move(part)) {}
+Video::Video(fs::path file, PartFile part, Stopped stopped)
+    : file_(std::move(file)), part_(std::move(part)), stopped_(std::move(stopped)) {}
 
 Result<std::unique_ptr<PictureSink>> Video::open(const fs::path& file, PictureSize size,
                                                  double frames_per_second,
-                                                 const Replaceable& replaceable) {
+                                                 const Replaceable& replaceable, Stopped stopped) {
   if (auto free = check_place(file, replaceable); !free) return tl::unexpected(free.error());
   if (lower_case_extension(file) == ".gif" && frames_per_second > fastest_gif)
     return failure(file.string(),
@@ -113,7 +119,7 @@ Result<std::unique_ptr<PictureSink>> Video::open(const fs::path& file, PictureSi
                    "choose fewer by --fps");
   auto part = PartFile::create(file);
   if (!part) return tl::unexpected(part.error());
-  std::unique_ptr<Video> video(new Video(file, *std::move(part)));
+  std::unique_ptr<Video> video(new Video(file, *std::move(part), std::move(stopped)));
   if (auto started = video->start(size, frames_per_second); !started)
     return tl::unexpected(started.error());
   return video;
@@ -149,7 +155,10 @@ Video::~Video() {
 
 Result<void> Video::put(OutputPicture picture) {
   const auto& rgb = std::get<Picture>(picture.image).rgb;
-  if (write_all(pixels_, {reinterpret_cast<const char*>(rgb.data()), rgb.size()})) return {};
+  const Sent sent =
+      send_all(pixels_, {reinterpret_cast<const char*>(rgb.data()), rgb.size()}, stopped_);
+  if (sent == Sent::all) return {};
+  if (sent == Sent::given_up) return interrupted();
   // It has closed its end, and says why.
   return wait_for_ffmpeg();
 }
@@ -173,11 +182,20 @@ std::string Video::complaint() const {
   return line == std::string::npos ? text : text.substr(line + 1);
 }
 
+tl::unexpected<Error> Video::interrupted() const {
+  return passing_failure(file_.string(), "was interrupted before ffmpeg was done", "run it again");
+}
+
 // Fails where it did, in its words.
 Result<void> Video::wait_for_ffmpeg() {
   pixels_.close();
   int status = 0;
-  const pid_t ended = ::waitpid(std::exchange(ffmpeg_, -1), &status, 0);
+  pid_t ended = 0;
+  while ((ended = ::waitpid(ffmpeg_, &status, WNOHANG)) == 0) {
+    if (stopped_ && stopped_()) return interrupted();
+    std::this_thread::sleep_for(between_looks);
+  }
+  ffmpeg_ = -1;
   if (ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   const std::string said = complaint();
   const bool no_room = said.find(std::generic_category().message(ENOSPC)) != std::string::npos;

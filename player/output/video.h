@@ -11,6 +11,7 @@
 #include "files/part_file.h"
 #include "player/output/existing_file.h"
 #include "player/output/picture_sink.h"
+#include "player/output/reader_pipe.h"
 
 namespace ribbon {
 
@@ -21,21 +22,24 @@ class Video final : public PictureSink {
   // not there, the file exists and is not to be replaced, or a GIF would be too fast.
   static Result<std::unique_ptr<PictureSink>> open(const std::filesystem::path& file,
                                                    PictureSize size, double frames_per_second,
-                                                   const Replaceable& replaceable);
+                                                   const Replaceable& replaceable, Stopped stopped);
   // Ends ffmpeg.
   ~Video() override;
 
+  // Both fail, too, where it was stopped before ffmpeg was done.
   Result<void> put(OutputPicture picture) override;
   Result<void> finish() override;
 
  private:
-  Video(std::filesystem::path file, PartFile part);
+  Video(std::filesystem::path file, PartFile part, Stopped stopped);
   Result<void> start(PictureSize size, double frames_per_second);
   [[nodiscard]] std::string complaint() const;
+  [[nodiscard]] tl::unexpected<Error> interrupted() const;
   Result<void> wait_for_ffmpeg();
 
   std::filesystem::path file_;
   PartFile part_;
+  Stopped stopped_;
   FileDescriptor pixels_;      // into ffmpeg
   FileDescriptor complaints_;  // what ffmpeg says
   pid_t ffmpeg_ = -1;          // not running

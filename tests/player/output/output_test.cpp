@@ -1,8 +1,14 @@
 // What ribbon-play writes, as its users and other programs meet it.
 #include <gtest/gtest.h>
 
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <climits>
 #include <cstdlib>
 #include <numeric>
+#include <thread>
 
 #include "player/ribbon_play.h"
 #include "recorder/process.h"
@@ -201,6 +207,55 @@ TEST_F(Output, progress_is_told_to_programs) {
   EXPECT_EQ(json.exit_code, 0);
   EXPECT_THAT(json.errors, StartsWith(R"({"unit":"picture","done":1,"total":7,"seconds":)"));
   EXPECT_THAT(json.errors, HasSubstr(R"({"unit":"picture","done":7,"total":7,"seconds":)"));
+}
+
+// Sends it a signal and waits until it has ended by itself.
+int ended_by_one_signal(pid_t process) {
+  ::kill(process, SIGTERM);
+  for (int look = 0; look < 100 && !has_ended(process); ++look)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_TRUE(has_ended(process));
+  ::kill(process, SIGKILL);
+  return waited_for(process);
+}
+
+TEST_F(Output, one_signal_ends_it_where_nobody_reads) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const FileDescriptor reader(::open(pipe.c_str(), O_RDWR | O_CLOEXEC));
+  for (const std::string options : {"", "--follow "}) {
+    const pid_t player =
+        spawned({"/bin/sh", "-c",
+                 "cd '" + folder_.string() +
+                     "' && exec '" RIBBON_PLAY "' knot.rbn --size 640x480 --samples 1 -o - " +
+                     options + "> pipe 2> errors.txt"});
+    int waiting = 0;
+    while (waiting < PIPE_BUF && !has_ended(player)) ::ioctl(reader.number(), FIONREAD, &waiting);
+    EXPECT_EQ(ended_by_one_signal(player), 3);
+    EXPECT_THAT(bytes("errors.txt"), HasSubstr("interrupted"));
+    std::string rest(std::size_t{1} << 20, ' ');
+    EXPECT_GT(::read(reader.number(), rest.data(), rest.size()), 0);
+  }
+}
+
+TEST_F(Output, one_signal_ends_a_video_and_ffmpeg_that_is_stuck) {
+  for (const std::string does : {"echo $$ > going.pid; mv going.pid ffmpeg.pid; exec sleep 600",
+                                 "cat > /dev/null; echo $$ > going.pid; mv going.pid ffmpeg.pid; "
+                                 "exec sleep 600"}) {
+    const std::string stuck = with_ffmpeg_that(does);
+    const pid_t player =
+        spawned({"/bin/sh", "-c",
+                 "cd '" + folder_.string() + "' && " + stuck +
+                     " exec '" RIBBON_PLAY
+                     "' knot.rbn --size 640x480 --samples 1 -o knot.mp4 2> errors.txt"});
+    while (!fs::exists(folder_ / "ffmpeg.pid") && !has_ended(player)) std::this_thread::yield();
+    EXPECT_EQ(ended_by_one_signal(player), 3);
+    EXPECT_THAT(bytes("errors.txt"), HasSubstr("interrupted before"));
+    EXPECT_NE(::kill(std::stoi(bytes("ffmpeg.pid")), 0), 0);
+    fs::remove(folder_ / "ffmpeg.pid");
+  }
+  fs::remove_all(folder_ / "bin");
+  EXPECT_THAT(names("."), ElementsAre("errors.txt", "knot.rbn"));
 }
 
 }  // namespace ribbon::output_test
