@@ -14,6 +14,7 @@
 #include "player/memory_forecast.h"
 #include "player/options.h"
 #include "player/output/existing_file.h"
+#include "player/output/picture_format.h"
 #include "player/page/page_options.h"
 #include "player/page/write_page.h"
 #include "player/places.h"
@@ -84,9 +85,10 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
 
 // It plays all of the recording, and is looked at as whoever opens it likes.
 Result<ExitCode> render_page(const RecordingReader& reader, const Options& options) {
-  const auto free = check_place(options.pictures, options.replaceable).and_then([&] {
-    return check_page_options(options.given);
-  });
+  const auto free =
+      check_single_name(options.pictures)
+          .and_then([&] { return check_place(options.pictures, options.replaceable); })
+          .and_then([&] { return check_page_options(options.given); });
   if (!free) return tl::unexpected(free.error());
   const auto done = write_page(reader, options.recording, options.pictures);
   if (!done) return tl::unexpected(done.error());
@@ -165,8 +167,8 @@ Result<ExitCode> play(const Options& options) {
                    "ask for pictures (-o), a --sheet, a --plot, --info, --follow or --verify");
   if (options.verify) return verify(*reader, options);
   if (options.bench) return print_bench(*reader, options);
-  if (options.follow) return follow_recording(*reader, options);
   if (is_page(options.pictures)) return render_page(*reader, options);
+  if (options.follow) return follow_recording(*reader, options);
   RecordingInfo info = recording_info(options.recording, *reader);
   info.memory_bytes = memory_forecast(info.header, options);
   if (options.info || options.json || !options.sheet.empty() || !options.plot.empty())

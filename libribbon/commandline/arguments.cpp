@@ -51,14 +51,6 @@ CLI::Validator within(Limits<Number> limits) {
   return {problem, ""};
 }
 
-// What a script's unset variable leaves is no wish.
-CLI::Validator not_empty() {
-  return {[](const std::string& text) -> std::string {
-            return text.empty() ? "the value is empty" : "";
-          },
-          ""};
-}
-
 }  // namespace
 
 Arguments::Arguments(const std::string& tool, const std::string& description,
@@ -72,25 +64,22 @@ Arguments::~Arguments() = default;
 
 Argument Arguments::add(const std::string& names, std::filesystem::path& file,
                         const std::string& kind, const std::string& help) {
-  return Argument(*app_->add_option(names, file, help)->check(not_empty())->type_name(kind));
+  return Argument(*app_->add_option(names, file, help)->type_name(kind));
 }
 
 Argument Arguments::add(const std::string& names, std::string& text, const std::string& kind,
                         const std::string& help) {
-  return Argument(*app_->add_option(names, text, help)->check(not_empty())->type_name(kind));
+  return Argument(*app_->add_option(names, text, help)->type_name(kind));
 }
 
 Argument Arguments::add(const std::string& names, std::vector<std::string>& texts,
                         const std::string& kind, const std::string& help) {
-  return Argument(*app_->add_option(names, texts, help)
-                       ->allow_extra_args(false)
-                       ->check(not_empty())
-                       ->type_name(kind));
+  return Argument(*app_->add_option(names, texts, help)->allow_extra_args(false)->type_name(kind));
 }
 
 Argument Arguments::add(const std::string& names, std::pair<std::string, std::string>& texts,
                         const std::string& kind, const std::string& help) {
-  return Argument(*app_->add_option(names, texts, help)->check(not_empty())->type_name(kind));
+  return Argument(*app_->add_option(names, texts, help)->type_name(kind));
 }
 
 Argument Arguments::add(const std::string& names, int& number, Limits<int> limits,
@@ -123,6 +112,12 @@ Result<bool> Arguments::parse(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& problem) {
     return failure("", problem.what(), "see " + app_->get_name() + " --help");
   }
+  // As of a variable that a script did not set.
+  for (const CLI::Option* option : app_->get_options())
+    for (const std::string& value : option->results())
+      if (value.empty())
+        return failure(option->get_name(), "is followed by an empty text",
+                       "write " + option->get_type_name() + " behind it, or leave it out");
   return true;
 }
 

@@ -50,7 +50,7 @@ struct GivenArgument {
 
 // What a tool can be told. `names` as in "-o,--output", or without dashes for what stands alone;
 // `kind` is what --help calls the value, as in "FILE"; `help` one line. Values that are not given
-// stay as they were, and empty ones are refused; all must outlive the parsing.
+// stay as they were; all must outlive the parsing.
 class Arguments {
  public:
   // `examples` stands at the end of --help; `version` is what --version prints.
@@ -80,7 +80,7 @@ class Arguments {
   Argument add_progress(std::string& word);
 
   // False when --help or --version was asked for: that has been printed to standard output. Fails
-  // when the command line cannot be understood.
+  // when the command line cannot be understood, or a value is empty.
   Result<bool> parse(int argc, const char* const* argv);
 
   // What was given, in the order in which the options were added. To be asked after parsing.

@@ -20,9 +20,7 @@ Result<std::unique_ptr<PictureSink>> open_stream(const OutputRequest& request,
     return failure(request.name, "holds all pictures, and cannot be written in parts",
                    "write pictures (.png) where --shard or --resume is needed");
   if (format == PictureFormat::raw) return RawFrames::open(request.stopped);
-  if (request.name.find("{frame") != std::string::npos)
-    return failure(request.name, "has a place for the frame number, but holds all frames",
-                   "leave {frame} out");
+  if (auto single = check_single_name(request.name); !single) return tl::unexpected(single.error());
   return Video::open(request.name, request.size, request.frames_per_second, request.replaceable,
                      request.stopped);
 }

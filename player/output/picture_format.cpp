@@ -13,6 +13,16 @@ std::string lower_case_extension(const std::string& output) {
   return extension;
 }
 
+Result<void> check_single_name(const std::string& output) {
+  if (output.find("{frame") != std::string::npos)
+    return failure(output, "has a place for the frame number, but holds all frames",
+                   "leave {frame} out");
+  if (output.find("{view}") != std::string::npos)
+    return failure(output, "has a place for the view, but there is only one file",
+                   "leave {view} out");
+  return {};
+}
+
 Result<PictureFormat> picture_format(const std::string& output) {
   if (output == "-") return PictureFormat::raw;
   const std::string extension = lower_case_extension(output);

@@ -17,6 +17,9 @@ enum class PictureFormat {
 // By the extension, in upper or lower case. Fails for any other with what can be written instead.
 Result<PictureFormat> picture_format(const std::string& output);
 
+// Of a file that holds all frames: fails where its name has a place for their number or the view.
+Result<void> check_single_name(const std::string& output);
+
 // Does each picture get a file of its own?
 constexpr bool is_one_file_each(PictureFormat format) {
   return format == PictureFormat::png || format == PictureFormat::exr;

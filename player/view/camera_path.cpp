@@ -102,6 +102,11 @@ Result<CameraPath> CameraPath::parse(const std::string& text, const std::string&
   std::string line;
   std::getline(stream, line);
   if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+  if (without_spaces(line).empty())
+    return failure(
+        name + ":1", "does not name the columns of keyframes",
+        "begin with a line as time,azimuth,elevation,distance,lens,x,y,z, and write a line "
+        "of numbers for each keyframe below it");
   const char separator = separator_of(line);
   const auto order = read_heading(fields_of(line, separator), name + ":1");
   if (!order) return tl::unexpected(order.error());

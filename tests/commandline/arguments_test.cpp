@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <string>
 
 #include "result/refusal.h"
@@ -38,15 +39,16 @@ TEST(Arguments, an_empty_value_is_refused_with_its_option) {
   std::vector<std::string> texts;
   std::pair<std::string, std::string> pair;
   Arguments arguments("ribbon-test", "", "0", "");
-  arguments.add("--frames", text, "RANGE", "");
-  arguments.add("-o,--output", file, "FILE", "");
-  arguments.add("--set", texts, "KEY=VALUE", "");
-  arguments.add("--between", pair, "MARK", "");
+  arguments.add("--frames", text, "VALUE", "");
+  arguments.add("-o,--output", file, "VALUE", "");
+  arguments.add("--set", texts, "VALUE", "");
+  arguments.add("--between", pair, "VALUE", "");
   for (const char* option : {"--frames", "--output", "--set", "--between"}) {
     const std::array<const char*, 4> words = {"ribbon-test", option, "", "b"};
     const int count = option == std::string("--between") ? 4 : 3;
     EXPECT_EQ(refusal_of(arguments.parse(count, words.data())),
-              option + std::string(": the value is empty; see ribbon-test --help"));
+              option + std::string(": is followed by an empty text; write ") + "VALUE" +
+                  " behind it, or leave it out");
   }
 }
 

@@ -170,6 +170,10 @@ TEST_F(Output, what_cannot_be_is_refused_before_anything_is_written) {
   expect_refusal(play_small("-o 'frames/{frame}.bmp'"), "is not written as .bmp; choose .png");
   expect_refusal(play_small("-o 'frames/{frame}'"), "has no extension");
   expect_refusal(play_small("-o 'knot{frame}.mp4'"), "holds all frames; leave {frame} out");
+  expect_refusal(run("knot.rbn -o 'pg.{frame}.html'"), "holds all frames; leave {frame} out");
+  expect_refusal(run("knot.rbn -o '{view}.html'"), "leave {view} out");
+  expect_refusal(run("knot.rbn -o pg.html --follow"), "--follow: does not go with a page");
+  expect_refusal(run("knot.rbn -o ''"), "--output: is followed by an empty text; write PATTERN");
   expect_refusal(play_small("-o knot.gif --fps 60"), "a GIF has at most 50; choose fewer by --fps");
   expect_refusal(play_small("-o knot.mp4 --isa sse2 --shard 1/2"), "cannot be written in parts");
   expect_refusal(play_small("-o - --resume"), "cannot be written in parts");

@@ -42,7 +42,8 @@ TEST(CameraPath, a_mistake_is_told_with_its_line) {
   const auto refusal = [](const std::string& table) {
     return refusal_of(CameraPath::parse(table, "keys.csv", three_quarter_view));
   };
-  EXPECT_THAT(refusal(""), StartsWith("keys.csv:1: "));
+  for (const char* empty : {"", "\n", " \r\n0,3\n"})
+    EXPECT_THAT(refusal(empty), StartsWith("keys.csv:1: does not name the columns")) << empty;
   EXPECT_THAT(refusal("azimuth\n3\n"), HasSubstr("no column 'time'"));
   EXPECT_THAT(refusal("time,roll\n0,3\n"), HasSubstr("no column 'roll'"));
   EXPECT_THAT(refusal("time,x,y\n0,3,3\n"), HasSubstr("x, y and z"));
