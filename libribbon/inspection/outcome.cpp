@@ -188,7 +188,7 @@ std::string outcome_text(const Outcome& outcome) {
   if (outcome.slipped_off)
     text = filled_in("slipped off the object at {:.2f} s", outcome.slipped_off->time_s);
   if (outcome.knot_distance_m)
-    text += filled_in(", the knot {:.1f} mm from it", 1000 * *outcome.knot_distance_m);
+    text += filled_in(", the knot {} from it", length_text(*outcome.knot_distance_m, 3));
   return text;
 }
 

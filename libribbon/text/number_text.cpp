@@ -21,6 +21,11 @@ std::string metres(double length_m) {
   return short_number(length_m, 3) + " m";
 }
 
+std::string length_text(double length_m, int digits) {
+  if (length_m >= 1) return short_number(length_m, digits) + " m";
+  return short_number(1000 * length_m, digits) + " mm";
+}
+
 std::string filled_in(std::string_view pattern, std::initializer_list<TextValue> values) {
   fmt::dynamic_format_arg_store<fmt::format_context> arguments;
   for (const TextValue& value : values)

@@ -24,6 +24,9 @@ std::string shortest(double number);
 // Three significant digits and the unit: "0.0123 m".
 std::string metres(double length_m);
 
+// In millimetres, from a metre on in metres: "12.5 mm", "86.7 m".
+std::string length_text(double length_m, int digits);
+
 // A pattern of {fmt} for values of these types, in their order: "{}", "{:<17}" and the like for a
 // whole number or text, "{:.1f}" or "{:.3g}" for a number with decimals. One that does not fit them
 // does not compile.

@@ -79,7 +79,7 @@ std::string checkpoints_text(const RecordingInfo& info) {
 
 std::string error_text(double max_position_error_m) {
   if (max_position_error_m == 0) return "none beyond rounding to single precision";
-  return filled_in("at most {:.6g} mm", 1000 * max_position_error_m);
+  return "at most " + length_text(max_position_error_m, 6);
 }
 
 std::string obstacle_text(const RecordingInfo& info) {
@@ -95,7 +95,7 @@ std::string curve_text(const Eigen::Matrix3Xf& points) {
 
 std::string gap_text(const RecordingHeader& header) {
   if (header.stated_gap_m == 0) return "none stated";
-  return filled_in("at least {:.6g} mm, as stated", 1000 * header.stated_gap_m);
+  return filled_in("at least {}, as stated", length_text(header.stated_gap_m, 6));
 }
 
 std::string strain_limit_text(const RecordingHeader& header) {

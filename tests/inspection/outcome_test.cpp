@@ -63,7 +63,9 @@ TEST(OutcomeOfARecording, a_loop_that_stays_embraces_the_object) {
   const auto outcome = outcome_of(header_with_post(), {{}, {.height_m = 0.1}}).value();
   EXPECT_TRUE(outcome.embraces_object);
   EXPECT_FALSE(outcome.slipped_off.has_value());
-  EXPECT_EQ(outcome_text(outcome), "round the object, the knot 10.0 mm from it");
+  EXPECT_EQ(outcome_text({.embraces_object = true, .knot_distance_m = 0.0000123}),
+            "round the object, the knot 0.0123 mm from it");
+  EXPECT_EQ(outcome_text(outcome), "round the object, the knot 10 mm from it");
 }
 
 TEST(OutcomeOfARecording, a_loop_that_slips_off_is_told_with_its_moment) {

@@ -28,6 +28,15 @@ TEST(NumberText, decimals_are_fixed_and_short_numbers_are_short) {
   EXPECT_EQ(short_number(0.00001), "1e-05");
 }
 
+TEST(NumberText, lengths_have_significant_digits_in_a_unit_that_fits) {
+  EXPECT_EQ(length_text(0.0000123456, 3), "0.0123 mm");
+  EXPECT_EQ(length_text(0.0125, 3), "12.5 mm");
+  EXPECT_EQ(length_text(0.999, 3), "999 mm");
+  EXPECT_EQ(length_text(86.6842, 3), "86.7 m");
+  EXPECT_EQ(length_text(1858.08, 6), "1858.08 m");
+  EXPECT_EQ(length_text(0, 3), "0 mm");
+}
+
 TEST(NumberText, sentences_are_filled_in_with_numbers_and_words) {
   const std::string knot = "knot";
   EXPECT_EQ(filled_in("{}: frame {} of {}", knot, 3, std::uint64_t{7}), "knot: frame 3 of 7");
