@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -103,10 +104,12 @@ class Writer {
     const Eigen::Matrix3Xd positions = positions_of(given, header.grid);
     FrameNumbers numbers;
     numbers.time_s = time_s.value_or(writer_->frames_written() / header.frames_per_second);
+    check_follows(numbers.time_s);
     numbers.worst_strain =
         largest_strain(rest_size(header), all_edges, positions.cast<float>()).strain;
     value_of(writer_->append(numbers, positions));
     value_of(writer_->take_place());
+    last_time_s_ = numbers.time_s;
   }
 
   [[nodiscard]] int frame_count() { return static_cast<int>(open_writer().frames_written()); }
@@ -127,7 +130,18 @@ class Writer {
     return *writer_;
   }
 
+  void check_follows(double time_s) const {
+    if (std::isfinite(time_s) && time_s > last_time_s_) return;
+    const py::str sentence(writer_->frames_written() == 0
+                               ? "the time of frame {}, {} s, must be a number"
+                               : "the time of frame {}, {} s, must be later than {} s, that of the "
+                                 "frame before");
+    throw py::value_error(
+        std::string(py::str(sentence.format(writer_->frames_written() + 1, time_s, last_time_s_))));
+  }
+
   std::optional<RecordingWriter> writer_;
+  double last_time_s_ = -std::numeric_limits<double>::infinity();
 };
 
 std::unique_ptr<Writer> new_writer(const std::filesystem::path& path, int along, int across,

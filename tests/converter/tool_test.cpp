@@ -388,8 +388,8 @@ TEST_F(Tool, a_missing_recording_and_a_wrong_option_could_not) {
 }
 
 TEST_F(Tool, empty_values_are_no_wish) {
-  expect_refusal(run("knot.rbn -o a.abc --frames ''"), "--frames: the value is empty");
-  expect_refusal(run("knot.rbn -o ''"), "--output: the value is empty");
+  expect_refusal(run("knot.rbn -o a.abc --frames ''"), "--frames: is followed by an empty text");
+  expect_refusal(run("knot.rbn -o ''"), "--output: is followed by an empty text");
 }
 
 TEST_F(Tool, help_shows_examples_and_version_a_number) {

@@ -125,6 +125,21 @@ class Writing(RibbonTest):
             writer.append(flat())
         self.assertEqual(len(ribbon.open(self.path)), 1)
 
+    def test_times_run_forward(self):
+        with ribbon.Writer(self.path, **OWN) as writer:
+            for wrong in (float("nan"), float("inf")):
+                with self.assertRaisesRegex(ValueError, "the time of frame 1, .*must be a number"):
+                    writer.append(flat(), time=wrong)
+            writer.append(flat(), time=-1)
+            writer.append(flat(), time=0.5)
+            for wrong in (0.25, 0.5, None, float("nan")):
+                with self.subTest(wrong=wrong), self.assertRaisesRegex(
+                    ValueError, r"the time of frame 3, .* s, must be later than 0\.5 s, that of the frame before"
+                ):
+                    writer.append(flat(), time=wrong)
+            writer.append(flat(), time=0.75)
+        self.assertEqual(ribbon.open(self.path).numbers()["time"].tolist(), [-1, 0.5, 0.75])
+
     def test_meshes_are_checked(self):
         with self.assertRaisesRegex(ValueError, "from 0 to 2"):
             ribbon.Mesh(numpy.zeros((3, 3)), [[0, 1, 3]])
