@@ -7,6 +7,7 @@
 #include "commandline/interrupt.h"
 #include "commandline/progress.h"
 #include "commandline/tool.h"
+#include "inspection/unfinished.h"
 #include "parallel/instruction_set.h"
 #include "parallel/parallel.h"
 #include "player/bench.h"
@@ -54,11 +55,19 @@ ExitCode intact(const RecordingInfo& info) {
   return info.missing.empty() && info.damage.empty() ? ExitCode::done : ExitCode::answer_is_no;
 }
 
+// Pictures do not show that frames are still to come, or never will.
+void tell_unfinished(const RecordingReader& reader, const Options& options) {
+  const std::string unfinished = unfinished_text(reader);
+  if (!unfinished.empty())
+    std::fprintf(stderr, "ribbon-play: %s: %s\n", options.recording.c_str(), unfinished.c_str());
+}
+
 Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
                         const Options& options) {
   const auto frames = parse_frame_range(options.frames, info.frame_count());
   if (!frames) return tl::unexpected(frames.error());
   if (frames->empty()) return failure(info.file.string(), "holds no frames", "record some first");
+  tell_unfinished(reader, options);
   if (!options.plot.empty()) {
     const auto done = write_plot(info, *frames, options);
     if (!done) return tl::unexpected(done.error());
@@ -90,6 +99,7 @@ Result<ExitCode> render_page(const RecordingReader& reader, const Options& optio
           .and_then([&] { return check_place(options.pictures, options.replaceable); })
           .and_then([&] { return check_page_options(options.given); });
   if (!free) return tl::unexpected(free.error());
+  tell_unfinished(reader, options);
   const auto done = write_page(reader, options.recording, options.pictures);
   if (!done) return tl::unexpected(done.error());
   tell(options, *done);

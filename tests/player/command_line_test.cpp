@@ -308,6 +308,18 @@ TEST_F(RibbonPlay, damage_costs_frames_and_is_told) {
   EXPECT_THAT(outcome.errors, HasSubstr("frames " + std::to_string(missing[0].get<int>())));
 }
 
+TEST_F(RibbonPlay, that_a_recording_was_cut_off_is_told_beside_its_pictures) {
+  EXPECT_EQ(play_small("-o done.png --frames 1 --quiet").errors, "");
+  fs::remove(recording_);
+  write_sample_recording(recording_, 5, Ending::killed);
+  for (const std::string job :
+       {"-o 1.png --frames 1 --size 64x48", "--plot 1.svg", "--sheet 2.png"}) {
+    const ToolRun cut_off = run("knot.rbn --quiet " + job);
+    EXPECT_EQ(cut_off.exit_code, 0);
+    EXPECT_EQ(cut_off.errors, "ribbon-play: knot.rbn: unfinished: ends with frame 5\n") << job;
+  }
+}
+
 TEST_F(RibbonPlay, follow_tells_of_every_frame_until_the_recorder_ends) {
   auto writer = RecordingWriter::create(recording_, sample_header()).value();
   append_sample_frames(writer, 0, 1);
