@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "commandline/unfinished.h"
+#include "playback/unfinished.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -52,9 +52,8 @@ std::vector<std::string> remarks_on(const ConversionJob& job) {
   const int recorded = job.reader.frame_count();
   const bool last_is_asked =
       std::find(job.frames.begin(), job.frames.end(), recorded - 1) != job.frames.end();
-  const bool unfinished = !job.reader.finished() || job.reader.ending() == RunEnding::stopped;
-  if (unfinished && last_is_asked)
-    remarks.push_back(unfinished_text(recorded, job.reader.is_being_written()));
+  if (const std::string text = unfinished_text(job.reader); !text.empty() && last_is_asked)
+    remarks.push_back("the recording is " + text);
   return remarks;
 }
 

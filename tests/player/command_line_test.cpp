@@ -316,7 +316,10 @@ TEST_F(RibbonPlay, that_a_recording_was_cut_off_is_told_beside_its_pictures) {
        {"-o 1.png --frames 1 --size 64x48", "--plot 1.svg", "--sheet 2.png"}) {
     const ToolRun cut_off = run("knot.rbn --quiet " + job);
     EXPECT_EQ(cut_off.exit_code, 0);
-    EXPECT_EQ(cut_off.errors, "ribbon-play: knot.rbn: unfinished: ends with frame 5\n") << job;
+    EXPECT_EQ(
+        cut_off.errors,
+        "ribbon-play: knot.rbn: unfinished: it ends with frame 5, where its recorder was stopped\n")
+        << job;
   }
 }
 
