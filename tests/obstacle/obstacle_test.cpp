@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "files/files.h"
 #include "files/temporary_folder.h"
 #include "result/refusal.h"
@@ -126,12 +128,24 @@ TEST(Obstacle, triangles_without_area_duplicates_and_inverted_ones_are_kept) {
 }
 
 TEST(Obstacle, a_coordinate_that_is_no_number_is_told_with_its_triangle) {
-  for (const std::string vertex : {"nan 1 0", "0 nan 1", "0 1 nan", "inf 0 1"})
-    EXPECT_THAT(
-        refusal_of(read_obstacle(scene_of(written(
-            "nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv " + vertex + "\nf 1 2 3\nf 1 2 4\n")))),
-        HasSubstr("nan.obj: has a coordinate in triangle 2 of 2"))
-        << vertex;
+  EXPECT_THAT(refusal_of(read_obstacle(scene_of(
+                  written("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 nan 1\nf 1 2 3\nf 1 2 4\n")))),
+              HasSubstr("nan.obj: has a coordinate in triangle 2 of 2"));
+}
+
+// Who joins vertices by comparing their places takes one of these for another vertex.
+TEST(Obstacle, a_coordinate_that_is_no_number_is_found_in_any_vertex) {
+  for (const std::string wrong : {"nan 1 0", "0 nan 0", "0 1 nan", "inf 1 0"})
+    for (std::size_t vertex = 0; vertex < 5; ++vertex) {
+      std::array<std::string, 5> places{"0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 0 1"};
+      places[vertex] = wrong;
+      std::string text;
+      for (const std::string& place : places) text += "v " + place + "\n";
+      text += "v 1 0 1\nf 1 2 3 4\nf 1 2 6 5\n";
+      EXPECT_THAT(refusal_of(read_obstacle(scene_of(written("nan.obj", text)))),
+                  HasSubstr("nan.obj: has a coordinate in triangle"))
+          << wrong << " as vertex " << vertex + 1;
+    }
 }
 
 TEST(Obstacle, coordinates_beyond_single_precision_are_refused) {
