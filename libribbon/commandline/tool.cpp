@@ -5,7 +5,8 @@
 
 #include <csignal>
 #include <cstdio>
-#include <exception>
+
+#include "result/caught.h"
 
 namespace ribbon {
 
@@ -21,7 +22,7 @@ Result<ExitCode> printed(ExitCode code) {
   const bool is_lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
   if (!is_lost) return code;
   return passing_failure("standard output", "cannot be written, so that part of it is missing",
-                         "make room where it goes, and call it again");
+                         "make room where it goes or read it to its end, and call it again");
 }
 
 // A file that is opened next would get the number, and with it all that is said there.
@@ -30,28 +31,18 @@ void occupy_closed_streams() {
     if (::fcntl(stream, F_GETFD) < 0) (void)::open("/dev/null", O_RDWR);
 }
 
-int could_not(const std::string& tool_name, const std::string& sentence) {
-  return told(ExitCode::could_not, tool_name, sentence);
-}
-
 }  // namespace
 
 int run_tool(const std::string& tool_name, const std::function<Result<ExitCode>()>& body) {
   occupy_closed_streams();
   // A limit on file sizes is a write error like a full disk, with a sentence.
   std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    const Result<ExitCode> answer = body().and_then(printed);
-    if (!answer)
-      return told(answer.error().may_pass ? ExitCode::try_again : ExitCode::could_not, tool_name,
-                  answer.error().sentence());
-    return static_cast<int>(*answer);
-  } catch (const std::bad_alloc&) {
-    return could_not(tool_name, "not enough memory; close other programs or ask for less at once");
-  } catch (const std::exception& exception) {
-    return could_not(tool_name, std::string("stopped by an unexpected problem (") +
-                                    exception.what() + "); please report it");
-  }
+  // Likewise that nobody reads any more. A run goes on without those who watched it.
+  std::signal(SIGPIPE, SIG_IGN);
+  const auto answer = caught([&] { return body().and_then(printed); });
+  if (answer) return static_cast<int>(*answer);
+  return told(answer.error().may_pass ? ExitCode::try_again : ExitCode::could_not, tool_name,
+              answer.error().sentence());
 }
 
 }  // namespace ribbon

@@ -12,9 +12,9 @@ namespace ribbon {
 // found the disk full: the same may work another time.
 enum class ExitCode { done = 0, answer_is_no = 1, could_not = 2, try_again = 3 };
 
-// Runs `body`, with files that grow too large as write errors instead of a signal, and turns its
-// answer into the process's exit code; an error goes to standard error as one sentence after the
-// tool's name. An exception that escapes (no memory) is reported likewise.
+// Runs `body`, with files that grow too large and readers that go as write errors instead of
+// signals, and turns its answer into the process's exit code; an error goes to standard error as
+// one sentence after the tool's name. An exception that escapes (no memory) is reported likewise.
 int run_tool(const std::string& tool_name, const std::function<Result<ExitCode>()>& body);
 
 }  // namespace ribbon

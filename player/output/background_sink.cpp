@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "result/caught.h"
+
 namespace ribbon {
 
 namespace {
@@ -43,7 +45,7 @@ void BackgroundSink::run() {
     waiting_.pop_front();
     changed_.notify_all();
     lock.unlock();
-    Result<void> written = sink_->put(std::move(picture));
+    Result<void> written = caught([&] { return sink_->put(std::move(picture)); });
     lock.lock();
     if (written) continue;
     problem_ = std::move(written);

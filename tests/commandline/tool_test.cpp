@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 namespace ribbon::tool_test {
 
@@ -65,6 +69,30 @@ TEST(RunTool, a_lack_of_memory_is_reported) {
   EXPECT_EQ(code, 2);
   EXPECT_EQ(standard_error,
             "ribbon-test: not enough memory; close other programs or ask for less at once\n");
+}
+
+TEST(RunTool, a_lack_of_threads_is_no_bug) {
+  const auto [code, standard_error] = outcome([]() -> Result<ExitCode> {
+    throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+  });
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(standard_error,
+            "ribbon-test: the system gives it no more threads; close other programs, or allow more "
+            "processes (ulimit -u) or memory (ulimit -v)\n");
+}
+
+TEST(RunTool, that_nobody_reads_any_more_ends_no_work) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  ::close(ends[0]);
+  const auto write_to_nobody = [&] {
+    EXPECT_EQ(::write(ends[1], "1", 1), -1);
+    EXPECT_EQ(errno, EPIPE);
+    return ExitCode::done;
+  };
+  std::signal(SIGPIPE, SIG_DFL);
+  EXPECT_EQ(outcome(write_to_nobody).code, 0);
+  ::close(ends[1]);
 }
 
 TEST(RunTool, an_escaped_exception_is_reported) {

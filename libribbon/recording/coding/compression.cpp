@@ -2,9 +2,11 @@
 
 #define ZSTD_STATIC_LINKING_ONLY  // for formats and literals; zstd is linked statically
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <algorithm>
 #include <cassert>
+#include <new>
 
 namespace ribbon {
 
@@ -23,6 +25,19 @@ constexpr int block_log = 14;
 // Above every window that this level uses; a file that asks for more memory is not one of ours.
 constexpr int largest_window_log = 23;
 
+// What zstd has made, or, as everywhere else, an exception where there is no memory for it.
+template <class Made>
+Made* made(Made* pointer) {
+  if (pointer == nullptr) throw std::bad_alloc();
+  return pointer;
+}
+
+// The size that zstd answers with, or another error than that there is no memory.
+std::size_t answered(std::size_t size) {
+  if (ZSTD_getErrorCode(size) == ZSTD_error_memory_allocation) throw std::bad_alloc();
+  return size;
+}
+
 }  // namespace
 
 void FreeContext::operator()(ZSTD_CCtx* context) const {
@@ -32,7 +47,7 @@ void FreeContext::operator()(ZSTD_DCtx* context) const {
   ZSTD_freeDCtx(context);
 }
 
-Compressor::Compressor() : context_(ZSTD_createCCtx()) {
+Compressor::Compressor() : context_(made(ZSTD_createCCtx())) {
   ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_contentSizeFlag, 0);
   ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_minMatch, shortest_match);
@@ -42,14 +57,14 @@ Compressor::Compressor() : context_(ZSTD_createCCtx()) {
 
 std::string Compressor::compress(std::string_view content) {
   std::string bytes(ZSTD_compressBound(content.size()), '\0');
-  const std::size_t size =
-      ZSTD_compress2(context_.get(), bytes.data(), bytes.size(), content.data(), content.size());
+  const std::size_t size = answered(
+      ZSTD_compress2(context_.get(), bytes.data(), bytes.size(), content.data(), content.size()));
   assert(ZSTD_isError(size) == 0);  // the room is enough for the worst case
   bytes.resize(size);
   return bytes;
 }
 
-Decompressor::Decompressor() : context_(ZSTD_createDCtx()) {
+Decompressor::Decompressor() : context_(made(ZSTD_createDCtx())) {
   ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_windowLogMax, largest_window_log);
 }
 
@@ -64,7 +79,7 @@ std::optional<std::string_view> Decompressor::decompress(std::string_view bytes,
       content_.resize(std::min(limit + 1, std::max<std::size_t>(2 * content_.size(), 1 << 16)));
     if (filled > limit) return std::nullopt;
     ZSTD_outBuffer out{content_.data(), content_.size(), filled};
-    const std::size_t left = ZSTD_decompressStream(context_.get(), &out, &in);
+    const std::size_t left = answered(ZSTD_decompressStream(context_.get(), &out, &in));
     const bool stuck = in.pos == in.size && out.pos < out.size;
     filled = out.pos;
     if (ZSTD_isError(left) != 0) return std::nullopt;
@@ -124,7 +139,7 @@ void SymbolDecompressor::FreeDictionary::operator()(ZSTD_DDict_s* dictionary) co
 
 SymbolCompressor::SymbolCompressor() {
   for (CompressionContext& owned : contexts_) {
-    ZSTD_CCtx* context = ZSTD_createCCtx();
+    ZSTD_CCtx* context = made(ZSTD_createCCtx());
     owned.reset(context);
     // Entropy coding alone: this level looks for no repetitions, which it takes for a reason not to
     // code literals either, unless told.
@@ -137,8 +152,8 @@ SymbolCompressor::SymbolCompressor() {
   }
   for (std::size_t kind = 0; kind < symbol_kinds; ++kind) {
     const std::string known = dictionary(trees[kind]);
-    ZSTD_CCtx_loadDictionary_advanced(contexts_[kind].get(), known.data(), known.size(),
-                                      ZSTD_dlm_byCopy, ZSTD_dct_fullDict);
+    answered(ZSTD_CCtx_loadDictionary_advanced(contexts_[kind].get(), known.data(), known.size(),
+                                               ZSTD_dlm_byCopy, ZSTD_dct_fullDict));
   }
 }
 
@@ -146,8 +161,8 @@ SymbolCompressor::SymbolCompressor() {
 std::string_view SymbolCompressor::packed(std::size_t kind, std::span<const unsigned char> run) {
   std::string& to = packed_[kind == knows_none ? 1 : 0];
   to.resize(ZSTD_compressBound(run.size()));
-  return {to.data(),
-          ZSTD_compress2(contexts_[kind].get(), to.data(), to.size(), run.data(), run.size())};
+  return {to.data(), answered(ZSTD_compress2(contexts_[kind].get(), to.data(), to.size(),
+                                             run.data(), run.size()))};
 }
 
 void SymbolCompressor::append(std::size_t kind, std::span<const unsigned char> symbols,
@@ -163,12 +178,12 @@ void SymbolCompressor::append(std::size_t kind, std::span<const unsigned char> s
   to.append(symbols.begin(), symbols.end());
 }
 
-SymbolDecompressor::SymbolDecompressor() : context_(ZSTD_createDCtx()) {
+SymbolDecompressor::SymbolDecompressor() : context_(made(ZSTD_createDCtx())) {
   ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_format, ZSTD_f_zstd1_magicless);
   for (std::size_t kind = 0; kind < trees.size(); ++kind) {
     const std::string known = dictionary(trees[kind]);
-    dictionaries_[kind].reset(ZSTD_createDDict_advanced(known.data(), known.size(), ZSTD_dlm_byCopy,
-                                                        ZSTD_dct_fullDict, ZSTD_defaultCMem));
+    dictionaries_[kind].reset(made(ZSTD_createDDict_advanced(
+        known.data(), known.size(), ZSTD_dlm_byCopy, ZSTD_dct_fullDict, ZSTD_defaultCMem)));
   }
 }
 

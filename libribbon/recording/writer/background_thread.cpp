@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "recording/writer/background_writer.h"
+#include "result/caught.h"
 
 namespace ribbon {
 
@@ -60,21 +61,20 @@ std::optional<BackgroundWriter::Task> BackgroundWriter::next(
 void BackgroundWriter::run() {
   std::optional<Clock::time_point> sync_at;  // set while something is not on the disk yet
   bool broken = false;
+  const auto attempt = [&](const auto& work) {
+    auto outcome = caught(work);
+    broken = !outcome;
+    note(std::move(outcome));
+  };
   while (true) {
     const auto task = next(sync_at);
     if (task) {
       if (broken) continue;
-      auto outcome = (*task)(writer_);
-      broken = !outcome;
-      note(std::move(outcome));
+      attempt([&] { return (*task)(writer_); });
       if (!sync_at) sync_at = Clock::now() + longest_unsynced;
       continue;
     }
-    if (std::exchange(sync_at, std::nullopt) && !broken) {
-      auto outcome = writer_.sync();
-      broken = !outcome;
-      note(std::move(outcome));
-    }
+    if (std::exchange(sync_at, std::nullopt) && !broken) attempt([&] { return writer_.sync(); });
     const std::lock_guard lock(mutex_);
     if (closing_ && queue_.empty()) return;
   }
