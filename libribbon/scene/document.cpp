@@ -69,6 +69,10 @@ Result<Document> parse_document(const std::filesystem::path& file, std::string_v
     return failure(document.place(position_at(text, *letter)),
                    "a letter that is not plain ASCII stands outside of quotes",
                    "put the text that it belongs to in quotes");
+  if (const auto dot = first_too_deep(text))
+    return failure(document.place(position_at(text, *dot)),
+                   "a key goes deeper than there are tables in a scene",
+                   "name a table and a key, as in 'ribbon.width'");
   auto parsed = parse_toml(text);
   if (!parsed)
     return failure(document.place(parsed.error().position), parsed.error().sentence,

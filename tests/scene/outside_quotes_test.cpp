@@ -25,6 +25,25 @@ TEST(OutsideQuotes, a_letter_anywhere_else_is_found) {
   EXPECT_FALSE(first_outside_quotes("a = \"\u00fc"));
 }
 
+TEST(TooDeep, no_scene_has_such_keys) {
+  std::string deep = "a";
+  for (int i = 0; i < 16; ++i) deep += ". \"a.b\"";
+  EXPECT_FALSE(first_too_deep(deep + " = 1"));
+  EXPECT_EQ(first_too_deep(deep + ".a = 1"), deep.size());
+  EXPECT_EQ(first_too_deep("[" + deep + ".a]"), deep.size() + 1);
+  std::string many = "points = [";
+  for (int i = 0; i < 100; ++i) many += "[0.1, -.5], # a.b\n";
+  EXPECT_FALSE(first_too_deep(many + "]\na.b = 1"));
+}
+
+// Deeper than any stack.
+TEST(TooDeep, a_scene_is_refused_before_it_is_parsed) {
+  std::string deep = "a";
+  for (int i = 0; i < 200'000; ++i) deep += ".a";
+  EXPECT_THAT(refusal_of(read_scene("knot.toml", "[" + deep + "]\n")),
+              StartsWith("knot.toml:1:35: a key goes deeper than there are tables in a scene"));
+}
+
 TEST(OutsideQuotes, a_scene_says_where) {
   EXPECT_EQ(
       refusal_of(read_scene("knot.toml", "[ribbon]\nwidth = \u00bd\n")),
