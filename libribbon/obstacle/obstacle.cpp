@@ -77,10 +77,15 @@ std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
 
 // Of which assimp reads the first triangle of each.
 bool holds_triangle_strips(const std::filesystem::path& path) {
+  constexpr std::size_t longest_header = 1 << 16;
+  std::string head(longest_header, '\0');
   std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  if (!head.starts_with("ply")) return false;
+  std::istringstream lines(head);
   std::string line;
-  if (!std::getline(file, line) || !line.starts_with("ply")) return false;
-  while (std::getline(file, line) && !line.starts_with("end_header")) {
+  while (std::getline(lines, line) && !line.starts_with("end_header")) {
     std::istringstream words(line);
     std::string element;
     std::string name;

@@ -14,6 +14,8 @@ Result<void> check_readable(const NamedFile& file) {
                    "correct the name; what does not begin with '/' is looked for in the scene's "
                    "folder");
   if (std::filesystem::is_directory(status)) return failure(file, "is a folder", "name a file");
+  if (std::filesystem::is_other(status))
+    return failure(file, "is a device or a pipe, which may never end", "name a file");
   if (!std::ifstream(file.path))
     return failure(file, "cannot be opened (" + std::generic_category().message(errno) + ")",
                    "check its permissions");

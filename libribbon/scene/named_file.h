@@ -16,7 +16,8 @@ struct NamedFile {
   bool operator==(const NamedFile& other) const { return path == other.path; }
 };
 
-// Fails, with the place in the scene, where there is no such file or it cannot be opened.
+// Fails, with the place in the scene, where there is no such file, it is a folder, a device or a
+// pipe, or cannot be opened.
 Result<void> check_readable(const NamedFile& file);
 
 // A failure with the place in the scene and the file's name in quotes before what is wrong.

@@ -1,6 +1,7 @@
 #include "obstacle/obstacle.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 
@@ -41,6 +42,16 @@ TEST(Obstacle, corners_that_differ_only_in_uv_or_normal_are_joined) {
                             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0\n"
                             "f 1/1 2/2 3/3\nf 1/4 3/2 4/1\n");
   EXPECT_EQ(read_obstacle(scene_of(file)).value().vertices.cols(), 4);
+}
+
+TEST(Obstacle, what_may_never_end_is_not_read) {
+  const auto pipe = temporary_file("pipe.obj");
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const auto& file : {std::filesystem::path("/dev/zero"), pipe})
+    EXPECT_THAT(refusal_of(read_obstacle(scene_of(file))),
+                HasSubstr("is a device or a pipe, which may never end; name a file"));
+  std::filesystem::remove(pipe);
 }
 
 TEST(Obstacle, polygons_become_triangles_and_several_objects_one_mesh) {
