@@ -92,8 +92,7 @@ bool FrameDecoder::decode_one(RecordingContents& contents, std::uint32_t frame) 
 
 bool FrameDecoder::decode_record(const RecordingContents& contents, const IndexedFrame& entry,
                                  Slot& slot) {
-  const std::string bytes = contents.file().read(entry.offset, entry.record_bytes);
-  const auto payload = whole_record(bytes, RecordType::frame);
+  const auto payload = contents.payload_at({RecordType::frame, entry.offset, entry.record_bytes});
   if (!payload) return false;
   const auto record = parse_frame_payload(*payload);
   if (!record || record->recording_id != contents.start().recording_id ||

@@ -55,4 +55,10 @@ std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) co
   return bytes;
 }
 
+std::uint64_t RandomAccessFile::next_written(std::uint64_t offset) const {
+  const off_t found = ::lseek(file_.number(), static_cast<off_t>(offset), SEEK_DATA);
+  if (found >= 0) return static_cast<std::uint64_t>(found);
+  return errno == ENXIO ? std::max(offset, size_) : offset;
+}
+
 }  // namespace ribbon

@@ -28,6 +28,10 @@ class RandomAccessFile {
   // where the disk fails.
   [[nodiscard]] std::string read(std::uint64_t offset, std::uint64_t count) const;
 
+  // The first byte from `offset` on that somebody wrote, as far as the system can tell: a file may
+  // be mostly holes, which read as zeros.
+  [[nodiscard]] std::uint64_t next_written(std::uint64_t offset) const;
+
  private:
   RandomAccessFile(FileDescriptor file, std::uint64_t size) : file_(std::move(file)), size_(size) {}
   FileDescriptor file_;

@@ -13,6 +13,8 @@ WalkStep RecordWalk::next() {
   step.head_is_whole = true;
   if (head->payload_bytes > file_.size() - at_ - record_head_bytes)
     return damage(step, "a record is not complete", true);
+  if (head->payload_bytes > most_payload_bytes(head->type, grid_))
+    return damage(step, "a record claims to be larger than any", false);
   payload_ = file_.read(at_ + record_head_bytes, head->payload_bytes);
   if (payload_.size() != head->payload_bytes) return damage(step, "the disk cannot read it", false);
   if (checksum(payload_) != head->payload_checksum)
@@ -44,21 +46,26 @@ bool RecordWalk::is_start_of_head(std::uint64_t offset) const {
 // Where the next record with a valid head begins, from `offset` on.
 std::optional<std::uint64_t> RecordWalk::next_head(std::uint64_t offset) const {
   constexpr std::uint64_t window = 1 << 16;
-  for (; offset + record_head_bytes <= file_.size(); offset += window) {
+  while (true) {
+    offset = file_.next_written(offset);  // no magic begins with a zero
+    if (offset + record_head_bytes > file_.size()) return std::nullopt;
     const std::string bytes = file_.read(offset, window + record_head_bytes);
     for (auto found = bytes.find(record_magic); found != std::string::npos;
          found = bytes.find(record_magic, found + 1))
       if (parse_record_head(std::string_view(bytes).substr(found))) return offset + found;
+    offset += window;
   }
-  return std::nullopt;
 }
 
-std::optional<std::string_view> whole_record(std::string_view bytes, RecordType type) {
-  const auto head = parse_record_head(bytes);
-  if (!head || head->type != type || head->payload_bytes != bytes.size() - record_head_bytes)
+std::optional<std::string> read_payload(const RandomAccessFile& file, const RibbonGrid& grid,
+                                        const RecordPlace& place) {
+  const auto head = parse_record_head(file.read(place.offset, record_head_bytes));
+  if (!head || head->type != place.type || head->payload_bytes + record_head_bytes != place.bytes ||
+      head->payload_bytes > most_payload_bytes(place.type, grid))
     return std::nullopt;
-  const std::string_view payload = bytes.substr(record_head_bytes);
-  if (checksum(payload) != head->payload_checksum) return std::nullopt;
+  std::string payload = file.read(place.offset + record_head_bytes, head->payload_bytes);
+  if (payload.size() != head->payload_bytes || checksum(payload) != head->payload_checksum)
+    return std::nullopt;
   return payload;
 }
 

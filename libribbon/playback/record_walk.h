@@ -24,8 +24,9 @@ struct WalkStep {
 
 class RecordWalk {
  public:
-  // Begins at `offset`, where a record begins or once will.
-  RecordWalk(const RandomAccessFile& file, std::uint64_t offset) : file_(file), at_(offset) {}
+  // Begins at `offset`, where a record begins or once will. grid: that of the header.
+  RecordWalk(const RandomAccessFile& file, const RibbonGrid& grid, std::uint64_t offset)
+      : file_(file), grid_(grid), at_(offset) {}
 
   // The next whole record, whatever it says, or the next damage. The end is where the file ends, or
   // a record that is merely cut off.
@@ -37,12 +38,21 @@ class RecordWalk {
   [[nodiscard]] std::optional<std::uint64_t> next_head(std::uint64_t offset) const;
 
   const RandomAccessFile& file_;
+  RibbonGrid grid_;
   std::uint64_t at_;
   std::string payload_;
 };
 
-// The payload of a whole record in `bytes`, which it fills; nothing where head, length, checksum or
-// type is wrong.
-std::optional<std::string_view> whole_record(std::string_view bytes, RecordType type);
+// Where a file is said to hold a record.
+struct RecordPlace {
+  RecordType type{};
+  std::uint64_t offset = 0;
+  std::uint64_t bytes = 0;  // head and payload
+};
+
+// The payload of the record; nothing where it is not there, whole and as long as is said. grid:
+// that of the header. Its head is read first, for all that is said may be wrong.
+std::optional<std::string> read_payload(const RandomAccessFile& file, const RibbonGrid& grid,
+                                        const RecordPlace& place);
 
 }  // namespace ribbon

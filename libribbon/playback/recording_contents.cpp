@@ -38,17 +38,20 @@ void RecordingContents::start_over() {
   ending_ = RunEnding::unknown;
 }
 
+std::optional<std::string> RecordingContents::payload_at(const RecordPlace& place) const {
+  return read_payload(file_, start_.header.grid, place);
+}
+
 bool RecordingContents::trust_directory() {
   constexpr std::uint64_t footer_bytes = record_head_bytes + footer_payload_bytes;
   if (file_.size() < start_.end + footer_bytes) return false;
   const std::uint64_t footer_at = file_.size() - footer_bytes;
-  const std::string footer = file_.read(footer_at, footer_bytes);
-  const auto footer_payload = whole_record(footer, RecordType::footer);
+  const auto footer_payload = payload_at({RecordType::footer, footer_at, footer_bytes});
   if (!footer_payload) return false;
   const auto directory_at = parse_footer_payload(*footer_payload, start_.recording_id);
   if (!directory_at || *directory_at < start_.end || *directory_at > footer_at) return false;
-  const std::string record = file_.read(*directory_at, footer_at - *directory_at);
-  const auto payload = whole_record(record, RecordType::directory);
+  const auto payload =
+      payload_at({RecordType::directory, *directory_at, footer_at - *directory_at});
   if (!payload) return false;
   auto directory = parse_directory_payload(*payload, start_.recording_id, *directory_at);
   if (!directory) return false;
@@ -63,8 +66,7 @@ bool RecordingContents::trust_directory() {
 }
 
 std::optional<Index> RecordingContents::read_index(const IndexLocation& location) const {
-  const std::string record = file_.read(location.offset, location.record_bytes);
-  const auto payload = whole_record(record, RecordType::index);
+  const auto payload = payload_at({RecordType::index, location.offset, location.record_bytes});
   if (!payload) return std::nullopt;
   auto index = parse_index_payload(*payload, start_.recording_id, location.offset);
   if (!index || index->frames.size() != location.frames || index->others.size() != location.others)
@@ -133,7 +135,7 @@ void RecordingContents::walk() {
   std::erase_if(damage_, [this](const Damage& part) { return part.byte >= end_; });
   lost_in_tail_ = 0;
   const bool was_checked = checked_;
-  RecordWalk walk(file_, end_);
+  RecordWalk walk(file_, start_.header.grid, end_);
   for (WalkStep step = walk.next(); step.kind != WalkStep::Kind::end; step = walk.next()) {
     const bool is_record = step.kind == WalkStep::Kind::record;
     const char* problem = is_record ? take(step) : step.reason;

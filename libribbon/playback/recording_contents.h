@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "playback/damage.h"
@@ -23,6 +24,8 @@ class RecordingContents {
 
   [[nodiscard]] const RandomAccessFile& file() const { return file_; }
   [[nodiscard]] const RecordingStart& start() const { return start_; }
+  // As read_payload().
+  [[nodiscard]] std::optional<std::string> payload_at(const RecordPlace& place) const;
 
   // Finds out what the file has gained. False, finding out nothing, where it has become shorter
   // than what was read of it.

@@ -29,8 +29,8 @@ auto RecordingReader::surely(Question question) const {
   return question();
 }
 
-std::string RecordingReader::read_record(const IndexedOther& other) const {
-  return contents_.file().read(other.offset, other.record_bytes);
+std::optional<std::string> RecordingReader::payload_of(const IndexedOther& other) const {
+  return contents_.payload_at({other.type, other.offset, other.record_bytes});
 }
 
 const RecordingHeader& RecordingReader::header() const {
@@ -88,8 +88,7 @@ Result<Checkpoint> RecordingReader::read_checkpoint(std::uint32_t frame) const {
   const std::string name = path_.string() + ": frame " + std::to_string(frame + 1);
   if (found == others.rend())
     return failure(name, "has no checkpoint", "choose a frame that has one; --info lists them");
-  const std::string record = read_record(*found);
-  const auto payload = whole_record(record, RecordType::checkpoint);
+  const auto payload = payload_of(*found);
   auto checkpoint =
       payload ? parse_checkpoint_payload(*payload, recording_id(), header().grid) : std::nullopt;
   if (!checkpoint || checkpoint->frame != frame)
@@ -101,8 +100,7 @@ std::vector<Session> RecordingReader::sessions() const {
   std::vector<Session> sessions;
   for (const IndexedOther& other : contents_.others()) {
     if (other.type != RecordType::session) continue;
-    const std::string record = read_record(other);
-    const auto payload = whole_record(record, RecordType::session);
+    const auto payload = payload_of(other);
     auto session = payload ? parse_session_payload(*payload, recording_id()) : std::nullopt;
     if (session) sessions.push_back(std::move(*session));
   }

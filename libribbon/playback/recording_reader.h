@@ -71,7 +71,7 @@ class RecordingReader {
 
  private:
   RecordingReader(std::filesystem::path path, OpenedRecording recording);
-  [[nodiscard]] std::string read_record(const IndexedOther& other) const;
+  [[nodiscard]] std::optional<std::string> payload_of(const IndexedOther& other) const;
   template <class Question>
   auto surely(Question question) const;
 

@@ -24,7 +24,9 @@ Result<RecordingStart> read_start(const RandomAccessFile& file, const std::files
         "record it again with --force, or use a copy that is whole");
   if (!signed_file && !head)
     return failure(path.string(), "is not a ribbon recording", "name a file by ribbon-record");
-  const std::string payload = head ? file.read(payload_offset, head->payload_bytes) : "";
+  const bool may_be_read = head && head->payload_bytes <= most_header_bytes;
+  const std::string payload =
+      may_be_read ? file.read(payload_offset, head->payload_bytes) : std::string();
   if (!head || head->type != RecordType::header || payload.size() != head->payload_bytes ||
       checksum(payload) != head->payload_checksum)
     return failure(path.string(), "the header is damaged",

@@ -367,6 +367,27 @@ TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
   EXPECT_LE((read.cast<double>() - positions(256)).cwiseAbs().maxCoeff(), 1e-5);
 }
 
+// The file is that long, but most of it was never written.
+TEST_F(DamagedRecording, a_record_that_claims_more_than_it_may_is_not_read) {
+  constexpr std::uint64_t hole = std::uint64_t{1} << 36;
+  std::string head = make_record(RecordType::frame, "");
+  head.resize(8);
+  put<std::uint64_t>(head, hole);
+  put<std::uint32_t>(head, 0);
+  put<std::uint32_t>(head, checksum(head));
+  ASSERT_TRUE(write_file(path_, killed_ + head));
+  std::filesystem::resize_file(path_, killed_.size() + hole);
+  std::ofstream(path_, std::ios::app | std::ios::binary) << finished_.substr(killed_.size());
+  auto reader = RecordingReader::open(path_).value();
+  EXPECT_EQ(reader.frame_count(), frames);
+  reader.check();
+  ASSERT_GE(reader.damage().size(), 1U);
+  EXPECT_EQ(reader.damage()[0].byte, killed_.size());
+  EXPECT_EQ(reader.damage()[0].length, hole);
+  EXPECT_EQ(reader.damage()[0].reason, std::string("a record claims to be larger than any"));
+  std::filesystem::remove(path_);
+}
+
 TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {
   std::string payload = header_payload(sample_header({3, 2}));
   payload[0] = 8;

@@ -2,8 +2,17 @@
 
 #include "recording/coding/bytes.h"
 #include "recording/coding/checksum.h"
+#include "recording/records/checkpoint_record.h"
 
 namespace ribbon {
+
+std::uint64_t most_payload_bytes(RecordType type, const RibbonGrid& grid) {
+  constexpr std::uint64_t besides = 1 << 20;
+  if (type == RecordType::frame)
+    return 256 * static_cast<std::uint64_t>(grid.particle_count()) + besides;
+  if (type == RecordType::checkpoint) return 2 * largest_state_bytes(grid) + besides;
+  return 1 << 28;
+}
 
 std::string make_record(RecordType type, std::string_view payload) {
   std::string bytes(record_magic);

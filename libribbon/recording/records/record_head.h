@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/ribbon_grid.h"
+
 namespace ribbon {
 
 inline constexpr std::string_view file_signature{"\x89RBN\r\n\x1A\n", 8};
@@ -28,6 +30,11 @@ struct RecordHead {
   std::uint64_t payload_bytes = 0;
   std::uint32_t payload_checksum = 0;
 };
+
+inline constexpr std::uint64_t most_header_bytes = std::uint64_t{1} << 31;
+
+// Of the payload of a record other than the header, of a ribbon like this.
+std::uint64_t most_payload_bytes(RecordType type, const RibbonGrid& grid);
 
 // May a record of so many bytes lie at `offset`, wholly before `limit`?
 inline bool lies_before(std::uint64_t limit, std::uint64_t offset, std::uint64_t record_bytes) {
