@@ -151,7 +151,7 @@ Result<void> read_rules(SvgFile& file) {
 }
 
 Result<SvgFile> load(const std::filesystem::path& path) {
-  auto bytes = read_file(path);
+  auto bytes = read_file(path, most_bytes_by_hand);
   if (!bytes) return tl::unexpected(bytes.error());
   SvgFile file{path.string(), std::move(*bytes), {}};
   const auto parsed = file.document.load_buffer(file.bytes.data(), file.bytes.size());

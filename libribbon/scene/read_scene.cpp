@@ -507,7 +507,7 @@ std::vector<std::filesystem::path> files_of(const Scene& scene) {
 
 Result<Scene> read_scene(const std::filesystem::path& file,
                          const std::vector<std::string>& settings) {
-  return read_file(file).and_then([&](const std::string& text) {
+  return read_file(file, most_bytes_by_hand).and_then([&](const std::string& text) {
     return blamed(read_scene(file, text, settings), file, text, settings);
   });
 }

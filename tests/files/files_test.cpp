@@ -34,6 +34,22 @@ TEST(Files, a_device_that_never_ends_is_not_read) {
   EXPECT_THAT(refusal_of(read_file("/dev/zero")), StartsWith("/dev/zero: is a device"));
 }
 
+TEST(Files, no_more_is_read_than_a_file_may_have) {
+  const auto file = temporary_file("large.bin");
+  ASSERT_TRUE(write_file(file, std::string(1'000'000, 'a')).has_value());
+  EXPECT_EQ(read_file(file, 1'000'000)->size(), 1'000'000U);
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 35);
+  EXPECT_EQ(refusal_of(read_file(file, 1'000'000)),
+            file.string() +
+                ": is larger than the 1 MB that such a file may have; check that it is "
+                "the one that is meant");
+  std::filesystem::remove(file);
+}
+
+TEST(Files, a_disk_that_cannot_be_read_is_told) {
+  EXPECT_THAT(refusal_of(read_file("/proc/self/mem")), HasSubstr(": cannot be read ("));
+}
+
 TEST(Files, what_would_be_replaced_is_known) {
   const auto file = temporary_file("taken") / "bytes.bin";
   EXPECT_FALSE(is_taken(file));
