@@ -30,7 +30,9 @@ constexpr double tolerance_per_extent = 1e-4;  // strands that are nearer than t
 constexpr double smallest_loop = 8;            // a shorter way along the walk is a corner
 constexpr double same_meeting = 4;             // contacts this near along both strands are one
 constexpr double longest_meeting = 50;         // strands that stay together longer overlap
-constexpr double smallest_angle = 0.03;        // radians; strands that cross flatter overlap
+// What comes after takes memory and time for each; a net of that many meshes is no knot.
+constexpr std::size_t most_contacts = 20'000;
+constexpr double smallest_angle = 0.03;  // radians; strands that cross flatter overlap
 
 // The drawing measured by the length walked.
 class Walk {
@@ -143,10 +145,11 @@ struct Contact {
   }
 };
 
-// Calls visit(i, j) for all pairs of segments, i < j, whose boxes are within the tolerance: along
-// the longer side of the drawing, each box meets only those that begin before it ends.
+// Calls visit(i, j) for all pairs of segments, i < j, whose boxes are within the tolerance, until
+// it says no: along the longer side of the drawing, each box meets only those that begin before it
+// ends.
 void for_near_segments(const Walk& walk,
-                       const std::function<void(std::size_t, std::size_t)>& visit) {
+                       const std::function<bool(std::size_t, std::size_t)>& visit) {
   const int along = walk.longer_coordinate();
   const Vector2d margin = Vector2d::Constant(walk.tolerance());
   std::vector<Eigen::AlignedBox2d> boxes;
@@ -162,7 +165,7 @@ void for_near_segments(const Walk& walk,
   for (auto i = order.begin(); i != order.end(); ++i)
     for (auto j = i + 1; j != order.end(); ++j) {
       if (boxes[*j].min()[along] > boxes[*i].max()[along]) break;
-      if (boxes[*i].intersects(boxes[*j])) visit(std::min(*i, *j), std::max(*i, *j));
+      if (boxes[*i].intersects(boxes[*j]) && !visit(std::min(*i, *j), std::max(*i, *j))) return;
     }
 }
 
@@ -198,11 +201,17 @@ std::optional<Contact> contact_of(const Walk& walk, std::size_t i, std::size_t j
   return contact;
 }
 
-std::vector<Contact> find_contacts(const Walk& walk) {
+Result<std::vector<Contact>> find_contacts(const Walk& walk) {
   std::vector<Contact> contacts;
   for_near_segments(walk, [&](std::size_t i, std::size_t j) {
     if (const auto contact = contact_of(walk, i, j)) contacts.push_back(*contact);
+    return contacts.size() <= most_contacts;
   });
+  if (contacts.size() > most_contacts)
+    return failure(drawing_place(walk.point_at(contacts.back().first_length)),
+                   "the curve meets itself in more than " + std::to_string(most_contacts) +
+                       " places, here and elsewhere",
+                   "draw a simpler curve");
   std::sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) {
     return std::pair(a.first.begin, a.second.begin) < std::pair(b.first.begin, b.second.begin);
   });
@@ -210,8 +219,7 @@ std::vector<Contact> find_contacts(const Walk& walk) {
 }
 
 // Joins contacts that are one meeting; in order of the walk.
-std::vector<Contact> find_meetings(const Walk& walk) {
-  const std::vector<Contact> contacts = find_contacts(walk);
+std::vector<Contact> find_meetings(const Walk& walk, const std::vector<Contact>& contacts) {
   const double near = same_meeting * walk.tolerance();
   std::vector<std::size_t> parent(contacts.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -340,8 +348,10 @@ Result<void> no_triple_points(const Walk& walk, const std::vector<Visit>& visits
 
 Result<std::vector<DoublePoint>> find_double_points(const Drawing& drawing) {
   const Walk walk(drawing);
+  const auto contacts = find_contacts(walk);
+  if (!contacts) return tl::unexpected(contacts.error());
   std::vector<Passages> passages;
-  for (const Contact& meeting : find_meetings(walk)) {
+  for (const Contact& meeting : find_meetings(walk, *contacts)) {
     const auto told = told_apart(walk, meeting);
     if (!told) return tl::unexpected(told.error());
     passages.push_back(*told);

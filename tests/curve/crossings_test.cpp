@@ -206,6 +206,18 @@ TEST(Crossings, crossings_survive_points_denser_than_the_tolerance) {
   EXPECT_NEAR(((*crossings)[1].point - Eigen::Vector2d(3, 0)).norm(), 0, 1e-9);
 }
 
+// Every two of its pieces cross.
+TEST(Crossings, a_net_is_refused_before_all_its_meshes_are_counted) {
+  Drawing star;
+  constexpr int points = 2001;
+  for (int i = 0; i < points; ++i) {
+    const double angle = 2 * std::numbers::pi * i * (points / 2) / points;
+    star.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  EXPECT_THAT(refusal_of(find_double_points(star)),
+              HasSubstr("the curve meets itself in more than 20000 places"));
+}
+
 // 50 turns inwards and a straight way out across 49 of them. Quick, or the test is slow.
 TEST(Crossings, spiral_of_20000_segments_crosses_its_way_out) {
   Drawing spiral;
