@@ -180,8 +180,9 @@ struct StrainCorrectionScene {
   bool operator==(const StrainCorrectionScene&) const = default;
 };
 
-// The least max_position_error that a scene may name, but for 0.
+// The least max_position_error that a scene may name, but for 0, and the most.
 inline constexpr double least_position_error = 1e-7;
+inline constexpr double most_position_error = 0.01;
 
 struct RecordingScene {
   double frames_per_second = 50;

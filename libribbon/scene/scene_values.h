@@ -46,7 +46,7 @@ struct Range {
 inline constexpr Range any_number{"from -1e12 to 1e12", -1e12, 1e12};
 inline constexpr Range not_negative{"from 0 to 1e12", 0, 1e12};
 inline constexpr Range positive{"above 0 (from 1e-12 to 1e12)", 1e-12, 1e12};
-inline constexpr Range lossy{"from 1e-7 to 0.01, or 0", least_position_error, 0.01};
+inline constexpr Range lossy{"from 1e-7 to 0.01, or 0", least_position_error, most_position_error};
 
 // Nothing where it is no number, or not in the range.
 std::optional<double> number_within(const Range& range, const TomlValue& value);

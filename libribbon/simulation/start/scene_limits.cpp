@@ -46,14 +46,17 @@ Result<void> recording_tells_positions(const Scene& scene, const RestSize& size,
                                        double farthest_m) {
   const double single_m = std::ldexp(farthest_m, -24);
   if (single_m <= rounding_m) return {};
-  return failure(
-      scene.name,
-      "the ribbon lies " + metres(farthest_m) +
-          " from the origin, where recorded coordinates are only right to " + metres(single_m),
-      "move it to within " + metres(0.99 * std::ldexp(rounding_m, 24)) +
-          " of the origin with curve.origin, make it smaller, or set recording.max_position_error "
-          "to " +
-          short_number(1.01 * single_m / size.length_m, 3) + " or more");
+  const double least = 1.01 * single_m / size.length_m;
+  return failure(scene.name,
+                 "the ribbon lies " + metres(farthest_m) +
+                     " from the origin, where recorded coordinates are only right to " +
+                     metres(single_m),
+                 "move it to within " + metres(0.99 * std::ldexp(rounding_m, 24)) +
+                     " of the origin with curve.origin" +
+                     (least > most_position_error
+                          ? " or make it smaller"
+                          : ", make it smaller, or set recording.max_position_error to " +
+                                short_number(least, 3) + " or more"));
 }
 
 Result<void> single_precision_keeps_the_gap(const Scene& scene, const ContactLengths& lengths) {

@@ -26,6 +26,10 @@ TEST(SceneLimits, a_ribbon_where_single_precision_is_too_coarse_is_refused_with_
   mesh.positions.row(0).array() += 200;
   EXPECT_THAT(refusal(scene, mesh), HasSubstr("loop: the ribbon lies 8"));
   EXPECT_THAT(refusal(scene, mesh), HasSubstr("within 679 m of the origin"));
+  EXPECT_THAT(refusal(scene, mesh), HasSubstr("or set recording.max_position_error to 1.1"));
+  mesh.positions.row(0).array() += 2e6;
+  EXPECT_THAT(refusal(scene, mesh), EndsWith("with curve.origin or make it smaller"))
+      << "no scene may have so large an error";
 }
 
 TEST(SceneLimits, an_obstacle_where_double_precision_is_too_coarse_is_refused) {
