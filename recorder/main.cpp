@@ -74,10 +74,14 @@ class Watch {
   std::optional<Interrupt> interrupt_;
 };
 
+bool is_recording(const std::filesystem::path& file) {
+  std::error_code code;
+  return std::filesystem::is_regular_file(file, code) && RecordingReader::open(file);
+}
+
 // A recording in the place of the scene would be refused as wrong TOML.
 Result<void> is_no_recording(const std::filesystem::path& scene) {
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(scene, code) || !RecordingReader::open(scene)) return {};
+  if (!is_recording(scene)) return {};
   return failure(scene.string(), "is a recording, not a scene",
                  "go on with it by --resume, branch a new take off by --from, or name a scene "
                  "(.toml)");
@@ -169,7 +173,12 @@ Result<void> check_place_of_statistics(const RecorderOptions& options) {
     if (!other.empty() && is_same_file(file, other))
       return failure(file.string(), "is " + other.string() + ", in whose place figures cannot go",
                      "name another file after --stats");
-  if (options.force || !is_taken(file)) return {};
+  if (!is_taken(file)) return {};
+  // --force may be meant for what -o names.
+  if (is_recording(file))
+    return failure(file.string(), "is a recording, in whose place figures cannot go",
+                   "name another file after --stats");
+  if (options.force) return {};
   return failure(file.string(), "exists already",
                  "name another file after --stats, or replace it by --force");
 }

@@ -186,8 +186,12 @@ Scene with_shares_of(const Scene& read, Scene scene) {
 
 }  // namespace
 
+bool names_marks(const Scene& scene) {
+  return !drawn_hands(scene).empty() || is_marked(scene);
+}
+
 Result<Scene> with_marks_found(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
-  if (drawn_hands(scene).empty() && !is_marked(scene)) return scene;
+  if (!names_marks(scene)) return scene;
   const auto document = parse_document(scene.file, scene.text);
   if (!document) return tl::unexpected(document.error());
   const auto ribbon = draw_ribbon(scene, obstacle);

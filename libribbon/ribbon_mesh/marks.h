@@ -12,6 +12,9 @@
 
 namespace ribbon {
 
+// Does it name marks or paths of its drawing?
+bool names_marks(const Scene& scene);
+
 // The scene, also its text, with shares of the band's length for each mark that it names: those of
 // the row whose middle lies nearest to the mark in the drawing and, for a hand, of as much around
 // it as the band is wide; and with points for each path on which a hand carries the band. So a run

@@ -8,6 +8,7 @@
 
 #include "recorder/run/start.h"
 #include "recording/codec/position_encoder.h"
+#include "ribbon_mesh/marks.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -124,6 +125,11 @@ Result<RecordedRun> RecordedRun::open(const fs::path& file, std::optional<int> b
   const RecordingHeader& header = reader->header();
   auto scene = read_scene(file, header.scene_text, settings, header.scene_name);
   if (!scene) return tl::unexpected(scene.error());
+  if (names_marks(*scene))
+    return failure(file.string(),
+                   "its scene still names marks of a drawing, which no recorder leaves in a "
+                   "recording",
+                   "record the scene anew");
   return RecordedRun{file, *std::move(reader), *std::move(scene)};
 }
 

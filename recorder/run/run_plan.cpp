@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "scene/setting.h"
@@ -11,9 +12,12 @@ namespace ribbon {
 
 namespace {
 
-// A frame time that falls on the end up to rounding is within it.
+// A frame time that falls on the end up to rounding is within it. No scene may have as many as an
+// int holds.
 int frames_within(double duration_s, double frames_per_second) {
-  return static_cast<int>(std::floor(duration_s * frames_per_second * (1 + 1e-12))) + 1;
+  constexpr double most = std::numeric_limits<int>::max() - 1;
+  const double after_first = std::floor(duration_s * frames_per_second * (1 + 1e-12));
+  return static_cast<int>(std::min(after_first, most)) + 1;
 }
 
 // The first frame tells the start; a run that ends before the next would tell no more.
@@ -37,7 +41,11 @@ Result<RunPlan> plan_of(const Scene& scene, const RunLimit& limit) {
     const double duration_s = limit.until_s.value_or((limited - 1) / frames_per_second);
     auto longer =
         read_scene(scene.file, scene.text, {setting_of("time.duration", duration_s)}, scene.name);
-    if (!longer) return tl::unexpected(longer.error());
+    if (!longer) {
+      longer.error().place = limit.until_s ? "--until " + shortest(*limit.until_s)
+                                           : "--frames " + std::to_string(*limit.frames);
+      return tl::unexpected(longer.error());
+    }
     const int frames = frame_count(*longer);
     plan = {*std::move(longer), frames};
   }

@@ -194,6 +194,16 @@ TEST_F(Stages, marks_are_found_in_the_drawing_and_told_as_spans) {
   EXPECT_TRUE(resume(file(), "test", goes_on)->has_value()) << "without its drawing";
 }
 
+// As only a forged one does.
+TEST_F(Stages, a_recording_that_names_marks_is_not_gone_on_with) {
+  (void)recorded({}, staged_scene_text(), {.frames = 3}).value();
+  auto header = RecordingReader::open(file())->header();
+  header.scene_text = staged_scene_text("'tip'");
+  ASSERT_TRUE(RecordingWriter::create(file(), header, Overwrite::yes)->finish());
+  EXPECT_THAT(refusal_of(resume(file(), "test", goes_on)),
+              HasSubstr("its scene still names marks of a drawing"));
+}
+
 TEST_F(Stages, the_header_tells_marks_and_the_part_whose_knot_is_certified) {
   (void)write_file(folder_ / "line.svg", drawing_with_marks());
   const std::string text = drawn_in_a_file(staged_scene_text()) +

@@ -77,11 +77,36 @@ TEST_F(RibbonRecord, figures_take_no_other_files_place) {
                                   "small.toml -o new.rbn --stats small.toml --force",
                                   "small.toml -o new.rbn --stats new.rbn"})
     expect_refusal(run(words), "in whose place figures cannot go");
+  expect_refusal(run("small.toml -o new.rbn --stats knot.rbn --force"), "knot.rbn: is a recording");
   EXPECT_TRUE(bytes("knot.rbn") == knot);
   EXPECT_TRUE(bytes("small.toml") == scene);
   EXPECT_FALSE(fs::exists(folder_ / "new.rbn"));
   EXPECT_EQ(run("--resume knot.rbn --quiet --stats run.json --force").exit_code, 0);
   EXPECT_EQ(nlohmann::json::parse(bytes("run.json"))["frames"], 7);
+}
+
+TEST_F(RibbonRecord, a_limit_that_no_run_reaches_is_told_by_its_name) {
+  for (const std::string limit : {"--until 1000000000", "--frames 1000000000"})
+    expect_refusal(run("small.toml -o knot.rbn " + limit), limit + ": 'duration' is ");
+}
+
+// Whatever part of it finds none, on whatever thread.
+TEST_F(RibbonRecord, without_memory_it_ends_with_a_sentence) {
+  if (run("--version", "ulimit -v 8000000;").exit_code != 0) GTEST_SKIP() << "sanitizers need more";
+  int refused = 0;
+  for (int kilobytes = 40'000; kilobytes <= 64'000; kilobytes += 1'000) {
+    const ToolRun limited =
+        run("small.toml --quiet --force -o knot.rbn --set ribbon.along=400 --set ribbon.across=16 "
+            "--frames 4",
+            "ulimit -v " + std::to_string(kilobytes) + ";");
+    if (limited.exit_code == 0 || limited.exit_code == 127) continue;  // 127: not even loaded
+    EXPECT_EQ(limited.exit_code, 2) << kilobytes;
+    EXPECT_THAT(limited.errors,
+                testing::AnyOf(HasSubstr("not enough memory"), HasSubstr("no more threads")))
+        << kilobytes;
+    ++refused;
+  }
+  EXPECT_GT(refused, 0);
 }
 
 TEST_F(RibbonRecord, nothing_takes_the_place_of_a_file_of_the_scene) {
