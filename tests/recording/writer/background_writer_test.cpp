@@ -117,7 +117,7 @@ TEST(BackgroundWriter, the_first_frame_takes_the_place_of_an_older_file) {
   const auto path = temporary_file("older background.rbn");
   ASSERT_TRUE(write_file(path, "older").has_value());
   BackgroundWriter writer(RecordingWriter::create(path, sample_header()).value());
-  writer.append_session({.reason = SessionReason::begun});
+  writer.append_session({SessionReason::begun, "tests", ""});
   for (int i = 0; writer.figures().writer.syncing_s == 0 && i < 5000; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(read_file(path).value(), "older");

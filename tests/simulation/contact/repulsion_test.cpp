@@ -8,8 +8,8 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 const FeaturePair pair{FeaturePair::Kind::vertex_triangle, {0, 1, 2, 3}};
-const Collision on_corner{{1, -1, 0, 0}, Vector3d::UnitY(), 0};
-const Collision inside{{1, -0.5, -0.25, -0.25}, Vector3d::UnitY(), 0};
+const Collision on_corner{{1, -1, 0, 0}, Vector3d::UnitY()};
+const Collision inside{{1, -0.5, -0.25, -0.25}, Vector3d::UnitY()};
 
 // Vertex 0 falls with 2 m/s onto a triangle at rest. The first `particles` of the four vertices are
 // the ribbon's, the others the obstacle's.
