@@ -108,7 +108,6 @@ class Writer {
     numbers.worst_strain =
         largest_strain(rest_size(header), all_edges, positions.cast<float>()).strain;
     value_of(writer_->append(numbers, positions));
-    value_of(writer_->take_place());
     last_time_s_ = numbers.time_s;
   }
 

@@ -125,7 +125,8 @@ RecordingHeader header_of_take(const RecordingReader& source, int frame, const N
 // The copies must decode to what the frames were.
 Result<RecordingWriter> begin_with_copies(const NewRecording& take, const RecordingHeader& header,
                                           RecordingReader& source, int count) {
-  auto target = RecordingWriter::create(take.file, header, take.overwrite);
+  auto target = RecordingWriter::create(
+      take.file, header, take.overwrite == Overwrite::yes ? Overwrite::when_told : take.overwrite);
   if (!target) return target;
   for (int frame = 0; frame < count; ++frame) {
     const auto quantised = source.read_quantised(frame);
@@ -139,7 +140,7 @@ Result<RecordingWriter> begin_with_copies(const NewRecording& take, const Record
     if (!same_frame(source, *copy, frame))
       return failure(filled_in("{}: frame {}", take.file.string(), frame + 1),
                      "it was not copied as it was", "report this; the source is as it was");
-  return target;
+  return target->take_place().map([&] { return *std::move(target); });
 }
 
 }  // namespace

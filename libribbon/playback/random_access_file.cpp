@@ -56,9 +56,12 @@ std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) co
 }
 
 std::uint64_t RandomAccessFile::next_written(std::uint64_t offset) const {
+#ifdef SEEK_DATA
   const off_t found = ::lseek(file_.number(), static_cast<off_t>(offset), SEEK_DATA);
   if (found >= 0) return static_cast<std::uint64_t>(found);
-  return errno == ENXIO ? std::max(offset, size_) : offset;
+  if (errno == ENXIO) return std::max(offset, size_);
+#endif
+  return offset;
 }
 
 }  // namespace ribbon

@@ -100,11 +100,21 @@ TEST(GrowingRecording, a_torn_tail_that_is_replaced_is_forgotten) {
   for (int frame = 0; frame < 8; ++frame) expect_sample_frame(reader, frame);
 }
 
-TEST(GrowingRecording, one_that_is_recorded_anew_is_told) {
+TEST(GrowingRecording, one_that_is_recorded_anew_is_read_to_its_own_end) {
   const auto path = temporary_file("anew.rbn");
   write_sample_recording(path, 5);
   auto reader = RecordingReader::open(path).value();
-  const auto writer = RecordingWriter::create(path, sample_header());
+  write_sample_recording(path, 2);
+  ASSERT_TRUE(reader.refresh().has_value());
+  expect_sample_frame(reader, 4);
+  EXPECT_EQ(RecordingReader::open(path)->frame_count(), 2);
+}
+
+TEST(GrowingRecording, one_that_is_cut_is_told) {
+  const auto path = temporary_file("shorter.rbn");
+  write_sample_recording(path, 5);
+  auto reader = RecordingReader::open(path).value();
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
   EXPECT_EQ(refusal_of(reader.refresh()),
             path.string() +
                 ": has become shorter while it was read; it is another recording now: "

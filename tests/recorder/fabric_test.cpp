@@ -60,7 +60,7 @@ TEST(Fabric, that_is_too_thick_for_the_particles_is_refused_with_its_place) {
   const auto start = find_start(scene, std::nullopt);
   ASSERT_FALSE(start.has_value());
   EXPECT_THAT(start.error().sentence(), testing::HasSubstr("'silk' is 0.04 m thick"));
-  EXPECT_THAT(start.error().sentence(), testing::HasSubstr("overhand-hourglass-8x400.toml:"));
+  EXPECT_THAT(start.error().sentence(), testing::HasSubstr("overhand-hourglass-8x400.toml with "));
 }
 
 // A small scene in silk, recorded under that name.

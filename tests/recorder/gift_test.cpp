@@ -81,7 +81,7 @@ TEST(Gift, whose_list_does_not_tell_of_the_box_is_told_how_often_it_is_passed) {
 
 TEST(Gift, with_a_letter_too_few_is_told_where) {
   EXPECT_THAT(refusal("curve.crossings=\"OFUOOUUOOUUUUFOOUOBUUUUOUFOOUOOO\""),
-              AllOf(HasSubstr("gift.toml:"), HasSubstr("the curve passes the object from (9"),
+              AllOf(HasSubstr("gift.toml with "), HasSubstr("the curve passes the object from (9"),
                     HasSubstr("letter 9 of 'crossings' is O; write F as letter 9")));
 }
 

@@ -175,7 +175,7 @@ TEST_F(ResumeRun, a_drawing_that_is_gone_is_missed_only_without_a_checkpoint) {
   fs::rename(folder_ / "line.svg", folder_ / "away.svg");
   EXPECT_EQ(refusal(), "");
   const auto header = RecordingReader::open(file_)->header();
-  (void)RecordingWriter::create(file_, header).value();
+  (void)RecordingWriter::create(file_, header)->take_place();
   EXPECT_THAT(refusal(), HasSubstr("no usable checkpoint, and the start cannot be made again"));
   ASSERT_TRUE(write_file(folder_ / "line.svg", line_to("310")));
   EXPECT_THAT(refusal(), HasSubstr("the drawing is not the one"));

@@ -12,14 +12,12 @@ void BackgroundWriter::note(Result<void> outcome) {
 }
 
 void BackgroundWriter::append(const FrameNumbers& numbers, const Eigen::Matrix3Xd& positions) {
-  add([numbers, positions](RecordingWriter& writer) {
-    return writer.append(numbers, positions).and_then([&] { return writer.take_place(); });
-  });
+  add([numbers, positions](RecordingWriter& writer) { return writer.append(numbers, positions); });
 }
 
 void BackgroundWriter::append_checkpoint(std::uint64_t steps, std::string state) {
   add([steps, state = std::move(state)](RecordingWriter& writer) {
-    return writer.append_checkpoint(steps, state).and_then([&] { return writer.take_place(); });
+    return writer.append_checkpoint(steps, state);
   });
 }
 

@@ -26,8 +26,7 @@ struct BackgroundFigures {
 // Encodes and writes on a thread of its own, in the order of the calls. A call copies what it gets
 // and returns; nothing is ever dropped, however long the queue gets. What finds the thread idle is
 // written a tenth of a second later, or with seven others as soon as they have come; what is
-// written reaches the disk at most a second later, so that a power cut costs no more. The recording
-// takes the place of an older file with its first frame.
+// written reaches the disk at most a second later, so that a power cut costs no more.
 class BackgroundWriter {
  public:
   explicit BackgroundWriter(RecordingWriter writer);

@@ -91,6 +91,17 @@ Result<RecordFile> RecordFile::open(const std::filesystem::path& path) {
   return file;
 }
 
+Result<void> RecordFile::check_is_as_written() const {
+  struct stat status {};
+  const bool is_whole =
+      ::fstat(file_.number(), &status) == 0 &&
+      (!S_ISREG(status.st_mode) || static_cast<std::uint64_t>(status.st_size) == size_);
+  if (is_whole && is_still_at(present_path(), file_)) return {};
+  return failure(path_.string(),
+                 "is no longer what was written: somebody has removed, replaced or cut it",
+                 "begin anew, and leave the file alone until it is finished");
+}
+
 Result<void> RecordFile::append(std::string_view records) {
   assert(file_.is_open() && "not after close()");
   if (write_all(file_, records)) {
@@ -123,14 +134,6 @@ Result<void> RecordFile::sync() {
 }
 
 Result<void> RecordFile::close() {
-  struct stat status {};
-  const bool is_whole =
-      ::fstat(file_.number(), &status) == 0 &&
-      (!S_ISREG(status.st_mode) || static_cast<std::uint64_t>(status.st_size) == size_);
-  if (!is_whole || !is_still_at(path_, file_))
-    return failure(path_.string(),
-                   "is no longer what was written: somebody has removed, replaced or cut it",
-                   "run it again, and leave the file alone until it is finished");
   if (!file_.close()) return may_be_lost();
   return {};
 }

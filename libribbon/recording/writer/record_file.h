@@ -13,8 +13,9 @@
 
 namespace ribbon {
 
-// May a new file take the place of an older one?
-enum class Overwrite { no, yes };
+// May a recording take the place of an older file? `yes`: with its first frame; `when_told`: by
+// take_place().
+enum class Overwrite { no, yes, when_told };
 
 class RecordFile {
  public:
@@ -39,6 +40,9 @@ class RecordFile {
   // taken back, so that the file always ends with a whole record.
   Result<void> append(std::string_view records);
 
+  // Fails where the name no longer leads to all that was appended.
+  [[nodiscard]] Result<void> check_is_as_written() const;
+
   // Cuts off what lies behind `size` bytes, which must be a record's end.
   Result<void> cut(std::uint64_t size);
 
@@ -51,8 +55,7 @@ class RecordFile {
   // Waits until everything appended is on the disk.
   Result<void> sync();
 
-  // Closes and unlocks; nothing can be appended afterwards. Fails as well where the name no longer
-  // leads to all that was appended.
+  // Closes and unlocks; nothing can be appended afterwards.
   Result<void> close();
 
  private:

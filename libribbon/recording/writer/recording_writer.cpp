@@ -46,6 +46,7 @@ RecordingWriter::RecordingWriter(RecordFile file, RecordedSoFar so_far)
 
 Result<void> RecordingWriter::write(std::string_view records) {
   const Timing timing(figures_.writing_s);
+  if (auto untouched = file_.check_is_as_written(); !untouched) return untouched;
   auto written = file_.append(records);
   if (written) return written;
   Error error = std::move(written.error());
@@ -90,6 +91,7 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& pat
   if (!file) return tl::unexpected(std::move(file.error()));
   const std::string payload = header_payload(header);
   RecordingWriter writer(std::move(*file), {.header = header, .recording_id = checksum(payload)});
+  writer.waits_ = overwrite == Overwrite::when_told;
   auto written =
       writer.write(std::string(file_signature) + make_record(RecordType::header, payload));
   if (written) return writer;
@@ -139,7 +141,7 @@ Result<void> RecordingWriter::append_encoded(FrameRecord frame) {
                                         offset, frame.reference, frame.numbers});
   last_frame_ = frame.frame;
   so_far_.frames = std::max(so_far_.frames, frame.frame + 1);
-  return {};
+  return waits_ ? Result<void>() : take_place();
 }
 
 Result<void> RecordingWriter::append_checkpoint(std::uint64_t steps, std::string_view state_bytes) {
@@ -159,10 +161,6 @@ Result<void> RecordingWriter::append_checkpoint(std::uint64_t steps, std::string
 Result<void> RecordingWriter::append_session(const SessionNote& note) {
   return write_other(RecordType::session, so_far_.frames,
                      session_payload(so_far_.recording_id, Session{so_far_.frames, note}));
-}
-
-Result<void> RecordingWriter::take_place() {
-  return so_far_.frames > 0 ? file_.take_place() : Result<void>();
 }
 
 Result<void> RecordingWriter::sync() {

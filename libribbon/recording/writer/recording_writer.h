@@ -55,7 +55,8 @@ class RecordingWriter {
  public:
   // Creates `path` as RecordFile::create() does and writes the header at once, so that an
   // unwritable target is known before a long run. The file stays locked as long as the writer
-  // lives. An older file stays until take_place() or finish().
+  // lives. An older file stays until the first frame is written; with Overwrite::when_told until
+  // take_place() or finish().
   static Result<RecordingWriter> create(const std::filesystem::path& path,
                                         const RecordingHeader& header,
                                         Overwrite overwrite = Overwrite::yes);
@@ -83,8 +84,8 @@ class RecordingWriter {
   // The run is taken up again with the next frame.
   Result<void> append_session(const SessionNote& note);
 
-  // Once there is a frame: the recording takes the place of an older file of its name.
-  Result<void> take_place();
+  // The recording takes the place of an older file of its name.
+  Result<void> take_place() { return file_.take_place(); }
 
   // Waits until all that was appended is on the disk.
   Result<void> sync();
@@ -108,6 +109,7 @@ class RecordingWriter {
   Result<void> write_other(RecordType type, std::uint32_t frame, std::string_view payload);
 
   RecordFile file_;
+  bool waits_ = false;  // until it is told to take its place
   RecordedSoFar so_far_;
   std::uint32_t last_frame_ = 0;     // appended last
   std::uint32_t synced_frames_ = 0;  // how many are known to be on the disk

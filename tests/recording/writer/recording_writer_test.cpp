@@ -63,19 +63,26 @@ TEST(RecordingWriter, an_older_recording_stays_until_the_new_one_has_a_frame) {
       << "nothing is left beside it";
 
   auto newer = RecordingWriter::create(path, sample_header()).value();
-  EXPECT_TRUE(newer.take_place().has_value());
   EXPECT_EQ(frames_at(path), 2) << "there is no frame yet";
   append_sample_frames(newer, 0, 1);
-  EXPECT_EQ(frames_at(path), 2);
-  EXPECT_EQ(frames_at(newer.present_path()), 1);
-  ASSERT_TRUE(newer.take_place().has_value());
-  EXPECT_EQ(newer.present_path(), path);
   EXPECT_EQ(frames_at(path), 1);
   EXPECT_THAT(refusal_of(RecordingWriter::create(path, sample_header())),
               HasSubstr("is being written by another program"));
   append_sample_frames(newer, 1, 3);
   ASSERT_TRUE(newer.finish().has_value());
   EXPECT_EQ(frames_at(path), 3);
+}
+
+TEST(RecordingWriter, an_older_recording_stays_as_long_as_is_wished) {
+  const auto path = temporary_file("older take.rbn");
+  ASSERT_TRUE(write_file(path, "older").has_value());
+  auto newer = RecordingWriter::create(path, sample_header(), Overwrite::when_told).value();
+  append_sample_frames(newer, 0, 2);
+  EXPECT_EQ(read_file(path).value(), "older");
+  EXPECT_EQ(frames_at(newer.present_path()), 2);
+  ASSERT_TRUE(newer.take_place().has_value());
+  EXPECT_EQ(newer.present_path(), path);
+  EXPECT_EQ(frames_at(path), 2);
 }
 
 TEST(RecordingWriter, a_link_goes_on_to_lead_to_the_recording) {
