@@ -22,7 +22,11 @@ class PartFile {
 
   PartFile(PartFile&& other) noexcept
       : path_(std::exchange(other.path_, {})), file_(std::move(other.file_)) {}
-  PartFile& operator=(PartFile&&) = delete;
+  PartFile& operator=(PartFile&& other) noexcept {
+    path_.swap(other.path_);
+    file_ = std::move(other.file_);
+    return *this;
+  }
   ~PartFile();
 
   // Of the temporary name; empty once it has taken the place.
