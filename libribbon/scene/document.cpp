@@ -51,10 +51,10 @@ const TomlValue* Document::find(std::string_view table, std::string_view key) co
 
 std::string Document::place(const TomlPosition& position) const {
   if (position.line == 0) return file.string();
-  const LineOrigin origin =
-      position.line <= origins.size() ? origins[position.line - 1] : LineOrigin{position.line};
-  if (!origin.setting.empty()) return file.string() + " with " + in_quotes(origin.setting);
-  return file.string() + ":" + std::to_string(origin.line) + ":" + std::to_string(position.column);
+  const LineOrigin origin = position.line <= origins.size() ? origins[position.line - 1]
+                                                            : static_cast<int>(position.line);
+  if (origin <= 0) return file.string() + " with " + in_quotes(settings[-origin]);
+  return file.string() + ":" + std::to_string(origin) + ":" + std::to_string(position.column);
 }
 
 std::string Document::place(std::string_view table, std::string_view key) const {

@@ -14,8 +14,9 @@ namespace ribbon {
 
 struct Document {
   std::filesystem::path file;
-  TomlValue root;                        // a table
-  std::vector<LineOrigin> origins = {};  // of all lines; none where they are those of the file
+  TomlValue root;                          // a table
+  std::vector<LineOrigin> origins = {};    // of all lines; none where they are those of the file
+  std::vector<std::string> settings = {};  // that these name
 
   // The table of that name, the whole file for the empty name; null when there is none. Of several
   // tables of one name "stage[2]" is the second, and "stage[2].hand[1]" the first in that.

@@ -1,7 +1,7 @@
 #include "scene/line_origins.h"
 
 #include <algorithm>
-#include <iterator>
+#include <numeric>
 
 namespace ribbon {
 
@@ -21,24 +21,24 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 
 std::vector<LineOrigin> origins_in_file(std::string_view text) {
   std::vector<LineOrigin> origins(lines_of(text).size());
-  for (std::size_t i = 0; i < origins.size(); ++i)
-    origins[i].line = static_cast<std::uint32_t>(i + 1);
+  std::iota(origins.begin(), origins.end(), 1);
   return origins;
 }
 
-void trace_setting(const std::string& setting, std::string_view before, std::string_view after,
+void trace_setting(int n, std::string_view before, std::string_view after,
                    std::vector<LineOrigin>& origins) {
   const auto old_lines = lines_of(before);
   const auto new_lines = lines_of(after);
-  const auto [old_begin, new_begin] =
-      std::mismatch(old_lines.begin(), old_lines.end(), new_lines.begin(), new_lines.end());
-  const auto [old_end, new_end] =
-      std::mismatch(old_lines.rbegin(), std::make_reverse_iterator(old_begin), new_lines.rbegin(),
-                    std::make_reverse_iterator(new_begin));
-  const auto begin = origins.begin() + (old_begin - old_lines.begin());
-  const auto end = origins.end() - (old_end - old_lines.rbegin());
-  const auto written = static_cast<std::size_t>(new_end.base() - new_begin);
-  origins.insert(origins.erase(begin, end), written, LineOrigin{.setting = setting});
+  const std::size_t fewer = std::min(old_lines.size(), new_lines.size());
+  std::size_t first = 0;
+  while (first < fewer && old_lines[first] == new_lines[first]) ++first;
+  std::size_t last = 0;
+  while (last < fewer - first &&
+         old_lines[old_lines.size() - 1 - last] == new_lines[new_lines.size() - 1 - last])
+    ++last;
+  const auto begin = origins.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = origins.end() - static_cast<std::ptrdiff_t>(last);
+  origins.insert(origins.erase(begin, end), new_lines.size() - first - last, -n);
 }
 
 }  // namespace ribbon

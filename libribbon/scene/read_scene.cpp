@@ -515,15 +515,16 @@ Result<Scene> read_scene(const std::filesystem::path& file,
 Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
                          const std::vector<std::string>& settings, const std::string& name) {
   std::vector<LineOrigin> origins = origins_in_file(text);
-  for (const std::string& setting : settings) {
-    auto changed = with_setting(file, text, setting);
+  for (int n = 0; n < std::ssize(settings); ++n) {
+    auto changed = with_setting(file, text, settings[n]);
     if (!changed) return tl::unexpected(changed.error());
-    trace_setting(setting, text, *changed, origins);
+    trace_setting(n, text, *changed, origins);
     text = *std::move(changed);
   }
   auto document = parse_document(file, text);
   if (!document) return tl::unexpected(document.error());
   document->origins = std::move(origins);
+  document->settings = settings;
   return scene_of(*document).map([&](Scene scene) {
     if (scene.name.empty()) scene.name = name.empty() ? file.stem().string() : name;
     scene.file = file;
