@@ -58,8 +58,10 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path, Overwri
 }
 
 Result<void> RecordFile::stand_beside() {
-  std::error_code code;  // a link goes on to lead to it
-  if (const auto target = std::filesystem::canonical(path_, code); !code) path_ = target;
+  std::error_code code;
+  if (std::filesystem::is_symlink(path_, code))  // goes on to lead to it
+    path_ = std::filesystem::canonical(path_, code);
+  if (code) return cannot_be_written(path_);
   auto part = PartFile::create(path_);
   if (!part) return tl::unexpected(part.error());
   part_.emplace(*std::move(part));
