@@ -36,6 +36,15 @@ SampleKnot without_obstacle() {
   return knot;
 }
 
+// Of so many frames.
+SampleKnot longer_knot(std::size_t frames) {
+  SampleKnot knot = sample_knot();
+  while (knot.frames.size() < frames)
+    knot.frames.push_back(
+        sample_wave(knot.header.grid, 0.1 * static_cast<double>(knot.frames.size())));
+  return knot;
+}
+
 // What stands in an OBJ behind the name of its material library.
 std::string objects_of(const std::string& obj) {
   return obj.substr(obj.find("\no "));
@@ -68,11 +77,7 @@ TEST_F(Tool, an_obj_sequence_shares_one_material_library) {
 }
 
 TEST_F(Tool, the_number_of_threads_changes_nothing) {
-  SampleKnot knot = sample_knot();
-  while (knot.frames.size() < 22)
-    knot.frames.push_back(
-        sample_wave(knot.header.grid, 0.1 * static_cast<double>(knot.frames.size())));
-  record(knot);
+  record(longer_knot(22));
   ASSERT_EQ(run("knot.rbn -o '1/{frame}.obj' --threads 1").exit_code, 0);
   ASSERT_EQ(run("knot.rbn -o '2/{frame}.obj' --threads 2").exit_code, 0);
   ASSERT_EQ(names("1"), names("2"));
@@ -482,20 +487,16 @@ TEST_F(Tool, a_disk_that_fills_up_leaves_no_half_file) {
   }
 }
 
-// Vertices coincide in the third frame of the sample, and its obstacle is in the way.
 // The part of an excerpt, in which frames would be safe, goes.
 TEST_F(Tool, a_recording_that_cannot_be_written_whole_is_not_called_safe) {
-  SampleKnot knot = sample_knot();
-  while (knot.frames.size() < 60)
-    knot.frames.push_back(
-        sample_wave(knot.header.grid, 0.1 * static_cast<double>(knot.frames.size())));
-  record(knot);
+  record(longer_knot(60));
   ASSERT_GT(fs::file_size(recording_), 8 * 1024U);
   expect_refusal(run("knot.rbn -o out/a.rbn", "ulimit -f 8 &&"),
                  "out/a.rbn: cannot be written (File too large); choose another place\n");
   EXPECT_THAT(names("out"), ElementsAre());
 }
 
+// Vertices coincide in the third frame of the sample, and its obstacle is in the way.
 TEST_F(Tool, frames_that_cannot_be_made_a_solid_are_named_and_the_others_written) {
   record(without_obstacle());
   const auto sequence = run("knot.rbn -o 'out/{frame}.obj' --thickness 0.001");

@@ -8,7 +8,6 @@
 #include "geometry/rest_size.h"
 #include "simulation/contact/pair_distances.h"
 #include "simulation/detection/bodies.h"
-#include "simulation/detection/feature_pairs.h"
 #include "simulation/step/stage_clock.h"
 #include "simulation/truncation/contact_candidates.h"
 #include "simulation/truncation/displacement_truncation.h"
