@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -95,6 +95,13 @@ Result<std::vector<DrawnMark>> marks_of(const CurveScene& curve) {
   return find_svg_marks(svg->file.path);
 }
 
+// What has no place of its own is wrong with what the scene names there.
+template <class Value>
+Result<Value> named_at(const std::string& place, Result<Value> found) {
+  if (!found && found.error().place.empty()) found.error().place = place;
+  return found;
+}
+
 Result<double> share_of(const std::string& id, const Scene& scene, const RibbonMesh& ribbon) {
   const auto marks = marks_of(scene.curve);
   if (!marks) return tl::unexpected(marks.error());
@@ -103,6 +110,10 @@ Result<double> share_of(const std::string& id, const Scene& scene, const RibbonM
   if (mark == marks->end())
     return failure("", "the drawing has no mark " + in_quotes(id), list_of(*marks));
   return share_at(scene.curve, ribbon, *mark);
+}
+
+Result<double> share_of(const Mark& mark, const Scene& scene, const RibbonMesh& ribbon) {
+  return named_at(mark.place, share_of(mark.id, scene, ribbon));
 }
 
 // As long as the band is wide.
@@ -114,15 +125,16 @@ std::string span_text(double middle, const RibbonMesh& ribbon) {
 
 Result<std::string> span_setting(const DrawnHand& hand, const Scene& scene,
                                  const RibbonMesh& ribbon) {
-  return share_of(hand.at->id, scene, ribbon).map([&](double share) {
+  return share_of(*hand.at, scene, ribbon).map([&](double share) {
     return hand.table + ".at=" + span_text(share, ribbon);
   });
 }
 
 Result<std::string> carry_setting(const DrawnHand& hand, const CurveScene& curve) {
-  return drawn_path(curve, *hand.carries).map([&](const std::vector<Vector2d>& path) {
+  const auto path = named_at(hand.carries->place, drawn_path(curve, *hand.carries));
+  return path.map([&](const std::vector<Vector2d>& path_points) {
     std::string points;
-    for (const Vector2d& point : path)
+    for (const Vector2d& point : path_points)
       points +=
           (points.empty() ? "[" : ", [") + shortest(point.x()) + ", " + shortest(point.y()) + "]";
     return hand.table + ".carry=[" + points + "]";
@@ -141,32 +153,27 @@ Result<std::string> between_setting(const Scene& scene, const RibbonMesh& ribbon
   for (const auto& end : scene.knot->between->ends) {
     const auto* mark = std::get_if<Mark>(&end);
     const auto share =
-        mark != nullptr ? share_of(mark->id, scene, ribbon) : Result<double>(std::get<double>(end));
+        mark != nullptr ? share_of(*mark, scene, ribbon) : Result<double>(std::get<double>(end));
     if (!share) return tl::unexpected(share.error());
     setting += (setting.empty() ? "knot.between=[" : ", ") + shortest(*share);
   }
   return setting + "]";
 }
 
-// Those that replace marks and paths, each with the place in the scene that an error is to name.
-Result<std::vector<std::string>> settings_for_marks(const Document& document, const Scene& scene,
-                                                    const RibbonMesh& ribbon) {
+// Those that replace marks and paths.
+Result<std::vector<std::string>> settings_for_marks(const Scene& scene, const RibbonMesh& ribbon) {
   std::vector<std::string> settings;
-  const auto add = [&](Result<std::string> setting, std::string_view table, std::string_view key) {
-    if (setting) settings.push_back(*setting);
-    if (!setting && setting.error().place.empty())
-      setting.error().place = document.place(table, key);
-    return setting;
+  const auto add = [&](Result<std::string> setting) {
+    return setting.map([&](std::string& text) { settings.push_back(std::move(text)); });
   };
   for (const DrawnHand& hand : drawn_hands(scene)) {
-    Result<std::string> added;
-    if (hand.at != nullptr) added = add(span_setting(hand, scene, ribbon), hand.table, "at");
-    if (added && hand.carries != nullptr)
-      added = add(carry_setting(hand, scene.curve), hand.table, "carry");
+    Result<void> added;
+    if (hand.at != nullptr) added = add(span_setting(hand, scene, ribbon));
+    if (added && hand.carries != nullptr) added = add(carry_setting(hand, scene.curve));
     if (!added) return tl::unexpected(added.error());
   }
   if (is_marked(scene))
-    if (auto added = add(between_setting(scene, ribbon), "knot", "between"); !added)
+    if (auto added = add(between_setting(scene, ribbon)); !added)
       return tl::unexpected(added.error());
   return settings;
 }
@@ -192,11 +199,9 @@ bool names_marks(const Scene& scene) {
 
 Result<Scene> with_marks_found(const Scene& scene, const std::optional<TriangleMesh>& obstacle) {
   if (!names_marks(scene)) return scene;
-  const auto document = parse_document(scene.file, scene.text);
-  if (!document) return tl::unexpected(document.error());
   const auto ribbon = draw_ribbon(scene, obstacle);
   if (!ribbon) return tl::unexpected(ribbon.error());
-  const auto settings = settings_for_marks(*document, scene, *ribbon);
+  const auto settings = settings_for_marks(scene, *ribbon);
   if (!settings) return tl::unexpected(settings.error());
   const auto found = read_scene(scene.file, scene.text, *settings);
   return found.map([&scene](const Scene& read) { return with_shares_of(read, scene); });

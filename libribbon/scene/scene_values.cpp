@@ -220,7 +220,9 @@ Result<std::variant<PathId, std::vector<Eigen::Vector2d>>> carry_path(const Valu
   if (value.toml.as<TomlArray>() != nullptr)
     return points(value).map(
         [](std::vector<Eigen::Vector2d>&& path) { return Path(std::move(path)); });
-  return text(value).map([](std::string id) { return Path(PathId{std::move(id)}); });
+  return text(value).map([&](const std::string& id) {
+    return Path(PathId{id, value.document.place(value.toml.begin)});
+  });
 }
 
 Result<std::variant<double, StageGoal>> seconds_or_goal(const Value& value) {
@@ -234,7 +236,9 @@ Result<std::variant<double, StageGoal>> seconds_or_goal(const Value& value) {
 
 Result<std::variant<Span, Mark>> part_of_band(const Value& value) {
   if (value.toml.as<std::string>() != nullptr)
-    return text(value).map([](std::string id) { return Mark{std::move(id)}; });
+    return text(value).map([&](const std::string& id) {
+      return Mark{id, value.document.place(value.toml.begin)};
+    });
   const auto shares = coordinates<2>(value);
   if (shares && 0 <= shares->x() && shares->x() <= shares->y() && shares->y() <= 1)
     return Span{shares->x(), shares->y()};
@@ -258,7 +262,7 @@ Result<BandPart> two_places(const Value& value) {
     if (share)
       part.ends[i] = *share;
     else
-      part.ends[i] = Mark{*id};
+      part.ends[i] = Mark{*id, value.document.place(element.begin)};
   }
   if (part.ends[0] == part.ends[1]) return wrong(value, value.toml, "two places that differ");
   return part;

@@ -23,8 +23,10 @@ struct Span {
 // it is wide.
 struct Mark {
   std::string id;
+  std::string place = {};  // where the scene names it: "knot.toml:12:8"; empty: nowhere
 
-  bool operator==(const Mark&) const = default;
+  // Wherever it stands.
+  bool operator==(const Mark& other) const { return id == other.id; }
 };
 
 // From one place of the band to another, each a share of its length or a mark, in either order.
@@ -49,8 +51,10 @@ constexpr bool pulls(HandTask task) {
 // A path of the drawing, other than the band's.
 struct PathId {
   std::string id;
+  std::string place = {};  // as that of a Mark
 
-  bool operator==(const PathId&) const = default;
+  // Wherever it stands.
+  bool operator==(const PathId& other) const { return id == other.id; }
 };
 
 struct HeightAt {

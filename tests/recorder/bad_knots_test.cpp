@@ -91,7 +91,7 @@ TEST_F(BadKnots, gaps_that_do_not_tell_what_passes_over) {
 }
 
 TEST_F(BadKnots, hands_that_have_nothing_or_the_same) {
-  expect_refusal_at("bow", "stage[1].hand[1].at=\"arm-lfet\"", "at",
+  expect_refusal_of("bow", "stage[1].hand[1].at=\"arm-lfet\"",
                     "the drawing has no mark 'arm-lfet'; it has 'arm-left'");
   expect_refusal_of_stage("name = 'knot'\n", "knot.toml:13:1: 'knot' has no hands");
   expect_refusal_of_stage("[[stage.hand]]\nat = [0, 0.1]\npull = [1, 0, 0]\nhold = true\n",

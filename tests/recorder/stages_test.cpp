@@ -304,8 +304,8 @@ TEST_F(Stages, marks_that_are_not_there_are_refused_where_the_scene_names_them) 
   (void)write_file(folder_ / "line.svg", drawing_with_marks());
   const std::string sentence =
       refusal_of(recorded({}, drawn_in_a_file(staged_scene_text("'top'"))));
-  EXPECT_THAT(sentence, HasSubstr("knot.toml:"));
-  EXPECT_THAT(sentence, HasSubstr("the drawing has no mark 'top'; it has 'middle', 'tip'"));
+  EXPECT_THAT(sentence,
+              HasSubstr("knot.toml:28:6: the drawing has no mark 'top'; it has 'middle', 'tip'"));
   EXPECT_FALSE(fs::exists(file()));
 }
 

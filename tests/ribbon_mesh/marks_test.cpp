@@ -46,6 +46,21 @@ TEST(Marks, become_shares_and_points_that_need_no_drawing_any_more) {
   EXPECT_EQ(read_scene(scene.file, scene.text).value(), scene);
 }
 
+TEST(Marks, that_are_not_there_are_told_where_the_file_or_a_setting_names_them) {
+  const std::filesystem::path file = marked_scene().file;
+  ASSERT_TRUE(write_file(file.parent_path() / "bare.svg",
+                         "<svg xmlns='http://www.w3.org/2000/svg'>"
+                         "<path id='band' d='M0 0 H1000'/></svg>"));
+  const auto place_told = [&](const std::string& setting) {
+    const Scene scene = read_scene(file, std::string(text), {setting}).value();
+    const auto found = with_marks_found(scene);
+    return found ? "" : found.error().place;
+  };
+  EXPECT_EQ(place_told("curve.svg=bare.svg"), file.string() + ":18:6");
+  const std::string setting = "knot.between=[\"first\", 1]";
+  EXPECT_EQ(place_told(setting), file.string() + " with '" + setting + "'");
+}
+
 TEST(Marks, leave_as_it_is_what_was_changed_since_the_scene_was_read) {
   Scene changed = marked_scene();
   changed.name = "another";
