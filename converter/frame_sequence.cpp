@@ -49,7 +49,7 @@ class Sequence {
     if (written) {
       parallel_ranges(frames_.size(), frames_per_range,
                       [this](std::size_t begin, std::size_t end) { write_range(begin, end); });
-      progress_.clear();
+      progress_.end();
     }
     auto report = written.and_then([this] { return this->report(); });
     if (report || log_.empty()) log_.remove();

@@ -34,6 +34,9 @@ class FilmRenderer {
   // the film. Fails when the frame cannot be read, or a picture before could not be written.
   Result<void> render(const PlayedFrame& frame);
 
+  // No more frames come: what is told on standard error stands alone.
+  void end() { progress_.end(); }
+
   // How many pictures have been rendered.
   [[nodiscard]] int done() const { return done_; }
   // Of what was rendered.

@@ -137,7 +137,7 @@ Result<ExitCode> verify(RecordingReader& reader, const Options& options) {
     progress.update(done);
     return !interrupt.requested();
   });
-  progress.clear();
+  progress.end();
   if (!verification) return tl::unexpected(verification.error());
   const std::string file = options.recording.string();
   std::fputs((options.json ? verification_json(file, *verification)

@@ -110,6 +110,7 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
     if (auto done = renderer.render(frame); !done) return tl::unexpected(done.error());
   }
   if (auto finished = finish(*outputs); !finished) return tl::unexpected(finished.error());
+  renderer.end();
   if (renderer.interpolated().moments > 0)
     std::fprintf(stderr, "ribbon-play: %s\n", sentence_on(renderer.interpolated()).c_str());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

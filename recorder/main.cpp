@@ -48,15 +48,15 @@ class Watch {
             },
             [this](const std::string& what) { line(1, "start").update(0, what); }};
   }
-  void clear() {
-    if (line_) line_->clear();
+  void end() {
+    if (line_) line_->end();
   }
   [[nodiscard]] bool is_interrupted() const { return interrupt_ && interrupt_->requested(); }
 
  private:
   ProgressLine& line(int total, const std::string& unit) {
     if (!line_ || unit != unit_) {
-      clear();
+      end();
       line_.emplace(unit, total, style_);
       unit_ = unit;
     }
@@ -89,6 +89,7 @@ Result<void> is_no_recording(const std::filesystem::path& scene) {
 
 // What is written takes the place of no file of the scene, not even by --force.
 Result<Scene> read_scene_apart(const RecorderOptions& options) {
+  if (auto other = is_no_recording(options.input); !other) return tl::unexpected(other.error());
   return read_scene(options.input, options.settings).and_then([&](Scene scene) -> Result<Scene> {
     for (const auto& file : files_of(scene))
       for (const auto& output : {options.recording, options.diagram, options.statistics})
@@ -110,7 +111,6 @@ Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
                                .overwrite = options.force ? Overwrite::yes : Overwrite::no};
   if (options.task == RecorderTask::branch)
     return branch(options.input, options.from_frame, recording, observer, options.limit);
-  if (auto other = is_no_recording(options.input); !other) return tl::unexpected(other.error());
   const auto scene = read_scene_apart(options);
   if (!scene) return tl::unexpected(scene.error());
   auto statistics = record(*scene, recording, observer, options.limit);
@@ -190,7 +190,7 @@ Result<ExitCode> do_task(const RecorderOptions& options) {
   set_thread_limit(options.threads);
   Watch watch(options.progress);
   auto statistics = run_task(options, watch.observer());
-  watch.clear();
+  watch.end();
   if (!statistics) return tl::unexpected(statistics.error());
   std::optional<RunStatistics>& run = *statistics;
   const bool interrupted = is_interrupted(run, watch);

@@ -88,31 +88,34 @@ ProgressLine::ProgressLine(std::string unit, int total, ProgressStyle style)
       start_(Clock::now()) {}
 
 ProgressLine::~ProgressLine() {
-  clear();
+  end();
 }
 
 void ProgressLine::update(int done, const std::string& remark) {
   if (style_ == ProgressStyle::none) return;
   if (job_.done == 0) job_.done_before = std::max(0, done - 1);
   job_.done = done;
-  const bool json = style_ == ProgressStyle::json;
-  const Clock::time_point now = Clock::now();
-  if (told_ && !(json && done >= job_.total) && now - last_told_ < (json ? json_pause : draw_pause))
-    return;
-  job_.elapsed_s = seconds_since(start_);
-  const std::string text =
-      json ? progress_json(unit_, job_, remark) + "\n"
-           : erase_line + progress_text(unit_, job_, remark, terminal_columns());
-  std::fputs(text.c_str(), stderr);
-  std::fflush(stderr);
-  told_ = true;
-  drawn_ = !json;
-  last_told_ = now;
+  remark_ = remark;
+  const auto pause = style_ == ProgressStyle::json ? json_pause : draw_pause;
+  if (!told_ || Clock::now() - last_told_ >= pause) tell();
 }
 
-void ProgressLine::clear() {
-  if (drawn_) std::fputs(erase_line, stderr);
-  drawn_ = false;
+void ProgressLine::tell() {
+  job_.elapsed_s = seconds_since(start_);
+  const std::string text =
+      style_ == ProgressStyle::json
+          ? progress_json(unit_, job_, remark_) + "\n"
+          : erase_line + progress_text(unit_, job_, remark_, terminal_columns());
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+  told_ = job_.done;
+  last_told_ = Clock::now();
+}
+
+void ProgressLine::end() {
+  if (style_ == ProgressStyle::json && told_ != job_.done) tell();
+  if (style_ == ProgressStyle::line && told_) std::fputs(erase_line, stderr);
+  style_ = ProgressStyle::none;
 }
 
 }  // namespace ribbon

@@ -46,17 +46,18 @@ class ProgressLine {
 
   // What was done before the first call, but for one unit, was done before the job was begun.
   // Redraws at most ten times a second: bar, done/total, ETA and `remark` ("strain 4.1 %"). As JSON
-  // at most once a second, but always when all is done.
+  // at most once a second.
   void update(int done, const std::string& remark = "");
-  // Removes the line, so that a summary can follow.
-  void clear();
+  // Nothing more will be done, whether that is all or not: removes the line, so that a summary can
+  // follow; as JSON tells how far the job came.
+  void end();
 
  private:
   std::string unit_;
   JobState job_;
   ProgressStyle style_;
-  bool told_ = false;
-  bool drawn_ = false;  // and there on the terminal
+  std::string remark_;
+  std::optional<int> told_;  // how much of it
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point last_told_;
 };

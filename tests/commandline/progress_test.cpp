@@ -158,6 +158,34 @@ TEST(ProgressJson, is_told_wherever_standard_error_goes_at_the_first_and_when_al
   EXPECT_THAT(told, EndsWith("}\n"));
 }
 
+// What is told of a job that ends before its total.
+std::string last_told(const std::function<void(ProgressLine&)>& job) {
+  testing::internal::CaptureStderr();
+  {
+    ProgressLine line("frame", 50, ProgressStyle::json);
+    job(line);
+  }
+  std::string told = testing::internal::GetCapturedStderr();
+  told.pop_back();
+  return told.substr(told.rfind('\n') + 1);
+}
+
+TEST(ProgressJson, tells_in_the_end_how_far_it_came) {
+  EXPECT_THAT(last_told([](ProgressLine& line) {
+                for (int done = 1; done <= 20; ++done) line.update(done);
+              }),
+              StartsWith(R"({"unit":"frame","done":20,"total":50,)"))
+      << "tight early";
+  EXPECT_THAT(last_told([](ProgressLine&) {}), StartsWith(R"({"unit":"frame","done":0,)"))
+      << "nothing was left to do";
+  EXPECT_THAT(last_told([](ProgressLine& line) {
+                line.update(1);
+                line.end();
+                line.update(2);
+              }),
+              StartsWith(R"({"unit":"frame","done":1,)"));
+}
+
 TEST(ProgressStyle, quiet_wins) {
   EXPECT_EQ(progress_style("json", false), ProgressStyle::json);
   EXPECT_EQ(progress_style("line", false), ProgressStyle::line);

@@ -257,6 +257,8 @@ TEST_F(RibbonRecord, a_recording_in_the_place_of_a_scene_is_told_with_what_can_b
   expect_refusal(run("knot.rbn -o other.rbn"),
                  "knot.rbn: is a recording, not a scene; go on with it by --resume");
   expect_refusal(run("knot.rbn --set fastening.speed=1 -o other.rbn"), "--from");
+  expect_refusal(run("knot.rbn --crossings numbered.svg"), "is a recording, not a scene");
+  expect_refusal(run("knot.rbn --draw -o sketch.html"), "is a recording, not a scene");
   EXPECT_FALSE(fs::exists(folder_ / "other.rbn"));
 }
 
