@@ -56,12 +56,16 @@ std::filesystem::path FramePattern::file(const std::string& word) const {
 }
 
 std::filesystem::path FramePattern::file(int number) const {
+  return before_ + digits_of(number) + after_;
+}
+
+std::string FramePattern::digits_of(int number) const {
   assert(number >= 0);
-  if (digits_ == 0) return before_;
+  if (digits_ == 0) return "";
   std::string digits = std::to_string(number);
   if (digits.size() < static_cast<std::size_t>(digits_))
     digits.insert(0, digits_ - digits.size(), '0');
-  return before_ + digits + after_;
+  return digits;
 }
 
 }  // namespace ribbon

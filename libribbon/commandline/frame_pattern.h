@@ -23,6 +23,8 @@ class FramePattern {
 
   // The file of frame `number`, at least 0.
   [[nodiscard]] std::filesystem::path file(int number) const;
+  // Its number as it stands in the name: "0007"; nothing where there is no place.
+  [[nodiscard]] std::string digits_of(int number) const;
 
  private:
   std::string before_;

@@ -35,12 +35,22 @@ fs::path name_of(const FramePattern& pattern, const Shard& shard) {
   return name += ending;
 }
 
-std::string picture_line(int number, double frame, std::uint64_t bytes, std::uint32_t checksum) {
-  std::array<char, 9> digits{};
-  std::snprintf(digits.data(), digits.size(), "%08x", checksum);
-  return filled_in("picture {} of frame {:.12g}{}: {} bytes, checksum {}\n", number, frame,
+std::string picture_line(const std::string& digits, double frame, std::uint64_t bytes,
+                         std::uint32_t checksum) {
+  std::array<char, 9> hexadecimal{};
+  std::snprintf(hexadecimal.data(), hexadecimal.size(), "%08x", checksum);
+  return filled_in("picture {} of frame {:.12g}{}: {} bytes, checksum {}\n", digits, frame,
                    frame == std::floor(frame) ? "" : interpolated_mark, bytes,
-                   std::string_view(digits.data()));
+                   std::string_view(hexadecimal.data()));
+}
+
+// Takes `words` and what comes before the next space off the beginning of a line.
+std::optional<std::string_view> word_taken(std::string_view& line, std::string_view words) {
+  if (!line.starts_with(words)) return std::nullopt;
+  line.remove_prefix(words.size());
+  const std::string_view word = line.substr(0, line.find(' '));
+  line.remove_prefix(word.size());
+  return word;
 }
 
 // Takes `words` and then a number off the beginning of a line.
@@ -98,18 +108,18 @@ void Manifest::read(std::string_view text) {
 }
 
 void Manifest::read_picture(std::string_view line, bool is_current) {
-  const auto number = taken<int>(line, "picture ");
+  const auto digits = word_taken(line, "picture ");
   const auto frame = taken<double>(line, " of frame ");
   if (line.starts_with(interpolated_mark)) line.remove_prefix(interpolated_mark.size());
   const auto bytes = taken<std::uint64_t>(line, ": ");
   const auto checksum = taken<std::uint32_t>(line, " bytes, checksum ", 16);
-  if (!number || !frame || !bytes || !checksum || !line.empty()) return;
-  Entry& entry = pictures_[*number];
+  if (!digits || !frame || !bytes || !checksum || !line.empty()) return;
+  Entry& entry = pictures_[std::string(*digits)];
   if (is_current || !entry.is_current) entry = {*frame, *bytes, *checksum, is_current};
 }
 
 bool Manifest::is_complete(int number, double frame) const {
-  const auto entry = pictures_.find(number);
+  const auto entry = pictures_.find(pattern_.digits_of(number));
   if (entry == pictures_.end()) return false;
   const Entry& noted = entry->second;
   std::error_code code;
@@ -122,7 +132,7 @@ bool Manifest::is_complete(int number, double frame) const {
 }
 
 Result<void> Manifest::note(int number, double frame, std::string_view bytes) {
-  return append(picture_line(number, frame, bytes.size(), checksum(bytes)));
+  return append(picture_line(pattern_.digits_of(number), frame, bytes.size(), checksum(bytes)));
 }
 
 Result<void> Manifest::append(const std::string& line) {

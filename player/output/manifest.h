@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -30,8 +31,10 @@ class Manifest {
   // Is picture `number` there, with the bytes that it was written with, shows this frame, or
   // what lies between two, and was made of the same?
   [[nodiscard]] bool is_complete(int number, double frame) const;
-  // Was a picture written under that number at all? Then it may be replaced.
-  [[nodiscard]] bool is_known(int number) const { return pictures_.contains(number); }
+  // Was a picture written under its name at all? Then it may be replaced.
+  [[nodiscard]] bool is_known(int number) const {
+    return pictures_.contains(pattern_.digits_of(number));
+  }
 
   // Tells what is about to be written as picture `number`.
   Result<void> note(int number, double frame, std::string_view bytes);
@@ -53,7 +56,9 @@ class Manifest {
   MadeOf made_of_;
   std::filesystem::path path_;
   FileDescriptor file_;
-  std::map<int, Entry> pictures_;  // by number; of several lines the last, but current ones win
+  // By the digits in their names, of which other patterns have more or fewer; of several lines the
+  // last, but current ones win.
+  std::map<std::string, Entry, std::less<>> pictures_;
 };
 
 }  // namespace ribbon

@@ -33,9 +33,9 @@ void remove_leftovers(const std::vector<PlayedFrame>& frames, const FramePattern
   std::set<fs::path> pictures;
   std::set<fs::path> folders;
   for (const PlayedFrame& frame : frames) {
-    const fs::path picture = pattern.file(frame.number);
+    const fs::path picture = fs::path(".") / pattern.file(frame.number);
     pictures.insert(picture);
-    folders.insert(picture.has_parent_path() ? picture.parent_path() : fs::path("."));
+    folders.insert(picture.parent_path());
   }
   std::error_code code;
   for (const fs::path& folder : folders)

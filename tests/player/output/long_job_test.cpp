@@ -238,6 +238,16 @@ TEST_F(LongJob, a_full_disk_asks_for_another_try_and_the_next_one_goes_on) {
               HasSubstr(std::to_string(complete) + " were complete"));
 }
 
+TEST_F(LongJob, what_a_kill_left_is_removed_beside_pictures_in_no_folder_too) {
+  for (const std::string leftover : {"3.png.part99", "a/3.png.part99", "3.png.note"})
+    ASSERT_TRUE(write_file(folder_ / leftover, "half a picture"));
+  for (const std::string pattern : {"{frame}.png", "a/{frame}.png"})
+    ASSERT_EQ(play_small("--resume -o '" + pattern + "'").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "3.png.part99"));
+  EXPECT_FALSE(fs::exists(folder_ / "a/3.png.part99"));
+  EXPECT_TRUE(fs::exists(folder_ / "3.png.note")) << "nobody's leftover";
+}
+
 TEST_F(LongJob, a_limit_on_the_size_of_files_will_not_pass) {
   const ToolRun limited = play_small("-o '{frame}.png'", "ulimit -f 1;");
   EXPECT_EQ(limited.exit_code, 2);

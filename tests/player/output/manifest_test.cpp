@@ -95,11 +95,19 @@ TEST_F(Manifests, are_read_at_every_length) {
   }
 }
 
+TEST_F(Manifests, know_nothing_of_a_name_with_more_or_fewer_digits) {
+  Manifest manifest = opened("a");
+  write(manifest, 3, "three");
+  const auto shorter = FramePattern::parse((folder_ / "{frame:01}.png").string()).value();
+  EXPECT_FALSE(Manifest::open(shorter, "a", {}).value().is_known(3));
+  EXPECT_TRUE(opened("a").is_known(3));
+}
+
 TEST_F(Manifests, believe_no_line_that_somebody_else_wrote) {
   for (const std::string line :
-       {"", "picture", "picture 1 of frame", "picture x of frame 1: 3 bytes, checksum 00000000",
-        "picture 1 of frame 1: 99999999999999999999999 bytes, checksum 00000000",
-        "picture 1 of frame 1: 3 bytes, checksum zz", "made of", "\x89PNG"}) {
+       {"", "picture", "picture 01 of frame", "picture x of frame 1: 3 bytes, checksum 00000000",
+        "picture 01 of frame 1: 99999999999999999999999 bytes, checksum 00000000",
+        "picture 01 of frame 1: 3 bytes, checksum zz", "made of", "\x89PNG"}) {
     ASSERT_TRUE(write_file(file_, "made of a\n" + line + "\n"));
     EXPECT_FALSE(opened("a").is_known(1)) << line;
   }
