@@ -48,7 +48,8 @@ std::vector<bool> rows_near_others(const Eigen::Matrix3Xf& middles, float near_m
 std::optional<Sphere> knot_sphere(const RibbonGrid& grid, float width_m, float length_m,
                                   const Eigen::Matrix3Xf& positions) {
   const float spacing = length_m / static_cast<float>(grid.along - 1);
-  const auto neighbours = static_cast<int>(std::ceil(apart_widths * width_m / spacing));
+  const auto neighbours = static_cast<int>(
+      std::min(std::ceil(apart_widths * width_m / spacing), static_cast<float>(grid.along)));
   const std::vector<bool> near_another =
       rows_near_others(row_middles(grid, positions), near_widths * width_m, neighbours);
   constexpr float infinity = std::numeric_limits<float>::infinity();

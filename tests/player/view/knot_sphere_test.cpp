@@ -26,6 +26,7 @@ Eigen::Matrix3Xf strip(const Curve& at) {
 TEST(KnotSphere, a_ribbon_that_meets_itself_nowhere_has_none) {
   const auto straight = strip([](float s) { return Eigen::Vector3f(s, 0, 0); });
   EXPECT_FALSE(knot_sphere(grid, width_m, length_m, straight));
+  EXPECT_FALSE(knot_sphere(grid, 1e12F, length_m, straight)) << "however wide a header calls it";
 }
 
 TEST(KnotSphere, lies_where_the_ribbon_crosses_itself) {
