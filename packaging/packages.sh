@@ -11,8 +11,11 @@ install_missing "${build_packages[@]}" "${python_packages[@]}"
 install_page_tools # so that the tools write pages
 build release -DRIBBON_BUILD_PYTHON=ON -- ribbon-record ribbon-play ribbon-convert ribbon_python
 echo "== Making packages"
-mkdir -p "$folder"
-rm -f "$folder"/*.deb
-cpack --config "$root/build/release/CPackConfig.cmake" -B "$folder" >"$folder/cpack.log" ||
-  { cat "$folder/cpack.log" >&2 && exit 1; }
-ls "$folder"/*.deb
+made=$root/build/release/packages
+rm -rf "$made"
+mkdir -p "$made" "$folder"
+cpack --config "$root/build/release/CPackConfig.cmake" -B "$made" >"$made/cpack.log" ||
+  { cat "$made/cpack.log" >&2 && exit 1; }
+rm -f "$folder"/{ribbon,libribbon-dev,python3-ribbon}_*.deb # of another version
+cp "$made"/*.deb "$folder"
+ls "$folder"/{ribbon,libribbon-dev,python3-ribbon}_*.deb

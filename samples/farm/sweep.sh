@@ -11,5 +11,8 @@ if [[ $# -ne 3 ]]; then
   exit 2
 fi
 here=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
-lines=$(grep --count --invert-match --extended-regexp '^[[:space:]]*(#|$)' "$2")
+lines=$(grep --count --invert-match --extended-regexp '^[[:space:]]*(#|$)' "$2") || {
+  echo "$2 has no line with a name and settings" >&2
+  exit 2
+}
 exec sbatch --parsable --array="1-$lines" "$here/task.sh" "$here/record_line.sh" "$1" "$2" "$3" %I
