@@ -277,6 +277,7 @@ function show_grown() {
   recording.frames = frames;
   recording.numbers = numbers;
   timeline.grow(recording);
+  if (!recording.strain_limit) show_strain();
   if (follows) timeline.move_to(frames - 1);
   const took_s = (performance.now() - begun_ms) / 1000;
   const left = known(timeline.number('progress', frames - 1), value => `, ${percent(value)} to go`);
@@ -431,7 +432,10 @@ function offer_scenes() {
 
 element('undo').addEventListener('click', () => (states.undo(), show_drawing()));
 element('redo').addEventListener('click', () => (states.redo(), show_drawing()));
-element('clear').addEventListener('click', () => change([], nothing_told));
+element('clear').addEventListener('click', () => {
+  change([], nothing_told);
+  element('ready').value = '';  // so that the same may be chosen again
+});
 element('mirror').addEventListener('click', () => {
   const {points, told} = states.state;
   if (told && letters_of(told)) change(points, mirrored(told));
