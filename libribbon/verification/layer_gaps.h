@@ -17,7 +17,8 @@ struct LayerGap {
 };
 
 // Of one frame. What lies near in the flat ribbon is no other layer: a place of the ribbon counts
-// as one where it is less than half as far away as it is at rest.
+// as one where it is less than half as far away as it is at rest, and not of the particle's quads
+// or of their neighbours.
 class LayerGaps {
  public:
   // The judged triangles of `soup`, whose points must be finite, are those of a ribbon of that
@@ -31,6 +32,7 @@ class LayerGaps {
   template <class Counts>
   void approach(const BoxTree& tree, const BoxTree::Node& node, int particle, const Counts& counts,
                 double& nearest_m) const;
+  [[nodiscard]] bool is_of_a_neighbour(int particle, int triangle) const;
   [[nodiscard]] double rest_distance_m(int particle, int triangle) const;
   [[nodiscard]] double rest_across_m(int particle, int quad) const;
 

@@ -18,6 +18,20 @@ constexpr double touching = 1.5;  // of the distance at which contact begins
 
 enum class Touches : char { nothing, obstacle, ribbon };
 
+// Of the same quad or of neighbours: the shear of what lies side by side brings them together.
+bool are_side_by_side(const FeaturePair& pair, const RibbonGrid& grid) {
+  const auto first = pair.vertices.begin();
+  const auto second = first + first_count(pair.kind);
+  const auto steps_apart = [&](const auto& place_of) {
+    const auto before = [&](int a, int b) { return place_of(a) < place_of(b); };
+    const auto [low_a, high_a] = std::minmax_element(first, second, before);
+    const auto [low_b, high_b] = std::minmax_element(second, pair.vertices.end(), before);
+    return std::max(place_of(*low_b) - place_of(*high_a), place_of(*low_a) - place_of(*high_b));
+  };
+  return steps_apart([&](int particle) { return grid.row(particle); }) <= 1 &&
+         steps_apart([&](int particle) { return grid.column(particle); }) <= 1;
+}
+
 bool touch(const FeaturePair& pair, const PairDistances& distances,
            const VertexPositions& positions) {
   const auto x = corners(pair, positions);
@@ -61,6 +75,7 @@ std::vector<Touches> touched_rows(Bodies& bodies, const PairDistances& distances
           return bodies.is_particle(vertex) && rows.is_news(bodies.grid.row(vertex), what);
         };
         if (std::none_of(pair.vertices.begin(), pair.vertices.end(), is_news)) continue;
+        if (what == Touches::ribbon && are_side_by_side(pair, bodies.grid)) continue;
         if (!touch(pair, distances, vertices)) continue;
         for (const int vertex : pair.vertices)
           if (is_news(vertex)) rows.set(bodies.grid.row(vertex), what);

@@ -19,10 +19,10 @@ struct ContactExtent {
   std::array<std::optional<double>, 2> loose_ends_m;
 };
 
-// Rows touch where two features that share no vertex lie within one and a half times the distance
-// at which contact with the gate begins: what rests on something rests at about that distance, or
-// nearer as published. positions: 3 x particles. Costs a detection; `bodies` are refitted to the
-// positions.
+// Rows touch where two features that are not of neighbouring quads lie within one and a half times
+// the distance at which contact with the gate begins: what rests on something rests at about that
+// distance, or nearer as published. Quads that shear bring neighbours as near. positions: 3 x
+// particles. Costs a detection; `bodies` are refitted to the positions.
 ContactExtent contact_extent(Bodies& bodies, const RestSize& size, const PairDistances& distances,
                              const Eigen::Matrix3Xd& positions);
 
