@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 namespace ribbon {
 
@@ -23,7 +24,7 @@ class VertexPositions {
     const bool is_particle = vertex < particle_count_;
     const double* of_body = is_particle ? particles_ : obstacle_;
     return Eigen::Map<const Eigen::Vector3d>(
-        of_body + 3L * (is_particle ? vertex : vertex - particle_count_));
+        of_body + std::ptrdiff_t{3} * (is_particle ? vertex : vertex - particle_count_));
   }
 
  private:

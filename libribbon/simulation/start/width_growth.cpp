@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -46,8 +47,8 @@ StrainedEdges strained_edges(const RestSize& size, const Matrix3Xd& positions) {
 }
 
 bool are_few(const StrainedEdges& edges, const RibbonGrid& grid) {
-  const long all = 2L * grid.particle_count() - grid.along - grid.across;
-  return 100L * edges.count <= strained_edges_percent * all;
+  const std::int64_t all = std::int64_t{2} * grid.particle_count() - grid.along - grid.across;
+  return std::int64_t{100} * edges.count <= strained_edges_percent * all;
 }
 
 // An edge that is far too long and stays so is held apart by what it cannot pass, as a row is that

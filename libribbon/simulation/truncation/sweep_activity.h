@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/ribbon_grid.h"
@@ -54,10 +55,10 @@ class SweepActivity {
   }
 
  private:
-  std::vector<long> last_moved_;  // turns, of the rows
-  std::vector<long> last_turn_;
-  long turn_ = 0;
-  long since_ = 0;
+  std::vector<std::int64_t> last_moved_;  // turns, of the rows
+  std::vector<std::int64_t> last_turn_;
+  std::int64_t turn_ = 0;
+  std::int64_t since_ = 0;
   std::vector<int> row_of_;          // of the particles
   std::vector<double> travelled_m_;  // by the particles; then 0, for what is not the ribbon's
 };
