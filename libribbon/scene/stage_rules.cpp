@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <variant>
+#include <vector>
 
+#include "scene/held_rows.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -88,6 +91,26 @@ Result<void> hands_do_not_fight(const Document& document, const StageScene& stag
   return {};
 }
 
+// Two hands of which each has a part may have the same row of a coarse ribbon.
+Result<void> hands_have_rows(const Document& document, const Scene& scene, std::size_t number) {
+  const StageScene& stage = scene.stages[number];
+  std::vector<Span> spans;
+  std::vector<std::size_t> hands;
+  for (std::size_t i = 0; i < stage.hands.size(); ++i)
+    if (const auto* span = std::get_if<Span>(&stage.hands[i].at)) {
+      spans.push_back(*span);
+      hands.push_back(i);
+    }
+  const std::vector<HeldRows> rows = held_rows(spans, scene.ribbon.along);
+  const auto none =
+      std::find_if(rows.begin(), rows.end(), [](const HeldRows& held) { return held.count() < 1; });
+  if (none == rows.end()) return {};
+  return failure(document.place(hand_path(number, hands[none - rows.begin()]), "at"),
+                 "no row of the band is left for this hand: others of '" + stage.name +
+                     "' have those at its part",
+                 "give it a longer part, or the ribbon more rows ('along')");
+}
+
 Result<void> stage_can_end(const Document& document, const StageScene& stage, std::size_t number) {
   const std::string path = stage_path(number);
   if (stage.until_s && stage.at_most_s)
@@ -142,6 +165,7 @@ Result<void> check_stages(const Document& document, const Scene& scene) {
         return keys_fit_the_task(document, stage.hands[j], hand_path(i, j));
       });
     if (kept) kept = hands_do_not_fight(document, stage, i);
+    if (kept) kept = hands_have_rows(document, scene, i);
     if (kept) kept = stage_can_end(document, stage, i);
   }
   return kept ? stages_fit_in(document, scene) : kept;

@@ -34,7 +34,7 @@ using Eigen::Matrix3Xd;
 
 // Of STATE.md. Raised whenever the layout changes, and whenever equal states no longer go on to
 // equal bits.
-constexpr std::int64_t state_version = 17;
+constexpr std::int64_t state_version = 18;
 constexpr std::int64_t most_steps = 4'000'000'000;
 constexpr double longest_s = 1e9;
 
@@ -226,10 +226,12 @@ StepReport FasteningProcessor::step() {
   return report;
 }
 
-// Costs a detection.
+// Costs a detection, unless hands hold both ends.
 void FasteningProcessor::Parts::look_at_loose_ends() {
-  LooseEnds ends = contact_extent(bodies, size, distances, cloth.positions).loose_ends_m;
   const std::array<bool, 2> held = staged->have_ends();
+  LooseEnds ends;
+  if (!held[0] || !held[1])
+    ends = contact_extent(bodies, size, distances, cloth.positions).loose_ends_m;
   for (std::size_t end = 0; end < ends.size(); ++end)
     if (held[end]) ends[end].reset();
   staged->guard().look(ends);

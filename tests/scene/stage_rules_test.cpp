@@ -145,6 +145,10 @@ TEST(Stages, what_cannot_be_is_refused_where_it_stands) {
            {one_stage("",
                       "at = [0, 0]\npull = [1, 0, 0]\n[[stage.hand]]\nat = [0, 0]\nhold = true\n"),
             ":20:6", "fight over one part of the band: one has 0 to 0, the other 0 to 0"},
+           {one_stage("",
+                      "at = [0.5, 0.5001]\npull = [1, 0, 0]\n"
+                      "[[stage.hand]]\nat = [0.5001, 0.5002]\nhold = true\n"),
+            ":20:6", "no row of the band is left for this hand: others of 'stage 1' have"},
            {one_stage("", "at = [0, 1]\nhold = true\n"), ":15:1", "can never end: what nobody"},
            {one_stage("until = 5\n", pulling_hand), ":16:9", "the run is over after 4 s"},
            {one_stage("until = 4\n", pulling_hand) + "[[stage]]\n" + hand, ":20:1",

@@ -55,6 +55,18 @@ std::vector<StageScene> stages() {
                      carries, hand(0.95, 1, HandTask::hold)}}};
 }
 
+// Hands side by side, of which each carries its part: they meet in a row.
+std::vector<StageScene> stage_of_neighbours() {
+  const auto hand = [](double begin, double end, double y) {
+    HandScene carries{Span{begin, end}, HandTask::carry, {0, 0, 0}, 2};
+    carries.carry.path = std::vector<Eigen::Vector2d>{{0, y}, {400, y}};
+    return carries;
+  };
+  return {{.at_most_s = 9,
+           .hands = {hand(0.5, 0.502, 900), hand(0.502, 0.6, -900)},
+           .goal = StageGoal::carried}};
+}
+
 // Neighbours move so differently that a step is divided.
 constexpr const char* implicit_in_parts = "implicit, in parts";
 
@@ -80,6 +92,8 @@ std::vector<Case> runs() {
   all.back().scene.fastening->pull = FasteningPull::ends;
   all.push_back({"in stages", all.front().scene});
   all.back().scene.stages = stages();
+  all.push_back({"by hands side by side", all.front().scene});
+  all.back().scene.stages = stage_of_neighbours();
   all.push_back({"with a width profile", all.front().scene, post(post_radius_m)});
   all.back().scene.ribbon = with_profile(all.back().scene.ribbon);
   all.push_back({"without loss", all.front().scene, post(post_radius_m)});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <variant>
+#include <cstddef>
 
 #include "geometry/vectors.h"
 #include "ribbon_mesh/carry_way.h"
@@ -35,12 +35,12 @@ HeldRows felt_rows(const HeldRows& held, const RestSize& size) {
 
 }  // namespace
 
-StageHand::StageHand(const HandScene& hand, const Scene& scene, const RestSize& size,
-                     double particle_mass_kg, const Matrix3Xd& begun)
+StageHand::StageHand(const HandScene& hand, const HeldRows& rows, const Scene& scene,
+                     const RestSize& size, double particle_mass_kg, const Matrix3Xd& begun)
     : hand_(hand),
       fastening_(*scene.fastening),
       grid_(size.grid),
-      rows_(held_rows(std::get<Span>(hand.at), size.grid)),
+      rows_(rows),
       newton_per_m_s_(particle_mass_kg * scene.air_resistance_per_s),
       draws_(0.5 * size.grid.along / size.mean_rows(rows_.first, rows_.last)),
       weights_(Eigen::ArrayXd::Ones(Eigen::Index{rows_.count()} * size.grid.across)),
@@ -48,6 +48,7 @@ StageHand::StageHand(const HandScene& hand, const Scene& scene, const RestSize& 
       step_s_(scene.time.step_s),
       arrived_m_(
           std::min(arrived_within_s * carrying_m_s(), arrived_within_widths * size.width_m)) {
+  assert(rows.count() > 0 && "the scene's rules see to it");
   if (const Eigen::ArrayXd light = lightness(size); light.size() > 0)
     weights_ = light.segment(grid_.particle(rows_.first, 0), weights_.size()).inverse();
   if (hand.yield_strain.value_or(unyielding) < unyielding)
@@ -80,20 +81,22 @@ double StageHand::carrying_m_s() const {
 }
 
 Grip StageHand::grip(const Cloth& cloth, const Workplace& place) {
-  Grip grip{.first = grid_.particle(rows_.first, 0), .weights = weights_};
+  const int first = grid_.particle(rows_.first, 0);
+  const double* begun = place.begun.col(first).data();
+  Grip grip{.first = first,
+            .weights = {weights_.data(), static_cast<std::size_t>(weights_.size())},
+            .places = carried_ ? Grip::Places(carried_to_.data(), 3, 1)
+                               : Grip::Places(begun, 3, weights_.size())};
   grip.most_m_s2 = place.bearable * strength_m_s2();
   if (fastening_.max_speed_m_s) grip.most_m_s = *fastening_.max_speed_m_s;
-  if (!carried_) {
-    grip.places = place.begun.middleCols(grip.first, grip.count());
-    return grip;
-  }
-  const Vector3d lag_m = middle(cloth.positions) - carried_->now();
+  if (!carried_) return grip;
+  carried_to_ = carried_->now();
+  const Vector3d lag_m = middle(cloth.positions) - carried_to_;
   const double speed_m_s = carrying_m_s();
   const double most_lag_m =
       speed_m_s * (step_s_ + speed_m_s / strength_m_s2() * of_gathering_speed);
   goes_on_m_ = length_of(lag_m) > most_lag_m ? 0 : speed_m_s * step_s_;
-  grip.places = carried_->now();
-  grip.drift_m_s = (carried_->after(goes_on_m_) - carried_->now()) / step_s_;
+  grip.drift_m_s = (carried_->after(goes_on_m_) - carried_to_) / step_s_;
   return grip;
 }
 
@@ -126,7 +129,7 @@ double StageHand::pull(const Cloth& cloth, const Workplace& place, Matrix3Xd& fo
 
 void StageHand::visit_state(StateArchive& archive) {
   auto& [hand, fastening, grid, rows, newton_per_m_s, draws, weights, air, step, arrived_within,
-         yielding, carried, goes_on_in_step, has_arrived] = *this;
+         yielding, carried, carried_to_in_step, goes_on_in_step, has_arrived] = *this;
   carried->visit_state(archive);
   archive.visit(has_arrived);
   has_arrived = has_arrived && carried->has_arrived();  // at the end of another way

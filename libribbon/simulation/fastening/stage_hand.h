@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "geometry/rest_size.h"
+#include "scene/held_rows.h"
 #include "scene/scene.h"
 #include "simulation/fastening/carried_place.h"
-#include "simulation/fastening/held_rows.h"
 #include "simulation/fastening/yielding.h"
 #include "simulation/state/cloth.h"
 #include "simulation/state/grip.h"
@@ -24,9 +24,9 @@ struct Workplace {
 
 class StageHand {
  public:
-  // Its span and its path are known: marks have been found in the drawing. begun: 3 x particles,
-  // where they were when the stage began.
-  StageHand(const HandScene& hand, const Scene& scene, const RestSize& size,
+  // rows: those that it has, at least one. Its path is known: it has been found in the drawing.
+  // begun: 3 x particles, where they were when the stage began.
+  StageHand(const HandScene& hand, const HeldRows& rows, const Scene& scene, const RestSize& size,
             double particle_mass_kg, const Eigen::Matrix3Xd& begun);
 
   [[nodiscard]] const HeldRows& rows() const { return rows_; }
@@ -43,7 +43,7 @@ class StageHand {
 
   // Of one that holds or carries, in the next step. The place to which it carries waits while its
   // part lags behind by more than it can make up for on the way: what lags is drawn along the path,
-  // and not across.
+  // and not across. Refers to `place`.
   Grip grip(const Cloth& cloth, const Workplace& place);
 
   // After the step.
@@ -70,7 +70,8 @@ class StageHand {
   double arrived_m_;  // from the end of the path: near enough
   std::optional<Yielding> yielding_;
   std::optional<CarriedPlace> carried_;
-  double goes_on_m_ = 0;  // so far does it carry in the present step
+  Eigen::Vector3d carried_to_ = Eigen::Vector3d::Zero();  // m, as the present step begins
+  double goes_on_m_ = 0;                                  // so far does it carry in that
   bool has_arrived_ = false;
 };
 

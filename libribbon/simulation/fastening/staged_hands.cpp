@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <variant>
 
 namespace ribbon {
 
@@ -57,8 +59,11 @@ void StagedHands::take_places() {
   hands_.clear();
   Scene of_stage = scene_;
   of_stage.gravity_m_s2 = gravity_m_s2();
-  for (const HandScene& hand : present().hands)
-    hands_.emplace_back(hand, of_stage, size_, particle_mass_kg_, begun_);
+  std::vector<Span> spans;
+  for (const HandScene& hand : present().hands) spans.push_back(std::get<Span>(hand.at));
+  const std::vector<HeldRows> rows = held_rows(spans, size_.grid.along);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    hands_.emplace_back(present().hands[i], rows[i], of_stage, size_, particle_mass_kg_, begun_);
   progress_ = FasteningProgress(size_.grid, groups_of(hands_, size_.grid), scene_.time.step_s,
                                 scene_.air_resistance_per_s);
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ribbon_mesh/springs.h"
+#include "scene/held_rows.h"
 #include "simulation/fastening/hanging_weight.h"
-#include "simulation/fastening/held_rows.h"
 
 namespace ribbon {
 

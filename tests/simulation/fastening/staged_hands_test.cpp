@@ -1,5 +1,6 @@
 #include "simulation/fastening/staged_hands.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,7 +104,7 @@ TEST(StagedHands, hold_each_particle_where_it_was_when_the_stage_began) {
   ASSERT_EQ(hands.grips().size(), 1U);
   const Grip& grip = hands.grips()[0];
   EXPECT_EQ(grip.first, size.grid.particle(10, 0));
-  EXPECT_TRUE((grip.weights == Eigen::ArrayXd::Ones(20)).all());
+  EXPECT_THAT(grip.weights, testing::ElementsAreArray(std::vector<double>(20, 1.0)));
   EXPECT_EQ(grip.places, rows(cloth_at_rest().positions, 10, 10));
   EXPECT_EQ(grip.most_m_s, 4);
   // By hand: ten rows are as strong as if they drew half of 101 at 3 m/s against the air.

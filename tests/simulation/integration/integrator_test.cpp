@@ -476,18 +476,33 @@ TEST(Integrator, implicit_divides_a_step_as_if_it_were_so_much_shorter) {
   EXPECT_EQ(parts.cloth.velocities, whole.cloth.velocities);
 }
 
-// Some rows of the band where they are, by a hand that accelerates them by so much.
-Grip grip_of(const Band& band, int first_row, int rows, double most_m_s2) {
-  Grip grip{.first = band.grid.particle(first_row, 0)};
-  grip.weights = band.masses().segment(grip.first, Eigen::Index{rows} * band.grid.across) /
-                 band.cloth.particle_mass_kg;
-  grip.places = band.cloth.positions.middleCols(grip.first, grip.count());
-  grip.most_m_s2 = most_m_s2;
-  return grip;
-}
+// A hand that has some rows of the band where they are, and can accelerate them by so much.
+struct HandOnBand {
+  HandOnBand(const Band& band, int first_row, int rows, double strength_m_s2)
+      : first(band.grid.particle(first_row, 0)),
+        weights(band.masses().segment(first, Eigen::Index{rows} * band.grid.across) /
+                band.cloth.particle_mass_kg),
+        places(band.cloth.positions.middleCols(first, weights.size())),
+        most_m_s2(strength_m_s2) {}
+
+  [[nodiscard]] Grip grip() const {
+    return {.first = first,
+            .weights = {weights.data(), static_cast<std::size_t>(weights.size())},
+            .places = Grip::Places(places.data(), 3, places.cols()),
+            .drift_m_s = drift_m_s,
+            .most_m_s2 = most_m_s2};
+  }
+
+  int first;
+  Eigen::ArrayXd weights;
+  Matrix3Xd places;
+  Vector3d drift_m_s = Vector3d::Zero();
+  double most_m_s2;
+};
 
 void advance_held(Band& band, IntegrationMethod method, double step_s, int steps,
-                  const Grip& grip) {
+                  const HandOnBand& hand) {
+  const Grip grip = hand.grip();
   const auto chosen = band.integrator(method, step_s);
   chosen->take_grips({&grip, 1});
   for (int i = 0; i < steps; ++i) chosen->displace(band.force, band.cloth);
@@ -502,22 +517,22 @@ TEST_P(AnyIntegrator, what_a_hand_holds_stays_where_it_is_whatever_hangs_from_it
     band.springs = band.springs_of_size(1);
     band.air_resistance_per_s = 2;
     band.gravity_m_s2 = Vector3d(2, 0, 0);
-    Grip grip = grip_of(band, 0, 1, 1e3);
-    advance_held(band, GetParam(), step_s, static_cast<int>(15 / step_s), grip);
-    EXPECT_LT((band.cloth.positions.leftCols(5) - grip.places).cwiseAbs().maxCoeff(), 2e-4);
+    HandOnBand hand(band, 0, 1, 1e3);
+    advance_held(band, GetParam(), step_s, static_cast<int>(15 / step_s), hand);
+    EXPECT_LT((band.cloth.positions.leftCols(5) - hand.places).cwiseAbs().maxCoeff(), 2e-4);
     EXPECT_NEAR(band.cloth.positions(0, band.grid.particle(9, 2)), 0.9 + 45 * 0.02 * 2 / 20, 2e-3);
   }
 }
 
 TEST_P(AnyIntegrator, what_a_hand_holds_by_its_middle_is_free_to_turn) {
   Band band(200);
-  Grip grip = grip_of(band, 0, band.grid.along, 1e3);
+  HandOnBand hand(band, 0, band.grid.along, 1e3);
   const Vector3d middle = band.cloth.positions.rowwise().mean();
-  grip.places = middle;
+  hand.places = middle;
   for (int p = 0; p < band.grid.particle_count(); ++p)
     band.cloth.velocities.col(p) = Vector3d(0, 0, 0.5).cross(band.cloth.positions.col(p) - middle);
   band.gravity_m_s2 = Vector3d(0, 3, 0);
-  advance_held(band, GetParam(), 0.005, 200, grip);
+  advance_held(band, GetParam(), 0.005, 200, hand);
   EXPECT_LT((band.cloth.positions.rowwise().mean() - middle).norm(), 1e-4);
   const Vector3d along = band.cloth.positions.col(band.grid.particle(9, 2)) -
                          band.cloth.positions.col(band.grid.particle(0, 2));
@@ -528,24 +543,24 @@ TEST_P(AnyIntegrator, what_a_hand_holds_by_its_middle_is_free_to_turn) {
 TEST_P(AnyIntegrator, the_middle_of_what_a_hand_holds_is_that_of_its_particles) {
   Band band(200);
   band.taper();
-  Grip grip = grip_of(band, 2, 5, 1e3);
+  HandOnBand hand(band, 2, 5, 1e3);
   const Eigen::Index first = band.grid.particle(2, 0);
   const Vector3d middle = band.cloth.positions.middleCols(first, 25).rowwise().mean();
-  grip.places = middle;
+  hand.places = middle;
   band.gravity_m_s2 = Vector3d(0, 3, 0);
   band.air_resistance_per_s = 5;
-  advance_held(band, GetParam(), 0.005, 400, grip);
+  advance_held(band, GetParam(), 0.005, 400, hand);
   EXPECT_LT((band.cloth.positions.middleCols(first, 25).rowwise().mean() - middle).norm(), 1e-3);
 }
 
 TEST_P(AnyIntegrator, what_a_hand_moves_does_not_lag) {
   Band band;
   band.air_resistance_per_s = 5;
-  Grip grip = grip_of(band, 0, band.grid.along, 1e3);
-  grip.drift_m_s = Vector3d(0.3, 0, 0.4);
-  advance_held(band, GetParam(), 0.01, 100, grip);
-  const Matrix3Xd gone = band.cloth.positions - grip.places;
-  EXPECT_LT((gone.colwise() - grip.drift_m_s).cwiseAbs().maxCoeff(), 1e-4);
+  HandOnBand hand(band, 0, band.grid.along, 1e3);
+  hand.drift_m_s = Vector3d(0.3, 0, 0.4);
+  advance_held(band, GetParam(), 0.01, 100, hand);
+  const Matrix3Xd gone = band.cloth.positions - hand.places;
+  EXPECT_LT((gone.colwise() - hand.drift_m_s).cwiseAbs().maxCoeff(), 1e-4);
 }
 
 // By hand: of an acceleration of 3 it takes 2; the rest goes on, or against the air.
@@ -554,8 +569,8 @@ TEST_P(AnyIntegrator, a_hand_that_is_too_weak_gives_way_with_all_its_strength) {
     Band band(stretch);
     band.air_resistance_per_s = air_per_s;
     band.gravity_m_s2 = Vector3d(0, 0, -3);
-    Grip grip = grip_of(band, 0, band.grid.along, 2);
-    advance_held(band, GetParam(), 0.01, 100, grip);
+    HandOnBand hand(band, 0, band.grid.along, 2);
+    advance_held(band, GetParam(), 0.01, 100, hand);
     const double wanted_m_s = air_per_s > 0 ? -1 / air_per_s : -1;
     for (const double speed_m_s : band.cloth.velocities.row(2))
       EXPECT_NEAR(speed_m_s / wanted_m_s, 1, 0.03);
@@ -565,11 +580,11 @@ TEST_P(AnyIntegrator, a_hand_that_is_too_weak_gives_way_with_all_its_strength) {
 TEST_P(AnyIntegrator, what_a_hand_holds_comes_back_without_swinging) {
   for (const double step_s : {0.001, 0.01, 0.1}) {
     Band band;
-    Grip grip = grip_of(band, 0, band.grid.along, 1e6);
+    HandOnBand hand(band, 0, band.grid.along, 1e6);
     band.cloth.positions.row(2).array() += 1;
     double before_m = 1;
     for (int step = 0; step < 40; ++step) {
-      advance_held(band, GetParam(), step_s, static_cast<int>(0.1 / step_s), grip);
+      advance_held(band, GetParam(), step_s, static_cast<int>(0.1 / step_s), hand);
       const double off_m = band.cloth.positions(2, 0);
       EXPECT_LE(off_m, before_m + 1e-9);
       EXPECT_GE(off_m, -1e-9);
