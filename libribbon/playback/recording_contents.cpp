@@ -178,13 +178,18 @@ const char* RecordingContents::take_frame(const WalkStep& step) {
     return foreign;
   const IndexedFrame frame{record->frame, static_cast<std::uint32_t>(step.length), step.offset,
                            record->reference, record->numbers};
-  if (const IndexedFrame* known = find(record->frame)) {
-    // Of two, one is a copy over something else, and not where it was written.
-    if (lies_behind_its_reference(*known) || !lies_behind_its_reference(frame)) return foreign;
+  const bool was_checked = checked_;
+  const IndexedFrame* found = find(record->frame);
+  const auto known = found == nullptr ? std::nullopt : std::optional(*found);
+  // Of two, one is a copy over something else, and not where it was written.
+  const bool is_foreign =
+      known && (lies_behind_its_reference(*known) || !lies_behind_its_reference(frame));
+  if (checked_ != was_checked) return nullptr;  // this record has been taken as well, on the way
+  if (is_foreign) return foreign;
+  if (known)
     table_.replace(frame);
-  } else {
+  else
     table_.insert(frame);
-  }
   finished_ = false;
   ending_ = RunEnding::unknown;
   return nullptr;

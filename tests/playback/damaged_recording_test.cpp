@@ -334,37 +334,75 @@ TEST_F(DamagedRecording, frames_that_refer_to_later_ones_are_not_readable) {
   for (int frame = 1; frame < 4; ++frame) EXPECT_FALSE(reader->readable(frame)) << frame;
 }
 
-// The directory leads to frame 256; the index that tells of the frames before it is found out to be
-// damaged only while looking for those that it needs.
-TEST_F(DamagedRecording, an_index_found_damaged_on_the_way_costs_nothing) {
-  PositionEncoder encoder(codec_parameters(sample_header({3, 2})),
-                          sample_header({3, 2}).max_position_error_m);
-  std::uint64_t first_index = 0;
-  {
-    auto writer = RecordingWriter::create(path_, sample_header({3, 2}));
+// Two index records, of frames 0 to 255 and of the two behind. Frame 256 needs those before it.
+class DamagedFirstIndex : public DamagedRecording {
+ protected:
+  DamagedFirstIndex() {
+    const RecordingHeader header = sample_header({3, 2});
+    PositionEncoder encoder(codec_parameters(header), header.max_position_error_m);
+    auto writer = RecordingWriter::create(path_, header);
     QuantisedFrame last;
     for (std::uint32_t frame = 0; frame < 258; ++frame) {
-      if (frame == 256) first_index = writer->bytes_written();
+      if (frame == 255) frame_255_ = writer->bytes_written();
+      if (frame == 256) first_index_ = writer->bytes_written();
       FrameRecord record{.frame = frame, .numbers = sample_numbers(static_cast<int>(frame))};
       if (frame > 0 && frame % 16 != 1) record.reference = frame - 1;
       auto encoded =
           encoder.encode(positions(static_cast<int>(frame)), record.reference ? &last : nullptr);
       record.encoding = encoded->encoding;
       record.geometry = encoded->geometry;
-      ASSERT_TRUE(writer->append_encoded(record).has_value());
+      EXPECT_TRUE(writer->append_encoded(record).has_value());
       last = std::move(encoded->frame);
     }
-    ASSERT_TRUE(writer->finish().has_value());
+    last_index_ = writer->bytes_written();
+    EXPECT_TRUE(writer->finish().has_value());
+    damaged_ = flipped(read_file(path_).value(), first_index_ + record_head_bytes + 20);
   }
-  auto reader =
-      open(flipped(read_file(path_).value(), first_index + record_head_bytes + 20)).value();
+
+  std::uint64_t frame_255_ = 0;  // where it begins, as below
+  std::uint64_t first_index_ = 0;
+  std::uint64_t last_index_ = 0;
+  std::string damaged_;
+};
+
+// The directory leads to frame 256; the index that tells of the frames before it is found out to be
+// damaged only while looking for those that it needs.
+TEST_F(DamagedFirstIndex, found_on_the_way_costs_nothing) {
+  auto reader = open(damaged_).value();
   EXPECT_TRUE(reader.damage().empty()) << "nobody has needed it";
   EXPECT_TRUE(reader.readable(256));
   EXPECT_EQ(reader.damage().size(), 1U);
-  EXPECT_EQ(reader.damage()[0].byte, first_index);
+  EXPECT_EQ(reader.damage()[0].byte, first_index_);
   Eigen::Matrix3Xf read;
   ASSERT_TRUE(reader.read(256, read).has_value());
   EXPECT_LE((read.cast<double>() - positions(256)).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+// Frame 256 comes once more, as one that needs no other: which of the two counts, where frame 255
+// is lost and where it is not, cannot be told without the first index.
+TEST_F(DamagedFirstIndex, found_while_the_file_grows_costs_nothing) {
+  const RecordingHeader header = sample_header({3, 2});
+  const auto encoded = PositionEncoder(codec_parameters(header), header.max_position_error_m)
+                           .encode(positions(256), nullptr);
+  const std::string without_255 = flipped(damaged_, frame_255_ + record_head_bytes);
+  for (const std::string& bytes : {damaged_, without_255}) {
+    auto reader = open(bytes).value();
+    ASSERT_EQ(reader.frame_count(), 258);
+    const std::string again =
+        make_record(RecordType::frame, frame_payload({.recording_id = reader.recording_id(),
+                                                      .frame = 256,
+                                                      .encoding = encoded->encoding,
+                                                      .numbers = sample_numbers(256),
+                                                      .geometry = encoded->geometry}));
+    std::ofstream(path_, std::ios::app | std::ios::binary) << again << bytes.substr(last_index_);
+    ASSERT_TRUE(reader.refresh().has_value());
+    EXPECT_TRUE(reader.finished()) << "it ends with a footer";
+    EXPECT_EQ(reader.frame_count(), 258);
+    EXPECT_EQ(reader.readable(255), bytes == damaged_);
+    Eigen::Matrix3Xf read;
+    ASSERT_TRUE(reader.read(256, read).has_value());
+    EXPECT_LE((read.cast<double>() - positions(256)).cwiseAbs().maxCoeff(), 1e-5);
+  }
 }
 
 // The file is that long, but most of it was never written.
