@@ -95,7 +95,7 @@ Result<std::optional<RunStatistics>> resume(const fs::path& path, const std::str
   }
   SimulatedFrames onward(plan.scene, std::move((*before)->fastening()), last);
   BackgroundWriter file(*std::move(target));
-  if (last >= 0 && ending_at(onward, plan) == RunEnding::unknown) {
+  if (ending_at(onward, plan) == RunEnding::unknown) {
     const bool had_ended = reader.finished() && reader.ending() != RunEnding::stopped;
     file.append_session({.reason = had_ended ? SessionReason::extended : SessionReason::resumed,
                          .program = program,

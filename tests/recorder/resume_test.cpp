@@ -242,6 +242,18 @@ TEST_F(ResumeRun, an_extension_that_was_stopped_goes_on_to_its_end) {
   EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::duration);
 }
 
+TEST_F(ResumeRun, an_extension_from_before_the_first_frame_goes_on_to_its_end_as_well) {
+  const auto header = RecordingReader::open(folder_ / "whole.rbn")->header();
+  ASSERT_TRUE(RecordingWriter::create(file_, header)->take_place().has_value());
+  ASSERT_TRUE(resume(file_, "test", stops_at(5), {.until_s = 3}).has_value());
+  ASSERT_EQ(refusal(), "");
+  const auto reader = RecordingReader::open(file_).value();
+  EXPECT_EQ(reader.frame_count(), 91);
+  ASSERT_EQ(reader.sessions().size(), 2U);
+  EXPECT_EQ(reader.sessions()[0].first_frame, 0U);
+  EXPECT_EQ(reader.sessions()[0].note.changed_settings, "time.duration = 3\n");
+}
+
 TEST_F(ResumeRun, a_limit_cuts_a_run_short_and_one_before_what_is_there_is_refused) {
   (void)record(scene_, replacing(file_), goes_on, {.frames = 20}).value();
   EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::stopped);
