@@ -108,6 +108,19 @@ class Comparison {
   Eigen::Matrix3Xf simulated_;
 };
 
+// A run goes on by both; they differ only where somebody has changed one of them.
+Result<void> check_agreement(const fs::path& file, const RecordingHeader& header,
+                             const Scene& scene) {
+  const RibbonGrid drawn{scene.ribbon.along, scene.ribbon.across};
+  if (header.grid == drawn && header.stages.size() == scene.stages.size()) return {};
+  return failure(file.string(),
+                 filled_in("its header tells of {} x {} particles and {} stages, its scene of {} x "
+                           "{} and {}",
+                           header.grid.along, header.grid.across, header.stages.size(), drawn.along,
+                           drawn.across, scene.stages.size()),
+                 "record the scene anew");
+}
+
 }  // namespace
 
 Result<RecordedRun> RecordedRun::open(const fs::path& file, std::optional<int> before_frame) {
@@ -130,6 +143,8 @@ Result<RecordedRun> RecordedRun::open(const fs::path& file, std::optional<int> b
                    "its scene still names marks of a drawing, which no recorder leaves in a "
                    "recording",
                    "record the scene anew");
+  if (auto agree = check_agreement(file, header, *scene); !agree)
+    return tl::unexpected(agree.error());
   return RecordedRun{file, *std::move(reader), *std::move(scene)};
 }
 

@@ -171,6 +171,22 @@ TEST_F(Branch, its_header_names_the_edges_that_are_limited_in_all_of_its_frames)
   EXPECT_EQ(header(third).limited_edges, without_diagonals) << "not in the frames before";
 }
 
+TEST_F(Branch, of_a_recording_whose_header_contradicts_its_scene_is_refused) {
+  const RecordingHeader header = RecordingReader::open(source())->header();
+  RecordingHeader staged = header;
+  staged.stages = {"tighten", "rest"};
+  RecordingHeader longer = header;
+  longer.scene_text.replace(longer.scene_text.find("along = 60"), 10, "along = 61");
+  for (const RecordingHeader& forged : {staged, longer}) {
+    auto writer = RecordingWriter::create(source(), forged, Overwrite::yes).value();
+    for (int frame = 0; frame < 3; ++frame)
+      ASSERT_TRUE(writer.append(*frames_[frame].numbers, frames_[frame].positions.cast<double>()));
+    ASSERT_TRUE(writer.finish());
+    EXPECT_THAT(refusal(1, {}), HasSubstr("its header tells of 60 x 4 particles"));
+    EXPECT_FALSE(fs::exists(target()));
+  }
+}
+
 TEST_F(Branch, an_older_recording_is_replaced_only_by_a_take_that_begins) {
   ASSERT_TRUE(write_file(target(), "older"));
   EXPECT_THAT(refusal(20, {"springs.stretch=-1"}), HasSubstr("'stretch' must be"));
