@@ -101,9 +101,9 @@ class Excerpt {
 };
 
 // With what ended the run, where the last frame is kept; one that has no end gets none here either.
-Result<void> finish(RecordingWriter& writer, const ConversionJob& job) {
-  if (job.frames.back() + 1 != job.reader.frame_count()) return writer.finish(RunEnding::unknown);
-  return job.reader.finished() ? writer.finish(job.reader.ending()) : writer.sync();
+Result<void> finish(RecordingWriter& writer, const RecordingReader& reader, int last_kept) {
+  if (last_kept + 1 != reader.frame_count()) return writer.finish(RunEnding::unknown);
+  return reader.finished() ? writer.finish(reader.ending()) : writer.sync();
 }
 
 Result<ConversionReport> copy_frames(const ConversionRequest& request, ConversionJob& job,
@@ -125,9 +125,8 @@ Result<ConversionReport> copy_frames(const ConversionRequest& request, Conversio
     }
     progress.update(report.frames_written + static_cast<int>(report.missing.size()));
   }
-  if (report.frames_written == 0)
-    return failure("", "none of the frames can be read", "record it again");
-  return finish(writer, job).map([&] {
+  if (!last_kept) return failure("", "none of the frames can be read", "record it again");
+  return finish(writer, job.reader, *last_kept).map([&] {
     report.bytes_written = writer.bytes_written();
     report.damage = job.reader.damage();
     report.first_file = report.last_file = request.output;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/files.h"
+#include "files/flipped.h"
 #include "playback/recording_reader.h"
 #include "recording/sample_recording.h"
 #include "result/refusal.h"
@@ -75,6 +77,24 @@ TEST_F(Excerpts, of_a_recording_without_an_end_have_none_where_its_last_frame_is
   EXPECT_EQ(target.frame_count(), 8);
   ASSERT_TRUE(write(":5"));
   EXPECT_TRUE(RecordingReader::open(target_).value().finished());
+}
+
+TEST_F(Excerpts, tell_what_ended_the_run_only_where_its_last_frame_is_there) {
+  std::uint64_t last = 0;
+  {
+    auto writer = RecordingWriter::create(source_, sample_header(), Overwrite::yes).value();
+    append_sample_frames(writer, 0, 11);
+    last = writer.bytes_written();
+    append_sample_frames(writer, 11, 12);
+    ASSERT_TRUE(writer.finish(RunEnding::tight));
+  }
+  ASSERT_TRUE(write("5:"));
+  EXPECT_EQ(RecordingReader::open(target_)->ending(), RunEnding::tight);
+  ASSERT_TRUE(write_file(source_, flipped(read_file(source_).value(), last + 30)));
+  EXPECT_THAT(write("5:").value().missing, testing::ElementsAre(12));
+  const auto target = RecordingReader::open(target_).value();
+  EXPECT_TRUE(target.finished());
+  EXPECT_EQ(target.ending(), RunEnding::unknown);
 }
 
 TEST_F(Excerpts, that_are_interrupted_may_be_tried_again) {
