@@ -26,14 +26,20 @@ Result<RandomAccessFile> RandomAccessFile::open(const std::filesystem::path& pat
   struct stat status {};
   if (!file.is_open() || ::fstat(file.number(), &status) != 0) return cannot_open(path);
   if (!S_ISREG(status.st_mode)) return failure(path.string(), "is not a file", "name a recording");
-  return RandomAccessFile(std::move(file), static_cast<std::uint64_t>(status.st_size));
+  RandomAccessFile opened(std::move(file));
+  opened.update_size();
+  return opened;
 }
 
 bool RandomAccessFile::update_size() {
   struct stat status {};
   if (::fstat(file_.number(), &status) != 0) return false;
   const auto size = static_cast<std::uint64_t>(status.st_size);
-  return std::exchange(size_, size) != size;
+  const std::uint64_t before = std::exchange(size_, size);
+  if (size == before) return false;
+  written_bytes_ =
+      size < before ? written_within(0, size) : written_bytes_ + written_within(before, size);
+  return true;
 }
 
 bool RandomAccessFile::is_being_written() const {
@@ -62,6 +68,26 @@ std::uint64_t RandomAccessFile::next_written(std::uint64_t offset) const {
   if (errno == ENXIO) return std::max(offset, size_);
 #endif
   return offset;
+}
+
+// Behind all that somebody wrote from `offset` on in one piece; the end where the system cannot
+// tell.
+std::uint64_t RandomAccessFile::next_hole(std::uint64_t offset) const {
+#ifdef SEEK_HOLE
+  const off_t found = ::lseek(file_.number(), static_cast<off_t>(offset), SEEK_HOLE);
+  if (found > static_cast<off_t>(offset)) return static_cast<std::uint64_t>(found);
+#endif
+  return std::max(offset, size_);
+}
+
+std::uint64_t RandomAccessFile::written_within(std::uint64_t begin, std::uint64_t end) const {
+  std::uint64_t bytes = 0;
+  while ((begin = next_written(begin)) < end) {
+    const std::uint64_t hole = std::min(next_hole(begin), end);
+    bytes += hole - begin;
+    begin = hole;
+  }
+  return bytes;
 }
 
 }  // namespace ribbon

@@ -18,6 +18,10 @@ class RandomAccessFile {
   // As it was when opened or when update_size() was called last.
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
+  // How many of these bytes somebody wrote, as far as the system can tell: a file may be mostly
+  // holes, which read as zeros and take no room on the disk.
+  [[nodiscard]] std::uint64_t written_bytes() const { return written_bytes_; }
+
   // Has the size changed?
   bool update_size();
 
@@ -28,14 +32,17 @@ class RandomAccessFile {
   // where the disk fails.
   [[nodiscard]] std::string read(std::uint64_t offset, std::uint64_t count) const;
 
-  // The first byte from `offset` on that somebody wrote, as far as the system can tell: a file may
-  // be mostly holes, which read as zeros.
+  // The first byte from `offset` on that somebody wrote, likewise.
   [[nodiscard]] std::uint64_t next_written(std::uint64_t offset) const;
 
  private:
-  RandomAccessFile(FileDescriptor file, std::uint64_t size) : file_(std::move(file)), size_(size) {}
+  explicit RandomAccessFile(FileDescriptor file) : file_(std::move(file)) {}
+  [[nodiscard]] std::uint64_t next_hole(std::uint64_t offset) const;
+  [[nodiscard]] std::uint64_t written_within(std::uint64_t begin, std::uint64_t end) const;
+
   FileDescriptor file_;
   std::uint64_t size_ = 0;
+  std::uint64_t written_bytes_ = 0;
 };
 
 }  // namespace ribbon

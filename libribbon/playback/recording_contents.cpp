@@ -42,6 +42,15 @@ std::optional<std::string> RecordingContents::payload_at(const RecordPlace& plac
   return read_payload(file_, start_.header.grid, place);
 }
 
+// At most: what lies behind may be among it.
+std::uint64_t RecordingContents::written_before(std::uint64_t offset) const {
+  return std::min(offset, file_.written_bytes());
+}
+
+std::uint64_t RecordingContents::most_frames_before(std::uint64_t offset) const {
+  return most_frames(written_before(offset));
+}
+
 bool RecordingContents::trust_directory() {
   constexpr std::uint64_t footer_bytes = record_head_bytes + footer_payload_bytes;
   if (file_.size() < start_.end + footer_bytes) return false;
@@ -53,7 +62,8 @@ bool RecordingContents::trust_directory() {
   const auto payload =
       payload_at({RecordType::directory, *directory_at, footer_at - *directory_at});
   if (!payload) return false;
-  auto directory = parse_directory_payload(*payload, start_.recording_id, *directory_at);
+  auto directory = parse_directory_payload(*payload, start_.recording_id, *directory_at,
+                                           written_before(*directory_at));
   if (!directory) return false;
   table_.extend(directory->frames);
   indices_ = std::move(directory->indices);
@@ -68,7 +78,8 @@ bool RecordingContents::trust_directory() {
 std::optional<Index> RecordingContents::read_index(const IndexLocation& location) const {
   const auto payload = payload_at({RecordType::index, location.offset, location.record_bytes});
   if (!payload) return std::nullopt;
-  auto index = parse_index_payload(*payload, start_.recording_id, location.offset);
+  auto index = parse_index_payload(*payload, start_.recording_id, location.offset,
+                                   written_before(location.offset));
   if (!index || index->frames.size() != location.frames || index->others.size() != location.others)
     return std::nullopt;
   return index;
@@ -142,7 +153,9 @@ void RecordingContents::walk() {
     if (checked_ != was_checked) return;  // an index was wrong, and all has been walked through
     if (problem != nullptr) {
       damage_.push_back({step.offset, step.length, problem});
-      if (!is_record && step.head_is_whole && step.type == RecordType::frame) ++lost_in_tail_;
+      if (!is_record && step.head_is_whole && step.type == RecordType::frame &&
+          frame_count() < most_frames_before(step.offset))
+        ++lost_in_tail_;
       continue;
     }
     end_ = step.offset + step.length;
@@ -174,7 +187,7 @@ const char* RecordingContents::take(const WalkStep& step) {
 const char* RecordingContents::take_frame(const WalkStep& step) {
   const auto record = parse_frame_payload(step.payload);
   if (!record || record->recording_id != start_.recording_id ||
-      record->frame >= most_frames(step.offset))
+      record->frame >= most_frames_before(step.offset))
     return foreign;
   const IndexedFrame frame{record->frame, static_cast<std::uint32_t>(step.length), step.offset,
                            record->reference, record->numbers};
@@ -203,7 +216,8 @@ bool RecordingContents::lies_behind_its_reference(const IndexedFrame& frame) {
 
 // An index also tells of frames that are lost.
 const char* RecordingContents::take_index(const WalkStep& step) {
-  const auto index = parse_index_payload(step.payload, start_.recording_id, step.offset);
+  const auto index = parse_index_payload(step.payload, start_.recording_id, step.offset,
+                                         written_before(step.offset));
   if (!index) return foreign;
   indices_.push_back(location_of(*index, step.offset, static_cast<std::uint32_t>(step.length)));
   index_is_loaded_.push_back(true);
@@ -212,7 +226,8 @@ const char* RecordingContents::take_index(const WalkStep& step) {
 }
 
 const char* RecordingContents::take_directory(const WalkStep& step) {
-  const auto directory = parse_directory_payload(step.payload, start_.recording_id, step.offset);
+  const auto directory = parse_directory_payload(step.payload, start_.recording_id, step.offset,
+                                                 written_before(step.offset));
   if (!directory) return foreign;
   table_.extend(directory->frames);
   ending_ = directory->ending;
@@ -229,14 +244,14 @@ const char* RecordingContents::take_footer(const WalkStep& step) {
 const char* RecordingContents::take_checkpoint(const WalkStep& step) {
   const auto fields = parse_checkpoint_fields(step.payload);
   if (!fields || fields->recording_id != start_.recording_id ||
-      fields->frame >= most_frames(step.offset))
+      fields->frame >= most_frames_before(step.offset))
     return foreign;
   return take_other(step, fields->frame, fields->frame + 1);
 }
 
 const char* RecordingContents::take_session(const WalkStep& step) {
   const auto session = parse_session_payload(step.payload, start_.recording_id);
-  if (!session || session->first_frame > most_frames(step.offset)) return foreign;
+  if (!session || session->first_frame > most_frames_before(step.offset)) return foreign;
   return take_other(step, session->first_frame, session->first_frame);
 }
 

@@ -62,6 +62,8 @@ class RecordingContents {
   void start_over();
   bool load(std::size_t index);
   void load_around(std::uint32_t frame);
+  [[nodiscard]] std::uint64_t written_before(std::uint64_t offset) const;
+  [[nodiscard]] std::uint64_t most_frames_before(std::uint64_t offset) const;
   void walk();
   const char* take(const WalkStep& step);
   const char* take_frame(const WalkStep& step);

@@ -102,7 +102,7 @@ std::vector<Session> RecordingReader::sessions() const {
     if (other.type != RecordType::session) continue;
     const auto payload = payload_of(other);
     auto session = payload ? parse_session_payload(*payload, recording_id()) : std::nullopt;
-    if (session) sessions.push_back(std::move(*session));
+    if (session && session->first_frame == other.frame) sessions.push_back(std::move(*session));
   }
   return sessions;
 }

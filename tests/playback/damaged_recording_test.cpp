@@ -16,8 +16,10 @@
 #include "recording/codec/position_encoder.h"
 #include "recording/coding/bytes.h"
 #include "recording/coding/checksum.h"
+#include "recording/records/directory_record.h"
 #include "recording/records/header_record.h"
 #include "recording/records/record_head.h"
+#include "recording/records/session_record.h"
 #include "recording/sample_recording.h"
 #include "recording/writer/recording_writer.h"
 #include "result/refusal.h"
@@ -424,6 +426,37 @@ TEST_F(DamagedRecording, a_record_that_claims_more_than_it_may_is_not_read) {
   EXPECT_EQ(reader.damage()[0].length, hole);
   EXPECT_EQ(reader.damage()[0].reason, std::string("a record claims to be larger than any"));
   std::filesystem::remove(path_);
+}
+
+// By its length the file could hold all of these frames, but most of it was never written.
+TEST_F(DamagedRecording, a_directory_that_counts_what_only_a_hole_can_hold_is_not_believed) {
+  constexpr std::uint64_t hole = std::uint64_t{1} << 38;
+  const std::uint32_t id = open(finished_)->recording_id();
+  const std::string directory = make_record(
+      RecordType::directory, directory_payload(id, {3'000'000'000, RunEnding::tight, {}}));
+  const std::string footer =
+      make_record(RecordType::footer, footer_payload(id, killed_.size() + hole));
+  ASSERT_TRUE(write_file(path_, killed_));
+  std::filesystem::resize_file(path_, killed_.size() + hole);
+  std::ofstream(path_, std::ios::app | std::ios::binary) << directory << footer;
+  auto reader = RecordingReader::open(path_).value();
+  EXPECT_EQ(reader.frame_count(), frames);
+  EXPECT_TRUE(lost_frames(reader).empty());
+  std::filesystem::remove(path_);
+}
+
+// The index knows it as the session of another frame.
+TEST_F(DamagedRecording, a_session_of_another_frame_is_left_out) {
+  std::string bytes = finished_;
+  const std::size_t at = bytes.find(record_magic, end_[9]);
+  ASSERT_EQ(at, end_[9]);
+  Session session = session_;
+  session.first_frame = 0xFFFFFFFF;
+  const std::string forged =
+      make_record(RecordType::session, session_payload(open(finished_)->recording_id(), session));
+  ASSERT_EQ(forged.size(), begin_[10] - end_[9]);
+  bytes.replace(at, forged.size(), forged);
+  EXPECT_TRUE(open(bytes)->sessions().empty());
 }
 
 TEST_F(DamagedRecording, a_newer_major_version_is_refused_with_a_sentence) {

@@ -41,7 +41,8 @@ std::string directory_payload(std::uint32_t recording_id, const Directory& direc
 }
 
 std::optional<Directory> parse_directory_payload(std::string_view payload,
-                                                 std::uint32_t recording_id, std::uint64_t offset) {
+                                                 std::uint32_t recording_id, std::uint64_t offset,
+                                                 std::uint64_t written_bytes) {
   ByteTaker taker(payload);
   Directory directory;
   const auto id = taker.take<std::uint32_t>();
@@ -52,8 +53,8 @@ std::optional<Directory> parse_directory_payload(std::string_view payload,
     directory.ending = static_cast<RunEnding>(ending);
   taker.take_bytes(3);
   const auto count = taker.take<std::uint32_t>();
-  if (!taker.complete() || id != recording_id || directory.frames > most_frames(offset) ||
-      count > offset / record_head_bytes ||
+  if (!taker.complete() || id != recording_id || directory.frames > most_frames(written_bytes) ||
+      count > written_bytes / record_head_bytes ||
       !take_table(taker, count, directory.indices, index_columns))
     return std::nullopt;
   for (const IndexLocation& index : directory.indices)

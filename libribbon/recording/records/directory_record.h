@@ -37,9 +37,11 @@ struct Directory {
 std::string directory_payload(std::uint32_t recording_id, const Directory& directory);
 
 // Nothing where the payload is malformed, of another recording, names index records that do not lie
-// before `offset`, where the directory record itself begins, or counts fewer frames than these.
+// before `offset`, where the directory record itself begins, counts fewer frames than these, or
+// more of anything than `written_bytes` can hold: so many are there, at most, of those before it.
 std::optional<Directory> parse_directory_payload(std::string_view payload,
-                                                 std::uint32_t recording_id, std::uint64_t offset);
+                                                 std::uint32_t recording_id, std::uint64_t offset,
+                                                 std::uint64_t written_bytes);
 
 inline constexpr std::size_t footer_payload_bytes = 16;
 

@@ -56,9 +56,9 @@ std::vector<FrameRow> rows_of(const std::vector<IndexedFrame>& frames) {
   return rows;
 }
 
-// Nothing where a frame does not lie before `limit`.
+// Nothing where a frame does not lie before `limit` or there cannot be so many.
 std::optional<std::vector<IndexedFrame>> frames_of(const std::vector<FrameRow>& rows,
-                                                   std::uint64_t limit) {
+                                                   std::uint64_t limit, std::uint64_t most) {
   std::vector<IndexedFrame> frames;
   std::uint32_t next = 0;
   std::uint64_t end = 0;
@@ -66,7 +66,7 @@ std::optional<std::vector<IndexedFrame>> frames_of(const std::vector<FrameRow>& 
     if (row.gap > limit - end) return std::nullopt;
     IndexedFrame frame{next + row.step, row.record_bytes, end + row.gap};
     if (row.record_bytes < smallest_frame_record || row.record_bytes > limit - frame.offset ||
-        frame.frame >= most_frames(limit))
+        frame.frame >= most)
       return std::nullopt;
     if (row.back != 0) frame.reference = frame.frame - row.back;
     frame.numbers = {row.time_s, row.worst_strain, row.penetrating_edges, row.recovery_iterations};
@@ -93,23 +93,26 @@ std::string index_payload(std::uint32_t recording_id, const Index& index) {
 }
 
 std::optional<Index> parse_index_payload(std::string_view payload, std::uint32_t recording_id,
-                                         std::uint64_t offset) {
+                                         std::uint64_t offset, std::uint64_t written_bytes) {
   ByteTaker taker(payload);
   Index index;
   const auto id = taker.take<std::uint32_t>();
   index.previous = taker.take<std::uint64_t>();
   const auto frame_count = taker.take<std::uint32_t>();
   std::vector<FrameRow> rows;
-  if (!taker.complete() || id != recording_id || frame_count > offset / smallest_frame_record ||
+  if (!taker.complete() || id != recording_id ||
+      frame_count > written_bytes / smallest_frame_record ||
       !take_table(taker, frame_count, rows, frame_columns))
     return std::nullopt;
   const auto other_count = taker.take<std::uint32_t>();
-  if (other_count > offset / record_head_bytes ||
+  if (other_count > written_bytes / record_head_bytes ||
       !take_table(taker, other_count, index.others, other_columns))
     return std::nullopt;
+  const std::uint64_t most = most_frames(written_bytes);
   for (const IndexedOther& other : index.others)
-    if (!lies_before(offset, other.offset, other.record_bytes)) return std::nullopt;
-  auto frames = frames_of(rows, offset);
+    if (!lies_before(offset, other.offset, other.record_bytes) || other.frame > most)
+      return std::nullopt;
+  auto frames = frames_of(rows, offset, most);
   if (!frames) return std::nullopt;
   index.frames = *std::move(frames);
   return index;

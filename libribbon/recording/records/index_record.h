@@ -1,6 +1,7 @@
 // The payload of an index record: where some frames lie, and what they tell (FORMAT.md, section 6).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,9 +22,11 @@ inline constexpr std::uint64_t smallest_frame_record = record_head_bytes + frame
 // No frame number n may have fewer than n - frames_ahead frames before it in the file.
 inline constexpr std::uint64_t frames_ahead = 1024;
 
-// How many frames a file may have, at most, whose records end at `bytes`.
+inline constexpr std::uint64_t most_frames_of_all = std::uint64_t{1} << 30;
+
+// How many frames a file may have, at most, whose records have so many bytes together.
 inline std::uint64_t most_frames(std::uint64_t bytes) {
-  return bytes / smallest_frame_record + frames_ahead;
+  return std::min(bytes / smallest_frame_record + frames_ahead, most_frames_of_all);
 }
 
 struct IndexedFrame {
@@ -56,9 +59,10 @@ struct Index {
 
 std::string index_payload(std::uint32_t recording_id, const Index& index);
 
-// Nothing where the payload is malformed, of another recording, or names records that do not lie
-// before `offset`, where the index record itself begins.
+// Nothing where the payload is malformed, of another recording, names records that do not lie
+// before `offset`, where the index record itself begins, or more than `written_bytes` can hold: so
+// many are there, at most, of those before it.
 std::optional<Index> parse_index_payload(std::string_view payload, std::uint32_t recording_id,
-                                         std::uint64_t offset);
+                                         std::uint64_t offset, std::uint64_t written_bytes);
 
 }  // namespace ribbon

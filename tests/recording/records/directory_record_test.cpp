@@ -14,39 +14,50 @@ Directory directory() {
 }
 
 TEST(DirectoryRecord, everything_comes_back) {
-  EXPECT_EQ(parse_directory_payload(directory_payload(id, directory()), id, here), directory());
+  EXPECT_EQ(parse_directory_payload(directory_payload(id, directory()), id, here, here),
+            directory());
 }
 
 TEST(DirectoryRecord, an_ending_of_a_later_version_is_none) {
   std::string payload = directory_payload(id, directory());
   payload[8] = 17;
-  EXPECT_EQ(parse_directory_payload(payload, id, here)->ending, RunEnding::unknown);
+  EXPECT_EQ(parse_directory_payload(payload, id, here, here)->ending, RunEnding::unknown);
 }
 
 TEST(DirectoryRecord, one_of_another_recording_is_refused) {
-  EXPECT_FALSE(parse_directory_payload(directory_payload(id, directory()), id + 1, here));
+  EXPECT_FALSE(parse_directory_payload(directory_payload(id, directory()), id + 1, here, here));
 }
 
 TEST(DirectoryRecord, indices_that_do_not_lie_before_it_are_refused) {
-  EXPECT_FALSE(parse_directory_payload(directory_payload(id, directory()), id, here - 1));
+  EXPECT_FALSE(parse_directory_payload(directory_payload(id, directory()), id, here - 1, here));
 }
 
 TEST(DirectoryRecord, frames_that_the_file_cannot_hold_are_refused) {
   Directory large = directory();
   large.frames = static_cast<std::uint32_t>(most_frames(here)) + 1;
-  EXPECT_FALSE(parse_directory_payload(directory_payload(id, large), id, here));
+  EXPECT_FALSE(parse_directory_payload(directory_payload(id, large), id, here, here));
+  large.frames -= 1;
+  EXPECT_TRUE(parse_directory_payload(directory_payload(id, large), id, here, here));
+  EXPECT_FALSE(parse_directory_payload(directory_payload(id, large), id, here, here - 64));
+}
+
+TEST(DirectoryRecord, more_indices_than_what_was_written_can_hold_are_refused) {
+  const std::string payload = directory_payload(id, directory());
+  EXPECT_TRUE(parse_directory_payload(payload, id, here, 2 * record_head_bytes));
+  EXPECT_FALSE(parse_directory_payload(payload, id, here, 2 * record_head_bytes - 1));
 }
 
 TEST(DirectoryRecord, fewer_frames_than_the_indices_have_are_refused) {
   Directory small = directory();
   small.frames = 299;
-  EXPECT_FALSE(parse_directory_payload(directory_payload(id, small), id, here));
+  EXPECT_FALSE(parse_directory_payload(directory_payload(id, small), id, here, here));
 }
 
 TEST(DirectoryRecord, every_prefix_is_refused) {
   const std::string payload = directory_payload(id, directory());
   for (std::size_t size = 0; size < payload.size(); ++size)
-    EXPECT_FALSE(parse_directory_payload(payload.substr(0, size), id, here).has_value()) << size;
+    EXPECT_FALSE(parse_directory_payload(payload.substr(0, size), id, here, here).has_value())
+        << size;
 }
 
 TEST(FooterRecord, it_names_the_directory) {
