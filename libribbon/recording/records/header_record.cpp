@@ -21,7 +21,7 @@ constexpr std::uint32_t most_particles = 1U << 24;
 // Columns have a border, so that many short ones take more memory than their particles.
 constexpr int most_columns = 1 << 20;
 constexpr std::uint32_t largest_mesh = 1U << 26;
-constexpr std::uint32_t most_curve_points = 1U << 20;
+constexpr std::uint32_t most_curve_points = most_particles / 2;  // one a row
 constexpr std::uint32_t most_stages = 255;
 
 // The fields of the header are listed once, in functions that are given one of these two.
@@ -196,6 +196,11 @@ bool is_share(double share) {
   return share >= 0 && share <= 1;  // false for NaN
 }
 
+bool is_recordable(const RibbonGrid& grid) {
+  return grid.along >= 2 && grid.across >= 2 && grid.across <= most_columns &&
+         std::int64_t{grid.along} * grid.across <= std::int64_t{most_particles};
+}
+
 bool is_mesh(const TriangleMesh& mesh) {
   const auto corners = mesh.triangles.reshaped().array();
   return mesh.vertices.allFinite() && (corners >= 0).all() &&
@@ -260,9 +265,22 @@ tl::unexpected<Error> other_version(int major, int minor, FieldTaker fields) {
 
 }  // namespace
 
-bool is_recordable(const RibbonGrid& grid) {
-  return grid.along >= 2 && grid.across >= 2 && grid.across <= most_columns &&
-         std::int64_t{grid.along} * grid.across <= std::int64_t{most_particles};
+Result<void> check_recordable(const RecordingHeader& header) {
+  const RibbonGrid& grid = header.grid;
+  if (!is_recordable(grid))
+    return failure("",
+                   "a recording holds at most 2^24 particles in at most 2^20 columns, not " +
+                       std::to_string(grid.along) + " x " + std::to_string(grid.across),
+                   "simulate fewer particles");
+  const auto& mesh = header.obstacle;
+  if (mesh && std::max(mesh->vertices.cols(), mesh->triangles.cols()) > largest_mesh)
+    return failure("",
+                   "a recording holds at most 2^26 vertices and as many triangles of its obstacle, "
+                   "not " +
+                       std::to_string(mesh->vertices.cols()) + " and " +
+                       std::to_string(mesh->triangles.cols()),
+                   "take a coarser mesh");
+  return {};
 }
 
 std::string header_payload(const RecordingHeader& header) {

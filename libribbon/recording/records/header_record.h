@@ -9,9 +9,11 @@
 
 namespace ribbon {
 
-// May a recording have this grid?
-bool is_recordable(const RibbonGrid& grid);
+// Fails, with the error's place still to be filled in, where the ribbon has more particles, or the
+// obstacle more vertices or triangles, than a recording holds.
+Result<void> check_recordable(const RecordingHeader& header);
 
+// Of a header that is recordable.
 std::string header_payload(const RecordingHeader& header);
 
 // Fails, with the error's place still to be filled in, when the payload is of another major version

@@ -81,12 +81,10 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& pat
                                                 const RecordingHeader& header,
                                                 Overwrite overwrite) {
   assert(!header.scene_name.empty() && header.uv.cols() == header.grid.particle_count());
-  if (!is_recordable(header.grid))
-    return failure(path.string(),
-                   "a recording holds at most 2^24 particles in at most 2^20 columns, not " +
-                       std::to_string(header.grid.along) + " x " +
-                       std::to_string(header.grid.across),
-                   "simulate fewer particles");
+  if (auto fits = check_recordable(header); !fits) {
+    fits.error().place = path.string();
+    return tl::unexpected(std::move(fits.error()));
+  }
   auto file = RecordFile::create(path, overwrite);
   if (!file) return tl::unexpected(std::move(file.error()));
   const std::string payload = header_payload(header);

@@ -258,6 +258,13 @@ TEST(HeaderRecord, counts_that_lie_are_refused) {
   EXPECT_FALSE(parse_header_payload(with_grid(0x80000000, 2)).has_value());
 }
 
+// A point for each row of the ribbon with the most rows.
+TEST(HeaderRecord, a_curve_may_have_as_many_points_as_a_ribbon_rows) {
+  RecordingHeader header = sample_header();
+  header.input_curve.setZero(3, 1 << 23);
+  EXPECT_EQ(parse_header_payload(header_payload(header))->input_curve, header.input_curve);
+}
+
 bool is_taken_with(const std::function<void(RecordingHeader&)>& change) {
   RecordingHeader header = sample_header();
   change(header);

@@ -132,6 +132,15 @@ TEST(RecordingWriter, a_grid_that_no_reader_would_take_is_refused) {
               HasSubstr("at most 2^20 columns, not 2 x 1048577"));
 }
 
+TEST(RecordingWriter, an_obstacle_that_no_reader_would_take_is_refused) {
+  RecordingHeader header = sample_header();
+  header.obstacle->vertices.resize(3, (1 << 26) + 1);
+  EXPECT_EQ(refusal_of(RecordingWriter::create("large.rbn", header)),
+            "large.rbn: a recording holds at most 2^26 vertices and as many triangles of its "
+            "obstacle, not 67108865 and 8; take a coarser mesh");
+  EXPECT_FALSE(std::filesystem::exists("large.rbn"));
+}
+
 TEST(RecordingWriter, a_target_that_cannot_be_written_is_told_before_the_run) {
   EXPECT_THAT(refusal_of(RecordingWriter::create("/proc/recording.rbn", sample_header())),
               HasSubstr("/proc/recording.rbn: cannot be written ("));
