@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 
 #include "recording/records/frame_record.h"
 
@@ -53,8 +52,6 @@ bool FrameDecoder::is_readable(RecordingContents& contents, std::uint32_t frame)
 }
 
 const QuantisedFrame* FrameDecoder::decode(RecordingContents& contents, std::uint32_t frame) {
-  begin_of_call_ = ++uses_;
-  if (slots_.size() > slots_kept) slots_.resize(slots_kept);
   const auto frames = needed(contents, frame, false);
   if (!frames) return nullptr;
   for (const std::uint32_t next : *frames)
@@ -64,15 +61,12 @@ const QuantisedFrame* FrameDecoder::decode(RecordingContents& contents, std::uin
   return &slot->quantised;
 }
 
-// One that this call does not need: the one that has not been used for longest, or a new one.
+// A new one, or the one that has not been used for longest: never the reference of the frame that
+// comes next, which was used last.
 FrameDecoder::Slot& FrameDecoder::free_slot() {
-  if (slots_.size() >= slots_kept) {
-    const auto oldest =
-        std::min_element(slots_.begin(), slots_.end(),
-                         [](const auto& a, const auto& b) { return a->last_use < b->last_use; });
-    if ((*oldest)->last_use < begin_of_call_) return **oldest;
-  }
-  return *slots_.emplace_back(std::make_unique<Slot>());
+  if (slots_.size() < slots_kept) return *slots_.emplace_back(std::make_unique<Slot>());
+  return **std::min_element(slots_.begin(), slots_.end(),
+                            [](const auto& a, const auto& b) { return a->last_use < b->last_use; });
 }
 
 bool FrameDecoder::decode_one(RecordingContents& contents, std::uint32_t frame) {
@@ -103,7 +97,6 @@ bool FrameDecoder::decode_record(const RecordingContents& contents, const Indexe
     reference = at_hand(*entry.reference);
     // Where the contents were checked meanwhile, the frame may refer to another than before.
     if (reference == nullptr) return false;
-    reference->last_use = ++uses_;
   }
   return decoder_.decode(record->encoding, record->geometry,
                          reference == nullptr ? nullptr : &reference->quantised, slot.quantised);

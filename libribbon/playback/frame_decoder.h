@@ -42,7 +42,6 @@ class FrameDecoder {
   PositionDecoder decoder_;
   std::vector<std::unique_ptr<Slot>> slots_;  // decoded frames
   std::uint64_t uses_ = 0;                    // a clock for last_use
-  std::uint64_t begin_of_call_ = 0;           // of that clock: what was used since is still needed
   std::unordered_set<std::uint32_t> undecodable_;
 };
 
