@@ -20,7 +20,10 @@ std::size_t end_of_string(std::string_view toml, std::size_t begin) {
     if (!is_long && toml[at] == '\n') return at;
     if (quote == '"' && toml[at] == '\\') ++at;
   }
-  return std::min(at + end.size(), toml.size());
+  at = std::min(at + end.size(), toml.size());
+  // The last letters of a long string may be one or two quotes.
+  for (int i = 0; is_long && i < 2 && at < toml.size() && toml[at] == quote; ++i) ++at;
+  return at;
 }
 
 // Behind the comment, string or single letter that begins at `at`.

@@ -11,7 +11,7 @@ TEST(OutsideQuotes, strings_and_comments_may_hold_any_letter) {
   for (const char* toml :
        {"", "a = 1", "a = \"\u00fc\" # \u00fc", "a = '\u00fc'", "a = \"\\\"\u00fc\"",
         "a = '\\'  # \u00fc", "a = \"\"\"\n\u00fc \"\u00fc\"\n\"\"\"", "a = '''\n\u00fc\n'''",
-        "\uFEFFa = 1"})
+        "a = \"\"\"b\"\"\"\" # \"\u00fc\"", "a = '''b'''' # '\u00fc'", "\uFEFFa = 1"})
     EXPECT_FALSE(first_outside_quotes(toml)) << toml;
 }
 
@@ -20,6 +20,10 @@ TEST(OutsideQuotes, a_letter_anywhere_else_is_found) {
   EXPECT_EQ(first_outside_quotes("\u00fc = 1"), 0U);
   EXPECT_EQ(first_outside_quotes("a = \"b\" \u00fc"), 8U);
   EXPECT_EQ(first_outside_quotes("# \u00fc\na = \u00fc"), 9U);
+  EXPECT_EQ(first_outside_quotes("a = \"\"\"b\"\"\"\" \u00fc"), 13U);
+  EXPECT_EQ(first_outside_quotes("a = \"\"\"b\"\"\"\"\" \u00fc"), 14U);
+  EXPECT_EQ(first_outside_quotes("a = \"\"\"b\"\"\"\"\"\" \u00fc\""), std::nullopt)
+      << "a string begins there";
   // A string that does not end goes no further than its line.
   EXPECT_EQ(first_outside_quotes("a = \"b\nc = \u00fc"), 11U);
   EXPECT_FALSE(first_outside_quotes("a = \"\u00fc"));
