@@ -14,6 +14,7 @@
 #include "scene/scene_rules.h"
 #include "scene/scene_values.h"
 #include "scene/setting.h"
+#include "text/characters.h"
 
 namespace ribbon {
 
@@ -526,7 +527,7 @@ Result<Scene> read_scene(const std::filesystem::path& file, std::string text,
   document->origins = std::move(origins);
   document->settings = settings;
   return scene_of(*document).map([&](Scene scene) {
-    if (scene.name.empty()) scene.name = name.empty() ? file.stem().string() : name;
+    if (scene.name.empty()) scene.name = as_utf8(name.empty() ? file.stem().string() : name);
     scene.file = file;
     scene.text = std::move(text);
     return scene;

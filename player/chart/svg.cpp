@@ -1,5 +1,5 @@
 #include "player/chart/drawing.h"
-#include "player/picture/characters.h"
+#include "text/characters.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -9,26 +9,7 @@ namespace {
 // Characters that XML 1.0 cannot hold.
 bool is_forbidden(char32_t character) {
   return (character < 0x20 && character != '\t' && character != '\n' && character != '\r') ||
-         (character >= 0xD800 && character < 0xE000) || character == 0xFFFE ||
-         character == 0xFFFF || character > 0x10FFFF;
-}
-
-void append_utf8(char32_t character, std::string& text) {
-  const auto append = [&text](char32_t byte) { text += static_cast<char>(byte); };
-  const auto follow = [&](int shift) { append(0x80 | ((character >> shift) & 0x3F)); };
-  if (character < 0x80) return append(character);
-  if (character < 0x800) {
-    append(0xC0 | (character >> 6));
-    return follow(0);
-  }
-  if (character < 0x10000) {
-    append(0xE0 | (character >> 12));
-  } else {
-    append(0xF0 | (character >> 18));
-    follow(12);
-  }
-  follow(6);
-  follow(0);
+         character == 0xFFFE || character == 0xFFFF;
 }
 
 std::string xml_text(std::string_view text) {
@@ -42,7 +23,7 @@ std::string xml_text(std::string_view text) {
     else if (character == '>')
       xml += "&gt;";
     else
-      append_utf8(is_forbidden(character) ? 0xFFFD : character, xml);
+      append_character(xml, is_forbidden(character) ? 0xFFFD : character);
   }
   return xml;
 }

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "player/picture/caption_font.h"
-#include "player/picture/characters.h"
+#include "text/characters.h"
 
 namespace ribbon {
 

@@ -16,6 +16,12 @@ std::string with_in(const std::string& table, const std::string& lines) {
   return replaced(smallest_scene(), table + "\n", table + "\n" + lines + "\n");
 }
 
+// Names of files may be any bytes; those of recordings are text.
+TEST(ReadScene, one_without_a_name_is_named_after_its_file_in_utf8) {
+  EXPECT_EQ(read_scene("a/kn\xF6t.toml", smallest_scene())->name, "kn\uFFFDt");
+  EXPECT_EQ(read_scene("a/kn\u00F6t.toml", smallest_scene())->name, "kn\u00F6t");
+}
+
 TEST(ReadScene, what_a_scene_does_not_name_costs_nothing) {
   const Scene scene = read_text(smallest_scene()).value();
   EXPECT_EQ(scene.name, "knot");
