@@ -71,8 +71,17 @@ void Comparison::see_difference(const std::string& what) {
   if (deviations_.difference.empty()) deviations_.difference = what;
 }
 
-bool Comparison::is_written(int number, const Eigen::Matrix3Xf& recorded) {
-  return !model_.solid || pose_ribbon(model_, recorded, number).value_or(true);
+bool Comparison::expect_ribbon(int number, const Eigen::Matrix3Xf& recorded) {
+  if (model_.solid) {
+    const auto posed = pose_ribbon(model_, recorded, number);
+    if (!posed) see_difference(posed.error().sentence());
+    if (posed && !*posed) return false;
+  }
+  ribbon_ = {.number = number,
+             .positions =
+                 model_.solid ? model_.objects.front().positions.cast<double>() : placed(recorded),
+             .allowed_m = allowed_m(recorded)};
+  return true;
 }
 
 void Comparison::see_scene(const WrittenScene& scene, int frames, const std::string& place) {
@@ -100,24 +109,26 @@ void Comparison::compare_mesh(const WrittenMesh& mesh, const ModelObject& object
     see_difference(place + " has other faces in '" + object.name + "'");
   if (!same_uv(mesh.uv, object.uv))
     see_difference(place + " has other uv in '" + object.name + "'");
-  if (!object.moves) compare_positions(0, placed(obstacle_), mesh.positions, allowed_m(obstacle_));
+  if (!object.moves)
+    compare_positions(
+        {.number = 0, .positions = placed(obstacle_), .allowed_m = allowed_m(obstacle_)},
+        mesh.positions);
 }
 
-void Comparison::see_frame(int number, const Eigen::Matrix3Xf& recorded,
-                           const Eigen::Matrix3Xd& written) {
+void Comparison::see_ribbon(const Eigen::Matrix3Xd& written) {
   ++deviations_.frames;
-  compare_positions(number, expected_ribbon(number, recorded), written, allowed_m(recorded));
+  compare_positions(ribbon_, written);
 }
 
-void Comparison::compare_positions(int number, const Eigen::Matrix3Xd& expected,
-                                   const Eigen::Matrix3Xd& written, double allowed_m) {
+void Comparison::compare_positions(const Expected& expected, const Eigen::Matrix3Xd& written) {
+  const auto& [number, positions, allowed_m] = expected;
   const std::string what = number > 0 ? filled_in("frame {}", number) : "the obstacle";
-  if (written.cols() != expected.cols())
+  if (written.cols() != positions.cols())
     return see_difference(
-        filled_in("{} has {} vertices instead of {}", what, written.cols(), expected.cols()));
+        filled_in("{} has {} vertices instead of {}", what, written.cols(), positions.cols()));
   if (!written.allFinite()) return see_difference(what + " has a position that is not finite");
-  if (expected.cols() == 0) return;
-  const double largest = std::sqrt((written - expected).colwise().squaredNorm().maxCoeff());
+  if (positions.cols() == 0) return;
+  const double largest = std::sqrt((written - positions).colwise().squaredNorm().maxCoeff());
   const double largest_m = largest / model_.placement.factor();
   deviations_.add({.largest_m = largest_m,
                    .frame = number,
@@ -132,13 +143,6 @@ Eigen::Matrix3Xd Comparison::placed(const Eigen::Matrix3Xf& recorded) const {
   if (model_.placement.up == UpAxis::z) axes << 1, 0, 0, 0, 0, -1, 0, 1, 0;
   const double units = model_.placement.scale / model_.placement.metres_per_unit;
   return units * (axes * recorded.cast<double>());
-}
-
-Eigen::Matrix3Xd Comparison::expected_ribbon(int number, const Eigen::Matrix3Xf& recorded) {
-  if (!model_.solid) return placed(recorded);
-  if (const auto posed = pose_ribbon(model_, recorded, number); !posed)
-    see_difference(posed.error().sentence());
-  return model_.objects.front().positions.cast<double>();
 }
 
 double Comparison::allowed_m(const Eigen::Matrix3Xf& recorded) const {

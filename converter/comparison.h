@@ -40,28 +40,34 @@ class Comparison {
   // model: as it was written.
   Comparison(Model model, const RecordingHeader& header, ComparisonSettings settings);
 
-  // False where the ribbon of a frame cannot be made a solid, so that it was not written.
-  [[nodiscard]] bool is_written(int number, const Eigen::Matrix3Xf& recorded);
+  // Expects the ribbon of a frame, by its number from 1. False where it cannot be made a solid, so
+  // that it was not written; the one before it is then still expected.
+  [[nodiscard]] bool expect_ribbon(int number, const Eigen::Matrix3Xf& recorded);
   // What no frame changes, of `frames` frames; `place` is named where it differs.
   void see_scene(const WrittenScene& scene, int frames, const std::string& place);
-  // One frame, by its number from 1.
-  void see_frame(int number, const Eigen::Matrix3Xf& recorded, const Eigen::Matrix3Xd& written);
+  // One frame, where that ribbon should be.
+  void see_ribbon(const Eigen::Matrix3Xd& written);
   // Something else is wrong.
   void see_difference(const std::string& what);
 
   [[nodiscard]] const Deviations& deviations() const { return deviations_; }
 
  private:
+  struct Expected {
+    int number = 0;  // of the frame; 0: of the obstacle
+    Eigen::Matrix3Xd positions = Eigen::Matrix3Xd(3, 0);
+    double allowed_m = 0;
+  };
+
   [[nodiscard]] Eigen::Matrix3Xd placed(const Eigen::Matrix3Xf& recorded) const;
   [[nodiscard]] double allowed_m(const Eigen::Matrix3Xf& recorded) const;
-  [[nodiscard]] Eigen::Matrix3Xd expected_ribbon(int number, const Eigen::Matrix3Xf& recorded);
   void compare_mesh(const WrittenMesh& mesh, const ModelObject& object, const std::string& place);
-  void compare_positions(int number, const Eigen::Matrix3Xd& expected,
-                         const Eigen::Matrix3Xd& written, double allowed_m);
+  void compare_positions(const Expected& expected, const Eigen::Matrix3Xd& written);
 
   Model model_;
   Eigen::Matrix3Xf obstacle_;  // as recorded
   ComparisonSettings settings_;
+  Expected ribbon_;
   Deviations deviations_;
 };
 

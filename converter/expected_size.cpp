@@ -51,24 +51,35 @@ class TimeSpent {
   int frames_ = 0;
 };
 
-// The model in the pose of each that can be read.
+// The model in the pose of each sample. One that cannot be written holds the pose before it or, at
+// the start, after it, as a motion does; if need be, that of a frame which is no sample.
 Result<std::vector<Model>> posed_at(ConversionJob& job, const std::vector<int>& samples,
                                     TimeSpent& reading) {
+  std::vector<int> candidates = samples;
+  candidates.insert(candidates.end(), job.frames.begin(), job.frames.end());
   std::vector<Model> poses;
+  bool some_refused = false;
+  Model model = job.model;
   Eigen::Matrix3Xf positions;
-  for (const int index : samples) {
+  for (std::size_t i = 0; i < samples.size() || (i < candidates.size() && poses.empty()); ++i) {
+    const int index = candidates[i];
     // Only the frame before it makes a frame as quick to read as those in a row are.
     if (index > 0 && job.reader.readable(index - 1)) (void)job.reader.read(index - 1, positions);
-    if (!job.reader.readable(index)) continue;
-    poses.push_back(job.model);
-    auto posed = reading.on([&] {
-      return job.reader.read(index, positions).and_then([&] {
-        return pose_ribbon(poses.back(), positions, index + 1).map([](bool) {});
+    Result<bool> posed = false;
+    if (job.reader.readable(index)) {
+      posed = reading.on([&] {
+        return job.reader.read(index, positions).and_then([&] {
+          return pose_ribbon(model, positions, index + 1);
+        });
       });
-    });
-    if (!posed) return tl::unexpected(posed.error());
+      if (!posed) return tl::unexpected(posed.error());
+      some_refused |= !*posed;
+    }
+    if (*posed || !poses.empty()) poses.push_back(model);
   }
-  if (poses.empty()) return failure("", "none of the frames can be read", "record it again");
+  if (poses.empty()) return no_frames(some_refused);
+  const Model first = poses.front();
+  poses.insert(poses.begin(), samples.size() - poses.size(), first);
   return poses;
 }
 

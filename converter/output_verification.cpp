@@ -1,5 +1,6 @@
 #include "converter/output_verification.h"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <utility>
@@ -44,49 +45,41 @@ void with_file(const FileReader& reader, const std::filesystem::path& path, Comp
   if (!used) comparison.see_difference(used.error().sentence());
 }
 
+// Expects the ribbon of a frame. False where the recording has lost it or it cannot be made a
+// solid: it was not written, and a motion holds the one before it.
+bool expect_frame(RecordingReader& reader, int index, Comparison& comparison) {
+  Eigen::Matrix3Xf positions;
+  return reader.readable(index) && reader.read(index, positions) &&
+         comparison.expect_ribbon(index + 1, positions);
+}
+
+// A motion begins with the first frame that can be written.
+Result<void> expect_first_frame(ConversionJob& job, Comparison& comparison) {
+  if (std::ranges::any_of(job.frames,
+                          [&](int index) { return expect_frame(job.reader, index, comparison); }))
+    return {};
+  return no_frames(
+      std::ranges::any_of(job.frames, [&](int index) { return job.reader.readable(index); }));
+}
+
 // The base mesh that positions in a point cache are for.
-void verify_base(const ConversionRequest& request, const Eigen::Matrix3Xf& first, int number,
-                 Comparison& comparison) {
+void verify_base(const ConversionRequest& request, Comparison& comparison) {
   const auto base = std::filesystem::path(request.output).replace_extension(".obj");
   with_file(*file_reader(".obj"), base, comparison, [&](WrittenMotion& file) {
     comparison.see_scene(file.scene(), 1, base.string());
-    comparison.see_frame(number, first, file.ribbon(0));
+    comparison.see_ribbon(file.ribbon(0));
   });
 }
 
-// Positions of frame after frame; where the recording has lost one, those of the frame before it
-// or, at the start, after it.
-class HeldFrames {
- public:
-  HeldFrames(RecordingReader& reader, const std::vector<int>& frames) : reader_(reader) {
-    for (std::size_t i = 0; i < frames.size() && number_ == 0; ++i) go_to(frames[i]);
-  }
-
-  void go_to(int index) {
-    Eigen::Matrix3Xf positions;
-    if (!reader_.readable(index) || !reader_.read(index, positions)) return;
-    positions_ = std::move(positions);
-    number_ = index + 1;
-  }
-
-  [[nodiscard]] const Eigen::Matrix3Xf& positions() const { return positions_; }
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  RecordingReader& reader_;
-  Eigen::Matrix3Xf positions_;
-  int number_ = 0;
-};
-
-Result<void> verify_frames(const ConversionRequest& request, const ConversionJob& job,
-                           HeldFrames& held, WrittenMotion& file, Comparison& comparison) {
+Result<void> verify_frames(const ConversionRequest& request, ConversionJob& job,
+                           WrittenMotion& file, Comparison& comparison) {
   const int frames = static_cast<int>(job.frames.size());
   comparison.see_scene(file.scene(), frames, request.output);
   ProgressLine progress("frame", frames, request.progress);
   for (int i = 0; i < std::min(frames, file.scene().frames); ++i) {
     if (request.interrupted()) return interrupted();
-    held.go_to(job.frames[static_cast<std::size_t>(i)]);
-    comparison.see_frame(held.number(), held.positions(), file.ribbon(i));
+    (void)expect_frame(job.reader, job.frames[static_cast<std::size_t>(i)], comparison);
+    comparison.see_ribbon(file.ribbon(i));
     progress.update(i + 1);
   }
   return {};
@@ -95,16 +88,16 @@ Result<void> verify_frames(const ConversionRequest& request, const ConversionJob
 Result<Deviations> verify_motion(const ConversionRequest& request, ConversionJob& job,
                                  const FileReader& reader, const ComparisonSettings& settings) {
   Comparison comparison(job.model, job.reader.header(), settings);
-  HeldFrames held(job.reader, job.frames);
+  if (auto expected = expect_first_frame(job, comparison); !expected)
+    return tl::unexpected(expected.error());
   if (motion_format(request.output)->deforms_base) {
-    Comparison base(job.model, job.reader.header(), settings);
-    verify_base(request, held.positions(), held.number(), base);
+    Comparison base = comparison;
+    verify_base(request, base);
     if (!base.deviations().good()) return base.deviations();
   }
   Result<void> verified;
-  with_file(reader, request.output, comparison, [&](WrittenMotion& file) {
-    verified = verify_frames(request, job, held, file, comparison);
-  });
+  with_file(reader, request.output, comparison,
+            [&](WrittenMotion& file) { verified = verify_frames(request, job, file, comparison); });
   return verified.map([&] { return comparison.deviations(); });
 }
 
@@ -150,17 +143,13 @@ class SequenceVerification {
     deviations_.add(comparison.deviations());
   }
 
-  // One that the recording has lost was not written, nor one that cannot be made a solid.
   void verify_frame(RecordingReader& recording, std::size_t slot, Comparison& comparison) {
     if (request_.interrupted()) return stop(interrupted().value());
-    const int index = frames_[slot];
     const std::filesystem::path path = names_.frame(slot);
-    Eigen::Matrix3Xf positions;
-    if (recording.readable(index) && recording.read(index, positions) &&
-        comparison.is_written(index + 1, positions))
+    if (expect_frame(recording, frames_[slot], comparison))
       with_file(reader_, path, comparison, [&](WrittenMotion& file) {
         comparison.see_scene(file.scene(), 1, path.string());
-        comparison.see_frame(index + 1, positions, file.ribbon(0));
+        comparison.see_ribbon(file.ribbon(0));
       });
     const std::lock_guard lock(mutex_);
     progress_.update(++done_);

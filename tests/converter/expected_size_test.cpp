@@ -24,11 +24,12 @@ class ExpectedSizeTest : public TestInFolder {
   }
 
   // What a dry run and then a conversion say.
-  void expect_that_size(const std::string& output, const std::string& frames = "") const {
+  void expect_that_size(const std::string& output, const std::string& frames = "",
+                        const ModelSettings& model = {}) const {
     const ConversionRequest request{.recording = folder_ / "knot.rbn",
                                     .output = folder_ / output,
                                     .frames = frames,
-                                    .model = {},
+                                    .model = model,
                                     .start_frame = std::nullopt,
                                     .force = true,
                                     .progress = ProgressStyle::none};
@@ -54,6 +55,21 @@ TEST_F(ExpectedSizeTest, of_few_frames_is_exact) {
   for (const char* frames : {"1", "1:2", "1:3"})
     for (const char* output : {"a.abc", "a.fbx", "a.glb", "a.mdd", "a.usda"})
       expect_that_size(output, frames);
+}
+
+// Vertices coincide in the third frame.
+TEST_F(ExpectedSizeTest, does_not_try_a_frame_that_cannot_be_made_a_solid) {
+  SampleKnot knot = sample_knot();
+  knot.header.obstacle.reset();
+  write_recording(folder_ / "knot.rbn", knot.header, knot.frames);
+  for (const char* output : {"a.abc", "a.glb", "a.mdd", "a.usda"})
+    expect_that_size(output, "3:5", {.thickness_m = 0.001});
+  const ConversionRequest none{.recording = folder_ / "knot.rbn",
+                               .output = folder_ / "a.usda",
+                               .frames = "3",
+                               .model = {.thickness_m = 0.001},
+                               .start_frame = std::nullopt};
+  EXPECT_THAT(refusal_of(plan_conversion(none)), HasSubstr("of no frame can be made a solid"));
 }
 
 }  // namespace ribbon::expected_size_test

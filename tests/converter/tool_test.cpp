@@ -516,6 +516,18 @@ TEST_F(Tool, verification_does_not_miss_a_frame_that_cannot_be_made_a_solid) {
   }
 }
 
+TEST_F(Tool, verification_knows_that_a_motion_begins_with_the_first_frame_that_is_a_solid) {
+  record(without_obstacle());
+  for (const std::string output : {"a.abc", "a.fbx", "a.glb", "a.mdd", "a.pc2", "a.usda"}) {
+    const ToolRun conversion =
+        run("knot.rbn --frames 3: --thickness 0.001 --force --verify --quiet -o " + output);
+    EXPECT_EQ(conversion.errors, "ribbon-convert: 1 of the frames cannot be made a solid: 3\n")
+        << output;
+    EXPECT_EQ(run("knot.rbn --frames 3: --thickness 0.001 --verify-only -o " + output).exit_code, 0)
+        << output;
+  }
+}
+
 TEST_F(Tool, a_motion_holds_the_frame_before_one_that_cannot_be_made_a_solid) {
   record(without_obstacle());
   const auto motion = run("knot.rbn -o knot.mdd --thickness 0.001");
