@@ -60,11 +60,18 @@ function opened_arrays(frames) {
   };
 }
 
+// Memory of C++; throws a number where there is none, as C++ does.
+function allocated(length) {
+  const address = library._malloc(length);
+  if (address === 0) throw address;
+  return address;
+}
+
 // Calls a C function with strings that live as long as the call.
 function call_with_texts(called, ...texts) {
   const addresses = texts.map(text => {
     const length = 4 * text.length + 1;
-    const address = library._malloc(length);
+    const address = allocated(length);
     library.stringToUTF8(text, address, length);
     return address;
   });

@@ -33,7 +33,7 @@ function write_scene(scene, svg) {
 }
 
 function with_array(array, heap, call) {
-  const address = library._malloc(array.byteLength);
+  const address = allocated(array.byteLength);
   library[heap].set(array, address / 4);
   const answer = call(address);
   library._free(address);
