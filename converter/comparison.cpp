@@ -50,13 +50,20 @@ bool same_times(const std::vector<double>& times_s, double frames_per_second) {
   return true;
 }
 
+bool is_worse(const Deviations& one, const Deviations& other) {
+  if (one.within != other.within) return other.within;
+  const double excess_m = one.largest_m - one.allowed_m;
+  return one.within ? one.largest_m > other.largest_m
+                    : excess_m > other.largest_m - other.allowed_m;
+}
+
 }  // namespace
 
 void Deviations::add(const Deviations& other) {
   frames += other.frames;
-  within = within && other.within;
   if (difference.empty()) difference = other.difference;
-  if (other.largest_m < largest_m || (other.largest_m == largest_m && frame > 0)) return;
+  if (is_worse(*this, other) || (frame > 0 && !is_worse(other, *this))) return;
+  within = other.within;
   largest_m = other.largest_m;
   frame = other.frame;
   allowed_m = other.allowed_m;
@@ -130,10 +137,10 @@ void Comparison::compare_positions(const Expected& expected, const Eigen::Matrix
   if (positions.cols() == 0) return;
   const double largest = std::sqrt((written - positions).colwise().squaredNorm().maxCoeff());
   const double largest_m = largest / model_.placement.factor();
-  deviations_.add({.largest_m = largest_m,
+  deviations_.add({.within = largest_m <= allowed_m,
+                   .largest_m = largest_m,
                    .frame = number,
                    .allowed_m = allowed_m,
-                   .within = largest_m <= allowed_m,
                    .difference = ""});
 }
 

@@ -21,11 +21,11 @@ struct ComparisonSettings {
 
 // The outcome so far. Deviations are distances in recorded metres.
 struct Deviations {
-  int frames = 0;  // that were compared
-  double largest_m = 0;
+  int frames = 0;          // that were compared
+  bool within = true;      // all that was allowed
+  double largest_m = 0;    // or, where not all is within, that which exceeds most what is allowed
   int frame = 0;           // where that is, from 1; 0: nowhere, or in the obstacle
   double allowed_m = 0;    // there
-  bool within = true;      // all that was allowed
   std::string difference;  // the first one of another kind, in words; empty: none
 
   [[nodiscard]] bool good() const { return within && difference.empty(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <utility>
 
@@ -128,7 +129,9 @@ class SequenceVerification {
     parallel_ranges(frames_.size(), frames_at_a_time,
                     [this](std::size_t begin, std::size_t end) { verify_range(begin, end); });
     if (failure_) return tl::unexpected(*failure_);
-    return deviations_;
+    Deviations all;
+    for (const auto& [begin, found] : found_) all.add(found);
+    return all;
   }
 
  private:
@@ -140,7 +143,7 @@ class SequenceVerification {
       verify_frame(*recording, slot, comparison);
     recordings_.give_back(std::move(*recording));
     const std::lock_guard lock(mutex_);
-    deviations_.add(comparison.deviations());
+    found_[begin] = comparison.deviations();
   }
 
   void verify_frame(RecordingReader& recording, std::size_t slot, Comparison& comparison) {
@@ -171,7 +174,7 @@ class SequenceVerification {
   std::mutex mutex_;  // guards what follows
   ProgressLine progress_;
   int done_ = 0;
-  Deviations deviations_;
+  std::map<std::size_t, Deviations> found_;  // of each range, in the order of frames
   std::optional<Error> failure_;
   std::atomic<bool> stopped_ = false;
 };
@@ -221,8 +224,9 @@ std::string verification_text(const VerificationReport& report) {
                                      found.frames, found.frames == 1 ? "frame" : "frames");
   if (found.largest_m == 0) return head + "exactly as recorded";
   const std::string place = found.frame > 0 ? filled_in("frame {}", found.frame) : "the obstacle";
-  return head + "at most " + metres(found.largest_m) + " from the recording, in " + place + "; " +
-         (found.within ? "up to " : "only ") + metres(found.allowed_m) + " is allowed";
+  return head + (found.within ? "at most " : "") + metres(found.largest_m) +
+         " from the recording, in " + place + "; " + (found.within ? "up to " : "only ") +
+         metres(found.allowed_m) + " is allowed";
 }
 
 }  // namespace ribbon
