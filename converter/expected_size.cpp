@@ -4,6 +4,7 @@
 #include <ctime>
 #include <filesystem>
 #include <numeric>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -92,10 +93,19 @@ ExpectedSize size_of(double frames, const std::vector<double>& found) {
   return {.bytes = frames * mean, .margin_bytes = frames * (*most - *least) / 2};
 }
 
+// In the temporary folder; goes again.
+Result<PartFile> trial_file() {
+  std::error_code code;
+  const auto folder = std::filesystem::temp_directory_path(code);
+  if (code)
+    return failure("the temporary folder", "cannot be used (" + code.message() + ")",
+                   "name another one in the environment variable TMPDIR");
+  return PartFile::create(folder / "ribbon-convert-dry-run");
+}
+
 Result<double> motion_bytes(const MotionFormat& format, const std::vector<Model>& poses,
                             TimeSpent& writing) {
-  const auto part =
-      PartFile::create(std::filesystem::temp_directory_path() / "ribbon-convert-dry-run");
+  const auto part = trial_file();
   if (!part) return tl::unexpected(part.error());
   const auto writer =
       format.new_writer(part->path(), poses.front(), static_cast<int>(poses.size()));
@@ -162,8 +172,7 @@ Result<double> excerpt_bytes(ConversionRequest request, const std::vector<int>& 
   auto job = open_job(request);
   if (!job) return tl::unexpected(job.error());
   job->frames = frames;
-  const auto part =
-      PartFile::create(std::filesystem::temp_directory_path() / "ribbon-convert-dry-run");
+  const auto part = trial_file();
   if (!part) return tl::unexpected(part.error());
   request.output = part->path();
   request.progress = ProgressStyle::none;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -10,10 +11,13 @@
 
 namespace ribbon {
 
-// No memory and no thread are the world's doing, all else is a bug of ours.
+// No memory, no thread and what happens to files are the world's doing, all else is a bug of ours.
 inline Error error_of(const std::exception& exception) {
   if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr)
     return {"", "not enough memory", "close other programs or ask for less at once"};
+  if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&exception))
+    return {of_file->path1().string(), "cannot be used (" + of_file->code().message() + ")",
+            "check that it is there, and its permissions"};
   const auto* of_system = dynamic_cast<const std::system_error*>(&exception);
   const bool lacks_thread =
       (of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again) ||

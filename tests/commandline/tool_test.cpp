@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -49,6 +50,16 @@ TEST(RunTool, an_error_that_may_pass_asks_for_another_try) {
       []() -> Result<ExitCode> { return passing_failure("", "interrupted", "start again"); });
   EXPECT_EQ(code, 3);
   EXPECT_EQ(standard_error, "ribbon-test: interrupted; start again\n");
+}
+
+TEST(RunTool, what_happens_to_a_file_is_no_bug) {
+  const auto [code, standard_error] = outcome([]() -> Result<ExitCode> {
+    return std::filesystem::file_size("/gone") > 0 ? ExitCode::done : ExitCode::answer_is_no;
+  });
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(standard_error,
+            "ribbon-test: /gone: cannot be used (No such file or directory); check that it is "
+            "there, and its permissions\n");
 }
 
 // What is said on a closed stream would go into the file that is opened next.

@@ -487,6 +487,13 @@ TEST_F(Tool, a_disk_that_fills_up_leaves_no_half_file) {
   }
 }
 
+TEST_F(Tool, a_dry_run_without_a_temporary_folder_says_so) {
+  for (const std::string output : {"a.pc2", "a.rbn"})
+    expect_refusal(run("knot.rbn --dry-run -o " + output, "TMPDIR=/gone"),
+                   "the temporary folder: cannot be used (No such file or directory); name another "
+                   "one in the environment variable TMPDIR\n");
+}
+
 // The part of an excerpt, in which frames would be safe, goes.
 TEST_F(Tool, a_recording_that_cannot_be_written_whole_is_not_called_safe) {
   record(longer_knot(60));
