@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "converter/read_back/fbx_records.h"
+#include "converter/read_back/number_columns.h"
+#include "converter/read_back/written_motion.h"
 
 namespace ribbon {
 
@@ -15,19 +17,13 @@ constexpr double centimetres_per_metre = 100;
 
 using Numbers = std::vector<double>;
 
-Eigen::MatrixXd columns(const Numbers& numbers, Eigen::Index rows) {
-  const auto count = static_cast<Eigen::Index>(numbers.size());
-  demand(count % rows == 0, "half a value");
-  return Eigen::Map<const Eigen::MatrixXd>(numbers.data(), rows, count / rows);
-}
-
 // A face's last corner is told by its complement.
 Eigen::MatrixXi faces_of(const Numbers& corners) {
   const auto is_last = [](double corner) { return corner < 0; };
   const auto first_end = std::find_if(corners.begin(), corners.end(), is_last);
   if (first_end == corners.end()) return {};
   const Eigen::Index corners_of_a_face = first_end - corners.begin() + 1;
-  Eigen::MatrixXi faces = columns(corners, corners_of_a_face).cast<int>();
+  Eigen::MatrixXi faces = whole_columns(corners, corners_of_a_face);
   auto last = faces.row(corners_of_a_face - 1);
   demand((last.array() < 0).all(), "faces with different numbers of corners");
   last = -1 - last.array();
@@ -42,7 +38,7 @@ WrittenMesh mesh_of(const ReadFbxRecord& geometry) {
   const ReadFbxRecord& layer = geometry["LayerElementUV"];
   if (layer.name.empty()) return mesh;
   const Numbers& corners = layer["UVIndex"].array();
-  demand(columns(corners, 1).cast<int>().reshaped() == mesh.faces.reshaped(),
+  demand(whole_columns(corners, 1).reshaped() == mesh.faces.reshaped(),
          "a corner with the uv of another vertex");
   mesh.uv = columns(layer["UV"].array(), 2);
   return mesh;

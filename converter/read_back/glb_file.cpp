@@ -172,10 +172,10 @@ class GlbFile : public WrittenMotion {
                  primitive.value("targets", Json()) == primitives.at(0).value("targets", Json()),
              "primitives with vertices of their own");
       const GlbNumbers corners = chunks.numbers(primitive.at("indices"), "SCALAR", u32_numbers);
-      const Eigen::Index before = faces.cols();
-      faces.conservativeResize(3, before + static_cast<Eigen::Index>(corners.count / 3));
-      faces.rightCols(faces.cols() - before) =
+      const Eigen::MatrixXi part =
           bytes_.numbers<std::int32_t>(corners.begin, 3, corners.count / 3);
+      faces.conservativeResize(3, faces.cols() + part.cols());
+      faces.rightCols(part.cols()) = part;
     }
     return faces;
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "converter/read_back/number_columns.h"
 #include "converter/read_back/usd_tokens.h"
 
 namespace ribbon {
@@ -144,12 +145,6 @@ class UsdFile : public WrittenMotion {
                        [&](char mark) { return tokens_.take_if(mark); });
   }
 
-  static Eigen::MatrixXd columns(const std::vector<double>& numbers, Eigen::Index rows) {
-    const auto count = static_cast<Eigen::Index>(numbers.size());
-    demand(count % rows == 0, "half a tuple");
-    return Eigen::Map<const Eigen::MatrixXd>(numbers.data(), rows, count / rows);
-  }
-
   // What the text of a float means.
   static Eigen::MatrixXd single(const Eigen::MatrixXd& numbers) {
     return numbers.cast<float>().cast<double>();
@@ -159,12 +154,13 @@ class UsdFile : public WrittenMotion {
     WrittenMesh written{.positions = single(columns(mesh.points, 3)),
                         .uv = single(columns(mesh.uv, 2))};
     if (mesh.counts.empty()) return written;
-    for (const double count : mesh.counts)
-      demand(count >= 3 && count == mesh.counts.front(), "faces with different numbers of corners");
-    const auto corners = static_cast<Eigen::Index>(mesh.counts.front());
+    const Eigen::MatrixXi counts = whole_columns(mesh.counts, 1);
+    const int corners = counts(0);
+    demand(corners >= 3 && (counts.array() == corners).all(),
+           "faces with different numbers of corners");
     demand(static_cast<std::size_t>(corners) * mesh.counts.size() == mesh.corners.size(),
            "a wrong number of corners");
-    written.faces = columns(mesh.corners, corners).cast<int>();
+    written.faces = whole_columns(mesh.corners, corners);
     return written;
   }
 

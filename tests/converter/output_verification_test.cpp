@@ -251,6 +251,17 @@ TEST_F(OutputVerification, changed_bytes_are_differences_or_mean_nothing) {
   }
 }
 
+TEST_F(OutputVerification, a_number_beyond_all_bounds_is_a_difference) {
+  write_all();
+  std::string usd = read_file(folder_ / "a.usda").value();
+  for (const std::string list : {"int[] faceVertexIndices = [", "int[] faceVertexCounts = ["}) {
+    const std::size_t at = usd.find(list);
+    ASSERT_NE(at, std::string::npos);
+    spoil(folder_ / "a.usda", usd.insert(at + list.size(), "1e300, "));
+    EXPECT_THAT(verification_text(report("a.usda")), HasSubstr("cannot be read back")) << list;
+  }
+}
+
 TEST_F(OutputVerification, the_obstacle_alone_is_compared) {
   model_.with_ribbon = false;
   for (const std::string output : {"rock.obj", "rock.fbx"}) {
