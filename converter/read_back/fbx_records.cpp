@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 
 #include "converter/read_back/written_motion.h"
 #include "recording/coding/bytes.h"
@@ -122,6 +123,7 @@ class Reader {
   [[nodiscard]] std::string inflated(std::string_view stored, std::size_t bytes) const {
     const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> inflater(
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+    if (!inflater) throw std::bad_alloc();
     std::string plain(bytes, '\0');
     demand(libdeflate_zlib_decompress(inflater.get(), stored.data(), stored.size(), plain.data(),
                                       bytes, nullptr) == LIBDEFLATE_SUCCESS,
