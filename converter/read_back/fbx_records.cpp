@@ -21,21 +21,8 @@ constexpr int deepest_record = 16;        // records in records
 // Of a file from some place on.
 class Reader {
  public:
-  explicit Reader(std::string_view bytes, std::uint64_t begin = 0)
+  Reader(std::string_view bytes, std::uint64_t begin)
       : begin_(begin), size_(bytes.size()), taker_(bytes) {}
-
-  ReadFbxRecord file() {
-    demand(taker_.take_bytes(file_magic.size()) == file_magic, "magic");
-    demand(taker_.take<std::uint32_t>() == version_read, "version");
-    ReadFbxRecord root{.name = "", .properties = {}, .nested = list(0)};
-    taker_.take_bytes(16);  // an identifier
-    const std::size_t padding = 16 - position() % 16;
-    demand(taker_.take_bytes(padding + 4) == std::string(padding + 4, '\0'), "padding");
-    demand(taker_.take<std::uint32_t>() == version_read, "version at the end");
-    demand(taker_.take_bytes(120) == std::string(120, '\0'), "zeros at the end");
-    demand(taker_.rest().size() == 16, "length");
-    return root;
-  }
 
   ReadFbxRecord record(int depth = 0) {
     demand(depth < deepest_record, "records nested too deeply");
@@ -146,15 +133,6 @@ const ReadFbxRecord& ReadFbxRecord::operator[](std::string_view nested_name) con
   return found == nested.end() ? none : *found;
 }
 
-std::vector<const ReadFbxRecord*> ReadFbxRecord::all(std::string_view nested_name,
-                                                     std::string_view kind) const {
-  std::vector<const ReadFbxRecord*> records;
-  for (const ReadFbxRecord& record : nested)
-    if (record.name == nested_name && record.text(record.properties.size() - 1) == kind)
-      records.push_back(&record);
-  return records;
-}
-
 const std::vector<double>& ReadFbxRecord::array() const {
   return std::get<std::vector<double>>(properties.at(0));
 }
@@ -171,10 +149,6 @@ double ReadFbxRecord::setting(std::string_view setting_name) const {
   for (const ReadFbxRecord& record : (*this)["Properties70"].nested)
     if (record.text(0) == setting_name) return std::get<double>(record.properties.back());
   throw Spoiled("no setting " + std::string(setting_name));
-}
-
-ReadFbxRecord read_fbx(std::string_view bytes) {
-  return Reader(bytes).file();
 }
 
 FbxFileRecords::FbxFileRecords(const std::filesystem::path& path) : bytes_(path) {

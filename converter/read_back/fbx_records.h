@@ -23,20 +23,12 @@ struct ReadFbxRecord {
 
   // The first nested record with a name; an empty one where there is none.
   [[nodiscard]] const ReadFbxRecord& operator[](std::string_view nested_name) const;
-  // All of them with a name whose last property is `kind`.
-  [[nodiscard]] std::vector<const ReadFbxRecord*> all(std::string_view nested_name,
-                                                      std::string_view kind) const;
   [[nodiscard]] const std::vector<double>& array() const;
   [[nodiscard]] double number() const;
   [[nodiscard]] std::string text(std::size_t property) const;
   // The last value of the property `P` with a name among Properties70.
   [[nodiscard]] double setting(std::string_view setting_name) const;
 };
-
-// The file's records, nested in one without a name. Throws Spoiled with the place where a record
-// does not end where it says, a list has no null record, an array cannot be inflated to the length
-// it states, or the end of the file is not as it should be.
-ReadFbxRecord read_fbx(std::string_view bytes);
 
 // Where a record begins, where what is nested in it begins, and where it ends, in the file.
 struct FbxSpan {
@@ -46,7 +38,9 @@ struct FbxSpan {
   std::uint64_t end = 0;
 };
 
-// The same record by record, for files that are too long to be held in memory. Throws Spoiled.
+// The file's records one by one: files may be too long to be held in memory. Throws Spoiled with
+// the place where a record does not end where it says, a list has no null record, or an array
+// cannot be inflated to the length it states.
 class FbxFileRecords {
  public:
   explicit FbxFileRecords(const std::filesystem::path& path);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "converter/export/fbx_arrays.h"
-#include "converter/read_back/fbx_records.h"
+#include "converter/export/read_fbx.h"
 #include "files/flipped.h"
 
 namespace ribbon::fbx_record_test {

@@ -9,7 +9,7 @@
 #include <assimp/Importer.hpp>
 #include <set>
 
-#include "converter/read_back/fbx_records.h"
+#include "converter/export/read_fbx.h"
 #include "model/written_motion.h"
 #include "result/refusal.h"
 
@@ -48,14 +48,14 @@ TEST(FbxFrame, the_file_says_other_axes_and_units) {
 TEST(FbxFrame, meshes_are_as_in_the_model_and_nothing_moves) {
   const Model model = posed_model(sample_knot(), 2);
   const ReadFbxRecord file = read_fbx(fbx_bytes(model).value());
-  const auto meshes = file["Objects"].all("Geometry", "Mesh");
+  const auto meshes = all_in(file["Objects"], "Geometry", "Mesh");
   ASSERT_EQ(meshes.size(), 2U);
   for (std::size_t object = 0; object < 2; ++object) {
     EXPECT_EQ((*meshes[object])["Vertices"].array(), numbers(model.objects[object].positions));
     EXPECT_EQ((*meshes[object])["PolygonVertexIndex"].array().size(),
               static_cast<std::size_t>(model.objects[object].faces.size()));
   }
-  EXPECT_TRUE(file["Objects"].all("Geometry", "Shape").empty());
+  EXPECT_TRUE(all_in(file["Objects"], "Geometry", "Shape").empty());
   EXPECT_EQ(file["Objects"]["AnimationStack"].name, "");
 }
 
@@ -71,7 +71,7 @@ class FbxMotion : public testing::Test {
 };
 
 TEST_F(FbxMotion, each_further_frame_is_a_shape_of_exact_displacements) {
-  const auto shapes = file_["Objects"].all("Geometry", "Shape");
+  const auto shapes = all_in(file_["Objects"], "Geometry", "Shape");
   ASSERT_EQ(shapes.size(), 4U);
   for (std::size_t frame = 1; frame < 5; ++frame) {
     const ReadFbxRecord& shape = *shapes[frame - 1];
@@ -87,7 +87,7 @@ TEST_F(FbxMotion, each_further_frame_is_a_shape_of_exact_displacements) {
 
 TEST_F(FbxMotion, each_channel_is_full_in_its_frame_alone) {
   constexpr double ticks = 46186158000.0 / 50;
-  const auto curves = file_["Objects"].all("AnimationCurve", "");
+  const auto curves = all_in(file_["Objects"], "AnimationCurve", "");
   ASSERT_EQ(curves.size(), 4U);
   for (std::size_t frame = 1; frame < 5; ++frame) {
     const ReadFbxRecord& curve = *curves[frame - 1];
@@ -99,7 +99,7 @@ TEST_F(FbxMotion, each_channel_is_full_in_its_frame_alone) {
     EXPECT_EQ(curve["KeyTime"].array(), times);
     EXPECT_EQ(curve["KeyValueFloat"].array(), weights);
   }
-  for (const ReadFbxRecord* channel : file_["Objects"].all("Deformer", "BlendShapeChannel"))
+  for (const ReadFbxRecord* channel : all_in(file_["Objects"], "Deformer", "BlendShapeChannel"))
     EXPECT_EQ((*channel)["FullWeights"].array(), std::vector<double>{100});
 }
 
@@ -144,10 +144,10 @@ TEST(FbxWriter, each_side_of_a_solid_has_a_material_and_a_picture) {
       read_fbx(written_motion(new_fbx_writer, knot_with_room(), textured_on_both_sides()));
   expect_all_connected(file);
   expect_all_counted(file);
-  EXPECT_EQ(file["Objects"].all("Material", "").size(), 2U);
-  EXPECT_EQ(file["Objects"].all("Video", "Clip").size(), 2U);
+  EXPECT_EQ(all_in(file["Objects"], "Material", "").size(), 2U);
+  EXPECT_EQ(all_in(file["Objects"], "Video", "Clip").size(), 2U);
   const ReadFbxRecord& layer =
-      (*file["Objects"].all("Geometry", "Mesh")[0])["LayerElementMaterial"];
+      (*all_in(file["Objects"], "Geometry", "Mesh")[0])["LayerElementMaterial"];
   const std::vector<double> shown = layer["Materials"].array();
   ASSERT_EQ(shown.size(), 2 * 66U + 2 * 28U);
   for (std::size_t face = 0; face < shown.size(); ++face)
