@@ -33,6 +33,13 @@ tl::unexpected<Error> cannot_be_written(const std::filesystem::path& path) {
             no_room ? "free some space or choose another place" : "choose another place", no_room});
 }
 
+std::filesystem::path linked_file(const std::filesystem::path& path) {
+  std::error_code code;
+  if (!std::filesystem::is_symlink(path, code)) return path;
+  auto file = std::filesystem::canonical(path, code);
+  return code ? path : file;
+}
+
 Result<void> create_folder_of(const std::filesystem::path& path) {
   std::error_code code;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
@@ -42,7 +49,8 @@ Result<void> create_folder_of(const std::filesystem::path& path) {
 }
 
 void sync_folder_of(const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const std::filesystem::path file = linked_file(path);
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const FileDescriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.is_open()) ::fsync(opened.number());
 }

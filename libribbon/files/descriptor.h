@@ -46,11 +46,14 @@ std::string last_error_text();
 // there is no room.
 tl::unexpected<Error> cannot_be_written(const std::filesystem::path& path);
 
+// What a link leads to; `path` itself where that is none, or leads nowhere.
+std::filesystem::path linked_file(const std::filesystem::path& path);
+
 // Creates the folder that `path` lies in, and those that this one lies in.
 Result<void> create_folder_of(const std::filesystem::path& path);
 
-// Waits until the names of files in the folder of `path` are on the disk, where the file system
-// lets us.
+// Waits until the names of files in the folder of linked_file(path) are on the disk, where the file
+// system lets us.
 void sync_folder_of(const std::filesystem::path& path);
 
 }  // namespace ribbon

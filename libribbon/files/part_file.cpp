@@ -5,13 +5,15 @@
 
 #include <cerrno>
 #include <string>
+#include <system_error>
+
 namespace ribbon {
 
 Result<PartFile> PartFile::create(const std::filesystem::path& whole) {
   if (auto created = create_folder_of(whole); !created) return tl::unexpected(created.error());
   for (long number = ::getpid();; ++number) {
     std::filesystem::path path =
-        whole.string() + std::string(temporary_mark) + std::to_string(number);
+        linked_file(whole).string() + std::string(temporary_mark) + std::to_string(number);
     FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.is_open()) return PartFile(std::move(path), std::move(file));
     if (errno != EEXIST) return cannot_be_written(whole);
@@ -23,7 +25,11 @@ PartFile::~PartFile() {
 }
 
 Result<void> PartFile::take_place_of(const std::filesystem::path& whole) {
-  if (::rename(path_.c_str(), whole.c_str()) != 0)
+  const std::filesystem::path replaced = linked_file(whole);
+  std::error_code code;
+  if (const auto older = std::filesystem::status(replaced, code); is_regular_file(older))
+    std::filesystem::permissions(path_, older.permissions(), code);
+  if (::rename(path_.c_str(), replaced.c_str()) != 0)
     return failure(whole.string(), "cannot be replaced (" + last_error_text() + ")",
                    "check the permissions of its folder");
   path_.clear();

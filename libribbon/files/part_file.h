@@ -17,7 +17,8 @@ constexpr std::string_view temporary_mark = ".part";
 class PartFile {
  public:
   // Creates a file that nobody else has, not even a process of the same number on another machine
-  // or in another container. Creates missing parent folders. Errors name `whole`.
+  // or in another container; beside the file itself where `whole` is a link to one. Creates missing
+  // parent folders. Errors name `whole`.
   static Result<PartFile> create(const std::filesystem::path& whole);
 
   PartFile(PartFile&& other) noexcept
@@ -35,7 +36,8 @@ class PartFile {
   [[nodiscard]] FileDescriptor& file() { return file_; }
 
   // Renames it to `whole`, which may exist, in one step: that name has the older file or this one
-  // at any moment. sync_folder_of() brings the name to the disk. On failure both are as they were.
+  // at any moment. Links go on to lead there, and the permissions stay what they were.
+  // sync_folder_of() brings the name to the disk. On failure both are as they were.
   Result<void> take_place_of(const std::filesystem::path& whole);
 
  private:

@@ -29,4 +29,30 @@ TEST(PartFile, is_gone_unless_it_has_taken_the_place) {
   EXPECT_TRUE(std::filesystem::is_empty(whole.parent_path()));
 }
 
+TEST(PartFile, permissions_and_links_outlive_the_older_file) {
+  namespace fs = std::filesystem;
+  const auto whole = temporary_file("kept") / "whole.bin";
+  ASSERT_TRUE(write_file(whole, "older"));
+  const auto link = temporary_file("links") / "link.bin";
+  fs::create_directories(link.parent_path());
+  fs::create_symlink("../kept/whole.bin", link);
+  for (const auto only : {fs::perms::owner_read, fs::perms::owner_all | fs::perms::others_read}) {
+    fs::permissions(whole, only);
+    auto part = PartFile::create(link).value();
+    ASSERT_TRUE(write_all(part.file(), "newer"));
+    EXPECT_EQ(part.path().parent_path(), fs::canonical(whole.parent_path()));
+    ASSERT_TRUE(part.take_place_of(link).has_value());
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(read_file(whole).value(), "newer");
+    EXPECT_EQ(fs::status(whole).permissions(), only);
+  }
+}
+
+TEST(PartFile, a_link_that_leads_nowhere_makes_way) {
+  const auto link = temporary_file("nowhere.bin");
+  std::filesystem::create_symlink("gone/whole.bin", link);
+  ASSERT_TRUE(PartFile::create(link).value().take_place_of(link).has_value());
+  EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(link)));
+}
+
 }  // namespace ribbon::part_file_test

@@ -58,6 +58,18 @@ TEST(PendingFile, an_older_file_stays_until_the_new_one_is_complete) {
   EXPECT_EQ(read_file(path).value(), "older");
 }
 
+TEST(PendingFile, a_link_goes_on_to_lead_to_the_file) {
+  const auto path = temporary_file("behind a link") / "file.bin";
+  ASSERT_TRUE(write_file(path, "older"));
+  std::filesystem::permissions(path, std::filesystem::perms::owner_read);
+  const auto link = temporary_file("link.bin");
+  std::filesystem::create_symlink(path, link);
+  ASSERT_TRUE(write_file(link, "newer"));
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(read_file(path).value(), "newer");
+  EXPECT_EQ(std::filesystem::status(path).permissions(), std::filesystem::perms::owner_read);
+}
+
 // A rename would put a file in their place, and nobody could write to them any more.
 TEST(PendingFile, what_is_no_file_is_not_replaced) {
   const auto folder = temporary_file("not a file") / "folder";

@@ -58,18 +58,11 @@ Result<RecordFile> RecordFile::create(const std::filesystem::path& path, Overwri
 }
 
 Result<void> RecordFile::stand_beside() {
-  std::error_code code;
-  if (std::filesystem::is_symlink(path_, code))  // goes on to lead to it
-    path_ = std::filesystem::canonical(path_, code);
-  if (code) return cannot_be_written(path_);
   auto part = PartFile::create(path_);
   if (!part) return tl::unexpected(part.error());
   part_.emplace(*std::move(part));
   replaced_ = std::exchange(file_, std::move(part_->file()));
-  struct stat older {};
-  if (!lock_for_writing(file_) || ::fstat(replaced_.number(), &older) != 0 ||
-      ::fchmod(file_.number(), older.st_mode) != 0)
-    return cannot_be_written(path_);
+  if (!lock_for_writing(file_)) return cannot_be_written(path_);
   return {};
 }
 
