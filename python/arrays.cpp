@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "recording/records/header_record.h"
+
 namespace ribbon::python {
 
 namespace {
@@ -27,6 +29,15 @@ void require_shape(const char* what, const pybind11::array& array, const Shape& 
   throw pybind11::value_error(std::string(what) + " must have the shape " + shape_text(shape) +
                               ", not " +
                               shape_text(Shape(array.shape(), array.shape() + array.ndim())));
+}
+
+void require_recordable(const RibbonGrid& grid) {
+  if (grid.along < 2 || grid.across < 2)
+    throw pybind11::value_error("a ribbon has at least 2 x 2 particles");
+  if (!is_recordable(grid))
+    throw pybind11::value_error(
+        "a ribbon has at most 2^24 particles in at most 2^20 columns, not " +
+        std::to_string(grid.along) + " x " + std::to_string(grid.across));
 }
 
 Eigen::Matrix3Xd positions_of(const Given<double>& array, const RibbonGrid& grid) {

@@ -48,6 +48,9 @@ bool has_shape(const pybind11::array& array, const Shape& shape);
 // ValueError "positions must have the shape (400, 8, 3), not (8, 400, 3)" unless it has.
 void require_shape(const char* what, const pybind11::array& array, const Shape& shape);
 
+// ValueError unless a recording may have this grid: its particles can then be counted.
+void require_recordable(const RibbonGrid& grid);
+
 // 3 x particles, of an array of along x across x 3; what is wrong with that is a ValueError.
 Eigen::Matrix3Xd positions_of(const Given<double>& array, const RibbonGrid& grid);
 

@@ -44,7 +44,7 @@ Verifier verifier_of(const Recording& recording) {
 
 Verifier verifier_of_size(int along, int across, double length, double width,
                           const std::optional<TriangleMesh>& obstacle) {
-  if (along < 2 || across < 2) throw py::value_error("a ribbon has at least 2 x 2 particles");
+  require_recordable({along, across});
   if (!(length > 0) || !(width > 0)) throw py::value_error("length and width must be above 0");
   return {{{along, across}, length, width}, obstacle, all_edges};
 }

@@ -54,7 +54,7 @@ bool is_positive_or_zero(double number) {
 }
 
 void check(const OwnRibbon& own) {
-  require(own.grid.along >= 2 && own.grid.across >= 2, "a ribbon has at least 2 x 2 particles");
+  require_recordable(own.grid);
   require(is_positive(own.length_m) && is_positive(own.width_m),
           "length and width must be above 0, in metres");
   require(is_positive(own.frames_per_second), "frames_per_second must be above 0");

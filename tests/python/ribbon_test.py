@@ -101,13 +101,17 @@ class Writing(RibbonTest):
         self.assertEqual((len(recording), recording.finished), (1, False))
 
     def test_what_makes_no_sense_is_refused(self):
-        for wrong, word in (({"along": 1}, "2 x 2"), ({"length": 0}, "length"), ({"width": float("nan")}, "width"),
-                            ({"frames_per_second": 0}, "frames_per_second"), ({"name": ""}, "name"),
-                            ({"max_error": -1}, "max_error"), ({"stated_gap": -1}, "stated_gap"),
-                            ({"strain_limit": float("inf")}, "strain_limit")):
+        for wrong, word in (({"along": 1}, "2 x 2"), ({"along": 50000, "across": 50000}, "not 50000 x 50000"),
+                            ({"across": 2**31 - 1}, r"at most 2\^20 columns"), ({"length": 0}, "length"),
+                            ({"width": float("nan")}, "width"), ({"frames_per_second": 0}, "frames_per_second"),
+                            ({"name": ""}, "name"), ({"max_error": -1}, "max_error"),
+                            ({"stated_gap": -1}, "stated_gap"), ({"strain_limit": float("inf")}, "strain_limit")):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(ValueError, word):
                 ribbon.Writer(self.path, **(OWN | wrong))
         self.assertFalse(self.path.exists())
+        for grid in ({"along": 1}, {"along": 50000, "across": 50000}):
+            with self.subTest(grid=grid), self.assertRaisesRegex(ValueError, "a ribbon has at "):
+                ribbon.Verifier(**(OWN | grid))
         for wrong in (numpy.full((20, 4, 3), "x"), flat() + 1j, numpy.full((20, 4, 3), None)):
             with self.subTest(wrong=wrong.dtype), self.assertRaisesRegex(ValueError, "must be numbers"):
                 ribbon.write(self.path, [wrong], **SIZE)
