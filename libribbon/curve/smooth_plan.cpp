@@ -1,10 +1,10 @@
 #include "curve/smooth_plan.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "curve/catmull_rom.h"
 #include "curve/turns.h"
 
 namespace ribbon {
@@ -12,52 +12,22 @@ namespace ribbon {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 constexpr double finest_turn = 0.003;  // radians per chord: lengths are right to 4e-7
 constexpr double coarse_turn = 0.05;   // enough to find crossings
 constexpr double most_chords = 5e5;
 
-// A cubic by its ends and its derivatives there.
-template <class Vector>
-struct Cubic {
-  Vector begin, begin_derivative, end, end_derivative;
-
-  [[nodiscard]] Vector at(double t) const {
-    const double u = 1 - t;
-    return u * u * (1 + 2 * t) * begin + u * u * t * begin_derivative + t * t * (1 + 2 * u) * end -
-           t * t * u * end_derivative;
-  }
-};
-
-// The derivative at p1 by the knots of p0, p1, p2, for a parameter that grows by 1 over `scale`.
-template <class Vector>
-Vector catmull_rom_derivative(const Vector& p0, const Vector& p1, const Vector& p2, double scale) {
-  const double before = std::sqrt(length_of(p1 - p0));
-  const double after = std::sqrt(length_of(p2 - p1));
-  assert(before > 0 && after > 0);
-  return scale * ((p1 - p0) / before - (p2 - p0) / (before + after) + (p2 - p1) / after);
-}
-
-template <class Vector>
-Cubic<Vector> catmull_rom_cubic(const Vector& p0, const Vector& p1, const Vector& p2,
-                                const Vector& p3) {
-  const double knots = std::sqrt(length_of(p2 - p1));
-  return {p1, catmull_rom_derivative(p0, p1, p2, knots), p2,
-          catmull_rom_derivative(p1, p2, p3, knots)};
-}
-
 // Between controls i and i + 1; beyond its ends the curve goes straight on.
-Cubic<Vector2d> cubic_between(const Drawing& points, std::size_t i) {
+Cubic cubic_between(const Drawing& points, std::size_t i) {
   const Vector2d& p1 = points[i];
   const Vector2d& p2 = points[i + 1];
   const Vector2d before = i == 0 ? Vector2d(2 * p1 - p2) : points[i - 1];
   const Vector2d after = i + 2 == points.size() ? Vector2d(2 * p2 - p1) : points[i + 2];
-  return catmull_rom_cubic(before, p1, p2, after);
+  return catmull_rom(before, p1, p2, after);
 }
 
 // No less than what the cubic turns by: the turns of its Bezier polygon.
-double turn_of(const Cubic<Vector2d>& cubic) {
+double turn_of(const Cubic& cubic) {
   const Vector2d b1 = cubic.begin + cubic.begin_derivative / 3;
   const Vector2d b2 = cubic.end - cubic.end_derivative / 3;
   return angle_between(cubic.begin_derivative, b2 - b1) +
@@ -118,11 +88,6 @@ Plan fine_plan(const Controls& controls, double rise) {
                           std::max(chord_length, length / most_chords));
   plan.lengths = lengths_along(plan.points);
   return plan;
-}
-
-Vector3d catmull_rom(const Vector3d& p0, const Vector3d& p1, const Vector3d& p2, const Vector3d& p3,
-                     double t) {
-  return catmull_rom_cubic(p0, p1, p2, p3).at(t);
 }
 
 }  // namespace ribbon

@@ -40,10 +40,4 @@ std::vector<double> lengths_along(const Points& points) {
   return lengths;
 }
 
-// The centripetal Catmull-Rom point at parameter t in [0, 1] between p1 and p2: the usual one where
-// the points are evenly spaced, without loops or overshoot where they are not. Consecutive points
-// must differ.
-Eigen::Vector3d catmull_rom(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
-                            const Eigen::Vector3d& p2, const Eigen::Vector3d& p3, double t);
-
 }  // namespace ribbon

@@ -46,32 +46,6 @@ std::vector<double> heights_at(const SpaceCurve& curve, double x, double z) {
   return heights;
 }
 
-TEST(CatmullRom, passes_through_its_middle_points) {
-  const Vector3d p0(0, 0, 0);
-  const Vector3d p1(1, 2, 3);
-  const Vector3d p2(1.1, 2, 3);
-  const Vector3d p3(5, -4, 1);
-  EXPECT_EQ(catmull_rom(p0, p1, p2, p3, 0), p1);
-  EXPECT_EQ(catmull_rom(p0, p1, p2, p3, 1), p2);
-}
-
-TEST(CatmullRom, is_the_usual_one_between_evenly_spaced_points) {
-  // (-p0 + 9 p1 + 9 p2 - p3) / 16
-  const Vector3d middle = catmull_rom({0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {3, 1, 0}, 0.5);
-  EXPECT_NEAR((middle - Vector3d(1.5, 0.5, 0)).norm(), 0, 1e-15);
-}
-
-TEST(CatmullRom, stays_on_a_line_and_goes_forward_however_uneven_the_points) {
-  double before = 1;
-  for (int k = 1; k <= 100; ++k) {
-    const Vector3d p = catmull_rom({0, 0, 0}, {1, 1, 1}, {1.01, 1.01, 1.01}, {9, 9, 9}, k / 100.0);
-    EXPECT_NEAR(p.x(), p.y(), 1e-12);
-    EXPECT_NEAR(p.x(), p.z(), 1e-12);
-    EXPECT_GT(p.x(), before);
-    before = p.x();
-  }
-}
-
 TEST(SpaceCurve, straight_line_is_reproduced) {
   const SpaceCurve curve = curve_of(scene_of({{0, 0}, {100, 0}, {1000, 0}}, 0.001), 0.1, 5);
   EXPECT_NEAR(curve.length_m, 1, 1e-12);
