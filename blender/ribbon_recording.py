@@ -32,9 +32,12 @@ opened = {}
 
 
 def recording_at(path):
-    """The recording of that path, opened once."""
+    """The recording of that path, opened once it has a frame."""
     if path not in opened:
-        opened[path] = ribbon.open(path)
+        recording = ribbon.open(path)
+        if len(recording) == 0:
+            raise ribbon.Error(path, "the recording holds no frame yet", "wait until one is recorded")
+        opened[path] = recording
     return opened[path]
 
 
@@ -149,8 +152,6 @@ class ImportRibbonRecording(bpy.types.Operator, ImportHelper):
         opened.pop(path, None)  # it may have been recorded anew
         try:
             recording = recording_at(path)
-            if len(recording) == 0:
-                raise ribbon.Error(path, "the recording holds no frame yet", "import it when one is recorded")
             thing = add_ribbon(context, path, self.first_frame, bpy.path.abspath(self.texture))
         except (ribbon.Error, RuntimeError) as error:
             self.report({"ERROR"}, str(error).removeprefix("Error: ").strip())

@@ -117,5 +117,18 @@ check("has 80 vertices" in said and "import it anew" in said, f"of an older ribb
 check((vertices_of(bpy.context.active_object) == ribbon.open(folder / "anew.rbn")[1].reshape(-1, 3)).all(),
       "the newer ribbon did not move")
 
+# So it is, in a .blend that is opened again, where one is being recorded anew; the others move.
+ribbon.write(folder / "moving.rbn", map(wave, range(FRAMES)), length=0.4, width=0.04)
+bpy.ops.import_scene.ribbon_recording(filepath=str(folder / "moving.rbn"))
+sys.modules["ribbon_recording"].opened.clear()
+(folder / "anew.rbn").unlink()
+begun = ribbon.Writer(folder / "anew.rbn", along=ALONG, across=2, length=0.4, width=0.04)
+said = printed_at(4)
+check("anew.rbn: the recording holds no frame yet" in said, f"of a recording without a frame it said {said!r}")
+check((vertices_of(bpy.context.active_object) == ribbon.open(folder / "moving.rbn")[3].reshape(-1, 3)).all(),
+      "beside a recording without a frame nothing moves")
+begun.append(wave(5)[:, :2])
+check("no frame yet" not in printed_at(5), "its first frame is not seen")
+
 bpy.ops.preferences.addon_disable(module=Path(add_on).stem)
 print("Blender shows what was recorded.")
