@@ -278,7 +278,7 @@ class TieRibbon(bpy.types.Operator):
     bl_idname = "object.tie_ribbon"
     bl_label = "Tie a ribbon along this drawing"
     bl_options = {"UNDO"}
-    width: FloatProperty(name="Width", default=0.02, min=1e-4, unit="LENGTH", description="Of the ribbon, in metres")
+    width: FloatProperty(name="Width", default=0.02, min=1e-4, precision=4, description="Of the ribbon, in metres")
     across: IntProperty(name="Particles across", default=4, min=2, max=64, description="Along as far apart as across")
     fabric: EnumProperty(name="Fabric", items=[("NONE", "none", "Springs of the samples")] +
                          [(name, name, f"Cloth that behaves as {name}") for name in FABRICS])

@@ -86,6 +86,7 @@ def cloth(picture, length):
 def linked(context, mesh):
     thing = bpy.data.objects.new(mesh.name, mesh)
     thing.rotation_euler = UPRIGHT
+    thing.scale = (1 / context.scene.unit_settings.scale_length,) * 3  # metres, whatever the scene's unit
     context.collection.objects.link(thing)
     return thing
 

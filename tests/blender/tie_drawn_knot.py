@@ -86,6 +86,15 @@ def check_refused(word, **settings):
         sys.exit(f"FAILED: nothing said {word}")
 
 
+def check_lies_on_the_drawing(recording, units_a_metre):
+    """The middle line of the first frame, in Blender's world."""
+    thing = bpy.context.active_object
+    for place in recording[0].mean(axis=1)[::10]:
+        x, y, _ = thing.matrix_world @ Vector(map(float, place)) / units_a_metre
+        off = min(math.hypot(x - point[0], y - point[1]) for point in drawn_points(0.02))
+        check(off < 0.01, f"the ribbon begins {off} m off the drawing")
+
+
 for module in (import_add_on, add_on):
     bpy.ops.preferences.addon_install(filepath=module)
 
@@ -121,11 +130,18 @@ check(recording.obstacle is not None and len(recording.obstacle.vertices) == 48,
 thing = bpy.context.active_object
 check(thing["ribbon_recording"] == str(folder / "my-knot.rbn"), "what came back is no recording")
 
-# It lies on the drawing: the middle line of the first frame, in Blender's world.
-for place in recording[0].mean(axis=1)[::10]:
-    x, y, _ = thing.matrix_world @ Vector(map(float, place))
-    off = min(math.hypot(x - point[0], y - point[1]) for point in drawn_points(0.02))
-    check(off < 0.01, f"the ribbon begins {off} m off the drawing")
+check_lies_on_the_drawing(recording, 1)
+
+# In a scene of centimetres, too, whose drawing is a hundred times as large in Blender's units.
+units = bpy.context.scene.unit_settings
+units.scale_length = 0.01
+in_centimetres = draw_curve([[100 * x for x in point] for point in drawn_points(0.02)], "centimetres")
+choose(in_centimetres)
+check(tie(width=0.01, duration=0.02) == {"FINISHED"}, "the curve in centimetres was not tied")
+check(abs(ribbon.open(folder / "centimetres.rbn").width - 0.01) < 1e-9, "the width is another")
+check_lies_on_the_drawing(ribbon.open(folder / "centimetres.rbn"), 100)
+bpy.data.objects.remove(bpy.context.active_object)
+units.scale_length = 1
 
 # Tied again, it takes the place of the one before.
 choose(drawing, post)
