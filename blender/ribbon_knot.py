@@ -26,6 +26,9 @@ bl_info = {
 
 FABRICS = ("silk", "satin", "cotton", "polyester", "wool", "denim", "obi brocade")
 
+# Stands at the beginning of every text that is written, so that no file of somebody else is replaced.
+MARK = "written by the add-on Ribbon knot"
+
 # Rows in the world's units (x right, y up, z towards the viewer, as in recordings) that make of a place what one sees
 # along each axis: right, down, and how near it is.
 VIEWS = {
@@ -133,7 +136,8 @@ def path_of(seen):
     places = 1000 * seen[:, :2]
     low, size = places.min(axis=0) - 10, numpy.ptp(places, axis=0) + 20
     words = " L ".join(f"{x:.6g} {y:.6g}" for x, y in places)
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{low[0]:.6g} {low[1]:.6g} {size[0]:.6g} {size[1]:.6g}">\n'
+    return (f'<!-- {MARK} -->\n'
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{low[0]:.6g} {low[1]:.6g} {size[0]:.6g} {size[1]:.6g}">\n'
             f'  <path id="band" fill="none" stroke="black" stroke-width="2" d="M {words}"/>\n</svg>\n')
 
 
@@ -149,7 +153,7 @@ def triangles_of(thing, context):
 
 
 def obj_of(vertices, triangles):
-    return ("".join(f"v {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in vertices) +
+    return (f"# {MARK}\n" + "".join(f"v {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in vertices) +
             "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles))
 
 
@@ -169,7 +173,7 @@ def scene_of(name, line, axis, letters, settings, middle, has_obstacle):
         f"axis_point = [{', '.join(f'{x:.6g}' for x in middle)}]\naxis = {direction}\n",
         f'[time]\nduration = {settings.duration:.6g}\nuntil = "tight"\n',
     ]
-    return "\n".join(table for table in tables if table)
+    return f"# {MARK}\n\n" + "\n".join(table for table in tables if table)
 
 
 def recorder():
@@ -182,6 +186,19 @@ def recorder():
     return found
 
 
+def is_marked(path):
+    with path.open("rb") as file:
+        return MARK.encode() in file.read(100)
+
+
+def check_replaceable(scene, paths):
+    """A recording is ours where its scene is."""
+    for path, marked in [(path, path) for path in paths] + [(scene.with_suffix(".rbn"), scene)]:
+        if path.exists() and not (marked.exists() and is_marked(marked)):
+            raise Trouble(f"{path}: exists already, and not from this add-on; rename the drawing, or choose another "
+                          "folder")
+
+
 def write_scene(drawing, obstacle, settings, context):
     """Writes scene, drawing and obstacle into the folder; the scene's path."""
     folder = Path(bpy.path.abspath(settings.folder))
@@ -192,15 +209,18 @@ def write_scene(drawing, obstacle, settings, context):
     axis = axis_seen_along(line)
     seen = line @ VIEWS[axis].T
     middle = 0.5 * (line.min(axis=0) + line.max(axis=0))
+    texts = {".svg": path_of(seen)}
+    if obstacle:
+        vertices, triangles = triangles_of(obstacle, context)
+        middle = 0.5 * (vertices.min(axis=0) + vertices.max(axis=0))
+        texts[".obj"] = obj_of(vertices, triangles)
+    texts[".toml"] = scene_of(name, line, axis, over_and_under(seen), settings, middle, bool(obstacle))
+    scene = folder / f"{name}.toml"
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        if obstacle:
-            vertices, triangles = triangles_of(obstacle, context)
-            middle = 0.5 * (vertices.min(axis=0) + vertices.max(axis=0))
-            (folder / f"{name}.obj").write_text(obj_of(vertices, triangles))
-        (folder / f"{name}.svg").write_text(path_of(seen))
-        scene = folder / f"{name}.toml"
-        scene.write_text(scene_of(name, line, axis, over_and_under(seen), settings, middle, bool(obstacle)))
+        check_replaceable(scene, [scene.with_suffix(ending) for ending in texts])
+        for ending, text in texts.items():
+            scene.with_suffix(ending).write_text(text)
     except OSError as error:
         raise Trouble(f"{error.filename}: {error.strerror}; choose another folder") from error
     return scene

@@ -164,6 +164,15 @@ for name, turn, height, expected in (("front", (math.pi / 2, 0, 0), 0.02, ('axis
     check(expected[0] in text and expected[1] in knot, f"{name}: {knot}, {text}")
     check("crossings" in text and "[obstacle]" not in text, f"{name}: {text}")
 
+# What somebody else has made stays as it is, whichever of the files it is.
+choose(draw_curve(drawn_points(0.02), "logo"), post)
+for ending in (".svg", ".obj", ".toml", ".rbn"):
+    other = folder / f"logo{ending}"
+    other.write_text("of somebody else")
+    check_refused("exists already, and not from this add-on", width=0.01, duration=0.02)
+    check(list(folder.glob("logo.*")) == [other] and other.read_text() == "of somebody else", f"{other} was replaced")
+    other.unlink()
+
 # Without heights over and under alternate; with some it cannot be told.
 choose(draw_stroke([(x, y, 0) for x, y, _ in drawn_points(0)], "flat ink"))
 check(tie(width=0.01, duration=0.02, fabric="silk") == {"FINISHED"}, "the stroke was not tied")
