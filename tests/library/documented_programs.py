@@ -68,6 +68,12 @@ def refusal(*command):
     return refused.stderr
 
 
+def check_no_recording(programs):
+    for program in ("read", "follow", "verify", "write"):
+        said = refusal(programs / program)
+        check("no recording is named" in said, f"{program} without a name said {said!r}")
+
+
 def check_bad_recordings(programs, folder):
     nothing, damaged, empty = folder / "nothing.rbn", folder / "damaged.rbn", folder / "empty.rbn"
     damaged.write_bytes(b"no recording" * 100)
@@ -113,6 +119,7 @@ def main():
     programs = build(folder, sys.argv[4:])
     check_own_recording(programs, folder)
     check_growing_recording(programs, folder, scene)
+    check_no_recording(programs)
     check_bad_recordings(programs, folder)
     check_recording_that_vanishes(programs, folder, scene)
     print("The documented programs work.")
