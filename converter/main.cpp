@@ -1,6 +1,5 @@
 // ribbon-convert: a recording becomes files for modelling packages.
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -128,7 +127,5 @@ ribbon::Result<ribbon::ExitCode> run(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file-size limit is then an error like a full disk, and no half-written file stays behind.
-  std::signal(SIGXFSZ, SIG_IGN);
   return ribbon::run_tool("ribbon-convert", [&] { return run(argc, argv); });
 }

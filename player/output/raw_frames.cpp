@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <csignal>
 
 namespace ribbon {
 
@@ -12,7 +11,6 @@ Result<std::unique_ptr<PictureSink>> RawFrames::open(Stopped stopped) {
   if (::isatty(STDOUT_FILENO) == 1)
     return failure("standard output", "is a terminal, and raw frames are for programs",
                    "pipe them into one, or name a file to write");
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes is an error with a sentence
   return std::unique_ptr<PictureSink>(new RawFrames(
       FileDescriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)), std::move(stopped)));
 }

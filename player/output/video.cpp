@@ -126,7 +126,6 @@ Result<std::unique_ptr<PictureSink>> Video::open(const fs::path& file, PictureSi
 }
 
 Result<void> Video::start(PictureSize size, double frames_per_second) {
-  std::signal(SIGPIPE, SIG_IGN);  // that ffmpeg has gone is an error with a sentence
   std::array<int, 2> ends{};
   complaints_ = FileDescriptor(::memfd_create("ffmpeg", MFD_CLOEXEC));
   if (!complaints_.is_open() || ::pipe2(ends.data(), O_CLOEXEC) != 0)
