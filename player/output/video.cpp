@@ -159,7 +159,10 @@ Result<void> Video::put(OutputPicture picture) {
   if (sent == Sent::all) return {};
   if (sent == Sent::given_up) return interrupted();
   // It has closed its end, and says why.
-  return wait_for_ffmpeg();
+  return wait_for_ffmpeg().and_then([&]() -> Result<void> {
+    return failure(file_.string(), "ffmpeg ended before it had all pictures",
+                   "write pictures (.png) and try by hand");
+  });
 }
 
 Result<void> Video::finish() {

@@ -158,6 +158,15 @@ TEST_F(Output, what_ffmpeg_complains_of_is_told_and_nothing_stays) {
   EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
 }
 
+// Had that been taken for success, the next picture would have waited for ever.
+TEST_F(Output, ffmpeg_that_ends_early_and_is_content_has_made_no_video) {
+  const std::string content = with_ffmpeg_that("head -c 100 > /dev/null");
+  expect_refusal(play_small("-o knot.mp4", content),
+                 "knot.mp4: ffmpeg ended before it had all pictures; write pictures (.png)");
+  fs::remove_all(folder_ / "bin");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
+}
+
 TEST_F(Output, a_disk_that_is_too_full_for_ffmpeg_may_pass) {
   const std::string failing =
       with_ffmpeg_that("cat > /dev/null; echo 'out: No space left on device' >&2; exit 1");
