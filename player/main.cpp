@@ -67,6 +67,10 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
   const auto frames = parse_frame_range(options.frames, info.frame_count());
   if (!frames) return tl::unexpected(frames.error());
   if (frames->empty()) return failure(info.file.string(), "holds no frames", "record some first");
+  // Before hours are spent on pictures.
+  for (const auto& file : {options.plot, options.sheet})
+    if (auto free = check_place(file, options.replaceable); !free)
+      return tl::unexpected(free.error());
   tell_unfinished(reader, options);
   if (!options.plot.empty()) {
     const auto done = write_plot(info, *frames, options);

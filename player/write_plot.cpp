@@ -4,7 +4,6 @@
 
 #include "files/files.h"
 #include "player/chart/chart_page.h"
-#include "player/output/existing_file.h"
 #include "player/output/picture_format.h"
 #include "player/picture/png_encoder.h"
 #include "text/number_text.h"
@@ -29,8 +28,6 @@ std::string subtitle(const RecordingInfo& info, std::size_t frames, std::size_t 
 
 Result<std::string> write_plot(const RecordingInfo& info, std::vector<int> frames,
                                const Options& options) {
-  if (auto free = check_place(options.plot, options.replaceable); !free)
-    return tl::unexpected(free.error());
   std::sort(frames.begin(), frames.end());
   std::vector<std::optional<FrameNumbers>> numbers;
   numbers.reserve(frames.size());

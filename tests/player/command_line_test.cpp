@@ -246,6 +246,15 @@ TEST_F(RibbonPlay, no_two_files_have_one_name) {
   EXPECT_TRUE(bytes("knot.rbn") == recording);
 }
 
+TEST_F(RibbonPlay, a_taken_name_is_told_before_anything_is_rendered) {
+  ASSERT_TRUE(write_file(folder_ / "taken.png", "older"));
+  for (const std::string job :
+       {"-o 'film/{frame}.png' --sheet taken.png", "-o 'film/{frame}.png' --plot taken.png",
+        "--plot new.svg --sheet taken.png"})
+    expect_refusal(run("knot.rbn --samples 1 " + job), "taken.png: exists already");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn", "taken.png"));
+}
+
 // Not even by --force.
 TEST_F(RibbonPlay, nothing_that_is_read_is_replaced) {
   ASSERT_EQ(run("knot.rbn -o 1.png --frames 1 --size 32x16").exit_code, 0);
