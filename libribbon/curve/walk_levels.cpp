@@ -21,9 +21,11 @@ constexpr double gentle_lead = 6;     // length per rise from an end to its firs
 
 // A run of the plan, by length along it.
 struct LevelRun {
-  double begin = 0;
+  double begin = 0;  // at the outline
   double end = 0;
   HeightRange object;
+  double before = 0;  // so far beside the outline it is level, too
+  double after = 0;
 };
 
 double length_at(const Plan& plan, double parameter) {
@@ -35,13 +37,11 @@ double length_at(const Plan& plan, double parameter) {
 // A run must not reach into the next one, nor to an end of the walk, where the curve is in the
 // plane.
 void widen(std::vector<LevelRun>& runs, double margin, double length) {
-  double before = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
+    const double last = i > 0 ? runs[i - 1].end : 0;
     const double next = i + 1 < runs.size() ? runs[i + 1].begin : length;
-    const double room_before = (runs[i].begin - before) / 2;
-    before = runs[i].end;
-    runs[i].begin -= std::min(margin, room_before);
-    runs[i].end += std::min(margin, (next - runs[i].end) / 2);
+    runs[i].before = std::min(margin, (runs[i].begin - last) / 2);
+    runs[i].after = std::min(margin, (next - runs[i].end) / 2);
   }
 }
 
@@ -95,8 +95,10 @@ std::vector<LooseStop> loose_stops(const Plan& plan, const WalkedPassages& passa
     const std::size_t i = passage.index;
     if (passage.of_object) {
       const ObjectRun& run = passages.objects[i].run;
-      stops.push_back({{runs[i].begin, run.from, "the begin of " + name}});
-      stops.push_back({{runs[i].end, run.to, "the end of " + name}});
+      const LevelRun& level = runs[i];
+      stops.push_back(
+          {{level.begin - level.before, run.from, "the begin of " + name, i, level.before}});
+      stops.push_back({{level.end + level.after, run.to, "the end of " + name, i, level.after}});
     } else {
       stops.push_back({{plan.lengths[plan.passages[i]], passages.crossings[i].point, name}, i});
     }
@@ -118,19 +120,22 @@ std::vector<double> rises_between(const std::vector<WalkStop>& stops, double len
   return rises;
 }
 
-// All stops from the begin of a run to its end are bound.
+// All stops from the begin of a run to its end are bound. (Not by their lengths: where one run ends
+// the next may begin.)
 std::vector<ObjectBound> bounds_of(const std::vector<WalkStop>& stops,
                                    const std::vector<LevelRun>& runs,
                                    const std::vector<ObjectPassage>& objects, double clearance) {
   std::vector<ObjectBound> bounds;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    for (std::size_t k = 0; k < stops.size(); ++k) {
-      if (stops[k].length < runs[i].begin || stops[k].length > runs[i].end) continue;
-      const bool in_front = objects[i].in_front;
-      bounds.push_back({k,
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto is_of_run = [i](const WalkStop& stop) { return stop.run == i; };
+    const auto begin = std::find_if(stops.begin(), stops.end(), is_of_run);
+    const auto end = std::find_if(begin + 1, stops.end(), is_of_run);
+    const bool in_front = objects[i].in_front;
+    for (auto stop = begin; stop <= end; ++stop)
+      bounds.push_back({static_cast<std::size_t>(stop - stops.begin()),
                         in_front ? runs[i].object.high + clearance : runs[i].object.low - clearance,
                         in_front});
-    }
+  }
   return bounds;
 }
 
@@ -187,7 +192,7 @@ Result<StoppedWalk> stopped_walk(const Plan& plan, const WalkedPassages& passage
   auto runs = level_runs(plan, passages, object);
   if (!runs) return tl::unexpected(runs.error());
   widen(*runs, margin, plan.lengths.back());
-  StoppedWalk walk;
+  StoppedWalk walk{.stops = {}, .profile = {}, .margin = margin};
   walk.profile.crossings.resize(passages.crossings.size() / 2);
   for (LooseStop& loose : loose_stops(plan, passages, *runs)) {
     if (loose.passage) {
@@ -225,6 +230,28 @@ tl::unexpected<Error> turned_round(const StoppedWalk& walk) {
                  "exchange over and under there, or front and behind");
 }
 
+// What is added to ways that lead from the margin of one run before or behind the object to that of
+// another, so that they are told from outline to outline: the margins as they are, or as they are
+// to be.
+struct MarginsBeside {
+  double present = 0;
+  double wanted = 0;
+};
+
+MarginsBeside margins_beside(const std::vector<Stretch>& stretches, const StoppedWalk& walk) {
+  MarginsBeside margins;
+  const auto add = [&](const WalkStop& stop) {
+    if (!stop.run) return;
+    margins.present += stop.from_outline;
+    margins.wanted += walk.margin;
+  };
+  for (const Stretch& stretch : stretches) {
+    if (stretch.from > 0) add(walk.stops[stretch.from - 1]);
+    if (stretch.to < walk.stops.size()) add(walk.stops[stretch.to]);
+  }
+  return margins;
+}
+
 }  // namespace
 
 tl::unexpected<Error> too_tight(const CurveScene& scene, const RibbonScene& ribbon,
@@ -236,6 +263,7 @@ tl::unexpected<Error> too_tight(const CurveScene& scene, const RibbonScene& ribb
   const double length = tight.rise * blend_slope / steepest_slope;
   const double needed =
       length + (gap - tight.gap()) * tight.rise_per_gap() * blend_slope / steepest_slope;
+  const MarginsBeside margins = margins_beside(tight.stretches, walk);
   const double most_m = tight.gap() * scene.unit_m - scene.clearance_m;
   const Vector2d place =
       walk.stops[std::min(tight.stretches.front().to, walk.stops.size() - 1)].point;
@@ -245,11 +273,12 @@ tl::unexpected<Error> too_tight(const CurveScene& scene, const RibbonScene& ribb
   constexpr double spare = 1.01;  // so that the numbers hold although they are rounded
   return failure(drawing_place(place) + ", in metres " + coordinates(metres),
                  text_of(tight.stretches, walk.stops) + (one ? " is " : " are together ") +
-                     three_digits(length * scene.unit_m) + " m long, too short for a ribbon " +
-                     (varies ? "up to " : "") + three_digits(width_m) + " m wide" +
+                     three_digits((length + margins.present) * scene.unit_m) +
+                     " m long, too short for a ribbon " + (varies ? "up to " : "") +
+                     three_digits(width_m) + " m wide" +
                      (passes_object ? " that passes the object" : ""),
                  std::string(one ? "draw it " : "draw them together ") +
-                     three_digits(spare * needed) + " drawing units long" +
+                     three_digits(spare * (needed + margins.wanted)) + " drawing units long" +
                      (most_m > 0 ? std::string(", or set ribbon.width to ") +
                                        (varies ? "at most " : "") + three_digits(most_m / spare)
                                  : "") +

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,17 @@ struct WalkStop {
   double length = 0;  // along the plan
   Eigen::Vector2d point;
   std::string name;  // "passage 3", "the begin of passage 4"
+  // Of the begin or the end of a run before or behind the object: which one, and how far from the
+  // outline.
+  std::optional<std::size_t> run = std::nullopt;
+  double from_outline = 0;
 };
 
 // The stops are the passages of the profile.
 struct StoppedWalk {
   std::vector<WalkStop> stops;  // in the order of the walk
   WalkProfile profile;
+  double margin = 0;  // as far as a run wants to be level beside the outline
 };
 
 // Lengths in drawing units. A run before or behind the object is level with it from `margin` before

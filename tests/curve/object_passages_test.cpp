@@ -49,6 +49,13 @@ Result<SpaceCurve> curve_of(const Points& points, const std::string& letters,
                               tight, object);
 }
 
+// The number in a sentence before these words.
+double number_before(const std::string& words, const std::string& sentence) {
+  const std::size_t end = sentence.find(words);
+  const std::size_t begin = sentence.rfind(' ', end - 1);
+  return end == std::string::npos ? 0 : std::stod(sentence.substr(begin + 1, end - begin));
+}
+
 std::string refusal(const Points& points, const std::string& letters,
                     const ObjectHeights& object = block(0.5)) {
   return refusal_of(curve_of(points, letters, object));
@@ -183,6 +190,33 @@ TEST(ObjectPassages, a_turn_too_short_for_the_object_is_told_and_how_long_it_mus
                     HasSubstr("drawing units long, or make the object smaller")));
   EXPECT_THAT(refusal_of(curve_of(wrap, "FB", block(4.5), wide_m)),
               HasSubstr("or set ribbon.width to 0."));
+}
+
+// In front of the block to the right, round `x` and back behind it.
+Points wrap_to(double x) {
+  return {{-9, -0.4}, {-5, -0.4}, {0.4, -0.4}, {x, 0}, {0.4, 0.4}, {-5, 0.4}, {-9, 0.4}};
+}
+
+// From the block's outline round the turn and back to it, in the plan.
+double way_round(const Points& points) {
+  const Eigen::Matrix3Xd curve = curve_of(points, "FB", block(0.5), 0.001)->points;
+  double way = 0;
+  for (Eigen::Index i = 1; i < curve.cols(); ++i)
+    if (curve(0, i - 1) > 1) way += (curve.col(i) - curve.col(i - 1)).head<2>().norm();
+  return way;
+}
+
+TEST(ObjectPassages, nearer_than_a_width_are_told_as_drawn_from_outline_to_outline) {
+  for (const std::string letters : {"FB", "BF"}) {
+    const std::string refused = refusal_of(curve_of(wrap_to(1.2), letters, block(0.5), 0.8));
+    EXPECT_THAT(refused, HasSubstr("too short for a ribbon 0.8 m wide that passes the object"));
+    EXPECT_NEAR(number_before(" m long", refused), way_round(wrap_to(1.2)), 0.05) << refused;
+    const double told = number_before(" drawing units long", refused);
+    double x = 1.2;
+    while (x < 5 && !curve_of(wrap_to(x), letters, block(0.5), 0.8)) x += 0.02;
+    EXPECT_NEAR(way_round(wrap_to(x)), told, 0.05 * told) << "what was told is what is needed";
+    EXPECT_LE(way_round(wrap_to(x)), told + 0.05);
+  }
 }
 
 TEST(ObjectPassages, what_lies_behind_passes_over_nothing_that_lies_in_front) {
