@@ -58,6 +58,9 @@ Result<RecordingWriter> resume_recording(const std::filesystem::path& path) {
   if (const auto reference = reference_of(so_far.frames))
     if (const QuantisedFrame* quantised = decoder.decode(contents, *reference))
       so_far.last = {*reference, *quantised};
+  if (contents.file().has_failed())
+    return failure(path.string(), "could not be read to its end, and nothing was changed",
+                   "check the disk, or the network that it is reached by, and try again");
   if (auto cut = target->cut(contents.end()); !cut) return tl::unexpected(std::move(cut.error()));
   return RecordingWriter(std::move(*target), std::move(so_far));
 }

@@ -54,6 +54,7 @@ std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) co
     const ssize_t got = ::pread(file_.number(), bytes.data() + filled, bytes.size() - filled,
                                 static_cast<off_t>(offset + filled));
     if (got < 0 && errno == EINTR) continue;
+    if (got < 0) has_failed_ = true;
     if (got <= 0) break;
     filled += got;
   }

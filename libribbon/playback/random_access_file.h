@@ -31,6 +31,8 @@ class RandomAccessFile {
   // The bytes from `offset` on, `count` of them or as many as there are: fewer at the end, and none
   // where the disk fails.
   [[nodiscard]] std::string read(std::uint64_t offset, std::uint64_t count) const;
+  // Has the disk failed, at any time? Then what is missing may be there the next time.
+  [[nodiscard]] bool has_failed() const { return has_failed_; }
 
   // The first byte from `offset` on that somebody wrote, likewise.
   [[nodiscard]] std::uint64_t next_written(std::uint64_t offset) const;
@@ -43,6 +45,7 @@ class RandomAccessFile {
   FileDescriptor file_;
   std::uint64_t size_ = 0;
   std::uint64_t written_bytes_ = 0;
+  mutable bool has_failed_ = false;
 };
 
 }  // namespace ribbon

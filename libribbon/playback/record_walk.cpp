@@ -1,14 +1,30 @@
 #include "playback/record_walk.h"
 
+#include <algorithm>
+
 #include "recording/coding/checksum.h"
 
 namespace ribbon {
 
+namespace {
+
+constexpr const char* unreadable = "the disk cannot read it";
+
+bool is_start_of_head(std::string_view bytes) {
+  return bytes.size() < record_head_bytes &&
+         record_magic.starts_with(bytes.substr(0, record_magic.size()));
+}
+
+}  // namespace
+
 WalkStep RecordWalk::next() {
   WalkStep step{.offset = at_};
   if (at_ >= file_.size()) return step;
-  const auto head = parse_record_head(file_.read(at_, record_head_bytes));
-  if (!head) return damage(step, "no record begins here", is_start_of_head(at_));
+  const std::string first_bytes = file_.read(at_, record_head_bytes);
+  if (first_bytes.size() < std::min<std::uint64_t>(record_head_bytes, file_.size() - at_))
+    return damage(step, unreadable, false);
+  const auto head = parse_record_head(first_bytes);
+  if (!head) return damage(step, "no record begins here", is_start_of_head(first_bytes));
   step.type = head->type;
   step.head_is_whole = true;
   if (head->payload_bytes > file_.size() - at_ - record_head_bytes)
@@ -16,7 +32,7 @@ WalkStep RecordWalk::next() {
   if (head->payload_bytes > most_payload_bytes(head->type, grid_))
     return damage(step, "a record claims to be larger than any", false);
   payload_ = file_.read(at_ + record_head_bytes, head->payload_bytes);
-  if (payload_.size() != head->payload_bytes) return damage(step, "the disk cannot read it", false);
+  if (payload_.size() != head->payload_bytes) return damage(step, unreadable, false);
   if (checksum(payload_) != head->payload_checksum)
     return damage(step, "a record fails its checksum", false);
   step.kind = WalkStep::Kind::record;
@@ -35,12 +51,6 @@ WalkStep RecordWalk::damage(WalkStep step, const char* reason, bool may_be_cut) 
   step.length = next.value_or(file_.size()) - at_;
   at_ += step.length;
   return step;
-}
-
-bool RecordWalk::is_start_of_head(std::uint64_t offset) const {
-  const std::string rest = file_.read(offset, record_head_bytes);
-  return rest.size() < record_head_bytes &&
-         record_magic.starts_with(std::string_view(rest).substr(0, record_magic.size()));
 }
 
 // Where the next record with a valid head begins, from `offset` on.

@@ -34,7 +34,6 @@ class RecordWalk {
 
  private:
   WalkStep damage(WalkStep step, const char* reason, bool may_be_cut);
-  [[nodiscard]] bool is_start_of_head(std::uint64_t offset) const;
   [[nodiscard]] std::optional<std::uint64_t> next_head(std::uint64_t offset) const;
 
   const RandomAccessFile& file_;

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "files/failing_disk.h"
 #include "files/files.h"
 #include "files/flipped.h"
 #include "playback/frames_of.h"
@@ -207,6 +208,20 @@ TEST_F(ResumedRecording, after_damage_only_what_was_hit_is_lost) {
       ASSERT_TRUE(!is_there || played[frame] == truth_[frame]) << at << ": " << frame;
     }
   }
+}
+
+TEST_F(ResumedRecording, what_the_disk_does_not_give_today_is_not_cut) {
+  const std::string killed = whole_.substr(0, whole_.size() - whole_.size() / 3);
+  for (const std::size_t lost : {killed.size() / 4, killed.size() / 2, killed.size() - 5}) {
+    put_file(path_, killed);
+    {
+      const FailingDisk disk(static_cast<off_t>(lost));
+      EXPECT_THAT(refusal_of(resume_recording(path_)), HasSubstr("could not be read to its end"))
+          << lost;
+    }
+    EXPECT_EQ(read_file(path_).value(), killed) << lost;
+  }
+  EXPECT_TRUE(resume_recording(path_));
 }
 
 TEST_F(ResumedRecording, only_one_writer_at_a_time) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "files/failing_disk.h"
 #include "files/files.h"
 #include "files/flipped.h"
 #include "playback/recording_reader.h"
@@ -134,6 +135,20 @@ class DamagedRecording : public testing::Test {
   std::string killed_;
   std::vector<Eigen::Matrix3Xf> truth_;
 };
+
+TEST_F(DamagedRecording, what_the_disk_cannot_read_is_named_wherever_it_begins) {
+  ASSERT_TRUE(write_file(path_, killed_));
+  for (const std::size_t lost : {begin_[3], begin_[3] + 5, begin_[3] + record_head_bytes + 2}) {
+    const FailingDisk disk(static_cast<off_t>(lost));
+    auto reader = RecordingReader::open(path_);
+    ASSERT_TRUE(reader);
+    reader->check();
+    EXPECT_EQ(reader->frame_count(), 3) << lost;
+    ASSERT_EQ(reader->damage().size(), 1U) << lost;
+    EXPECT_EQ(reader->damage()[0].reason, "the disk cannot read it") << lost;
+    EXPECT_EQ(reader->damage()[0].byte, begin_[3]) << lost;
+  }
+}
 
 TEST_F(DamagedRecording, a_cut_tail_is_a_normal_end) {
   for (std::size_t size = 0; size < finished_.size(); ++size) {
