@@ -9,8 +9,8 @@
 
 namespace ribbon {
 
-// Known certificates of two frames differ if and only if something passed through something
-// (docs/knot-certificate.md).
+// Known certificates of two frames differ only if something passed through something. (That all
+// that passes is seen they cannot promise: docs/knot-certificate.md, its limits.)
 struct KnotCertificate {
   // An end is buried when no straight ray leads from it to the far without meeting the ribbon, or
   // none that continues the closure of the frames before. It stays so: what the ribbon was closed

@@ -19,6 +19,17 @@ namespace ribbon {
 
 namespace {
 
+// Written out: Eigen's order depends on vector instructions.
+Eigen::Vector4d product(const Eigen::Matrix4d& a, const Eigen::Vector4d& b) {
+  return a.col(0) * b[0] + a.col(1) * b[1] + a.col(2) * b[2] + a.col(3) * b[3];
+}
+
+Eigen::Matrix4d product(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {
+  Eigen::Matrix4d columns;
+  for (Eigen::Index i = 0; i < 4; ++i) columns.col(i) = product(a, Eigen::Vector4d(b.col(i)));
+  return columns;
+}
+
 Eigen::Matrix4d matrix_of(const aiMatrix4x4& matrix) {
   using Rows = Eigen::Matrix<ai_real, 4, 4, Eigen::RowMajor>;
   return Eigen::Map<const Rows>(&matrix.a1).cast<double>();
@@ -55,7 +66,7 @@ struct PlacedNode {
 };
 
 void collect(const aiNode& node, const Eigen::Matrix4d& parent, std::vector<PlacedNode>& nodes) {
-  const Eigen::Matrix4d place = parent * matrix_of(node.mTransformation);
+  const Eigen::Matrix4d place = product(parent, matrix_of(node.mTransformation));
   nodes.push_back({&node, place});
   for (unsigned i = 0; i < node.mNumChildren; ++i) collect(*node.mChildren[i], place, nodes);
 }
@@ -105,7 +116,7 @@ class Places {
   void add(const aiBone& bone, const Joints& joints) {
     const auto joint = joints.find(bone.mName.C_Str());
     if (joint == joints.end()) return;
-    const Eigen::Matrix4d moved = joint->second * matrix_of(bone.mOffsetMatrix);
+    const Eigen::Matrix4d moved = product(joint->second, matrix_of(bone.mOffsetMatrix));
     for (unsigned w = 0; w < bone.mNumWeights; ++w)
       by_joints_[bone.mWeights[w].mVertexId] +=
           static_cast<double>(bone.mWeights[w].mWeight) * moved;
@@ -151,7 +162,7 @@ class JoinedTriangles {
  private:
   int joined_vertex(const aiVector3D& at, const Eigen::Matrix4d& place) {
     const Eigen::Vector4d from(at.x, at.y, at.z, 1);
-    const Eigen::Vector3f vertex = (place * from).eval().hnormalized().cast<float>();
+    const Eigen::Vector3f vertex = product(place, from).hnormalized().cast<float>();
     // By their bits, since what is no number equals nothing.
     const std::array<std::uint32_t, 3> bits{std::bit_cast<std::uint32_t>(vertex.x()),
                                             std::bit_cast<std::uint32_t>(vertex.y()),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/angles.h"
 #include "knot/motion/straight_motion.h"
 
 namespace ribbon {
@@ -25,7 +26,7 @@ std::vector<Eigen::Vector3d> all_directions() {
     const double height = 1 - (2 * k + 1.0) / count;
     const double radius = std::sqrt(1 - height * height);
     const double turn_rad = golden_angle_rad * k;
-    const Eigen::Vector3d exact(radius * std::cos(turn_rad), radius * std::sin(turn_rad), height);
+    const Eigen::Vector3d exact(radius * cosine(turn_rad), radius * sine(turn_rad), height);
     result.push_back((exact * 4096).array().round().matrix().normalized());
   }
   return result;
@@ -100,7 +101,7 @@ struct ClearDirection {
 
 // Do the clearances of the two ends alone show that the arc between them is clear?
 bool plainly_clear(const ClearDirection& from, const ClearDirection& to) {
-  const double arc_rad = std::acos(std::clamp(from.unit.dot(to.unit), -1.0, 1.0));
+  const double arc_rad = angle_between_units(from.unit, to.unit);
   return from.clear_rad > least_rad && to.clear_rad > least_rad &&
          arc_rad + least_rad < from.clear_rad + to.clear_rad;
 }

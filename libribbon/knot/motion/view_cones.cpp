@@ -4,12 +4,16 @@
 #include <cmath>
 #include <numbers>
 
-namespace ribbon {
-namespace {
+#include "geometry/angles.h"
 
-double angle_rad(const Eigen::Vector3d& unit_a, const Eigen::Vector3d& unit_b) {
-  return std::acos(std::clamp(unit_a.dot(unit_b), -1.0, 1.0));
+namespace ribbon {
+
+double angle_between_units(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const double cosine = std::clamp(a.dot(b), -1.0, 1.0);
+  return polar_angle(cosine, std::sqrt(1 - cosine * cosine));
 }
+
+namespace {
 
 ViewCone cone_around(const SweptEdge& swept) {
   const Eigen::Vector3d middle =
@@ -17,7 +21,7 @@ ViewCone cone_around(const SweptEdge& swept) {
   ViewCone result{middle.normalized(), 0};
   for (const Eigen::Vector3d& corner : swept)
     result.half_angle_rad =
-        std::max(result.half_angle_rad, angle_rad(result.axis, corner.normalized()));
+        std::max(result.half_angle_rad, angle_between_units(result.axis, corner.normalized()));
   // Only within a half space do the corners bound the directions in between.
   if (result.half_angle_rad > 1.5) result.half_angle_rad = std::numbers::pi;
   return result;
@@ -62,7 +66,7 @@ void append_view_cones(const SweptEdge& swept, std::vector<ViewCone>& cones) {
 double clearance_rad(const std::vector<ViewCone>& cones, const Eigen::Vector3d& direction) {
   double result = std::numbers::pi;
   for (const ViewCone& cone : cones)
-    result = std::min(result, angle_rad(direction, cone.axis) - cone.half_angle_rad);
+    result = std::min(result, angle_between_units(direction, cone.axis) - cone.half_angle_rad);
   return result;
 }
 

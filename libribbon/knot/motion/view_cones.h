@@ -7,6 +7,9 @@
 
 namespace ribbon {
 
+// Between two unit vectors, 0 to pi; the same bits from any C library.
+double angle_between_units(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
 // A bundle of directions.
 struct ViewCone {
   Eigen::Vector3d axis;   // unit length
