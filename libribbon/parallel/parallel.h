@@ -1,4 +1,4 @@
-// Loops over both cores whose results do not depend on how many there are.
+// Loops over all cores whose results do not depend on how many there are.
 #pragma once
 
 #include <cstddef>

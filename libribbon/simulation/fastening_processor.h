@@ -47,8 +47,8 @@ class FasteningProcessor {
                                            const StartTest& test = {});
 
   // Goes on from a state() of the same scene, ribbon size and obstacle to the same bits as the
-  // processor that was asked for it. With changed settings, which may be any but the particles, the
-  // contact, the recording's rounding and whether there are obstacle and fastening, from the same
+  // processor that was asked for it. With changed settings, which may be any but the ribbon, the
+  // obstacle, the contact, the recording's rounding and whether there is fastening, from the same
   // places and speeds; tightness is then measured anew. The number of stages cannot change. Fails
   // where the state is not one of such a scene, and where springs and air divide each step into too
   // many parts.

@@ -11,7 +11,7 @@
 namespace ribbon {
 
 // A vertex and a triangle, or two edges: their four vertices, and triangles that have them.
-struct FeaturePair {
+struct MeasuredPair {
   std::array<int, 4> vertices;
   int triangle;
   int other;

@@ -17,7 +17,7 @@ class Smallest {
     return best_ ? best_->certain_m : std::numeric_limits<double>::infinity();
   }
 
-  void take(double distance_m, const FeaturePair& pair) {
+  void take(double distance_m, const MeasuredPair& pair) {
     if (distance_m >= limit()) return;
     const auto [first, second] = std::minmax(pair.triangle, pair.other);
     best_ = {distance_m, {first, second}};

@@ -16,7 +16,7 @@ class Room {
 
   [[nodiscard]] double limit() const { return reach_m_; }
 
-  void take(double distance_m, const FeaturePair& pair) {
+  void take(double distance_m, const MeasuredPair& pair) {
     for (const int vertex : pair.vertices) room_m_[vertex] = std::min(room_m_[vertex], distance_m);
   }
 

@@ -5,11 +5,11 @@
 
 namespace ribbon {
 
-class Axis {
+class ChartAxis {
  public:
   // Values from low to high, which must be finite, between two places in pixels. Ends that are the
   // same are moved apart.
-  Axis(double low, double high, float begin, float end, int most_ticks);
+  ChartAxis(double low, double high, float begin, float end, int most_ticks);
 
   [[nodiscard]] float place(double value) const;
   [[nodiscard]] const Ticks& ticks() const { return ticks_; }

@@ -70,7 +70,7 @@ Span values(const Chart& chart) {
   return span;
 }
 
-Axis value_axis(const Chart& chart, float begin, float end) {
+ChartAxis value_axis(const Chart& chart, float begin, float end) {
   const Span span = values(chart);
   if (!(span.low < span.high)) return {0, 1, begin, end, 2};
   // Lines do not run along the plot's border, but for zero.
@@ -86,8 +86,8 @@ class PagePainter {
 
   // With the upper left corner of the plot there.
   void add(const Chart& chart, const Vector2f& corner, bool names_time) {
-    const Axis x(time_.low, time_.high, corner.x(), corner.x() + Look::plot_width, 8);
-    const Axis y = value_axis(chart, corner.y() + Look::plot_height, corner.y());
+    const ChartAxis x(time_.low, time_.high, corner.x(), corner.x() + Look::plot_width, 8);
+    const ChartAxis y = value_axis(chart, corner.y() + Look::plot_height, corner.y());
     text({corner.x(), corner.y() - 9}, chart.title, TextAnchor::start, Look::ink);
     if (chart.zone) add_zone(*chart.zone, y, corner);
     add_axes(x, y, corner, names_time);
@@ -105,7 +105,7 @@ class PagePainter {
     page_.shapes.emplace_back(DrawnLine{{begin, end}, color, 1, false});
   }
 
-  void add_axes(const Axis& x, const Axis& y, const Vector2f& corner, bool names_time) {
+  void add_axes(const ChartAxis& x, const ChartAxis& y, const Vector2f& corner, bool names_time) {
     const float right = corner.x() + Look::plot_width;
     const float bottom = corner.y() + Look::plot_height;
     for (const double value : y.ticks().values) {
@@ -125,7 +125,7 @@ class PagePainter {
            Look::ink);
   }
 
-  void add_zone(const ChartZone& zone, const Axis& y, const Vector2f& corner) {
+  void add_zone(const ChartZone& zone, const ChartAxis& y, const Vector2f& corner) {
     if (zone.low < zone.high)
       page_.shapes.emplace_back(DrawnBox{{corner.x(), y.place(zone.high)},
                                          {corner.x() + Look::plot_width, y.place(zone.low)},
@@ -133,7 +133,7 @@ class PagePainter {
   }
 
   // Over the grid; of a border, with its line.
-  void add_zone_name(const ChartZone& zone, const Axis& y, const Vector2f& corner) {
+  void add_zone_name(const ChartZone& zone, const ChartAxis& y, const Vector2f& corner) {
     const float right = corner.x() + Look::plot_width;
     const bool is_border = zone.low == zone.high;
     if (is_border)
@@ -146,7 +146,8 @@ class PagePainter {
          TextAnchor::start, is_border ? Look::border_color : Look::zone_ink);
   }
 
-  void add_line(const std::vector<Eigen::Vector2d>& points, const Axis& x, const Axis& y) {
+  void add_line(const std::vector<Eigen::Vector2d>& points, const ChartAxis& x,
+                const ChartAxis& y) {
     DrawnLine drawn{{}, Look::line_color, 1.6F, false};
     for (const Eigen::Vector2d& point : points)
       drawn.points.emplace_back(x.place(point.x()), y.place(point.y()));
@@ -154,7 +155,7 @@ class PagePainter {
     page_.shapes.emplace_back(std::move(drawn));
   }
 
-  void add_last_value(const Eigen::Vector2d& last, const Axis& x, const Axis& y) {
+  void add_last_value(const Eigen::Vector2d& last, const ChartAxis& x, const ChartAxis& y) {
     const Vector2f place(x.place(last.x()), y.place(last.y()));
     page_.shapes.emplace_back(DrawnLine{{place}, Look::line_color, 2.5F, false});
     text({place.x() + 8, place.y() + 4}, short_number(last.y(), 3), TextAnchor::start,

@@ -42,7 +42,7 @@ void list_piercing_edges(const PlacedSurface& edges, int edge_triangle,
   }
 }
 
-// Runs list(pair, found) for all pairs on both cores and joins what was found, in order.
+// Runs list(pair, found) for all pairs on all cores and joins what was found, in order.
 template <class List>
 std::vector<Penetration> collect(std::span<const CandidatePair> pairs, const List& list) {
   constexpr std::size_t grain = 512;

@@ -88,6 +88,7 @@ TEST(DisplacementFractions, closer_than_the_minimum_only_parting_passes) {
 TEST(DisplacementFractions, keep_the_gap_at_every_instant_for_random_motion) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> coordinate(-1, 1);
+  int tried = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     const Kind kind = trial % 2 == 0 ? Kind::vertex_triangle : Kind::edge_edge;
     Corners x;
@@ -96,6 +97,7 @@ TEST(DisplacementFractions, keep_the_gap_at_every_instant_for_random_motion) {
     for (double& value : displacement.reshaped()) value = 3 * coordinate(random);
     const double gap = (x * closest_weights(kind, x)).norm();
     if (gap < 0.05) continue;
+    ++tried;
     const Vector4d fractions = fractions_of(kind, x, displacement, 0.04);
     for (int instant = 1; instant <= 20; ++instant) {
       // Another pair may stop any of them earlier.
@@ -106,6 +108,7 @@ TEST(DisplacementFractions, keep_the_gap_at_every_instant_for_random_motion) {
       EXPECT_GE((then * closest_weights(kind, then)).norm(), 0.04);
     }
   }
+  EXPECT_GT(tried, 1000);
 }
 
 // So close that rounding turns the line between the closest points: no plane can be relied on.
