@@ -31,10 +31,7 @@ class FasteningProgress {
   // less than two seconds ago; 1 where nothing was commanded.
   [[nodiscard]] double recent() const;
 
-  // Have two seconds passed since the start?
-  [[nodiscard]] bool knows_all() const { return is_full_; }
-
-  // Is it known, and less than 3 % either way?
+  // Have two seconds passed since the start, and is it less than 3 % either way?
   [[nodiscard]] bool is_at_standstill() const;
 
   // How fast the ribbon already is, and then what is remembered of the last two seconds.
