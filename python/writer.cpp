@@ -14,6 +14,7 @@
 #include "geometry/limited_edges.h"
 #include "python/arrays.h"
 #include "python/errors.h"
+#include "recording/records/header_record.h"
 #include "recording/writer/recording_writer.h"
 #include "verification/largest_strain.h"
 
@@ -43,14 +44,6 @@ struct OwnRibbon {
 
 void require(bool is_so, const char* sentence) {
   if (!is_so) throw py::value_error(sentence);
-}
-
-bool is_positive(double number) {
-  return std::isfinite(number) && number > 0;
-}
-
-bool is_positive_or_zero(double number) {
-  return std::isfinite(number) && number >= 0;
 }
 
 void check(const OwnRibbon& own) {

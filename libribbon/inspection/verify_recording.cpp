@@ -14,7 +14,7 @@ namespace {
 constexpr int batch_frames = 16;
 constexpr std::size_t most_examples = 5;
 
-struct DecodedFrame {
+struct ReadFrame {
   int index = 0;
   Eigen::Matrix3Xf positions;
 };
@@ -41,10 +41,10 @@ class RecordingVerifier {
   }
 
   void verify_batch(int begin, int end) {
-    std::vector<DecodedFrame> batch;
+    std::vector<ReadFrame> batch;
     for (int index = begin; index < end; ++index) {
       const bool is_asked = std::binary_search(order_.frames.begin(), order_.frames.end(), index);
-      DecodedFrame frame{index, {}};
+      ReadFrame frame{index, {}};
       if (!reader_.read(index, frame.positions)) {
         if (is_asked) result_.lost.push_back(index + 1);
         continue;
@@ -66,7 +66,7 @@ class RecordingVerifier {
   }
 
  private:
-  void follow(const DecodedFrame& frame) {
+  void follow(const ReadFrame& frame) {
     const auto& turns = knot_.witness().turns();
     const int over_ends_before = turns ? turns->turns_over_ends() : 0;
     const bool certify = (frame.index - order_.frames.front()) % order_.certify_every == 0;

@@ -22,7 +22,6 @@ constexpr std::uint32_t most_particles = 1U << 24;
 constexpr int most_columns = 1 << 20;
 constexpr std::uint32_t largest_mesh = 1U << 26;
 constexpr std::uint32_t most_curve_points = most_particles / 2;  // one a row
-constexpr std::uint32_t most_stages = 255;
 
 // The fields of the header are listed once, in functions that are given one of these two.
 
@@ -174,7 +173,7 @@ void other_fields(Fields& fields, Header& header) {
   });
   limit_fields(fields, header);
   fields.matrix(header.input_curve, most_curve_points);
-  fields.list(header.stages, most_stages, text);
+  fields.list(header.stages, most_recorded_stages, text);
   fields.list(header.marks, most_recorded_marks, [&](auto& mark) {
     fields.text(mark.name);
     number(mark.share);
@@ -186,12 +185,6 @@ void other_fields(Fields& fields, Header& header) {
   row_width_fields(fields, header);
 }
 
-bool is_positive_or_zero(double number) {
-  return std::isfinite(number) && number >= 0;
-}
-bool is_positive(double number) {
-  return is_positive_or_zero(number) && number > 0;
-}
 bool is_share(double share) {
   return share >= 0 && share <= 1;  // false for NaN
 }
@@ -264,6 +257,14 @@ tl::unexpected<Error> other_version(int major, int minor, FieldTaker fields) {
 }
 
 }  // namespace
+
+bool is_positive(double number) {
+  return std::isfinite(number) && number > 0;
+}
+
+bool is_positive_or_zero(double number) {
+  return std::isfinite(number) && number >= 0;
+}
 
 Result<void> check_recordable(const RecordingHeader& header) {
   const RibbonGrid& grid = header.grid;

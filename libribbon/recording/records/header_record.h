@@ -9,6 +9,10 @@
 
 namespace ribbon {
 
+// Finite, and above 0 or at least 0: what a header's lengths, rates and bounds have to be.
+bool is_positive(double number);
+bool is_positive_or_zero(double number);
+
 // Fails, with the error's place still to be filled in, where the ribbon has more particles, or the
 // obstacle more vertices or triangles, than a recording holds.
 Result<void> check_recordable(const RecordingHeader& header);

@@ -30,6 +30,7 @@ struct Origin {
 };
 
 inline constexpr std::size_t most_recorded_marks = 255;
+inline constexpr std::size_t most_recorded_stages = 255;
 
 // A circle in the drawing that has a name, and where on the band it lies.
 struct RecordedMark {
@@ -73,7 +74,8 @@ struct RecordingHeader {
   // The writer guarantees that |length / rest length - 1| of none of them is larger, in frames as
   // they are decoded. 0: nothing is stated.
   double strain_limit = 0;
-  std::vector<std::string> stages;  // names of those that it is fastened in; at most 255
+  // Names of those that it is fastened in, at most most_recorded_stages.
+  std::vector<std::string> stages;
   std::vector<RecordedMark> marks;  // at most most_recorded_marks
   std::optional<KnotBetween> knot_between;
   // 3 x points, metres: the drawing, pulled apart where it crosses itself, that the ribbon was put
