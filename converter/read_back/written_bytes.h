@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <utility>
 

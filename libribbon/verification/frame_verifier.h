@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "geometry/limited_edges.h"
-#include "geometry/ribbon_grid.h"
+#include "geometry/rest_size.h"
 #include "geometry/triangle_mesh.h"
 #include "verification/box_tree.h"
 #include "verification/feature_owners.h"

@@ -1,6 +1,5 @@
 #include "player/render/render_scene.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cstdint>

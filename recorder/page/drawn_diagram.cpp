@@ -9,7 +9,6 @@
 #include "curve/place.h"
 #include "recorder/run/drawn_knot.h"
 #include "text/json.h"
-#include "text/number_text.h"
 
 namespace ribbon {
 

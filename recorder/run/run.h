@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "recorder/run/run_plan.h"
 #include "recorder/run/run_statistics.h"

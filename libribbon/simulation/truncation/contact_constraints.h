@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <span>
 #include <utility>
 #include <vector>
 
