@@ -19,10 +19,9 @@ char32_t take_character(std::string_view& text) {
     if ((byte & 0xC0U) != 0x80) return broken;
     character = character << 6U | (byte & 0x3FU);
   }
-  const bool is_surrogate = character >= 0xD800 && character < 0xE000;
-  if (character < least[more] || is_surrogate || character > 0x10FFFF) return broken;
   text.remove_prefix(more);
-  return character;
+  const bool is_surrogate = character >= 0xD800 && character < 0xE000;
+  return character < least[more] || is_surrogate || character > 0x10FFFF ? broken : character;
 }
 
 void append_character(std::string& text, char32_t character) {
