@@ -53,6 +53,8 @@ class ProgressLine {
   void end();
 
  private:
+  void tell();
+
   std::string unit_;
   JobState job_;
   ProgressStyle style_;
