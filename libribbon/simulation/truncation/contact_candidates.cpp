@@ -41,8 +41,8 @@ bool is_exceeded(double room_m, const FeaturePair& pair, const Matrix3Xd& displa
 constexpr std::size_t particles_at_a_time = 1024;
 constexpr std::size_t pairs_at_a_time = 512;
 
-// Of the longest way: so far from where motion leads a target may lie to be led to, and so far from
-// its place what is led goes.
+// Of the longest way: so far from where motion leads a target may lie to be led to, and so far what
+// is led goes, from its place or from where the ribbon goes as a whole.
 constexpr double most_detour = 0.5;
 constexpr double most_led = 64;
 
@@ -53,12 +53,16 @@ Box BroadPhase::around_target(int particle, const Vector3d& target) const {
   const double longest_m = lengths_.longest_way_m;
   const Vector3d from = candidates_.from.col(particle);
   const Vector3d way = target - from;
-  const double squared_way = squared_length_of(way);
   const double detour_m = length_of((target - led_.col(particle)).eval());
-  const bool is_led = detour_m <= most_detour * longest_m + fall_m_;
+  const bool is_led = detour_m <= most_detour * longest_m + length_of(fall_);
   const double furthest_m = is_led ? most_led * longest_m : longest_m;
+  const auto is_within = [furthest_m](const Vector3d& displacement) {
+    return squared_length_of(displacement) <= furthest_m * furthest_m;
+  };
+  const bool goes_with_all =
+      is_led && (is_within(way - common_way_) || is_within(way - common_way_ - fall_));
   // What would go further is wild, wherever its velocity leads.
-  Box bound = Box::around(squared_way <= furthest_m * furthest_m
+  Box bound = Box::around(is_within(way) || goes_with_all
                               ? target
                               : Vector3d(from + longest_m * safely_normalised(way)));
   bound.grow(lengths_.slack_m);
@@ -76,7 +80,8 @@ const ContactCandidates& BroadPhase::detect(Bodies& bodies, const Matrix3Xd& fro
                                             const Vector3d& fall_m) {
   candidates_.from = from;
   led_ = led;
-  fall_m_ = length_of(fall_m);
+  fall_ = fall_m;
+  common_way_ = mean_of_columns(target) - mean_of_columns(from);
   candidates_.bounds.resize(from.cols());
   motions_.resize(from.cols());
   parallel_ranges(from.cols(), particles_at_a_time, [&](std::size_t begin, std::size_t end) {
@@ -84,7 +89,8 @@ const ContactCandidates& BroadPhase::detect(Bodies& bodies, const Matrix3Xd& fro
       MovingBox& bound = candidates_.bounds[particle];
       bound.start = Box::around(from.col(particle));
       bound.end = around_target(particle, target.col(particle));
-      if (fall_m_ > 0) bound.end.include(around_target(particle, target.col(particle) + fall_m));
+      if (!fall_.isZero(0))
+        bound.end.include(around_target(particle, target.col(particle) + fall_m));
       set_motion(particle);
     }
   });

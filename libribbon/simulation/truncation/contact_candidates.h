@@ -86,14 +86,15 @@ class BroadPhase {
   BroadPhaseLengths lengths_;
   std::optional<PairDistances> distances_;
   ContactCandidates candidates_;
-  Eigen::Matrix3Xd led_;                  // of the last detection
-  double fall_m_ = 0;                     // likewise, its length
-  std::vector<Motion> motions_;           // of the particles
-  std::vector<FeaturePair> found_;        // whose boxes meet
-  std::vector<double> distances_m_;       // of these pairs
-  std::vector<Eigen::Vector4d> weights_;  // likewise
-  std::vector<char> is_near_;             // are they?
-  std::vector<char> is_named_;            // are the particles?
+  Eigen::Matrix3Xd led_;                                  // of the last detection
+  Eigen::Vector3d fall_ = Eigen::Vector3d::Zero();        // likewise, m
+  Eigen::Vector3d common_way_ = Eigen::Vector3d::Zero();  // of all to their targets, on average, m
+  std::vector<Motion> motions_;                           // of the particles
+  std::vector<FeaturePair> found_;                        // whose boxes meet
+  std::vector<double> distances_m_;                       // of these pairs
+  std::vector<Eigen::Vector4d> weights_;                  // likewise
+  std::vector<char> is_near_;                             // are they?
+  std::vector<char> is_named_;                            // are the particles?
 };
 
 // Pairs of which no vertex is to be displaced.
