@@ -31,8 +31,7 @@ std::string remark_on(const FrameNumbers& numbers) {
                    numbers.penetrating_edges);
 }
 
-// Draws the progress of a run, and ends it when Ctrl-C is pressed; before its first frame, while
-// the start is looked for, there is nothing to save and Ctrl-C ends the program as usual.
+// Draws the progress of a run, and ends it when Ctrl-C is pressed.
 class Watch {
  public:
   explicit Watch(ProgressStyle style) : style_(style) {}
@@ -46,7 +45,10 @@ class Watch {
               line(total, "frame simulated again").update(done);
               return goes_on();
             },
-            [this](const std::string& what) { line(1, "start").update(0, what); }};
+            [this](const std::string& what) {
+              line(1, "start").update(0, what);
+              return goes_on();
+            }};
   }
   void end() {
     if (line_) line_->end();

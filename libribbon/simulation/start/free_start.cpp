@@ -41,16 +41,18 @@ class StartSearch {
 
   Result<StartReport> find() {
     if (is_free() && settles()) return relaxed();
-    if (!take_thin_band() && !take_recovered_band()) return pierced();
+    if (is_given_up_) return given_up();
+    if (!take_thin_band() && !take_recovered_band()) return is_given_up_ ? given_up() : pierced();
     const GrowthReport growth = grow_width(scene_, ribbon_, fraction_, observer_, bodies_, cloth_);
+    if (growth.is_given_up) return given_up();
     if (!growth.complete) return no_room(growth);
-    if (!settles()) return is_too_close() ? too_close() : strained();
+    if (!settles()) return is_given_up_ ? given_up() : is_too_close() ? too_close() : strained();
     return relaxed();
   }
 
  private:
-  void tell(const std::string& what) const {
-    if (observer_) observer_(what);
+  void tell(const std::string& what) {
+    if (observer_ && !observer_(what)) is_given_up_ = true;
   }
 
   // The band as generated, at a fraction of its width.
@@ -76,6 +78,8 @@ class StartSearch {
     fraction_ = 1;
     step_.settle(settling_rounds, bodies_, cloth_);
     for (int step = 0; step < parting_steps && (is_too_close() || is_strained()); ++step) {
+      tell("the ribbon settles at its whole width");
+      if (is_given_up_) return false;
       step_.advance_under(Matrix3Xd(3, 0), bodies_, cloth_);
       cloth_.velocities.setZero();
     }
@@ -116,6 +120,7 @@ class StartSearch {
       take_band(1.0 / part);
       tell("the ribbon is moved out of what it pierces, " +
            (part == 1 ? "at its whole width" : "at 1/" + std::to_string(part) + " of its width"));
+      if (is_given_up_) return false;
       RecoverySettings settings = RecoverySettings::of_edge(shortest_edge_m());
       settings.patience = patience;
       report_.recovery_iterations += recover(bodies_, settings, cloth_.positions).iterations;
@@ -153,6 +158,11 @@ class StartSearch {
   [[nodiscard]] std::string remedy_for_what_is_pierced() const {
     return (of_obstacle(*pierced_) ? "" : "set a smaller ribbon.width, or ") +
            remedy(of_obstacle(*pierced_));
+  }
+
+  tl::unexpected<Error> given_up() {
+    return passing_failure(scene_.name, "was interrupted while its start was looked for",
+                           "run it again");
   }
 
   tl::unexpected<Error> pierced() {
@@ -219,6 +229,7 @@ class StartSearch {
   double fraction_ = 1;                  // of its width, that the band has now
   std::optional<MeetingPlace> pierced_;  // by the thinnest band, where it was moved out
   StartReport report_;
+  bool is_given_up_ = false;
 };
 
 }  // namespace

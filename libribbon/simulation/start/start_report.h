@@ -24,8 +24,8 @@ struct StartReport {
 };
 
 // Called with what becomes of the ribbon while its start is looked for, which may take minutes:
-// "the ribbon is grown to 40 % of its width". May be empty.
-using StartObserver = std::function<void(const std::string& what)>;
+// "the ribbon is grown to 40 % of its width". Gives false where it is to be given up. May be empty.
+using StartObserver = std::function<bool(const std::string& what)>;
 
 // Is the ribbon still the knot that was meant, with its particles there (3 x particles)? May be
 // empty: any will do.

@@ -86,14 +86,15 @@ GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fra
   double scale = 1;
   while (true) {
     const RestSize size = ribbon.size().narrowed(fraction);
-    if (observer)
-      observer("the ribbon is grown to " + std::to_string(std::lround(100 * fraction)) +
-               " % of its width");
+    const std::string what =
+        "the ribbon is grown to " + std::to_string(std::lround(100 * fraction)) + " % of its width";
     GatedStep step(scene, size, contact_lengths(scene, size), cloth.particle_mass_kg);
     step.move(rows_scaled(size.grid, scale, cloth.positions), bodies, cloth);
     StrainedEdges edges;
     TornEdge torn_edge;
     for (int n = 0; n < steps_per_stage; ++n) {
+      report.is_given_up = observer && !observer(what);
+      if (report.is_given_up) return report;
       step.advance_under(Matrix3Xd(3, 0), bodies, cloth);
       step.settle(rounds_a_width, bodies, cloth);
       ++report.steps;

@@ -20,6 +20,7 @@ struct GrowthReport {
   double settled_fraction = 0;  // the largest fraction of it at which the band settled
   int strained_particle = 0;    // at the edge that is strained most
   int steps = 0;                // taken, at all widths
+  bool is_given_up = false;     // by the observer, whom each step asks
 };
 
 // Raises the rest width of the band, which lies free at a fraction of it, to all of it, by 5 % at a

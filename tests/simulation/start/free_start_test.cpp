@@ -116,6 +116,20 @@ TEST(FreeStart, a_ribbon_without_room_is_refused_with_a_width_that_found_room) {
   expect_free(*fastening, mesh, ring_box());
 }
 
+TEST(FreeStart, is_given_up_whenever_the_observer_wants) {
+  const Scene scene = scene_of_crossing(0.45);
+  const RibbonMesh mesh = mesh_of(scene);
+  for (const int asked : {1, 2, 10}) {
+    int told = 0;
+    const auto found = FasteningProcessor::create(
+        scene, mesh, std::nullopt, [&](const std::string&) { return ++told < asked; });
+    EXPECT_EQ(told, asked);
+    EXPECT_EQ(refusal_of(found),
+              "crossing: was interrupted while its start was looked for; run it again");
+    EXPECT_TRUE(found.error().may_pass);
+  }
+}
+
 TEST(FreeStart, an_absurd_width_is_refused_with_row_and_remedy) {
   const Scene scene = scene_of_crossing(30);
   const std::string sentence =

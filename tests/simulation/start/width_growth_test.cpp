@@ -36,7 +36,10 @@ TEST(WidthGrowth, with_room_the_band_gets_its_whole_width_and_stays_flat) {
   Bodies bodies{ribbon.grid, std::nullopt};
   Cloth cloth{rows_scaled(ribbon.grid, 0.25, ribbon.positions), Matrix3Xd::Zero(3, 80), 0.01};
   std::vector<std::string> told;
-  const auto tell = [&](const std::string& what) { told.push_back(what); };
+  const auto tell = [&](const std::string& what) {
+    told.push_back(what);
+    return true;
+  };
   const GrowthReport report = grow_width(scene, ribbon, 0.25, tell, bodies, cloth);
   ASSERT_GT(told.size(), 20U);
   EXPECT_EQ(told.front(), "the ribbon is grown to 25 % of its width");
