@@ -60,6 +60,22 @@ std::string real_number(double number) {
   return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
 }
 
+// A few numbers and the like as they stand there; of more, how many they are.
+std::string written_array(const TomlArray& array) {
+  constexpr std::size_t few = 4;
+  const bool is_flat = std::none_of(array.begin(), array.end(), [](const TomlValue& one) {
+    return one.as<TomlArray>() != nullptr || one.as<TomlTable>() != nullptr;
+  });
+  if (!is_flat || array.size() > few) return "an array of " + std::to_string(array.size());
+  std::string text = "[";
+  for (const TomlValue& one : array) {
+    if (text.size() > 1) text += ", ";
+    const auto* words = one.as<std::string>();
+    text += words != nullptr ? in_quotes(*words) : written(one);
+  }
+  return text + "]";
+}
+
 }  // namespace
 
 std::string written(const TomlValue& value) {
@@ -67,8 +83,7 @@ std::string written(const TomlValue& value) {
   if (const auto* number = value.as<double>()) return real_number(*number);
   if (const auto* text = value.as<std::string>()) return "the text " + in_quotes(*text);
   if (const auto* truth = value.as<bool>()) return *truth ? "true" : "false";
-  if (const auto* array = value.as<TomlArray>())
-    return "an array of " + std::to_string(array->size());
+  if (const auto* array = value.as<TomlArray>()) return written_array(*array);
   return value.as<TomlTable>() != nullptr ? "a table" : "a date or time";
 }
 

@@ -370,7 +370,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "\"balanced\"'"},
         Impossible{"two_coordinates_for_three", with("[obstacle]\nmesh = 'a'\nposition = [1, 2]\n"),
                    "12:12: 'position' must be 3 numbers from -1e12 to 1e12 in brackets, "
-                   "not an array of 2; write for example 'position = [0, 0, 0]'"},
+                   "not [1, 2]; write for example 'position = [0, 0, 0]'"},
         Impossible{"text_among_coordinates", with_in("[curve]", "origin = [0, 'a']"),
                    "2:14: 'origin' must be 2 numbers from -1e12 to 1e12 in brackets, "
                    "not the text 'a'; write for example 'origin = [0, 0]'"},
@@ -379,7 +379,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "numbers, not -9.81; write for example 'acceleration = [0, -9.81, 0]'"},
         Impossible{"gravity_of_two_coordinates", with("[gravity]\nacceleration = [0, -9.81]\n"),
                    "11:16: 'acceleration' must be 3 numbers from -1e12 to 1e12 in brackets, not "
-                   "an array of 2; write for example 'acceleration = [0, -9.81, 0]'"},
+                   "[0, -9.81]; write for example 'acceleration = [0, -9.81, 0]'"},
         Impossible{"gravity_of_nothing", with("[gravity]\n"),
                    "10:1: 'acceleration' is missing in [gravity]; add for example "
                    "'acceleration = [0, -9.81, 0]'"},
@@ -394,7 +394,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "write for example 'name = \"overhand-hourglass\"'"},
         Impossible{"axis_without_direction",
                    with("[air]\nresistance = 1\n[fastening]\nspeed = 1\naxis = [0, 0, 0]\n"),
-                   "14:8: 'axis' must be a direction that is not all zeros, not an array of 3; "
+                   "14:8: 'axis' must be a direction that is not all zeros, not [0, 0, 0]; "
                    "write for example 'axis = [0, 1, 0]'"},
         Impossible{"too_coarse_recording", with("[recording]\nmax_position_error = 0.5\n"),
                    "11:22: 'max_position_error' must be a number from 1e-7 to 0.01, or 0, not 0.5; "
