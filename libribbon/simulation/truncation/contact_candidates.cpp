@@ -59,8 +59,8 @@ Box BroadPhase::around_target(int particle, const Vector3d& target) const {
   const auto is_within = [furthest_m](const Vector3d& displacement) {
     return squared_length_of(displacement) <= furthest_m * furthest_m;
   };
-  const bool goes_with_all =
-      is_led && (is_within(way - common_way_) || is_within(way - common_way_ - fall_));
+  const bool goes_with_all = is_led && is_within(fall_) &&
+                             (is_within(way - common_way_) || is_within(way - common_way_ - fall_));
   // What would go further is wild, wherever its velocity leads.
   Box bound = Box::around(is_within(way) || goes_with_all
                               ? target
