@@ -29,7 +29,8 @@ Result<ExitCode> follow_recording(RecordingReader& reader, const Options& option
     std::fflush(told);
     return {};
   };
-  auto followed = follow(reader, {tell_frame, [&] { return interrupt.requested(); }});
+  const auto pass_lost = [&] { return pictures ? pictures->pass_lost() : Result<void>(); };
+  auto followed = follow(reader, {tell_frame, pass_lost, [&] { return interrupt.requested(); }});
   if (!followed) return tl::unexpected(followed.error());
   if (pictures)
     if (auto finished = pictures->finish(interrupt); !finished)

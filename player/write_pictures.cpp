@@ -147,7 +147,21 @@ Result<void> LivePictures::show(int index) {
     painter_->set_lowest(cameras_->lowest_m());
   }
   cameras_->follow(reader_);
-  waiting_.push_back(index);
+  waiting_.insert(waiting_.end(), 1 + std::exchange(lost_before_, 0), index);
+  last_ = index;
+  return render_settled();
+}
+
+Result<void> LivePictures::pass_lost() {
+  if (is_one_file_each(outputs_.front().format)) return {};
+  if (last_)
+    waiting_.push_back(*last_);
+  else
+    ++lost_before_;
+  return render_settled();
+}
+
+Result<void> LivePictures::render_settled() {
   for (; !waiting_.empty() && cameras_->is_settled(waiting_.front()); waiting_.pop_front())
     if (auto rendered = render(waiting_.front()); !rendered) return rendered;
   return {};

@@ -36,10 +36,14 @@ class LivePictures {
   Result<void> begin(const Interrupt& interrupt);
   // Takes frame `index`, and renders what no longer has to wait.
   Result<void> show(int index);
+  // Takes that the next frame is lost: in a stream the frame before is held, at the start the first
+  // one after, as held_over() does it.
+  Result<void> pass_lost();
   // After the last one: renders the rest, unless interrupted.
   Result<void> finish(const Interrupt& interrupt);
 
  private:
+  Result<void> render_settled();
   Result<void> render(int index);
 
   RecordingReader& reader_;
@@ -49,6 +53,8 @@ class LivePictures {
   std::optional<FramePainter> painter_;  // from begin() on
   std::optional<CameraWork> cameras_;    // once there is a frame
   std::deque<int> waiting_;              // frames that came and are not rendered
+  std::optional<int> last_;              // that came
+  std::size_t lost_before_ = 0;          // the first that came
 };
 
 }  // namespace ribbon

@@ -23,8 +23,8 @@ Result<void> follow(RecordingReader& reader, const FollowObserver& observer) {
     if (auto refreshed = reader.refresh(); !refreshed) return refreshed;
     for (; next < reader.frame_count(); ++next) {
       if (observer.interrupted()) return {};
-      if (!reader.readable(next)) continue;
-      if (auto told = observer.frame(next); !told) return told;
+      const auto told = reader.readable(next) ? observer.frame(next) : observer.lost();
+      if (!told) return told;
     }
     if (!more_may_come || observer.interrupted()) return {};
     std::this_thread::sleep_for(between_looks);

@@ -10,8 +10,10 @@
 namespace ribbon {
 
 struct FollowObserver {
-  // For each frame that can be read, in their order, as soon as it is there. A failure ends it.
+  // For each frame, in their order, as soon as it is there: this one if it can be read...
   std::function<Result<void>(int index)> frame;
+  // ... and this one if damage took it. A failure of either ends it.
+  std::function<Result<void>()> lost;
   // Asked at least ten times a second.
   std::function<bool()> interrupted;
 };

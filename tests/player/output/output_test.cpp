@@ -89,6 +89,27 @@ TEST_F(Output, a_lost_frame_is_held_in_a_stream) {
   EXPECT_EQ(raw.output.size(), 7 * frame_bytes);
 }
 
+TEST_F(Output, lost_frames_are_held_in_a_stream_that_follows_too) {
+  write_sample_recording(recording_, 40);
+  const std::string whole = bytes("knot.rbn");
+  const std::vector<std::pair<std::size_t, std::string>> lost{
+      {whole.size() / 10, "frames 1-20\n"},
+      {whole.size() / 8, "frames 2-20\n"},
+      {whole.size() * 9 / 10, "frames 38-40\n"}};
+  for (const auto& [at, frames] : lost) {
+    ASSERT_TRUE(write_file(recording_, flipped(whole, at)));
+    for (const std::string view : {"", " --view knot"}) {
+      const ToolRun raw = play_small("-o - --quiet" + view);
+      const ToolRun followed = play_small("-o - --quiet --follow" + view);
+      EXPECT_THAT(raw.errors, EndsWith(frames));
+      EXPECT_EQ(raw.exit_code, 1);
+      EXPECT_EQ(followed.exit_code, 1);
+      EXPECT_EQ(raw.output.size(), 40 * frame_bytes);
+      EXPECT_TRUE(followed.output == raw.output) << frames << view;
+    }
+  }
+}
+
 TEST_F(Output, a_reader_that_goes_is_an_error_with_a_sentence) {
   const std::string command = "('" RIBBON_PLAY
                               "' knot.rbn --size 640x480 --samples 1 -o - 2> errors.txt; "
