@@ -55,6 +55,10 @@ ExitCode intact(const RecordingInfo& info) {
   return info.missing.empty() && info.damage.empty() ? ExitCode::done : ExitCode::answer_is_no;
 }
 
+tl::unexpected<Error> holds_no_frames(const Options& options) {
+  return failure(options.recording.string(), "holds no frames", "record some first");
+}
+
 // Pictures do not show that frames are still to come, or never will.
 void tell_unfinished(const RecordingReader& reader, const Options& options) {
   const std::string unfinished = unfinished_text(reader);
@@ -66,7 +70,7 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
                         const Options& options) {
   const auto frames = parse_frame_range(options.frames, info.frame_count());
   if (!frames) return tl::unexpected(frames.error());
-  if (frames->empty()) return failure(info.file.string(), "holds no frames", "record some first");
+  if (frames->empty()) return holds_no_frames(options);
   // Before hours are spent on pictures.
   for (const auto& file : {options.plot, options.sheet})
     if (auto free = check_place(file, options.replaceable); !free)
@@ -97,25 +101,29 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
 }
 
 // It plays all of the recording, and is looked at as whoever opens it likes.
-Result<ExitCode> render_page(const RecordingReader& reader, const Options& options) {
+Result<ExitCode> render_page(RecordingReader& reader, const Options& options) {
   const auto free =
       check_single_name(options.pictures)
           .and_then([&] { return check_place(options.pictures, options.replaceable); })
           .and_then([&] { return check_page_options(options.given); });
   if (!free) return tl::unexpected(free.error());
+  const RecordingInfo info = recording_info(options.recording, reader);
+  const auto frames = parse_frame_range("", info.frame_count());
+  if (!frames) return tl::unexpected(frames.error());
+  if (frames->empty()) return holds_no_frames(options);
   tell_unfinished(reader, options);
+  if (readable_frames(*frames, lost_frames(info, *frames)).empty()) return ExitCode::answer_is_no;
   const auto done = write_page(reader, options.recording, options.pictures);
   if (!done) return tl::unexpected(done.error());
   tell(options, *done);
-  return ExitCode::done;
+  return intact(info);
 }
 
 // In ascending order, whatever the order asked for.
 Result<std::vector<int>> frames_to_verify(const RecordingReader& reader, const Options& options) {
   auto frames = parse_frame_range(options.frames, reader.frame_count());
   if (!frames) return frames;
-  if (frames->empty())
-    return failure(options.recording.string(), "holds no frames", "record some first");
+  if (frames->empty()) return holds_no_frames(options);
   std::sort(frames->begin(), frames->end());
   return frames;
 }

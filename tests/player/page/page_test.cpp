@@ -77,4 +77,16 @@ TEST_F(RibbonPlay, page_holds_the_recording_and_loads_nothing) {
   expect_refusal(run("knot.rbn -o knot.html"), "--force");
 }
 
+TEST_F(RibbonPlay, a_page_of_a_damaged_recording_is_answered_with_1_and_of_an_empty_one_refused) {
+  if (viewer_page().empty()) GTEST_SKIP() << "built without Emscripten";
+  damage();
+  const ToolRun damaged = run("knot.rbn -o damaged.html");
+  EXPECT_EQ(damaged.exit_code, 1);
+  EXPECT_THAT(damaged.errors, HasSubstr("lost to damage and not rendered: frames "));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "damaged.html"));
+  write_sample_recording(recording_, 0);
+  expect_refusal(run("knot.rbn -o empty.html"), "holds no frames; record some first");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "empty.html"));
+}
+
 }  // namespace ribbon::page_test
