@@ -66,6 +66,27 @@ void tell_unfinished(const RecordingReader& reader, const Options& options) {
     std::fprintf(stderr, "ribbon-play: %s: %s\n", options.recording.c_str(), unfinished.c_str());
 }
 
+// What shows frames themselves: pictures and a sheet.
+Result<ExitCode> render_frames(RecordingReader& reader, const RecordingInfo& info,
+                               const std::vector<int>& frames, const Options& options) {
+  const std::vector<int> lost = lost_frames(info, frames);
+  const std::vector<int> readable = readable_frames(frames, lost);
+  const ExitCode answer =
+      readable.size() == frames.size() ? ExitCode::done : ExitCode::answer_is_no;
+  if (readable.empty()) return answer;
+  if (!options.pictures.empty()) {
+    const auto done = write_pictures(reader, frames, lost, options);
+    if (!done) return tl::unexpected(done.error());
+    tell(options, *done);
+  }
+  if (!options.sheet.empty()) {
+    const auto done = write_sheet(reader, info, readable, options);
+    if (!done) return tl::unexpected(done.error());
+    tell(options, *done);
+  }
+  return answer;
+}
+
 Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
                         const Options& options) {
   const auto frames = parse_frame_range(options.frames, info.frame_count());
@@ -76,27 +97,14 @@ Result<ExitCode> render(RecordingReader& reader, const RecordingInfo& info,
     if (auto free = check_place(file, options.replaceable); !free)
       return tl::unexpected(free.error());
   tell_unfinished(reader, options);
-  if (!options.plot.empty()) {
-    const auto done = write_plot(info, *frames, options);
-    if (!done) return tl::unexpected(done.error());
-    tell(options, *done);
-  }
-  if (options.pictures.empty() && options.sheet.empty()) return intact(info);
-  const std::vector<int> lost = lost_frames(info, *frames);
-  const std::vector<int> readable = readable_frames(*frames, lost);
-  const ExitCode answer =
-      readable.size() == frames->size() ? ExitCode::done : ExitCode::answer_is_no;
-  if (readable.empty()) return answer;
-  if (!options.pictures.empty()) {
-    const auto done = write_pictures(reader, *frames, lost, options);
-    if (!done) return tl::unexpected(done.error());
-    tell(options, *done);
-  }
-  if (!options.sheet.empty()) {
-    const auto done = write_sheet(reader, info, readable, options);
-    if (!done) return tl::unexpected(done.error());
-    tell(options, *done);
-  }
+  Result<ExitCode> answer = intact(info);
+  if (!options.pictures.empty() || !options.sheet.empty())
+    answer = render_frames(reader, info, *frames, options);
+  if (!answer || options.plot.empty()) return answer;
+  // Last, so that it is not in the way of another try where pictures were refused or interrupted.
+  const auto done = write_plot(info, *frames, options);
+  if (!done) return tl::unexpected(done.error());
+  tell(options, *done);
   return answer;
 }
 

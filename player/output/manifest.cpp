@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -74,8 +75,6 @@ Result<Manifest> Manifest::open(const FramePattern& pattern, const MadeOf& made_
                                 const Shard& shard) {
   Manifest manifest(pattern, made_of);
   manifest.path_ = name_of(pattern, shard);
-  if (auto created = create_folder_of(manifest.path_); !created)
-    return tl::unexpected(created.error());
   const fs::path common = common_name(pattern);
   const fs::path folder = common.has_parent_path() ? common.parent_path() : ".";
   std::error_code code;
@@ -84,14 +83,9 @@ Result<Manifest> Manifest::open(const FramePattern& pattern, const MadeOf& made_
     if (name.starts_with(common.filename().string() + ".") && name.ends_with(ending))
       manifest.read(read_file(entry.path()).value_or(""));
   }
-  manifest.file_ = FileDescriptor(
-      ::open(manifest.path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-  if (!manifest.file_.is_open()) return cannot_be_written(manifest.path_);
-  // A line that a kill has cut off ends here, and is none.
-  const bool is_new = fs::file_size(manifest.path_, code) == 0;
-  const std::string line =
-      std::string(is_new ? "" : "\n") + std::string(made_of_mark) + made_of + "\n";
-  return manifest.append(line).map([&] { return std::move(manifest); });
+  manifest.file_ = FileDescriptor(::open(manifest.path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  if (!manifest.file_.is_open() && errno != ENOENT) return cannot_be_written(manifest.path_);
+  return manifest;
 }
 
 void Manifest::read(std::string_view text) {
@@ -131,7 +125,21 @@ bool Manifest::is_complete(int number, double frame) const {
   return bytes && checksum(*bytes) == noted.checksum;
 }
 
+Result<void> Manifest::begin() {
+  if (std::exchange(is_begun_, true)) return {};
+  if (!file_.is_open()) {
+    if (auto created = create_folder_of(path_); !created) return created;
+    file_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+    if (!file_.is_open()) return cannot_be_written(path_);
+  }
+  // A line that a kill has cut off ends here, and is none.
+  std::error_code code;
+  const bool is_new = fs::file_size(path_, code) == 0;
+  return append((is_new ? "" : "\n") + std::string(made_of_mark) + made_of_ + "\n");
+}
+
 Result<void> Manifest::note(int number, double frame, std::string_view bytes) {
+  if (auto begun = begin(); !begun) return begun;
   return append(picture_line(pattern_.digits_of(number), frame, bytes.size(), checksum(bytes)));
 }
 

@@ -24,7 +24,8 @@ using MadeOf = std::string;
 // its picture gets its name, so that a picture without a line is never one of ours.
 class Manifest {
  public:
-  // Reads what is there. Fails where the file of this shard cannot be written.
+  // Reads what is there. Fails where the file of this shard is there and cannot be written; it
+  // begins with the first picture, so that a job that is refused before leaves none behind.
   static Result<Manifest> open(const FramePattern& pattern, const MadeOf& made_of,
                                const Shard& shard);
 
@@ -50,12 +51,14 @@ class Manifest {
   Manifest(FramePattern pattern, MadeOf made_of);
   void read(std::string_view text);
   void read_picture(std::string_view line, bool is_current);
+  Result<void> begin();
   Result<void> append(const std::string& line);
 
   FramePattern pattern_;
   MadeOf made_of_;
   std::filesystem::path path_;
   FileDescriptor file_;
+  bool is_begun_ = false;  // what is made now is told
   // By the digits in their names, of which other patterns have more or fewer; of several lines the
   // last, but current ones win.
   std::map<std::string, Entry, std::less<>> pictures_;

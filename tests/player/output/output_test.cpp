@@ -213,6 +213,19 @@ TEST_F(Output, what_cannot_be_is_refused_before_anything_is_written) {
   EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
 }
 
+TEST_F(Output, a_refused_job_leaves_nothing_in_the_way_of_the_next) {
+  expect_refusal(run("knot.rbn --preview -o 'e/{frame}.exr'"), "knows no linear light");
+  expect_refusal(run("knot.rbn --plot p.svg -o bad.bmp"), "is not written as .bmp");
+  expect_refusal(run("knot.rbn --plot p.svg --sheet s.png -o '{frame}.png' --view top --view knot"),
+                 "put {view} into the name");
+  RecordingHeader header = sample_header();
+  header.input_curve.resize(3, 0);
+  write_recording(recording_, header, {sample_positions(0), sample_positions(1)});
+  expect_refusal(play_small("-o 'c/{frame}.png' --plot p.svg --overlay curve"),
+                 "does not tell the curve");
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
+}
+
 TEST_F(Output, an_exr_holds_more_light_than_a_screen_shows) {
   ASSERT_EQ(play_small("-o last.exr --frames -1").exit_code, 0);
   EXPECT_THAT(bytes("last.exr"), StartsWith("\x76\x2f\x31\x01"));
