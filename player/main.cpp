@@ -121,7 +121,8 @@ Result<ExitCode> render_page(RecordingReader& reader, const Options& options) {
   if (frames->empty()) return holds_no_frames(options);
   tell_unfinished(reader, options);
   if (readable_frames(*frames, lost_frames(info, *frames)).empty()) return ExitCode::answer_is_no;
-  const auto done = write_page(reader, options.recording, options.pictures);
+  const auto done =
+      write_page(reader, options.recording, options.pictures, options.replaceable.later());
   if (!done) return tl::unexpected(done.error());
   tell(options, *done);
   return intact(info);

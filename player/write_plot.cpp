@@ -37,7 +37,8 @@ Result<std::string> write_plot(const RecordingInfo& info, std::vector<int> frame
   const Drawing page = chart_page(info.header.scene_name, subtitle(info, frames.size(), lost),
                                   time_charts(info.header, numbers));
   const bool is_svg = lower_case_extension(options.plot.string()) == ".svg";
-  return write_file(options.plot, is_svg ? svg_text(page) : png_bytes(painted(page, png_scale)))
+  return write_file(options.plot, is_svg ? svg_text(page) : png_bytes(painted(page, png_scale)),
+                    options.replaceable.later())
       .map([&] { return "charts: " + options.plot.string(); });
 }
 

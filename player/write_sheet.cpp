@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "player/frame_painter.h"
-#include "player/output/existing_file.h"
 #include "player/picture/contact_sheet.h"
 #include "player/picture/png_encoder.h"
 #include "player/view/camera_work.h"
@@ -49,8 +48,6 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   const std::vector<Shot> shots = shots_to_show(options);
   const std::vector<int> shown = frames_to_show(frames, info, !options.frames.empty());
   const CameraWork cameras(reader, shots);
-  if (auto free = check_place(options.sheet, options.replaceable); !free)
-    return tl::unexpected(free.error());
   auto painter = FramePainter::create(reader, options, frames);
   if (!painter) return tl::unexpected(painter.error());
   painter->set_lowest(cameras.lowest_m());
@@ -71,7 +68,7 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
                                  header.grid.along, reader.frame_count());
   if (info.outcome) ribbon += " · " + outcome_text(*info.outcome);
   const Picture sheet = contact_sheet(header.scene_name, ribbon, columns, painter->legend());
-  return write_png(options.sheet, sheet).map([&] {
+  return write_png(options.sheet, sheet, options.replaceable.later()).map([&] {
     return filled_in("contact sheet: {}, {} of {} frames", options.sheet.string(), shown.size(),
                      frames.size());
   });

@@ -56,10 +56,10 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t 
                  "check that it is the one that is meant");
 }
 
-Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
+Result<void> write_file(const std::filesystem::path& path, std::string_view bytes, Older older) {
   auto file = PendingFile::create(path);
   if (!file) return tl::unexpected(file.error());
-  return file->append(bytes).and_then([&] { return file->finish(); });
+  return file->append(bytes).and_then([&] { return file->finish(older); });
 }
 
 }  // namespace ribbon

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "files/part_file.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -29,7 +30,9 @@ Result<std::string> read_file(
 
 // Writes `bytes` beside `path` under a temporary name, flushes and renames, so that a crash or a
 // full disk never leaves half a file under `path`. Creates missing parent folders. On failure the
-// temporary is removed and an older file under `path` is untouched.
-Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
+// temporary is removed and an older file under `path` is untouched; but where that stays as asked
+// for, so does the temporary (PartFile::take_place_of()).
+Result<void> write_file(const std::filesystem::path& path, std::string_view bytes,
+                        Older older = Older::is_replaced);
 
 }  // namespace ribbon

@@ -6,6 +6,9 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <utility>
+
+#include "files/files.h"
 
 namespace ribbon {
 
@@ -24,16 +27,34 @@ PartFile::~PartFile() {
   if (!path_.empty()) ::unlink(path_.c_str());
 }
 
-Result<void> PartFile::take_place_of(const std::filesystem::path& whole) {
+Result<void> PartFile::take_place_of(const std::filesystem::path& whole, Older older) {
+  if (older == Older::stays) return take_free_place(whole);
   const std::filesystem::path replaced = linked_file(whole);
   std::error_code code;
-  if (const auto older = std::filesystem::status(replaced, code); is_regular_file(older))
-    std::filesystem::permissions(path_, older.permissions(), code);
+  if (const auto status = std::filesystem::status(replaced, code); is_regular_file(status))
+    std::filesystem::permissions(path_, status.permissions(), code);
   if (::rename(path_.c_str(), replaced.c_str()) != 0)
     return failure(whole.string(), "cannot be replaced (" + last_error_text() + ")",
                    "check the permissions of its folder");
   path_.clear();
   return {};
+}
+
+// A second name is given in one step, and only where it is free; then the first one goes.
+Result<void> PartFile::take_free_place(const std::filesystem::path& whole) {
+  if (::link(path_.c_str(), whole.c_str()) == 0) {
+    ::unlink(path_.c_str());
+    path_.clear();
+    return {};
+  }
+  // A file system that knows no second names, as those of memory cards.
+  if (errno != EEXIST && !is_taken(whole)) return take_place_of(whole);
+  const std::filesystem::path stays = std::exchange(path_, {});
+  return failure(whole.string(),
+                 "was put there by somebody else meanwhile, and is not replaced; what was made is "
+                 "complete as " +
+                     stays.string(),
+                 "rename it");
 }
 
 }  // namespace ribbon

@@ -13,6 +13,9 @@ namespace ribbon {
 // What stands in a temporary name behind the final one, before a number.
 constexpr std::string_view temporary_mark = ".part";
 
+// What to do with a file that has the name already.
+enum class Older { is_replaced, stays };
+
 // Is gone in the end unless it has taken that place. A kill may leave it behind.
 class PartFile {
  public:
@@ -37,10 +40,14 @@ class PartFile {
 
   // Renames it to `whole`, which may exist, in one step: that name has the older file or this one
   // at any moment. Links go on to lead there, and the permissions stay what they were.
-  // sync_folder_of() brings the name to the disk. On failure both are as they were.
-  Result<void> take_place_of(const std::filesystem::path& whole);
+  // sync_folder_of() brings the name to the disk. On failure both are as they were. Where an older
+  // file stays, this one does so, too, under its temporary name, which the error tells: it may have
+  // taken hours.
+  Result<void> take_place_of(const std::filesystem::path& whole, Older older = Older::is_replaced);
 
  private:
+  Result<void> take_free_place(const std::filesystem::path& whole);
+
   PartFile(std::filesystem::path path, FileDescriptor file)
       : path_(std::move(path)), file_(std::move(file)) {}
 

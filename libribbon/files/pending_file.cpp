@@ -56,12 +56,12 @@ Result<void> PendingFile::overwrite(std::uint64_t offset, std::string_view bytes
   return {};
 }
 
-Result<void> PendingFile::finish() {
+Result<void> PendingFile::finish(Older older) {
   if (auto written = write_waiting(); !written) return written;
   // Forced to the disk before the rename: a power cut must not leave an empty file under the name.
   if (::fsync(part_.file().number()) != 0) return cannot_be_written(path_);
   if (!part_.file().close()) return cannot_be_written(path_);
-  return part_.take_place_of(path_);
+  return part_.take_place_of(path_, older);
 }
 
 }  // namespace ribbon

@@ -30,7 +30,7 @@ class PendingFile {
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
   // Forces everything to the disk and renames. Nothing may be written afterwards.
-  Result<void> finish();
+  Result<void> finish(Older older = Older::is_replaced);
 
  private:
   PendingFile(std::filesystem::path path, PartFile part)

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "files/part_file.h"
 #include "result/result.h"
 
 namespace ribbon {
@@ -12,6 +13,9 @@ namespace ribbon {
 struct Replaceable {
   bool all = false;                          // files, but
   std::vector<std::filesystem::path> never;  // those that are read for what is written
+
+  // Of what has come since check_place(), while something was made.
+  [[nodiscard]] Older later() const { return all ? Older::is_replaced : Older::stays; }
 };
 
 // Fails where a file of this name is there and is not to be replaced.

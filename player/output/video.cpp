@@ -105,8 +105,8 @@ int spawn_ffmpeg(Words words, int input, int complaints, pid_t& process) {
 
 }  // namespace
 
-Video::Video(fs::path file, PartFile part, Stopped stopped)
-    : file_(std::move(file)), part_(std::move(part)), stopped_(std::move(stopped)) {}
+Video::Video(fs::path file, PartFile part, Older older, Stopped stopped)
+    : file_(std::move(file)), part_(std::move(part)), older_(older), stopped_(std::move(stopped)) {}
 
 Result<std::unique_ptr<PictureSink>> Video::open(const fs::path& file, PictureSize size,
                                                  double frames_per_second,
@@ -119,7 +119,8 @@ Result<std::unique_ptr<PictureSink>> Video::open(const fs::path& file, PictureSi
                    "choose fewer by --fps");
   auto part = PartFile::create(file);
   if (!part) return tl::unexpected(part.error());
-  std::unique_ptr<Video> video(new Video(file, *std::move(part), std::move(stopped)));
+  std::unique_ptr<Video> video(
+      new Video(file, *std::move(part), replaceable.later(), std::move(stopped)));
   if (auto started = video->start(size, frames_per_second); !started)
     return tl::unexpected(started.error());
   return video;
@@ -169,7 +170,7 @@ Result<void> Video::finish() {
   if (auto ended = wait_for_ffmpeg(); !ended) return ended;
   const FileDescriptor written(::open(part_.path().c_str(), O_RDONLY | O_CLOEXEC));
   if (!written.is_open() || ::fsync(written.number()) != 0) return cannot_be_written(file_);
-  return part_.take_place_of(file_).map([&] { sync_folder_of(file_); });
+  return part_.take_place_of(file_, older_).map([&] { sync_folder_of(file_); });
 }
 
 // The last line, with what matters most.

@@ -31,7 +31,7 @@ class Video final : public PictureSink {
   Result<void> finish() override;
 
  private:
-  Video(std::filesystem::path file, PartFile part, Stopped stopped);
+  Video(std::filesystem::path file, PartFile part, Older older, Stopped stopped);
   Result<void> start(PictureSize size, double frames_per_second);
   [[nodiscard]] std::string complaint() const;
   [[nodiscard]] tl::unexpected<Error> interrupted() const;
@@ -39,6 +39,7 @@ class Video final : public PictureSink {
 
   std::filesystem::path file_;
   PartFile part_;
+  Older older_;
   Stopped stopped_;
   FileDescriptor pixels_;      // into ffmpeg
   FileDescriptor complaints_;  // what ffmpeg says

@@ -59,7 +59,7 @@ Result<void> append_place(std::string_view place, const RecordingReader& reader,
 
 Result<std::string> write_page(const RecordingReader& reader,
                                const std::filesystem::path& recording,
-                               const std::filesystem::path& page) {
+                               const std::filesystem::path& page, Older older) {
   if (viewer_page().empty())
     return failure(page.string(),
                    "cannot be written: this ribbon-play was built without Emscripten",
@@ -74,7 +74,7 @@ Result<std::string> write_page(const RecordingReader& reader,
     if (!appended) return tl::unexpected(appended.error());
   }
   const double megabytes = static_cast<double>(file->size()) / 1e6;
-  return file->finish().map(
+  return file->finish(older).map(
       [&] { return filled_in("page: {} ({:.1f} MB)", page.string(), megabytes); });
 }
 

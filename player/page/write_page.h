@@ -4,16 +4,17 @@
 #include <filesystem>
 #include <string>
 
+#include "files/part_file.h"
 #include "playback/recording_reader.h"
 #include "result/result.h"
 
 namespace ribbon {
 
 // Writes one file that plays `recording` in any browser and loads nothing else. Returns one line
-// about it. Fails where this program has no page to put it into, and where a file cannot be read or
-// written.
+// about it. Fails where this program has no page to put it into, where a file cannot be read or
+// written, and where an older page stays.
 Result<std::string> write_page(const RecordingReader& reader,
                                const std::filesystem::path& recording,
-                               const std::filesystem::path& page);
+                               const std::filesystem::path& page, Older older);
 
 }  // namespace ribbon

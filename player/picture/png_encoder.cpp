@@ -99,8 +99,8 @@ std::string png_bytes(const Picture& picture) {
   return bytes;
 }
 
-Result<void> write_png(const std::filesystem::path& path, const Picture& picture) {
-  return write_file(path, png_bytes(picture));
+Result<void> write_png(const std::filesystem::path& path, const Picture& picture, Older older) {
+  return write_file(path, png_bytes(picture), older);
 }
 
 }  // namespace ribbon

@@ -14,6 +14,7 @@ namespace ribbon {
 std::string png_bytes(const Picture& picture);
 
 // Those bytes as a file, complete or not at all.
-Result<void> write_png(const std::filesystem::path& path, const Picture& picture);
+Result<void> write_png(const std::filesystem::path& path, const Picture& picture,
+                       Older older = Older::is_replaced);
 
 }  // namespace ribbon

@@ -6,6 +6,7 @@
 
 #include "files/files.h"
 #include "files/temporary_folder.h"
+#include "result/refusal.h"
 
 namespace ribbon::part_file_test {
 
@@ -46,6 +47,25 @@ TEST(PartFile, permissions_and_links_outlive_the_older_file) {
     EXPECT_EQ(read_file(whole).value(), "newer");
     EXPECT_EQ(fs::status(whole).permissions(), only);
   }
+}
+
+TEST(PartFile, takes_no_place_where_something_came_meanwhile_and_stays_itself) {
+  const auto whole = temporary_file("came meanwhile") / "whole.bin";
+  auto part = PartFile::create(whole).value();
+  ASSERT_TRUE(write_all(part.file(), "mine"));
+  const auto path = part.path();
+  ASSERT_TRUE(write_file(whole, "somebody else's"));
+  EXPECT_THAT(refusal_of(part.take_place_of(whole, Older::stays)),
+              AllOf(StartsWith(whole.string()), HasSubstr("complete as " + path.string())));
+  part = PartFile::create(whole).value();
+  EXPECT_EQ(read_file(whole).value(), "somebody else's");
+  EXPECT_EQ(read_file(path).value(), "mine");
+  std::filesystem::remove(whole);
+  ASSERT_TRUE(write_all(part.file(), "the next"));
+  ASSERT_TRUE(part.take_place_of(whole, Older::stays).has_value());
+  EXPECT_EQ(read_file(whole).value(), "the next");
+  std::filesystem::remove(path);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(whole.parent_path()), {}), 1);
 }
 
 TEST(PartFile, a_link_that_leads_nowhere_makes_way) {

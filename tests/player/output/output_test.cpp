@@ -188,6 +188,16 @@ TEST_F(Output, ffmpeg_that_ends_early_and_is_content_has_made_no_video) {
   EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
 }
 
+TEST_F(Output, a_film_that_came_meanwhile_is_not_replaced) {
+  const std::string slow = with_ffmpeg_that(
+      "cat > /dev/null; echo \"somebody else's\" > knot.mp4; for f; do :; done; "
+      "echo ours > \"${f#file:}\"");
+  expect_refusal(play_small("-o knot.mp4", slow), "knot.mp4: was put there by somebody else");
+  EXPECT_EQ(bytes("knot.mp4"), "somebody else's\n");
+  EXPECT_EQ(play_small("-o knot.mp4 --force", slow).exit_code, 0);
+  EXPECT_EQ(bytes("knot.mp4"), "ours\n");
+}
+
 TEST_F(Output, a_disk_that_is_too_full_for_ffmpeg_may_pass) {
   const std::string failing =
       with_ffmpeg_that("cat > /dev/null; echo 'out: No space left on device' >&2; exit 1");
