@@ -121,8 +121,10 @@ Result<ExitCode> render_page(RecordingReader& reader, const Options& options) {
   if (frames->empty()) return holds_no_frames(options);
   tell_unfinished(reader, options);
   if (readable_frames(*frames, lost_frames(info, *frames)).empty()) return ExitCode::answer_is_no;
+  const Interrupt interrupt;
   const auto done =
-      write_page(reader, options.recording, options.pictures, options.replaceable.later());
+      write_page(reader, options.recording, options.pictures, options.replaceable.later(),
+                 [&interrupt] { return interrupt.requested(); });
   if (!done) return tl::unexpected(done.error());
   tell(options, *done);
   return intact(info);

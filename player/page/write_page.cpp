@@ -35,9 +35,11 @@ std::string escaped(std::string_view text) {
 
 // Piece by piece, so that memory does not grow with the recording.
 Result<void> append_base64(const RandomAccessFile& recording, const std::string& name,
-                           PendingFile& page) {
+                           const Stopped& stopped, PendingFile& page) {
   constexpr std::uint64_t piece = 3 << 16;
   for (std::uint64_t done = 0; done < recording.size(); done += piece) {
+    if (stopped())
+      return passing_failure(name, filled_in("interrupted at byte {} of it", done), "run it again");
     const std::string bytes = recording.read(done, piece);
     if (bytes.size() != std::min(piece, recording.size() - done))
       return failure(name, filled_in("cannot be read beyond byte {}", done + bytes.size()),
@@ -49,17 +51,18 @@ Result<void> append_base64(const RandomAccessFile& recording, const std::string&
 
 Result<void> append_place(std::string_view place, const RecordingReader& reader,
                           const std::filesystem::path& recording, const RandomAccessFile& bytes,
-                          PendingFile& page) {
+                          const Stopped& stopped, PendingFile& page) {
   if (place == "title") return page.append(escaped(reader.header().scene_name));
   if (place == "file") return page.append(escaped(recording.filename().string()));
-  return append_base64(bytes, recording.string(), page);
+  return append_base64(bytes, recording.string(), stopped, page);
 }
 
 }  // namespace
 
 Result<std::string> write_page(const RecordingReader& reader,
                                const std::filesystem::path& recording,
-                               const std::filesystem::path& page, Older older) {
+                               const std::filesystem::path& page, Older older,
+                               const Stopped& stopped) {
   if (viewer_page().empty())
     return failure(page.string(),
                    "cannot be written: this ribbon-play was built without Emscripten",
@@ -69,8 +72,9 @@ Result<std::string> write_page(const RecordingReader& reader,
   auto file = PendingFile::create(page);
   if (!file) return tl::unexpected(file.error());
   for (const PagePart& part : page_parts(viewer_page())) {
-    const auto appended = part.is_place ? append_place(part.text, reader, recording, *bytes, *file)
-                                        : file->append(part.text);
+    const auto appended = part.is_place
+                              ? append_place(part.text, reader, recording, *bytes, stopped, *file)
+                              : file->append(part.text);
     if (!appended) return tl::unexpected(appended.error());
   }
   const double megabytes = static_cast<double>(file->size()) / 1e6;

@@ -6,6 +6,7 @@
 #include "page/seven_bits.h"
 #include "page/unpacked.h"
 #include "player/page/viewer_page.h"
+#include "player/page/write_page.h"
 #include "player/ribbon_play.h"
 
 namespace ribbon::page_test {
@@ -87,6 +88,17 @@ TEST_F(RibbonPlay, a_page_of_a_damaged_recording_is_answered_with_1_and_of_an_em
   write_sample_recording(recording_, 0);
   expect_refusal(run("knot.rbn -o empty.html"), "holds no frames; record some first");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "empty.html"));
+}
+
+TEST_F(RibbonPlay, a_page_that_is_interrupted_leaves_nothing_and_asks_for_another_try) {
+  if (viewer_page().empty()) GTEST_SKIP() << "built without Emscripten";
+  const auto reader = RecordingReader::open(recording_).value();
+  const auto written =
+      write_page(reader, recording_, folder_ / "knot.html", Older::stays, [] { return true; });
+  ASSERT_FALSE(written.has_value());
+  EXPECT_TRUE(written.error().may_pass);
+  EXPECT_THAT(written.error().sentence(), HasSubstr("interrupted at byte 0"));
+  EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
 }
 
 }  // namespace ribbon::page_test
