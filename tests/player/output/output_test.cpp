@@ -236,9 +236,17 @@ TEST_F(Output, a_refused_job_leaves_nothing_in_the_way_of_the_next) {
   EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
 }
 
-TEST_F(Output, an_exr_holds_more_light_than_a_screen_shows) {
-  ASSERT_EQ(play_small("-o last.exr --frames -1").exit_code, 0);
+TEST_F(Output, an_exr_holds_the_light_before_exposure_and_tone_that_a_screen_shows) {
+  for (const std::string file : {"last.exr", "last.png"}) {
+    ASSERT_EQ(play_small("--frames -1 -o " + file).exit_code, 0);
+    ASSERT_EQ(play_small("--frames -1 --exposure 3 -o exposed-" + file).exit_code, 0);
+    ASSERT_EQ(play_small("--frames -1 --exposure 3 --tone soft -o soft-" + file).exit_code, 0);
+  }
   EXPECT_THAT(bytes("last.exr"), StartsWith("\x76\x2f\x31\x01"));
+  EXPECT_TRUE(bytes("exposed-last.exr") == bytes("last.exr"));
+  EXPECT_TRUE(bytes("soft-last.exr") == bytes("last.exr"));
+  EXPECT_FALSE(bytes("exposed-last.png") == bytes("last.png"));
+  EXPECT_FALSE(bytes("soft-last.png") == bytes("exposed-last.png"));
 }
 
 TEST_F(Output, what_is_there_is_not_replaced_unless_asked) {
