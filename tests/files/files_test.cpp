@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "files/temporary_folder.h"
+#include "recording/size_limit.h"
 #include "result/refusal.h"
 
 namespace ribbon::files_test {
@@ -20,6 +21,16 @@ TEST(Files, what_was_written_is_read_back) {
 
 TEST(Files, a_failed_write_leaves_the_older_file_alone) {
   EXPECT_THAT(refusal_of(write_file("/dev/full/never", "x")), HasSubstr("/dev/full"));
+  const auto file = temporary_file("too full") / "bytes.bin";
+  ASSERT_TRUE(write_file(file, "older").has_value());
+  {
+    const SizeLimit limit(100'000);
+    EXPECT_THAT(refusal_of(write_file(file, std::string(200'000, 'x'))),
+                AllOf(StartsWith(file.string() + ": cannot be written"), Not(HasSubstr(".part"))));
+  }
+  EXPECT_EQ(read_file(file).value(), "older");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}), 1)
+      << "a temporary file was left behind";
 }
 
 TEST(Files, a_missing_file_is_named) {
