@@ -33,11 +33,15 @@ Result<void> PartFile::take_place_of(const std::filesystem::path& whole, Older o
   std::error_code code;
   if (const auto status = std::filesystem::status(replaced, code); is_regular_file(status))
     std::filesystem::permissions(path_, status.permissions(), code);
-  if (::rename(path_.c_str(), replaced.c_str()) != 0)
-    return failure(whole.string(), "cannot be replaced (" + last_error_text() + ")",
-                   "check the permissions of its folder");
-  path_.clear();
-  return {};
+  if (::rename(path_.c_str(), replaced.c_str()) == 0) {
+    path_.clear();
+    return {};
+  }
+  if (errno == ENOENT)
+    return passing_failure(whole.string(), "was removed by somebody else while it was written",
+                           "run it again");
+  return failure(whole.string(), "cannot be replaced (" + last_error_text() + ")",
+                 "check the permissions of its folder");
 }
 
 // A second name is given in one step, and only where it is free; then the first one goes.

@@ -40,7 +40,8 @@ class PartFile {
 
   // Renames it to `whole`, which may exist, in one step: that name has the older file or this one
   // at any moment. Links go on to lead there, and the permissions stay what they were.
-  // sync_folder_of() brings the name to the disk. On failure both are as they were. Where an older
+  // sync_folder_of() brings the name to the disk. On failure both are as they were; it may pass
+  // where somebody has removed this one, taking it for what a kill left. Where an older
   // file stays, this one does so, too, under its temporary name, which the error tells: it may have
   // taken hours.
   Result<void> take_place_of(const std::filesystem::path& whole, Older older = Older::is_replaced);

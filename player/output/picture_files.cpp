@@ -61,7 +61,10 @@ Result<void> PictureFiles::put(OutputPicture picture) {
   const std::string bytes = encoded(picture);
   if (manifest_)
     if (auto noted = manifest_->note(picture.number, picture.frame, bytes); !noted) return noted;
-  return write_file(file, bytes);
+  auto written = write_file(file, bytes);
+  // Once more: a second task of the same shard may have taken the temporary file for a leftover.
+  if (!written && written.error().may_pass) written = write_file(file, bytes);
+  return written;
 }
 
 std::vector<PlayedFrame> still_to_render(std::vector<PlayedFrame> frames,

@@ -49,6 +49,15 @@ TEST(PartFile, permissions_and_links_outlive_the_older_file) {
   }
 }
 
+TEST(PartFile, that_somebody_has_removed_may_be_written_again) {
+  const auto whole = temporary_file("removed") / "whole.bin";
+  auto part = PartFile::create(whole).value();
+  std::filesystem::remove(part.path());
+  const auto taken = part.take_place_of(whole);
+  EXPECT_THAT(refusal_of(taken), HasSubstr("was removed by somebody else while it was written"));
+  EXPECT_TRUE(taken.error().may_pass);
+}
+
 TEST(PartFile, takes_no_place_where_something_came_meanwhile_and_stays_itself) {
   const auto whole = temporary_file("came meanwhile") / "whole.bin";
   auto part = PartFile::create(whole).value();

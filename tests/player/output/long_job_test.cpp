@@ -1,6 +1,7 @@
 // Sequences that are interrupted, go on, and are shared by several machines.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -8,7 +9,9 @@
 #include <random>
 #include <thread>
 
+#include "files/part_file.h"
 #include "parallel/instruction_set.h"
+#include "player/output/picture_files.h"
 #include "player/picture/png_encoder.h"
 #include "player/ribbon_play.h"
 #include "recorder/process.h"
@@ -246,6 +249,28 @@ TEST_F(LongJob, what_a_kill_left_is_removed_beside_pictures_in_no_folder_too) {
   EXPECT_FALSE(fs::exists(folder_ / "3.png.part99"));
   EXPECT_FALSE(fs::exists(folder_ / "a/3.png.part99"));
   EXPECT_TRUE(fs::exists(folder_ / "3.png.note")) << "nobody's leftover";
+}
+
+// As a second task of the same shard removes it when it begins.
+TEST_F(LongJob, a_picture_whose_temporary_file_is_taken_for_a_leftover_is_written_all_the_same) {
+  const auto pattern = FramePattern::parse((folder_ / "a/{frame}.png").string()).value();
+  fs::create_directory(folder_ / "a");
+  std::atomic<bool> removed = false;
+  std::thread remover([&] {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    std::error_code code;
+    while (!removed && std::chrono::steady_clock::now() < end)
+      for (const auto& entry : fs::directory_iterator(folder_ / "a", code))
+        if (entry.path().string().find(temporary_mark) != std::string::npos &&
+            fs::remove(entry.path(), code))
+          removed = true;
+  });
+  PictureFiles files(pattern, std::nullopt, {.all = true, .never = {}});
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!removed && std::chrono::steady_clock::now() < end)
+    EXPECT_TRUE(files.put({1, 1, blank_picture({320, 200}, Color::Ones())}));
+  remover.join();
+  EXPECT_THAT(pictures("a"), ElementsAre("0001.png"));
 }
 
 TEST_F(LongJob, a_limit_on_the_size_of_files_will_not_pass) {
