@@ -96,13 +96,19 @@ Result<std::string> settings_text(const Options& options, std::size_t shot) {
 
 }  // namespace
 
-Result<MadeOf> made_of(const RecordingReader& reader, const Options& options, std::size_t shot) {
-  auto recording = fingerprint(options.recording);
-  if (!recording) return recording;
-  return settings_text(options, shot).map([&](const std::string& settings) {
-    return "recording " + hexadecimal(reader.recording_id()) + " (" + *recording +
-           "); ribbon-play " RIBBON_VERSION "; " + ray_tracer_name() + settings;
-  });
+Result<std::vector<MadeOf>> made_of(const RecordingReader& reader, const Options& options,
+                                    std::size_t shots) {
+  const auto recording = fingerprint(options.recording);
+  if (!recording) return tl::unexpected(recording.error());
+  const std::string common = "recording " + hexadecimal(reader.recording_id()) + " (" + *recording +
+                             "); ribbon-play " RIBBON_VERSION "; " + ray_tracer_name();
+  std::vector<MadeOf> made;
+  for (std::size_t shot = 0; shot < shots; ++shot) {
+    const auto settings = settings_text(options, shot);
+    if (!settings) return tl::unexpected(settings.error());
+    made.push_back(common + *settings);
+  }
+  return made;
 }
 
 }  // namespace ribbon

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "playback/recording_reader.h"
 #include "player/options.h"
@@ -9,9 +10,11 @@
 
 namespace ribbon {
 
-// In one line: the recording by its id, size and checksum, this program, the ray tracer with its
-// vector instructions, and every option that was given but those that change no pixel; of an option
-// that names a file, also that file's checksum; of several views that of this shot alone.
-Result<MadeOf> made_of(const RecordingReader& reader, const Options& options, std::size_t shot);
+// Of each shot, in one line: the recording by its id, size and checksum, this program, the ray
+// tracer with its vector instructions, and every option that was given but those that change no
+// pixel; of an option that names a file, also that file's checksum; of several views that of the
+// shot alone. Reads all of the recording.
+Result<std::vector<MadeOf>> made_of(const RecordingReader& reader, const Options& options,
+                                    std::size_t shots);
 
 }  // namespace ribbon

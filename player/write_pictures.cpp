@@ -1,10 +1,12 @@
 #include "player/write_pictures.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <utility>
 
 #include "commandline/interrupt.h"
+#include "commandline/progress.h"
 #include "player/film_renderer.h"
 #include "player/made_of.h"
 #include "player/shots.h"
@@ -33,12 +35,16 @@ Result<std::vector<Output>> open_outputs(const RecordingReader& reader, const Op
                                          const Stopped& stopped) {
   const auto names = output_names(options);
   if (!names) return tl::unexpected(names.error());
+  std::vector<MadeOf> made(names->size());
+  if (has_manifest(options.pictures, film.size(), options.resume)) {
+    auto known = made_of(reader, options, names->size());
+    if (!known) return tl::unexpected(known.error());
+    made = *std::move(known);
+  }
   std::vector<Output> outputs;
   for (std::size_t shot = 0; shot < names->size(); ++shot) {
     OutputRequest request = request_of(reader, options, (*names)[shot], stopped);
-    auto made = made_of(reader, options, shot);
-    if (!made) return tl::unexpected(made.error());
-    request.made_of = *std::move(made);
+    request.made_of = made[shot];
     auto output = open_output(request, film);
     if (!output) return tl::unexpected(output.error());
     outputs.push_back(*std::move(output));
@@ -99,6 +105,11 @@ Result<std::string> write_pictures(RecordingReader& reader, const std::vector<in
   auto outputs =
       open_outputs(reader, options, *film, [&interrupt] { return interrupt.requested(); });
   if (!outputs) return tl::unexpected(outputs.error());
+  // Cameras and colours would read every frame.
+  if (std::ranges::all_of(*outputs, [](const Output& output) { return output.frames.empty(); })) {
+    ProgressLine("picture", 0, options.progress).end();
+    return summary(0, 0, *outputs);
+  }
   const auto start = std::chrono::steady_clock::now();
   FilmRenderer renderer(reader, options, *shots, *outputs);
   if (auto prepared = renderer.prepare(readable_frames(frames, lost)); !prepared)

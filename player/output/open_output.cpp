@@ -47,7 +47,7 @@ Result<Output> open_files(const OutputRequest& request, PictureFormat format,
       return tl::unexpected(free.error());
   std::optional<Manifest> manifest;
   std::vector<PlayedFrame> frames = part;
-  if (film.size() > 1 || request.resumes) {
+  if (has_manifest(request.name, film.size(), request.resumes)) {
     auto opened = Manifest::open(*pattern, request.made_of, request.shard);
     if (!opened) return tl::unexpected(opened.error());
     manifest = *std::move(opened);
@@ -68,6 +68,11 @@ Result<Output> open_files(const OutputRequest& request, PictureFormat format,
 }
 
 }  // namespace
+
+bool has_manifest(const std::string& name, std::size_t pictures, bool resumes) {
+  const auto format = picture_format(name);
+  return format && is_one_file_each(*format) && (pictures > 1 || resumes);
+}
 
 Result<Output> open_output(const OutputRequest& request, const std::vector<PlayedFrame>& film) {
   const auto format = picture_format(request.name);

@@ -18,7 +18,7 @@ struct OutputRequest {
   std::string name;  // of the pictures' files, with a place for their number; of a video; or "-"
   PictureSize size;
   double frames_per_second = 0;  // of a video
-  MadeOf made_of;
+  MadeOf made_of;                // where has_manifest()
   Shard shard = {};
   bool resumes = false;  // keeps what is complete; otherwise nothing may be there but
   Replaceable replaceable = {};
@@ -32,6 +32,9 @@ struct Output {
   std::size_t complete = 0;         // were there already
   std::string last;                 // file, for a summary
 };
+
+// Is there a manifest beside so many pictures of this name? A single one needs it to go on alone.
+bool has_manifest(const std::string& name, std::size_t pictures, bool resumes);
 
 // For the pictures of `film`, of which it is this shard's part that will come. A sequence of files
 // gets a manifest beside it. Fails, before anything is written, where the name makes no sense or

@@ -52,6 +52,19 @@ TEST_F(LongJob, what_is_missing_or_not_as_it_was_is_rendered_again) {
   EXPECT_TRUE(all("a") == before);
 }
 
+TEST_F(LongJob, where_all_is_complete_nothing_is_prepared_for_rendering) {
+  const std::string preview = "--preview -o 'a/{frame}.png' --resume";
+  ASSERT_EQ(play_small(preview).exit_code, 0);
+  ASSERT_TRUE(write_file(folder_ / "libOSMesa.so.8", "no library"));
+  const std::string without = "LD_LIBRARY_PATH='" + folder_.string() + "'";
+  const ToolRun complete = play_small(preview + " --progress json", without);
+  EXPECT_EQ(complete.exit_code, 0);
+  EXPECT_EQ(complete.output, "0 pictures, 7 were complete\n");
+  EXPECT_THAT(complete.errors, StartsWith(R"({"unit":"picture","done":0,"total":0,)"));
+  fs::remove(folder_ / "a/0003.png");
+  expect_refusal(play_small(preview, without), "cannot load OSMesa");
+}
+
 TEST_F(LongJob, goes_on_with_one_that_was_not_begun_with_resume) {
   ASSERT_EQ(play_small("-o 'a/{frame:02}.png'").exit_code, 0);
   EXPECT_EQ(output_of(render_into("a")), "0 pictures, 7 were complete\n");
