@@ -20,7 +20,7 @@ constexpr std::uint32_t position_codec = 7;
 constexpr std::uint32_t most_particles = 1U << 24;
 // Columns have a border, so that many short ones take more memory than their particles.
 constexpr int most_columns = 1 << 20;
-constexpr std::uint32_t largest_mesh = 1U << 26;
+constexpr std::int32_t largest_mesh = 1 << 26;
 constexpr std::uint32_t most_curve_points = most_particles / 2;  // one a row
 
 // The fields of the header are listed once, in functions that are given one of these two.
