@@ -148,7 +148,7 @@ TEST_F(LongJob, what_is_interpolated_is_told_and_goes_on_in_shards_and_after_a_s
   EXPECT_EQ(whole.exit_code, 0);
   EXPECT_THAT(whole.errors, HasSubstr("6 moments lie between recorded frames, and interpolated: "
                                       "not certified; nothing intersects there"));
-  EXPECT_THAT(bytes("one/manifest.png.txt"), HasSubstr("picture 4 of frame 2.5, interpolated: "));
+  EXPECT_THAT(bytes("one/manifest.png.txt"), HasSubstr("picture 04 of frame 2.5, interpolated: "));
   const auto pictures = all("one");
   ASSERT_EQ(pictures.size(), 13U);
   ASSERT_EQ(render_into("recorded", "--isa sse2").exit_code, 0);
@@ -255,13 +255,13 @@ TEST_F(LongJob, a_full_disk_asks_for_another_try_and_the_next_one_goes_on) {
 }
 
 TEST_F(LongJob, what_a_kill_left_is_removed_beside_pictures_in_no_folder_too) {
-  for (const std::string leftover : {"3.png.part99", "a/3.png.part99", "3.png.note"})
+  for (const std::string leftover : {"0003.png.part99", "a/0003.png.part99", "0003.png.note"})
     ASSERT_TRUE(write_file(folder_ / leftover, "half a picture"));
   for (const std::string pattern : {"{frame}.png", "a/{frame}.png"})
     ASSERT_EQ(play_small("--resume -o '" + pattern + "'").exit_code, 0);
-  EXPECT_FALSE(fs::exists(folder_ / "3.png.part99"));
-  EXPECT_FALSE(fs::exists(folder_ / "a/3.png.part99"));
-  EXPECT_TRUE(fs::exists(folder_ / "3.png.note")) << "nobody's leftover";
+  EXPECT_FALSE(fs::exists(folder_ / "0003.png.part99"));
+  EXPECT_FALSE(fs::exists(folder_ / "a/0003.png.part99"));
+  EXPECT_TRUE(fs::exists(folder_ / "0003.png.note")) << "nobody's leftover";
 }
 
 // As a second task of the same shard removes it when it begins.
