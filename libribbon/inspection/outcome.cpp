@@ -9,6 +9,7 @@
 
 #include "geometry/box.h"
 #include "geometry/closest_points.h"
+#include "geometry/row_middles.h"
 #include "knot/motion/ribbon_curves.h"
 #include "text/number_text.h"
 
@@ -69,9 +70,7 @@ Eigen::ArrayXd nearest_other_strand_m(const Eigen::Matrix3Xd& middles, double sp
 Eigen::Matrix3Xd knotted_particles(const RecordingHeader& header,
                                    const Eigen::Matrix3Xd& positions) {
   const RibbonGrid& grid = header.grid;
-  Eigen::Matrix3Xd middles(3, grid.along);
-  for (int i = 0; i < grid.along; ++i)
-    middles.col(i) = positions.middleCols(grid.particle(i, 0), grid.across).rowwise().mean();
+  const Eigen::Matrix3Xd middles = row_middles(grid, positions);
   const double spacing_m = header.ribbon_length_m / (grid.along - 1);
   const Eigen::ArrayXd nearest_m =
       nearest_other_strand_m(middles, spacing_m, header.ribbon_width_m);

@@ -1,25 +1,12 @@
 #include "player/overlay/mesh_lines.h"
 
 #include <algorithm>
-#include <map>
+#include <array>
 #include <set>
 
+#include "geometry/first_in_place.h"
+
 namespace ribbon {
-
-namespace {
-
-// For each vertex the first one that is in the same place.
-std::vector<int> first_in_place(const Eigen::Matrix3Xf& vertices) {
-  std::map<std::array<float, 3>, int> places;
-  std::vector<int> first;
-  first.reserve(vertices.cols());
-  for (int v = 0; v < vertices.cols(); ++v)
-    first.push_back(
-        places.try_emplace({vertices(0, v), vertices(1, v), vertices(2, v)}, v).first->second);
-  return first;
-}
-
-}  // namespace
 
 SpaceLines ribbon_lines(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions) {
   SpaceLines result{positions, {}};

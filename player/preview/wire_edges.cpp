@@ -3,30 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
+
+#include "geometry/first_in_place.h"
 
 namespace ribbon {
 
 namespace {
 
 constexpr float flat = 0.99996F;  // cosine of half a degree
-
-// For each vertex the first one that is in the same place.
-std::vector<int> first_in_place(const Eigen::Matrix3Xf& vertices) {
-  const auto place = [&](int vertex) {
-    return std::array{vertices(0, vertex), vertices(1, vertex), vertices(2, vertex)};
-  };
-  std::vector<int> order(static_cast<std::size_t>(vertices.cols()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
-  std::vector<int> first(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    first[order[k]] =
-        k > 0 && place(order[k]) == place(order[k - 1]) ? first[order[k - 1]] : order[k];
-  return first;
-}
 
 // A side of a triangle: the vertices at its ends, the smaller one first.
 struct Side {

@@ -1,15 +1,14 @@
 #include "player/render/surface.h"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numbers>
 #include <numeric>
 #include <type_traits>
 #include <vector>
 
+#include "geometry/first_in_place.h"
 #include "parallel/vector_loop.h"
 #include "player/render/lane_vector.h"
 
@@ -28,19 +27,13 @@ Eigen::Vector3f area_vector(const Eigen::Matrix3Xf& vertices, const Eigen::Vecto
   return (vertices.col(corners[1]) - a).cross(vertices.col(corners[2]) - a);
 }
 
-// Meshes repeat a vertex where texture or normals change; only its position counts here.
-std::vector<std::vector<int>> triangles_round_position(const TriangleMesh& mesh,
-                                                       std::vector<int>& position_of_vertex) {
-  std::map<std::array<float, 3>, int> positions;
-  for (Eigen::Index v = 0; v < mesh.vertices.cols(); ++v) {
-    const Eigen::Vector3f p = mesh.vertices.col(v);
-    const auto next = static_cast<int>(positions.size());
-    position_of_vertex.push_back(positions.try_emplace({p.x(), p.y(), p.z()}, next).first->second);
-  }
-  std::vector<std::vector<int>> triangles(positions.size());
+// By the first of the vertices that are in one place: only that counts here.
+std::vector<std::vector<int>> triangles_round(const TriangleMesh& mesh,
+                                              const std::vector<int>& first) {
+  std::vector<std::vector<int>> triangles(first.size());
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
     for (const int vertex : mesh.triangles.col(t))
-      triangles[position_of_vertex[vertex]].push_back(static_cast<int>(t));
+      triangles[first[vertex]].push_back(static_cast<int>(t));
   return triangles;
 }
 
@@ -148,8 +141,8 @@ int particle_of(const RibbonGrid& grid, int vertex) {
 }
 
 Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {
-  std::vector<int> position_of_vertex;
-  const auto around = triangles_round_position(mesh, position_of_vertex);
+  const std::vector<int> first = first_in_place(mesh.vertices);
+  const auto around = triangles_round(mesh, first);
   const float smooth = std::cos(crease_deg * std::numbers::pi_v<float> / 180.0F);
   const Eigen::Index corners = 3 * mesh.triangles.cols();
   const auto area_of = [&mesh](Eigen::Index triangle) {
@@ -162,7 +155,7 @@ Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {
     const int vertex = mesh.triangles(corner % 3, corner / 3);
     const Eigen::Vector3f own = unit_or_zero(area_of(corner / 3));
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (const int triangle : around[position_of_vertex[vertex]]) {
+    for (const int triangle : around[first[vertex]]) {
       const Eigen::Vector3f other = area_of(triangle);
       if (other.dot(own) >= smooth * other.norm()) sum += other;
     }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "geometry/row_middles.h"
+
 namespace ribbon {
 
 namespace {
@@ -14,13 +16,6 @@ constexpr float near_widths =
 constexpr float apart_widths = 2.5F;  // along the ribbon, or they are neighbours
 constexpr double bell_deviation_s = 0.25;
 constexpr double reach_s = 3 * bell_deviation_s;  // what is farther away counts for nothing
-
-Eigen::Matrix3Xf row_middles(const RibbonGrid& grid, const Eigen::Matrix3Xf& positions) {
-  Eigen::Matrix3Xf middles(3, grid.along);
-  for (int i = 0; i < grid.along; ++i)
-    middles.col(i) = positions.middleCols(grid.particle(i, 0), grid.across).rowwise().mean();
-  return middles;
-}
 
 // Marks the rows whose middles come near each other. Sorted along the longest side, each is
 // compared with the few that follow.

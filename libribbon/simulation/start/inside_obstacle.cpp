@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "geometry/first_in_place.h"
 #include "geometry/segment_triangle.h"
 #include "geometry/vectors.h"
 
@@ -14,22 +15,11 @@ namespace ribbon {
 namespace {
 
 using Eigen::Vector3d;
-using Places = std::array<int, 3>;  // of a triangle's corners, ascending
-
-// For each vertex the number of its place.
-std::vector<int> places_of(const Eigen::Matrix3Xf& vertices) {
-  std::map<std::array<float, 3>, int> places;
-  std::vector<int> numbers;
-  for (const auto& vertex : vertices.colwise()) {
-    const int next = static_cast<int>(places.size());
-    numbers.push_back(places.try_emplace({vertex[0], vertex[1], vertex[2]}, next).first->second);
-  }
-  return numbers;
-}
+using Places = std::array<int, 3>;  // of a triangle's corners, by their first vertex, ascending
 
 // Of each triangle, but for repeated ones and those whose corners are not three places.
 std::map<int, Places> triangles_by_place(const TriangleMesh& mesh) {
-  const std::vector<int> place = places_of(mesh.vertices);
+  const std::vector<int> place = first_in_place(mesh.vertices);
   std::map<int, Places> triangles;
   std::set<Places> known;
   for (int t = 0; t < mesh.triangles.cols(); ++t) {
