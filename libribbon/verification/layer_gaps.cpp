@@ -33,8 +33,7 @@ LayerGap LayerGaps::at(int particle, double reach_m) const {
   const double beyond_m = std::nextafter(reach_m, std::numeric_limits<double>::infinity());
   LayerGap gap{beyond_m, beyond_m};
   const auto is_other_layer = [&](int triangle, double distance_m) {
-    return distance_m < rest_distance_m(particle, triangle) / 2 &&
-           !is_of_a_neighbour(particle, triangle);
+    return distance_m < rest_distance_m(particle, triangle) / 2;
   };
   approach(ribbon_, ribbon_.root(), particle, is_other_layer, gap.to_ribbon_m);
   if (!others_.empty())
@@ -68,14 +67,6 @@ void LayerGaps::approach(const BoxTree& tree, const BoxTree::Node& node, int par
                                         soup_.corner(triangle, 2), nearest_m);
     if (distance_m < nearest_m && counts(triangle, distance_m)) nearest_m = distance_m;
   }
-}
-
-// Quads that shear come as near as another layer to their neighbours' corners.
-bool LayerGaps::is_of_a_neighbour(int particle, int triangle) const {
-  const RibbonGrid& grid = size_.grid;
-  const int quad = triangle / 2;
-  return steps_between(grid.row(particle), quad / (grid.across - 1)) <= 1 &&
-         steps_between(grid.column(particle), quad % (grid.across - 1)) <= 1;
 }
 
 // To the quad of the triangle.

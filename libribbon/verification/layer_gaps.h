@@ -17,8 +17,7 @@ struct LayerGap {
 };
 
 // Of one frame. What lies near in the flat ribbon is no other layer: a place of the ribbon counts
-// as one where it is less than half as far away as it is at rest, and not of the particle's quads
-// or of their neighbours.
+// as one where it is less than half as far away as it is at rest.
 class LayerGaps {
  public:
   // The judged triangles of `soup`, whose points must be finite, are those of a ribbon of that
@@ -32,7 +31,6 @@ class LayerGaps {
   template <class Counts>
   void approach(const BoxTree& tree, const BoxTree::Node& node, int particle, const Counts& counts,
                 double& nearest_m) const;
-  [[nodiscard]] bool is_of_a_neighbour(int particle, int triangle) const;
   [[nodiscard]] double rest_distance_m(int particle, int triangle) const;
   [[nodiscard]] double rest_across_m(int particle, int quad) const;
 

@@ -313,8 +313,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "width], not an array of 1" +
                        width_remedy},
         Impossible{"no_pair_in_a_profile", ribbon_line("0.05", "[[0, 0.05], [1]]"),
-                   "4:21: 'width' must be pairs of a share of the length and a width, not an array "
-                   "of 1" +
+                   "4:21: 'width' must be pairs of a share of the length and a width, not [1]" +
                        width_remedy},
         Impossible{"profile_that_begins_late", ribbon_line("0.05", "[[0.1, 0.05], [1, 0.1]]"),
                    "4:11: " + shares_rule + "0.1" + width_remedy},

@@ -57,18 +57,6 @@ TEST(LayerGaps, a_flat_ribbon_has_no_other_layer) {
   }
 }
 
-// Rows that have slid past each other, 0.2 m apart.
-TEST(LayerGaps, a_ribbon_that_is_only_sheared_has_no_other_layer) {
-  Eigen::Matrix3Xf sheared = flat();
-  for (int p = 0; p < grid.particle_count(); ++p) {
-    const auto row = static_cast<float>(grid.row(p));
-    sheared.col(p) << 0.2F * row, 0, static_cast<float>(grid.column(p)) + 0.98F * row;
-  }
-  const FrameVerifier sheared_verifier = verifier();
-  const LayerGaps gaps = sheared_verifier.layer_gaps(sheared);
-  for (int p = 0; p < grid.particle_count(); ++p) EXPECT_EQ(gaps.at(p, 0.3).to_ribbon_m, nothing);
-}
-
 TEST(LayerGaps, parallel_layers_are_as_far_apart_as_they_were_laid) {
   const FrameVerifier folded_verifier = verifier();
   const LayerGaps gaps = folded_verifier.layer_gaps(folded(0.25F));
