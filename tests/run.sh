@@ -2,7 +2,7 @@
 # What must hold before a change goes in: installs what is missing, builds in Release, runs the tests,
 # runs those again under the sanitizers that take in what others wrote (scenes, drawings, meshes,
 # recordings, command lines), checks format and shell scripts. Ends with one line "N passed, N failed";
-# fails when that is not 0. Takes 8 minutes on two quiet cores, 12 to 20 on busy ones.
+# fails when that is not 0. Takes 8 to 15 minutes on two quiet cores, by their speed.
 #   --quick   only the Release build and its tests
 #   --all     benchmarks, the module for Python and packages as well, nearly all tests under the sanitizers,
 #             lint: two hours
