@@ -12,9 +12,10 @@ template <class Scalar>
 Eigen::Matrix<Scalar, 3, Eigen::Dynamic> row_middles(
     const RibbonGrid& grid, const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& positions) {
   Eigen::Matrix<Scalar, 3, Eigen::Dynamic> middles(3, grid.along);
+  middles.setZero();
   for (int i = 0; i < grid.along; ++i)
-    middles.col(i) = positions.middleCols(grid.particle(i, 0), grid.across).rowwise().mean();
-  return middles;
+    for (int j = 0; j < grid.across; ++j) middles.col(i) += positions.col(grid.particle(i, j));
+  return middles / static_cast<Scalar>(grid.across);
 }
 
 }  // namespace ribbon

@@ -202,7 +202,8 @@ double way_round(const Points& points) {
   const Eigen::Matrix3Xd curve = curve_of(points, "FB", block(0.001), 0.001).value().points;
   double way = 0;
   for (Eigen::Index i = 1; i < curve.cols(); ++i)
-    if (curve(0, i - 1) > 1) way += (curve.col(i) - curve.col(i - 1)).head<2>().norm();
+    if (curve(0, i - 1) > 1)
+      way += std::hypot(curve(0, i) - curve(0, i - 1), curve(2, i) - curve(2, i - 1));
   return way;
 }
 
