@@ -49,6 +49,7 @@ precision highp sampler2DArray;
 in vec2 place;
 in float strained;
 uniform sampler2DArray cloth;  // front, back
+uniform float pattern_period;  // in ribbon widths
 uniform sampler2D strain_colors;
 uniform float most_strain;     // 0: the cloth is shown
 out vec4 color;
@@ -60,7 +61,7 @@ void main() {
     float bar = gl_FrontFacing ? 1.0 : fract(place.x);
     albedo = bar < 0.2 ? mix(told, vec3(1), 0.8) : bar < 0.4 ? 0.1 * told : told;
   } else {
-    vec3 root = texture(cloth, vec3(place.x / 0.5, place.y, gl_FrontFacing ? 0.0 : 1.0)).rgb;
+    vec3 root = texture(cloth, vec3(place.x / pattern_period, place.y, gl_FrontFacing ? 0.0 : 1.0)).rgb;
     albedo = root * root;
   }
   color = on_screen(lit(albedo));
@@ -357,12 +358,13 @@ class View {
     for (const texture of this.textures ?? []) gl.deleteTexture(texture);
   }
 
-  load_textures({pattern, strain_colors}) {
+  load_textures({pattern, pattern_along, pattern_across, strain_colors}) {
     const gl = this.gl;
     this.textures = [gl.createTexture(), gl.createTexture()];
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.textures[0]);
-    gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.RGBA8, 128, 256, 2, 0, gl.RGBA, gl.UNSIGNED_BYTE, pattern);
+    gl.texImage3D(gl.TEXTURE_2D_ARRAY, 0, gl.RGBA8, pattern_along, pattern_across, 2, 0, gl.RGBA,
+                  gl.UNSIGNED_BYTE, pattern);
     gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
@@ -450,6 +452,7 @@ class View {
       const uniforms = this.use(this.cloth, clip_from_world);
       gl.uniform1i(uniforms.cloth, 0);
       gl.uniform1i(uniforms.strain_colors, 1);
+      gl.uniform1f(uniforms.pattern_period, this.recording.pattern_period);
       gl.uniform1f(uniforms.most_strain, this.most_strain);
       if (this.anisotropy)
         gl.texParameterf(gl.TEXTURE_2D_ARRAY, this.anisotropy.TEXTURE_MAX_ANISOTROPY_EXT,

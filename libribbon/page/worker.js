@@ -54,7 +54,7 @@ function opened_arrays(frames) {
     triangles: copied(Uint32Array, p.HEAPU32, p._playback_triangles(), p._playback_triangles_length()),
     threads: floats(p._playback_threads(), p._playback_threads_length()),
     obstacle: floats(p._playback_obstacle(), p._playback_obstacle_length()),
-    pattern: bytes(p._playback_pattern(), 2 * 4 * 128 * 256),
+    pattern: bytes(p._playback_pattern(), p._playback_pattern_length()),
     strain_colors: bytes(p._playback_strain_colors(), 4 * 256),
     light: floats(p._playback_light(), 12),
   };

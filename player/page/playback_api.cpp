@@ -1,8 +1,10 @@
 // What worker.js asks of libribbon: C functions, whose arrays live until the next call that changes
 // them. A number below 0 says that it did not work; playback_text() then says why.
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "player/page/shown_recording.h"
 
@@ -14,6 +16,11 @@ std::unique_ptr<ribbon::ShownRecording> shown;
 template <class Array>
 int length_of(const Array& array) {
   return static_cast<int>(array.size());
+}
+
+const std::vector<std::uint8_t>& pattern() {
+  static const auto texels = ribbon::cloth_pattern_texels();
+  return texels;
 }
 
 }  // namespace
@@ -84,8 +91,10 @@ int playback_obstacle_length() {
 }
 
 const unsigned char* playback_pattern() {
-  static const auto texels = ribbon::cloth_pattern_texels();
-  return texels.data();
+  return pattern().data();
+}
+int playback_pattern_length() {
+  return length_of(pattern());
 }
 
 const unsigned char* playback_strain_colors() {

@@ -17,7 +17,6 @@ namespace ribbon {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr float pattern_period = 0.5F;  // ribbon widths
 
 void append(std::vector<float>& floats, const Eigen::Vector3f& vector) {
   floats.insert(floats.end(), vector.begin(), vector.end());
@@ -142,6 +141,9 @@ std::string ShownRecording::description() const {
               {"stages", header.stages},
               {"strain_limit", header.strain_limit},
               {"damage", sentences(reader_.damage())},
+              {"pattern_along", pattern_along},
+              {"pattern_across", pattern_across},
+              {"pattern_period", pattern_period},
               {"box_min", as_list(box_min_)},
               {"box_max", as_list(box_max_)}}
       .line();

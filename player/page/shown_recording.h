@@ -60,9 +60,7 @@ class ShownRecording {
 };
 
 // The built-in cloth: pattern_along x pattern_across texels of the front, then as many of the back,
-// four bytes each, square roots of linear light; half a ribbon's width along, all of it across.
-inline constexpr int pattern_along = 128;
-inline constexpr int pattern_across = 256;
+// four bytes each, square roots of linear light; a period along, all of the ribbon across.
 std::vector<std::uint8_t> cloth_pattern_texels();
 
 // From the least to the largest strain: 256 times red, green, blue, opaque, as on a screen.

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "player/render/cloth_pattern.h"
+
 namespace ribbon {
 
 namespace {
-
-constexpr float pattern_period = 0.5F;  // of the built-in pattern
-constexpr int pattern_along = 128;
-constexpr int pattern_across = 256;
 
 void append_side(const Cloth& cloth, bool is_front, ClothTexels& texels) {
   const float period = texels.period[is_front ? 0 : 1];

@@ -19,4 +19,9 @@ Color cloth_back(float along, float across, float blur);
 void cloth_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
                   std::size_t first);
 
+// After so many ribbon widths the pattern begins anew; as an image it has so many texels.
+inline constexpr float pattern_period = 0.5F;
+inline constexpr int pattern_along = 128;
+inline constexpr int pattern_across = 256;
+
 }  // namespace ribbon

@@ -11,6 +11,7 @@
 #include "files/files.h"
 #include "files/flipped.h"
 #include "files/temporary_folder.h"
+#include "player/render/cloth_pattern.h"
 #include "recording/sample_recording.h"
 
 namespace ribbon::shown_recording_test {
@@ -30,6 +31,9 @@ TEST_F(ShownRecordingTest, describes_what_does_not_change) {
   EXPECT_EQ(told["along"], 40);
   EXPECT_EQ(told["across"], 6);
   EXPECT_EQ(told["damage"].size(), 0U);
+  EXPECT_EQ(told["pattern_along"], pattern_along);
+  EXPECT_EQ(told["pattern_across"], pattern_across);
+  EXPECT_EQ(told["pattern_period"], pattern_period);
   for (int axis = 0; axis < 3; ++axis) EXPECT_LT(told["box_min"][axis], told["box_max"][axis]);
 }
 
