@@ -189,11 +189,6 @@ bool is_share(double share) {
   return share >= 0 && share <= 1;  // false for NaN
 }
 
-bool is_recordable(const RibbonGrid& grid) {
-  return grid.along >= 2 && grid.across >= 2 && grid.across <= most_columns &&
-         std::int64_t{grid.along} * grid.across <= std::int64_t{most_particles};
-}
-
 bool is_mesh(const TriangleMesh& mesh) {
   const auto corners = mesh.triangles.reshaped().array();
   return mesh.vertices.allFinite() && (corners >= 0).all() &&
@@ -264,6 +259,11 @@ bool is_positive(double number) {
 
 bool is_positive_or_zero(double number) {
   return std::isfinite(number) && number >= 0;
+}
+
+bool is_recordable(const RibbonGrid& grid) {
+  return grid.along >= 2 && grid.across >= 2 && grid.across <= most_columns &&
+         std::int64_t{grid.along} * grid.across <= std::int64_t{most_particles};
 }
 
 Result<void> check_recordable(const RecordingHeader& header) {

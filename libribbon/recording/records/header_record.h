@@ -13,6 +13,9 @@ namespace ribbon {
 bool is_positive(double number);
 bool is_positive_or_zero(double number);
 
+// May a recording have this grid?
+bool is_recordable(const RibbonGrid& grid);
+
 // Fails, with the error's place still to be filled in, where the ribbon has more particles, or the
 // obstacle more vertices or triangles, than a recording holds.
 Result<void> check_recordable(const RecordingHeader& header);
