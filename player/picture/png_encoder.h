@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "files/part_file.h"
 #include "player/picture/picture.h"
 #include "result/result.h"
 

@@ -23,7 +23,7 @@ Result<void> follow(RecordingReader& reader, const FollowObserver& observer) {
     if (auto refreshed = reader.refresh(); !refreshed) return refreshed;
     for (; next < reader.frame_count(); ++next) {
       if (observer.interrupted()) return {};
-      const auto told = reader.readable(next) ? observer.frame(next) : observer.lost();
+      auto told = reader.readable(next) ? observer.frame(next) : observer.lost();
       if (!told) return told;
     }
     if (!more_may_come || observer.interrupted()) return {};
