@@ -54,15 +54,17 @@ Box BroadPhase::around_target(int particle, const Vector3d& target) const {
   const Vector3d from = candidates_.from.col(particle);
   const Vector3d way = target - from;
   const double detour_m = length_of((target - led_.col(particle)).eval());
-  const bool is_led = detour_m <= most_detour * longest_m + length_of(fall_);
+  const bool is_led = detour_m <= most_detour * longest_m + fall_m_;
   const double furthest_m = is_led ? most_led * longest_m : longest_m;
   const auto is_within = [furthest_m](const Vector3d& displacement) {
     return squared_length_of(displacement) <= furthest_m * furthest_m;
   };
-  const bool goes_with_all = is_led && is_within(fall_) &&
-                             (is_within(way - common_way_) || is_within(way - common_way_ - fall_));
+  const auto goes_with_all = [&] {
+    return is_led && fall_m_ <= furthest_m &&
+           (is_within(way - common_way_) || is_within(way - common_way_ - fall_));
+  };
   // What would go further is wild, wherever its velocity leads.
-  Box bound = Box::around(is_within(way) || goes_with_all
+  Box bound = Box::around(is_within(way) || goes_with_all()
                               ? target
                               : Vector3d(from + longest_m * safely_normalised(way)));
   bound.grow(lengths_.slack_m);
@@ -81,6 +83,7 @@ const ContactCandidates& BroadPhase::detect(Bodies& bodies, const Matrix3Xd& fro
   candidates_.from = from;
   led_ = led;
   fall_ = fall_m;
+  fall_m_ = length_of(fall_m);
   common_way_ = mean_of_columns(target) - mean_of_columns(from);
   candidates_.bounds.resize(from.cols());
   motions_.resize(from.cols());
@@ -89,8 +92,7 @@ const ContactCandidates& BroadPhase::detect(Bodies& bodies, const Matrix3Xd& fro
       MovingBox& bound = candidates_.bounds[particle];
       bound.start = Box::around(from.col(particle));
       bound.end = around_target(particle, target.col(particle));
-      if (!fall_.isZero(0))
-        bound.end.include(around_target(particle, target.col(particle) + fall_m));
+      if (fall_m_ > 0) bound.end.include(around_target(particle, target.col(particle) + fall_m));
       set_motion(particle);
     }
   });

@@ -87,7 +87,8 @@ class BroadPhase {
   std::optional<PairDistances> distances_;
   ContactCandidates candidates_;
   Eigen::Matrix3Xd led_;                                  // of the last detection
-  Eigen::Vector3d fall_ = Eigen::Vector3d::Zero();        // likewise, m
+  Eigen::Vector3d fall_ = Eigen::Vector3d::Zero();        // likewise, m,
+  double fall_m_ = 0;                                     // and its length
   Eigen::Vector3d common_way_ = Eigen::Vector3d::Zero();  // of all to their targets, on average, m
   std::vector<Motion> motions_;                           // of the particles
   std::vector<FeaturePair> found_;                        // whose boxes meet
