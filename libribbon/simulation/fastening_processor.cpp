@@ -34,7 +34,7 @@ using Eigen::Matrix3Xd;
 
 // Of STATE.md. Raised whenever the layout changes, and whenever equal states no longer go on to
 // equal bits.
-constexpr std::int64_t state_version = 18;
+constexpr std::int64_t state_version = 19;
 constexpr std::int64_t most_steps = 4'000'000'000;
 constexpr double longest_s = 1e9;
 

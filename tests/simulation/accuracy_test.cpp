@@ -51,6 +51,31 @@ TEST(Accuracy, each_level_comes_nearer_to_the_converged_motion) {
   }
 }
 
+// The end of a band of half a metre over 0.3 m, sideways, at 0.3 m/s.
+TEST(Accuracy, a_hand_carries_in_the_same_time_at_any_step) {
+  Scene scene;
+  scene.ribbon = {.width_m = 0.02, .along = 100, .across = 4, .mass_kg = 0.02};
+  scene.springs = {.stretch = 300, .shear = 100, .bend = 20};
+  scene.air_resistance_per_s = 20;
+  scene.fastening = FasteningScene{.speed_m_s = 0.3};
+  scene.curve.unit_m = 1;
+  HandScene hand{.at = Span{0.98, 1}, .task = HandTask::carry, .speed_m_s = 0.3};
+  hand.carry = {std::vector<Eigen::Vector2d>{{0.5, 0}, {0.5, 0.3}}, {{0, 0}, {1, 0}}};
+  scene.stages = {{.hands = {hand}, .goal = StageGoal::carried}};
+  const RibbonMesh mesh =
+      generate_ribbon_mesh(straight_curve(scene.ribbon.along, 0.5), scene.ribbon, Axis::y);
+  const auto carried_after_s = [&](double step_s) {
+    scene.time = {.step_s = step_s, .duration_s = 5};
+    auto fastening = FasteningProcessor::create(scene, mesh, std::nullopt).value();
+    while (!fastening.stages_are_over() && fastening.time_s() < 4) fastening.step();
+    return fastening.time_s();
+  };
+  const double published_s = carried_after_s(0.01);
+  EXPECT_LT(published_s, 1.2);
+  for (const double step_s : {0.02, 0.005, 0.00125})
+    EXPECT_NEAR(carried_after_s(step_s), published_s, 0.03) << step_s;
+}
+
 // Hands that do not yield pull the loop on its post, and over itself.
 TEST(Accuracy, no_level_lets_the_ribbon_intersect) {
   for (const AccuracyLevel& level : accuracy_levels) {

@@ -21,6 +21,9 @@ constexpr double felt_widths = 2;  // to either side of what the hand has
 // How far a part may lag behind, over speed^2 / acceleration: half of the way on which all of the
 // hand's strength brings it to the speed at which it is carried.
 constexpr double of_gathering_speed = 0.25;
+// And over speed, but a step at least: the more often a place could wait for the springs' ripples,
+// the longer the same way would take in shorter steps.
+constexpr double may_lag_s = 0.01;
 // It has arrived where so short a way at that speed is left, but a quarter of the width at most,
 // for hands may be strong; and where at its own speed that way would take it longer than so.
 constexpr double arrived_within_s = 0.01;
@@ -94,7 +97,7 @@ Grip StageHand::grip(const Cloth& cloth, const Workplace& place) {
   const Vector3d lag_m = middle(cloth.positions) - carried_to_;
   const double speed_m_s = carrying_m_s();
   const double most_lag_m =
-      speed_m_s * (step_s_ + speed_m_s / strength_m_s2() * of_gathering_speed);
+      speed_m_s * (std::max(step_s_, may_lag_s) + speed_m_s / strength_m_s2() * of_gathering_speed);
   goes_on_m_ = length_of(lag_m) > most_lag_m ? 0 : speed_m_s * step_s_;
   grip.drift_m_s = (carried_->after(goes_on_m_) - carried_to_) / step_s_;
   return grip;
