@@ -287,6 +287,11 @@ bool FasteningProcessor::stages_are_over() const {
   return parts_->staged != nullptr && parts_->staged->are_over();
 }
 
+std::vector<int> FasteningProcessor::stages_given_up() const {
+  if (parts_->staged == nullptr) return {};
+  return parts_->staged->given_up();
+}
+
 std::optional<int> FasteningProcessor::slipping_end() const {
   if (parts_->staged == nullptr) return std::nullopt;
   return parts_->staged->guard().slipping_end();

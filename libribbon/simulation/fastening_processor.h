@@ -90,6 +90,9 @@ class FasteningProcessor {
   [[nodiscard]] std::optional<int> stage() const;
   // Are all stages over? Never without them.
   [[nodiscard]] bool stages_are_over() const;
+  // Those, from 0, whose `at_most` was over before all was tight, or had arrived; since the
+  // processor was made or restored.
+  [[nodiscard]] std::vector<int> stages_given_up() const;
   // The end of the ribbon, 0 or 1, that was about to slip out of its knot when the hands of a stage
   // let go.
   [[nodiscard]] std::optional<int> slipping_end() const;

@@ -84,6 +84,8 @@ Result<RunStatistics> Run::finish(RunEnding ending) {
   statistics_.ending = ending;
   statistics_.limit_reached = plan_.is_cut_short && ending_at(frames_, plan_) == RunEnding::stopped;
   statistics_.until_tight = plan_.until_tight();
+  for (const int stage : fastening.stages_given_up())
+    statistics_.stages_given_up.push_back(plan_.scene.stages[stage].name);
   statistics_.integrator = std::string(word_for(fastening.integrator()));
   statistics_.steps = fastening.steps();
   statistics_.stages = fastening.stage_sums();

@@ -88,6 +88,13 @@ std::string ending_text(const RunStatistics& statistics) {
          tightness_text(*statistics.tightness);
 }
 
+std::string given_up_text(const RunStatistics& statistics) {
+  std::string text;
+  for (const std::string& stage : statistics.stages_given_up)
+    text += filled_in("; 'at_most' ended '{}' before its goal was reached", stage);
+  return text;
+}
+
 std::string profile_line(std::string_view what, double time_s, double of_s, std::int64_t times) {
   const double each_ms = times > 0 ? 1000 * time_s / static_cast<double>(times) : 0;
   const double percent = of_s > 0 ? 100 * time_s / of_s : 0;
@@ -145,7 +152,7 @@ std::string summary_line(const RunStatistics& statistics) {
          filled_in("{:.1f} MB ({:.1f} bits per vertex and frame)",
                    static_cast<double>(statistics.bytes) / 1e6,
                    statistics.bits_per_vertex_and_frame()) +
-         ending_text(statistics) +
+         given_up_text(statistics) + ending_text(statistics) +
          (statistics.outcome ? "; " + outcome_text(*statistics.outcome) : "");
 }
 
@@ -181,6 +188,7 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"last_penetrating_edges", statistics.last_penetrating_edges},
       {"recovery_iterations", statistics.recovery_iterations},
       {"ending", word_for(statistics.ending)},
+      {"stages_given_up", statistics.stages_given_up},
       {"tightness", tightness_json(statistics.tightness)},
       {"outcome", outcome_json(statistics.outcome)},
   };

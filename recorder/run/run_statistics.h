@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "inspection/outcome.h"
 #include "playback/recording_reader.h"
@@ -35,6 +36,8 @@ struct RunStatistics {
   RunEnding ending = RunEnding::unknown;
   bool limit_reached = false;  // stopped: where --until or --frames asked, and not by Ctrl-C
   bool until_tight = false;    // was the run to end when the ribbon is tight?
+  // Names of those that 'at_most' ended in this run before their goal was reached.
+  std::vector<std::string> stages_given_up = {};
 
   double worst_strain = 0;  // over all frames
   double last_strain = 0;

@@ -1,4 +1,5 @@
 // Runs in stages: what their recordings tell, how they go on and branch off.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,6 +81,16 @@ TEST_F(Stages, a_run_that_was_cut_short_goes_on_to_the_same_bits) {
     ASSERT_TRUE(resume(file(), "test", goes_on).has_value());
     EXPECT_EQ(first_difference(frames_of(file()), whole), -1) << frames;
   }
+}
+
+TEST_F(Stages, that_do_not_reach_their_goal_in_time_are_named) {
+  EXPECT_TRUE(recorded()->stages_given_up.empty()) << "they were to last so long";
+  const std::vector<std::string> at_most{"stage[1].until=tight", "stage[1].at_most=0.3"};
+  const auto done = recorded(at_most);
+  ASSERT_EQ(refusal_of(done), "");
+  EXPECT_EQ(done->stages_given_up, std::vector<std::string>{"half knot"});
+  EXPECT_THAT(summary_line(*done),
+              testing::HasSubstr("; 'at_most' ended 'half knot' before its goal was reached"));
 }
 
 // As it was before 0.2: all frames behind the last stage bore its number.

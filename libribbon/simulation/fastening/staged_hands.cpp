@@ -108,6 +108,7 @@ void StagedHands::follow(const Cloth& cloth) {
   progress_.add(command_, before_, cloth.positions);
   for (StageHand& hand : hands_) hand.follow(cloth);
   elapsed_s_ += scene_.time.step_s;
+  if (is_over() && !present().until_s && !goal_is_reached()) given_up_.push_back(stage_);
 }
 
 bool StagedHands::is_over() const {
@@ -158,8 +159,8 @@ bool StagedHands::guard_is_due() const {
 }
 
 void StagedHands::visit_state(StateArchive& archive) {
-  auto& [scene, size, mass, along, speed_limit, stage, elapsed, begun, hands, progress, guard,
-         eased, force_fraction, along_of_step, force_of_step, command_of_step, grips_of_step,
+  auto& [scene, size, mass, along, speed_limit, stage, given_up, elapsed, begun, hands, progress,
+         guard, eased, force_fraction, along_of_step, force_of_step, command_of_step, grips_of_step,
          before_step] = *this;
   along.visit_state(archive);
   archive.visit(stage, 0, static_cast<int>(scene.stages.size()) - 1);
