@@ -249,8 +249,11 @@ std::string_view word_for(StartKind kind) {
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon,
                                     const ContactLengths& lengths, const StartObserver& observer,
                                     const StartTest& test, Bodies& bodies, Cloth& cloth) {
+  // It begins to fall with its first step.
+  Scene weightless = scene;
+  weightless.gravity_m_s2.reset();
   Result<StartReport> start =
-      StartSearch(scene, ribbon, lengths, observer, test, bodies, cloth).find();
+      StartSearch(weightless, ribbon, lengths, observer, test, bodies, cloth).find();
   bodies.ribbon.forget();
   return start;
 }

@@ -72,6 +72,16 @@ TEST(FreeStart, a_ribbon_too_wide_for_its_crossing_is_grown_into_it) {
   EXPECT_EQ(start_of_width(0.6), StartKind::grown);
 }
 
+TEST(FreeStart, a_grown_ribbon_has_not_fallen) {
+  Scene scene = scene_of_crossing(0.45);
+  const RibbonMesh mesh = mesh_of(scene);
+  const auto without = FasteningProcessor::create(scene, mesh, std::nullopt).value();
+  ASSERT_EQ(without.start().kind, StartKind::grown);
+  scene.gravity_m_s2 = Eigen::Vector3d(0, -9.81, 0);
+  const auto with = FasteningProcessor::create(scene, mesh, std::nullopt).value();
+  EXPECT_EQ(with.positions(), without.positions());
+}
+
 TEST(FreeStart, a_grown_ribbon_has_its_rest_size) {
   const Scene scene = scene_of_crossing(0.45);
   const RibbonMesh mesh = mesh_of(scene);
