@@ -14,6 +14,8 @@ using Eigen::Vector3d;
 
 namespace {
 
+constexpr double rounding = 1e-12;
+
 // Strained by s along and t across, a spring of length L that reaches x and y lengthens by
 // (s x^2 + t y^2) / L. The ribbon draws in across, by the t at which the energy of all is least.
 // Of a band that is across_m from column to column.
@@ -34,7 +36,9 @@ double resistance_n(const RestSize& size, const SpringNetwork& springs, double a
       both_n += resists_n * x * x * y * y;
       across_n += resists_n * y * y * y * y;
     }
-  return across_n > 0 ? along_n - both_n * both_n / across_n : along_n;
+  const double left_n = across_n > 0 ? along_n - both_n * both_n / across_n : along_n;
+  // Diagonals alone resist nothing, but for rounding.
+  return left_n > rounding * along_n ? left_n : 0;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "simulation/fastening/yielding.h"
 #include "simulation/integration/integrator.h"
@@ -44,6 +45,17 @@ TEST(HangingWeight, stretches_the_more_the_more_hangs_from_a_row) {
   for (int row = 0; row < 40; ++row)
     EXPECT_NEAR(strains[row], row < 20 ? 0 : (40 - row) * row_weight_n / resistance_n, 1e-12)
         << row;
+}
+
+// By hand: diagonals alone lengthen for nothing, as the ribbon draws in.
+TEST(HangingWeight, is_borne_by_no_diagonals_alone_at_any_size) {
+  for (const RestSize& any : {RestSize{{400, 8}, 2.7, 0.05}, RestSize{{61, 4}, 2, 0.06},
+                              RestSize{{60, 5}, 1.3, 0.03}, RestSize{{200, 4}, 3, 0.04}}) {
+    HangingWeight of_any(any, {.shear = 20}, particle_mass_kg, gravity_m_s2);
+    Matrix3Xd hanging = Matrix3Xd::Zero(3, any.grid.particle_count());
+    for (int p = 0; p < any.grid.particle_count(); ++p) hanging(1, p) = -any.grid.row(p);
+    EXPECT_EQ(of_any.strains(hanging).back(), std::numeric_limits<double>::infinity());
+  }
 }
 
 TEST(HangingWeight, is_nothing_in_what_lies_level) {
