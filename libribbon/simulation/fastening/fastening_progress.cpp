@@ -86,8 +86,9 @@ void FasteningProgress::add(const Matrix3Xd& command, const Matrix3Xd& before,
   }
 }
 
-double FasteningProgress::recent() const {
-  double fastest = -std::numeric_limits<double>::infinity();
+FasteningProgress::Range FasteningProgress::of_groups() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Range range{infinity, -infinity};
   for (std::size_t group = 0; group < groups_; ++group) {
     double moved_m = 0;
     double commanded_m = 0;
@@ -95,13 +96,20 @@ double FasteningProgress::recent() const {
       moved_m += slot.moved_m[group];
       commanded_m += slot.commanded_m[group];
     }
-    fastest = std::max(fastest, commanded_m > 0 ? moved_m / commanded_m : 1);
+    if (commanded_m == 0) continue;
+    const double progress = moved_m / commanded_m;
+    range = {std::min(range.slowest, progress), std::max(range.fastest, progress)};
   }
-  return groups_ > 0 ? fastest : 1;
+  return range.fastest >= range.slowest ? range : Range{1, 1};
+}
+
+double FasteningProgress::recent() const {
+  return of_groups().fastest;
 }
 
 bool FasteningProgress::is_at_standstill() const {
-  return is_full_ && std::abs(recent()) < standstill;
+  const Range range = of_groups();
+  return is_full_ && range.slowest > -standstill && range.fastest < standstill;
 }
 
 std::vector<int> halves(const RibbonGrid& grid) {

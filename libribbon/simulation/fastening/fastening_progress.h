@@ -28,10 +28,10 @@ class FasteningProgress {
            const Eigen::Matrix3Xd& after);
 
   // 1: free, 0: locked, below 0: the ribbon draws the hands back. Since the start, where that was
-  // less than two seconds ago; 1 where nothing was commanded.
+  // less than two seconds ago. Groups to which nothing was commanded do not count; 1 where all are.
   [[nodiscard]] double recent() const;
 
-  // Have two seconds passed since the start, and is it less than 3 % either way?
+  // Have two seconds passed since the start, and is it of each group less than 3 % either way?
   [[nodiscard]] bool is_at_standstill() const;
 
   // How fast the ribbon already is, and then what is remembered of the last two seconds.
@@ -46,6 +46,12 @@ class FasteningProgress {
     std::vector<double> commanded_m;
   };
 
+  struct Range {
+    double slowest;
+    double fastest;
+  };
+
+  [[nodiscard]] Range of_groups() const;
   Slot& slot_of_this_step();
   Slot& this_slot() { return slots_[static_cast<std::size_t>(slot_)]; }
   double free_travel_s();

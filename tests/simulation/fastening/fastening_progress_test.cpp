@@ -80,6 +80,22 @@ TEST_F(Progress, knows_a_standstill_after_two_seconds) {
   EXPECT_TRUE(progress_.is_at_standstill());
 }
 
+TEST_F(Progress, is_at_no_standstill_while_one_half_is_drawn_back) {
+  go(400, 0, -0.1);
+  EXPECT_EQ(progress_.recent(), 0);
+  EXPECT_FALSE(progress_.is_at_standstill());
+}
+
+// The row in the middle is drawn to neither side.
+TEST_F(Progress, is_that_of_those_who_are_told_to_go) {
+  FasteningProgress progress(grid, {0, 0, 0, 0, 0, 1, -1, -1, -1, -1}, step_s, air_per_s);
+  Matrix3Xd first = command();
+  first.rightCols(10).setZero();
+  for (int step = 0; step < 300; ++step) progress.add(first, at_, at_);
+  EXPECT_EQ(progress.recent(), 0);
+  EXPECT_TRUE(progress.is_at_standstill());
+}
+
 TEST_F(Progress, the_faster_half_counts) {
   go(400, 0.05, 0.2);
   EXPECT_NEAR(progress_.recent(), 0.4, 1e-3);
