@@ -47,7 +47,8 @@ StagedHands::StagedHands(const Scene& scene, const RestSize& size, const Cloth& 
       along_(whole_force(scene, size, cloth)),
       begun_(cloth.positions),
       progress_(size.grid, {}, scene.time.step_s, scene.air_resistance_per_s),
-      guard_(size.width_m) {
+      guard_(size.width_m),
+      eased_(scene.time.step_s) {
   if (scene.fastening->max_speed_m_s)
     speed_limit_.emplace(*scene.fastening->max_speed_m_s, cloth.particle_mass_kg,
                          scene.air_resistance_per_s, scene.time.step_s);

@@ -12,7 +12,8 @@ TwoHands::TwoHands(const Scene& scene, const RestSize& size, const Cloth& cloth)
     : force_(*scene.fastening, scene.air_resistance_per_s, size, cloth.positions,
              cloth.particle_mass_kg),
       progress_(size.grid, halves(size.grid), scene.time.step_s, scene.air_resistance_per_s),
-      highest_m_s_(scene.fastening->max_speed_m_s.value_or(std::numeric_limits<double>::max())) {
+      highest_m_s_(scene.fastening->max_speed_m_s.value_or(std::numeric_limits<double>::max())),
+      eased_(scene.time.step_s) {
   if (scene.fastening->yield_strain < unyielding)
     yielding_.emplace(size, scene.fastening->yield_strain,
                       hanging_weight(scene, size, cloth.particle_mass_kg));
