@@ -12,9 +12,9 @@ class SmoothedTangents {
  public:
   explicit SmoothedTangents(const RibbonGrid& grid) : grid_(grid) {}
 
-  // For each particle: the sum of the edges along its column, over as many rows to either side as
-  // the ribbon is particles wide, divided by the sum of their lengths. Length 1 where the ribbon is
-  // straight, less where it is crumpled. 3 x particles.
+  // For each particle: the sum of the edges along its column, of the one that leads to its row and,
+  // to either side of that, of as many as the ribbon is particles wide, divided by the sum of their
+  // lengths. Length 1 where the ribbon is straight, less where it is crumpled. 3 x particles.
   const Eigen::Matrix3Xd& at(const Eigen::Matrix3Xd& positions);
 
  private:
