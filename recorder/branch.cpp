@@ -67,14 +67,16 @@ Result<RunPlan> plan_of_take(const Scene& recorded, const std::optional<Triangle
                  "record a scene of its own");
 }
 
-// Would both go on to the same bits?
-bool act_alike(Scene a, const Scene& b) {
+// As before where both would go on to the same bits.
+Settings settings_of_take(Scene a, const Scene& b) {
   a.name = b.name;
   a.text = b.text;
   a.time.duration_s = b.time.duration_s;
   a.time.until = b.time.until;
   a.recording.checkpoint_every_s = b.recording.checkpoint_every_s;
-  return a == b;
+  if (a == b) return Settings::as_before;
+  const bool hands_are_alike = a.fastening == b.fastening && a.stages == b.stages;
+  return hands_are_alike ? Settings::changed : Settings::hands_changed;
 }
 
 Result<void> check_frame(RecordedRun& source, int frame, const RunPlan& plan) {
@@ -163,9 +165,9 @@ Result<std::optional<RunStatistics>> branch(const fs::path& file, int frame,
   auto before = source->simulated_again(frame, observer.frame_simulated_again);
   if (!before) return tl::unexpected(before.error());
   if (!*before) return std::nullopt;
-  auto fastening = FasteningProcessor::restore(
-      scene, source->rest_size(), reader.header().obstacle, (*before)->fastening().state(),
-      act_alike(source->scene, scene) ? Settings::as_before : Settings::changed);
+  auto fastening = FasteningProcessor::restore(scene, source->rest_size(), reader.header().obstacle,
+                                               (*before)->fastening().state(),
+                                               settings_of_take(source->scene, scene));
   if (!fastening) return tl::unexpected(fastening.error());
 
   auto target = begin_with_copies(take, header_of_take(reader, frame, take, scene), reader, copies);

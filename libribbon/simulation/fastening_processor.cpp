@@ -365,13 +365,14 @@ void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings sett
   cloth_now.visit_state(archive);
   bodies_now.visit_state(archive);
   if (hands_now) hands_now->visit_state(archive);
-  if (settings == Settings::changed) {
-    archive.ignore_rest();
-    go_on_with_other_steps(head.step_s);
-  } else {
+  if (settings == Settings::as_before) {
     if (head.step_s != step_s) archive.refuse("it was made with another time.step");
     if (hands_now) hands_now->visit_memory(archive);
+    return;
   }
+  archive.ignore_rest();
+  go_on_with_other_steps(head.step_s);
+  if (staged_hands_now && settings == Settings::hands_changed) staged_hands_now->aim_anew();
 }
 
 // The clock of the scene that comes takes over from the one whose steps took other_step_s.

@@ -21,8 +21,8 @@ namespace ribbon {
 struct RibbonMesh;
 struct Scene;
 
-// Is a run to go on exactly as it would have, or with other settings?
-enum class Settings { as_before, changed };
+// Is a run to go on exactly as it would have, or with other settings, or also with other hands?
+enum class Settings { as_before, changed, hands_changed };
 
 // How tight the ribbon is now (paper, section 7).
 struct Tightness {
@@ -49,9 +49,10 @@ class FasteningProcessor {
   // Goes on from a state() of the same scene, ribbon size and obstacle to the same bits as the
   // processor that was asked for it. With changed settings, which may be any but the ribbon, the
   // obstacle, the contact, the recording's rounding and whether there is fastening, from the same
-  // places and speeds; tightness is then measured anew. The number of stages cannot change. Fails
-  // where the state is not one of such a scene, and where springs and air divide each step into too
-  // many parts.
+  // places and speeds; tightness is then measured anew. A stage that has reached its goal is over
+  // all the same, but not where hands change. The number of stages cannot change. Fails where the
+  // state is not one of such a scene, and where springs and air divide each step into too many
+  // parts.
   static Result<FasteningProcessor> restore(const Scene& as_read, const RestSize& size,
                                             const std::optional<TriangleMesh>& obstacle,
                                             std::string_view state,

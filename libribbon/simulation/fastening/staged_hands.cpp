@@ -72,6 +72,7 @@ void StagedHands::take_places() {
 void StagedHands::begin_step(const Cloth& cloth) {
   if (!is_over() || are_over() || guard_.slipping_end()) return;
   ++stage_;
+  is_reached_ = false;
   elapsed_s_ = 0;
   begun_ = cloth.positions;
   take_places();
@@ -109,7 +110,8 @@ void StagedHands::follow(const Cloth& cloth) {
   progress_.add(command_, before_, cloth.positions);
   for (StageHand& hand : hands_) hand.follow(cloth);
   elapsed_s_ += scene_.time.step_s;
-  if (is_over() && !present().until_s && !goal_is_reached()) given_up_.push_back(stage_);
+  is_reached_ = goal_is_reached();
+  if (is_over() && !present().until_s && !is_reached_) given_up_.push_back(stage_);
 }
 
 bool StagedHands::is_over() const {
@@ -117,7 +119,7 @@ bool StagedHands::is_over() const {
     return time_s && elapsed_s_ >= *time_s * (1 - 1e-9);
   };
   return present().until_s ? has_lasted(present().until_s)
-                           : goal_is_reached() || has_lasted(present().at_most_s);
+                           : is_reached_ || has_lasted(present().at_most_s);
 }
 
 bool StagedHands::goal_is_reached() const {
@@ -130,8 +132,7 @@ bool StagedHands::are_over() const {
 }
 
 bool StagedHands::are_done() const {
-  return are_over() && !present().until_s && present().goal == StageGoal::tight &&
-         goal_is_reached();
+  return are_over() && !present().until_s && present().goal == StageGoal::tight && is_reached_;
 }
 
 double StagedHands::friction() const {
@@ -160,11 +161,12 @@ bool StagedHands::guard_is_due() const {
 }
 
 void StagedHands::visit_state(StateArchive& archive) {
-  auto& [scene, size, mass, along, speed_limit, stage, given_up, elapsed, begun, hands, progress,
-         guard, eased, force_fraction, along_of_step, force_of_step, command_of_step, grips_of_step,
-         before_step] = *this;
+  auto& [scene, size, mass, along, speed_limit, stage, is_reached, given_up, elapsed, begun, hands,
+         progress, guard, eased, force_fraction, along_of_step, force_of_step, command_of_step,
+         grips_of_step, before_step] = *this;
   along.visit_state(archive);
   archive.visit(stage, 0, static_cast<int>(scene.stages.size()) - 1);
+  archive.visit(is_reached);
   archive.visit(elapsed);
   if (elapsed < 0) archive.refuse("a stage began after it");
   archive.visit(begun);

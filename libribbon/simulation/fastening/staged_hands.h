@@ -51,6 +51,8 @@ class StagedHands : public Hands {
   [[nodiscard]] bool are_over() const;
   // Those, from 0, that were over before they had reached their goal; since this object was made.
   [[nodiscard]] const std::vector<int>& given_up() const { return given_up_; }
+  // The present stage has to reach its goal once more.
+  void aim_anew() { is_reached_ = false; }
   [[nodiscard]] SlipGuard& guard() { return guard_; }
   // Does a hand hold or carry the first end, and the second?
   [[nodiscard]] std::array<bool, 2> have_ends() const;
@@ -73,6 +75,7 @@ class StagedHands : public Hands {
   FasteningForce along_;
   std::optional<SpeedLimit> speed_limit_;
   int stage_ = 0;
+  bool is_reached_ = false;  // its goal
   std::vector<int> given_up_;
   double elapsed_s_ = 0;          // of the present stage
   Eigen::Matrix3Xd begun_;        // positions, when it began

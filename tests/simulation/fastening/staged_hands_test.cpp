@@ -322,6 +322,29 @@ TEST(StagedHands, have_the_ends_that_they_hold_or_carry) {
   EXPECT_EQ(ends(0, 0.1, HandTask::pull), (std::array{false, false})) << "its end is loose";
 }
 
+// As a take knows them, which forgets how far all went lately.
+TEST(StagedHands, that_are_done_stay_so_unless_they_aim_anew) {
+  const Scene scene = scene_of({{.hands = {hand(0, 0.1, HandTask::pull, {1, 0, 0})}}});
+  StagedHands before = hands_of(scene);
+  pull(before, 20, 0);
+  ASSERT_TRUE(before.are_done());
+  StateArchive archive;
+  before.visit_state(archive);
+  const std::string state = archive.bytes();
+  StagedHands hands = hands_of(scene);
+  StateArchive reading(state);
+  hands.visit_state(reading);
+  ASSERT_TRUE(reading.finish());
+  EXPECT_TRUE(hands.are_done());
+  EXPECT_EQ(hands.pull(cloth_at_rest()).norm(), 0);
+  hands.aim_anew();
+  EXPECT_GT(hands.pull(cloth_at_rest()).norm(), 0);
+  pull(hands, 19, 0);
+  EXPECT_FALSE(hands.are_over());
+  pull(hands, 1, 0);
+  EXPECT_TRUE(hands.are_done());
+}
+
 // What a take changes.
 TEST(StagedHands, go_on_from_others_that_carried_more_or_fewer_parts) {
   const HandScene first = carrying_hand(0.2, 0.2);
