@@ -6,6 +6,7 @@
 
 #include "player/chart/axis.h"
 #include "player/chart/thinned.h"
+#include "player/picture/caption.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -168,6 +169,19 @@ class PagePainter {
 
 }  // namespace
 
+namespace {
+
+// Of the panels side by side; two of them where the subtitle would not find room above one.
+int page_width(std::size_t columns, int subtitle_width) {
+  const auto width_of = [](std::size_t panels) {
+    return static_cast<int>(2 * Look::margin + static_cast<float>(panels) * Look::panel_width);
+  };
+  const int wanted = subtitle_width + static_cast<int>(2 * Look::margin);
+  return std::max(width_of(columns), std::min(width_of(2), wanted));
+}
+
+}  // namespace
+
 Drawing chart_page(const std::string& title, const std::string& subtitle,
                    const std::vector<Chart>& charts) {
   assert(!charts.empty());
@@ -175,17 +189,25 @@ Drawing chart_page(const std::string& title, const std::string& subtitle,
   const std::size_t columns = (charts.size() + rows - 1) / rows;
   Drawing page;
   page.title = title;
-  page.size = {static_cast<int>(2 * Look::margin + static_cast<float>(columns) * Look::panel_width),
+  const CaptionPainter letters;
+  page.size = {page_width(columns, letters.width(subtitle, Look::text_height)),
                static_cast<int>(Look::heading + static_cast<float>(rows) * Look::panel_height +
                                 Look::below_page)};
   page.shapes.emplace_back(
       DrawnBox{Vector2f::Zero(),
                {static_cast<float>(page.size.width), static_cast<float>(page.size.height)},
                0xFFFFFF});
-  page.shapes.emplace_back(
-      DrawnText{{Look::margin, 34}, title, Look::title_height, TextAnchor::start, Look::ink});
-  page.shapes.emplace_back(DrawnText{
-      {Look::margin, 55}, subtitle, Look::text_height, TextAnchor::start, Look::pale_ink});
+  const auto heading = [&](const std::string& text, float baseline, int height,
+                           std::uint32_t color) {
+    const int room = page.size.width - static_cast<int>(2 * Look::margin);
+    page.shapes.emplace_back(DrawnText{{Look::margin, baseline},
+                                       letters.fitted(text, height, room),
+                                       height,
+                                       TextAnchor::start,
+                                       color});
+  };
+  heading(title, 34, Look::title_height, Look::ink);
+  heading(subtitle, 55, Look::text_height, Look::pale_ink);
   PagePainter painter(page, times(charts));
   for (std::size_t k = 0; k < charts.size(); ++k) {
     const std::size_t before = k / rows;  // columns

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "player/chart/thinned.h"
+#include "player/picture/caption.h"
 
 namespace ribbon::chart_page_test {
 
@@ -124,6 +125,28 @@ TEST(ChartPage, eight_charts_stand_in_two_columns_and_three_in_one) {
   const Drawing eight = chart_page("", "", std::vector<Chart>(8, chart));
   EXPECT_GT(eight.size.width, 1.8 * three.size.width);
   EXPECT_GT(eight.size.height, three.size.height);
+}
+
+TEST(ChartPage, long_headings_find_room) {
+  const CaptionPainter letters;
+  const std::string title(300, 'm');
+  const Chart chart = chart_of({{{0, 0}, {1, 1}}});
+  for (const int words : {1, 15, 90}) {
+    std::string subtitle;
+    for (int word = 0; word < words; ++word) subtitle += "particles ";
+    const Drawing page = chart_page(title, subtitle, {chart});
+    int headings = 0;
+    for (const auto& shape : page.shapes)
+      if (const auto* text = std::get_if<DrawnText>(&shape);
+          text != nullptr && text->anchor == TextAnchor::start && text->place.x() < 30) {
+        EXPECT_LE(text->place.x() + static_cast<float>(letters.width(text->text, text->height)),
+                  static_cast<float>(page.size.width));
+        ++headings;
+      }
+    EXPECT_GE(headings, 2);
+    const SvgPage svg(page);
+    EXPECT_EQ(std::ranges::count(svg.texts(), subtitle), words <= 15 ? 1 : 0);
+  }
 }
 
 TEST(ChartPage, pixels_have_the_line_where_the_svg_has_it) {
