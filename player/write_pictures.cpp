@@ -1,6 +1,7 @@
 #include "player/write_pictures.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cstdio>
 #include <utility>
@@ -64,10 +65,12 @@ Result<std::vector<PlayedFrame>> film_of(const RecordingReader& reader,
                                    : held_over(*std::move(film), lost);
 }
 
+// All of them, whatever becomes of one.
 Result<void> finish(std::vector<Output>& outputs) {
+  Result<void> all;
   for (Output& output : outputs)
-    if (auto finished = output.sink->finish(); !finished) return finished;
-  return {};
+    if (auto finished = output.sink->finish(); !finished && all) all = finished;
+  return all;
 }
 
 std::string pictures_text(std::size_t count) {
@@ -89,8 +92,11 @@ std::string summary(int done, double elapsed_s, const std::vector<Output>& outpu
   for (const Output& output : outputs) complete += output.complete;
   const std::string kept = complete == 0 ? "" : filled_in(", {} were complete", complete);
   if (done == 0) return pictures_text(0) + kept;
+  const auto last = std::find_if(outputs.rbegin(), outputs.rend(),
+                                 [](const Output& output) { return !output.frames.empty(); });
+  assert(last != outputs.rend());
   return pictures_text(done) + kept +
-         filled_in(", {:.2f} s each, last: {}", elapsed_s / done, outputs.back().last);
+         filled_in(", {:.2f} s each, last: {}", elapsed_s / done, last->last);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "commandline/interrupt.h"
+#include "commandline/progress.h"
 #include "player/frame_painter.h"
 #include "player/picture/contact_sheet.h"
 #include "player/picture/png_encoder.h"
@@ -52,7 +54,12 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
   if (!painter) return tl::unexpected(painter.error());
   painter->set_lowest(cameras.lowest_m());
   std::vector<SheetColumn> columns;
+  ProgressLine progress("frame", static_cast<int>(shown.size()), options.progress);
+  const Interrupt interrupt;
   for (const int index : shown) {
+    if (interrupt.requested())
+      return passing_failure("", filled_in("interrupted before frame {}", index + 1),
+                             "run it again");
     if (auto loaded = painter->show(index); !loaded) return tl::unexpected(loaded.error());
     SheetColumn column{index + 1, reader.numbers(index).value_or(FrameNumbers{}), {}};
     column.stage = stage_name(reader.header(), column.numbers);
@@ -62,7 +69,9 @@ Result<std::string> write_sheet(RecordingReader& reader, const RecordingInfo& in
       column.views.push_back(*std::move(picture));
     }
     columns.push_back(std::move(column));
+    progress.update(static_cast<int>(columns.size()));
   }
+  progress.end();
   const RecordingHeader& header = reader.header();
   std::string ribbon = filled_in("{} × {} particles, {} frames recorded", header.grid.across,
                                  header.grid.along, reader.frame_count());

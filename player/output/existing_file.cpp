@@ -1,6 +1,7 @@
 #include "player/output/existing_file.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include "files/files.h"
 
@@ -8,6 +9,9 @@ namespace ribbon {
 
 Result<void> check_place(const std::filesystem::path& file, const Replaceable& replaceable) {
   if (!is_taken(file)) return {};
+  std::error_code code;
+  if (std::filesystem::is_directory(file, code))
+    return failure(file.string(), "is a folder", "choose another name");
   const auto is_it = [&](const std::filesystem::path& read) { return is_same_file(file, read); };
   if (std::ranges::any_of(replaceable.never, is_it))
     return failure(file.string(), "is read for what would be written there", "choose another name");

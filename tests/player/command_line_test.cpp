@@ -255,6 +255,14 @@ TEST_F(RibbonPlay, a_taken_name_is_told_before_anything_is_rendered) {
   EXPECT_THAT(names("."), ElementsAre("knot.rbn", "taken.png"));
 }
 
+TEST_F(RibbonPlay, a_folder_is_told_before_anything_is_rendered) {
+  for (const std::string name : {"a.mp4", "a.png", "a.svg"}) fs::create_directory(folder_ / name);
+  for (const std::string job :
+       {"-o a.mp4", "-o {frame}.png --sheet a.png", "-o {frame}.png --plot a.svg"})
+    expect_refusal(run("knot.rbn --samples 1 --force " + job), " is a folder; choose another name");
+  EXPECT_THAT(names("."), ElementsAre("a.mp4", "a.png", "a.svg", "knot.rbn"));
+}
+
 // Not even by --force.
 TEST_F(RibbonPlay, nothing_that_is_read_is_replaced) {
   ASSERT_EQ(run("knot.rbn -o 1.png --frames 1 --size 32x16").exit_code, 0);

@@ -212,6 +212,16 @@ TEST_F(Output, a_film_that_came_meanwhile_is_not_replaced) {
   EXPECT_EQ(bytes("knot.mp4"), "ours\n");
 }
 
+TEST_F(Output, of_several_films_the_others_are_finished_where_one_is_not) {
+  const std::string slow = with_ffmpeg_that(
+      "cat > /dev/null; echo \"somebody else's\" > front.mp4; for f; do :; done; "
+      "echo ours > \"${f#file:}\"");
+  expect_refusal(play_small("-o '{view}.mp4' --view front --view knot", slow),
+                 "front.mp4: was put there by somebody else");
+  EXPECT_EQ(bytes("front.mp4"), "somebody else's\n");
+  EXPECT_EQ(bytes("knot.mp4"), "ours\n");
+}
+
 TEST_F(Output, a_disk_that_is_too_full_for_ffmpeg_may_pass) {
   const std::string failing =
       with_ffmpeg_that("cat > /dev/null; echo 'out: No space left on device' >&2; exit 1");
@@ -296,6 +306,20 @@ int ended_by_one_signal(pid_t process) {
   EXPECT_TRUE(has_ended(process));
   ::kill(process, SIGKILL);
   return waited_for(process);
+}
+
+TEST_F(Output, an_interrupted_sheet_asks_for_another_try) {
+  const pid_t player =
+      spawned({"/bin/sh", "-c",
+               "cd '" + folder_.string() +
+                   "' && exec '" RIBBON_PLAY
+                   "' knot.rbn --quality final --sheet s.png --progress json 2> errors.txt"});
+  while (!fs::exists(folder_ / "errors.txt") || bytes("errors.txt").empty())
+    if (has_ended(player)) break;
+  EXPECT_EQ(ended_by_one_signal(player), 3);
+  EXPECT_THAT(bytes("errors.txt"), StartsWith(R"({"unit":"frame","done":1,"total":5,)"));
+  EXPECT_THAT(bytes("errors.txt"), HasSubstr("interrupted before frame"));
+  EXPECT_FALSE(fs::exists(folder_ / "s.png"));
 }
 
 TEST_F(Output, one_signal_ends_it_where_nobody_reads) {
