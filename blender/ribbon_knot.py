@@ -48,6 +48,12 @@ def recorded_axes(places, scene):
     return numpy.column_stack([x, z, -y])
 
 
+def blender_axes(place):
+    """The other way round, in metres."""
+    x, y, z = place
+    return x, -z, y
+
+
 def stroke_of_grease_pencil(drawing):
     frame = drawing.data.layers.active and drawing.data.layers.active.active_frame
     strokes = frame.strokes if frame else ()
@@ -93,6 +99,12 @@ def drawn_line(drawing, context):
 def axis_seen_along(line):
     """A drawing is flat: the one along which it reaches least."""
     return "xyz"[int(numpy.argmin(numpy.ptp(line, axis=0)))]
+
+
+def plane_of(line, axis):
+    """The point of the axis beside the middle of the line: a band is laid as far above its plane as below."""
+    middle = 0.5 * (line.min(axis=0) + line.max(axis=0))
+    return middle * [letter == axis for letter in "xyz"]
 
 
 def crossings(seen):
@@ -157,7 +169,7 @@ def obj_of(vertices, triangles):
             "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles))
 
 
-def scene_of(name, line, axis, letters, settings, middle, has_obstacle):
+def scene_of(name, line, axis, letters, settings, middle, has_obstacle, origin):
     """The text of the scene; middle: a point on the axis that the band is fastened round."""
     length = numpy.linalg.norm(numpy.diff(line, axis=0), axis=1).sum()
     along = max(20, round(length / settings.width * (settings.across - 1)) + 1)
@@ -173,7 +185,9 @@ def scene_of(name, line, axis, letters, settings, middle, has_obstacle):
         f"axis_point = [{', '.join(f'{x:.6g}' for x in middle)}]\naxis = {direction}\n",
         f'[time]\nduration = {settings.duration:.6g}\nuntil = "tight"\n',
     ]
-    return f"# {MARK}\n\n" + "\n".join(table for table in tables if table)
+    # The add-on Ribbon recording looks for it.
+    place = f"# In Blender the origin is at [{', '.join(f'{x:.9f}' for x in blender_axes(origin))}], in metres\n"
+    return f"# {MARK}\n{place}\n" + "\n".join(table for table in tables if table)
 
 
 def recorder():
@@ -207,14 +221,18 @@ def write_scene(drawing, obstacle, settings, context):
     name = re.sub(r"\W+", "-", drawing.name).strip("-") or "knot"
     line = drawn_line(drawing, context)
     axis = axis_seen_along(line)
+    # Whatever is drawn, ribbon-record lays the band in the plane through the origin.
+    origin = plane_of(line, axis)
+    line -= origin
     seen = line @ VIEWS[axis].T
     middle = 0.5 * (line.min(axis=0) + line.max(axis=0))
     texts = {".svg": path_of(seen)}
     if obstacle:
         vertices, triangles = triangles_of(obstacle, context)
+        vertices -= origin
         middle = 0.5 * (vertices.min(axis=0) + vertices.max(axis=0))
         texts[".obj"] = obj_of(vertices, triangles)
-    texts[".toml"] = scene_of(name, line, axis, over_and_under(seen), settings, middle, bool(obstacle))
+    texts[".toml"] = scene_of(name, line, axis, over_and_under(seen), settings, middle, bool(obstacle), origin)
     scene = folder / f"{name}.toml"
     try:
         folder.mkdir(parents=True, exist_ok=True)

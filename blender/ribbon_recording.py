@@ -3,6 +3,8 @@
 Frames stay in the recording: each is read when Blender comes to it, also when it renders.
 """
 
+import re
+
 import bpy
 import numpy
 from bpy.app.handlers import persistent
@@ -27,6 +29,9 @@ FIRST = "ribbon_first_frame"
 
 # Recordings are y up; so turned, their coordinates stay the same bits.
 UPRIGHT = (numpy.pi / 2, 0, 0)
+
+# So a scene of the add-on Ribbon knot says where in Blender its drawing was.
+ORIGIN = re.compile(r"^# In Blender the origin is at \[(-?\d+\.\d+), (-?\d+\.\d+), (-?\d+\.\d+)\], in metres$", re.M)
 
 opened = {}
 
@@ -83,10 +88,18 @@ def cloth(picture, length):
     return material
 
 
-def linked(context, mesh):
+def origin_of(recording):
+    """In Blender, in metres."""
+    said = ORIGIN.search(recording.scene_text)
+    return [float(number) for number in said.groups()] if said else [0, 0, 0]
+
+
+def linked(context, mesh, recording):
+    metre = 1 / context.scene.unit_settings.scale_length
     thing = bpy.data.objects.new(mesh.name, mesh)
+    thing.location = [metre * x for x in origin_of(recording)]
     thing.rotation_euler = UPRIGHT
-    thing.scale = (1 / context.scene.unit_settings.scale_length,) * 3  # metres, whatever the scene's unit
+    thing.scale = (metre,) * 3
     context.collection.objects.link(thing)
     return thing
 
@@ -98,13 +111,14 @@ def add_ribbon(context, path, first_frame, texture):
     mesh = mesh_of(recording.scene_name, first, recording.triangles)
     add_uv(mesh, recording.uv)
     mesh.materials.append(cloth(picture, recording.length / recording.width))
-    thing = linked(context, mesh)
+    thing = linked(context, mesh, recording)
     thing[PATH], thing[FIRST] = path, first_frame
     return thing
 
 
-def add_obstacle(context, obstacle):
-    return linked(context, mesh_of(obstacle.name or "obstacle", obstacle.vertices, obstacle.triangles))
+def add_obstacle(context, recording):
+    obstacle = recording.obstacle
+    linked(context, mesh_of(obstacle.name or "obstacle", obstacle.vertices, obstacle.triangles), recording)
 
 
 def set_time(scene, recording, first_frame):
@@ -158,7 +172,7 @@ class ImportRibbonRecording(bpy.types.Operator, ImportHelper):
             self.report({"ERROR"}, str(error).removeprefix("Error: ").strip())
             return {"CANCELLED"}
         if self.with_obstacle and recording.obstacle is not None:
-            add_obstacle(context, recording.obstacle)
+            add_obstacle(context, recording)
         set_time(context.scene, recording, self.first_frame)
         for other in context.selected_objects:
             other.select_set(False)

@@ -86,13 +86,22 @@ def check_refused(word, **settings):
         sys.exit(f"FAILED: nothing said {word}")
 
 
-def check_lies_on_the_drawing(recording, units_a_metre):
+def check_lies_on(drawing, recording):
     """The middle line of the first frame, in Blender's world."""
     thing = bpy.context.active_object
+    drawn = [drawing.matrix_world @ point.co.xyz for point in drawing.data.splines[0].points]
     for place in recording[0].mean(axis=1)[::10]:
-        x, y, _ = thing.matrix_world @ Vector(map(float, place)) / units_a_metre
-        off = min(math.hypot(x - point[0], y - point[1]) for point in drawn_points(0.02))
+        x = thing.matrix_world @ Vector(map(float, place))
+        off = min((x - point).length for point in drawn) * bpy.context.scene.unit_settings.scale_length
         check(off < 0.01, f"the ribbon begins {off} m off the drawing")
+
+
+def check_closes_on(post):
+    bpy.context.scene.frame_set(bpy.context.scene.frame_end)
+    thing = bpy.context.active_object
+    places = [post.matrix_world.inverted() @ thing.matrix_world @ vertex.co for vertex in thing.data.vertices]
+    off = min((math.hypot(x, y) for x, y, z in places if abs(z) < 0.05), default=math.inf)
+    check(0.0148 < off < 0.017, f"at last the ribbon is {off} m off the axis of the post")
 
 
 for module in (import_add_on, add_on):
@@ -100,7 +109,7 @@ for module in (import_add_on, add_on):
 
 bpy.ops.preferences.addon_enable(module="ribbon_knot")
 preferences = bpy.context.preferences.addons["ribbon_knot"].preferences
-drawing = draw_curve(drawn_points(0.02), "my knot")
+drawing = draw_curve(drawn_points(0.005), "my knot")
 choose(drawing)
 preferences.recorder = str(folder / "nowhere")
 check_refused("there is no such program")
@@ -129,17 +138,17 @@ check("trefoil, left-handed" in str(verification.knot), f"the knot is {verificat
 check(recording.obstacle is not None and len(recording.obstacle.vertices) == 48, "the post is another")
 thing = bpy.context.active_object
 check(thing["ribbon_recording"] == str(folder / "my-knot.rbn"), "what came back is no recording")
+check_lies_on(drawing, recording)
 
-check_lies_on_the_drawing(recording, 1)
-
-# In a scene of centimetres, too, whose drawing is a hundred times as large in Blender's units.
+# In a scene of centimetres, too, whose drawing is a hundred times as large in Blender's units, and a metre up.
 units = bpy.context.scene.unit_settings
 units.scale_length = 0.01
-in_centimetres = draw_curve([[100 * x for x in point] for point in drawn_points(0.02)], "centimetres")
+in_centimetres = draw_curve([[100 * x for x in point] for point in drawn_points(0.005)], "centimetres")
+in_centimetres.location.z = 100
 choose(in_centimetres)
 check(tie(width=0.01, duration=0.02) == {"FINISHED"}, "the curve in centimetres was not tied")
 check(abs(ribbon.open(folder / "centimetres.rbn").width - 0.01) < 1e-9, "the width is another")
-check_lies_on_the_drawing(ribbon.open(folder / "centimetres.rbn"), 100)
+check_lies_on(in_centimetres, ribbon.open(folder / "centimetres.rbn"))
 bpy.data.objects.remove(bpy.context.active_object)
 units.scale_length = 1
 
@@ -163,6 +172,30 @@ for name, turn, height, expected in (("front", (math.pi / 2, 0, 0), 0.02, ('axis
     text = (folder / f"{name}.toml").read_text()
     check(expected[0] in text and expected[1] in knot, f"{name}: {knot}, {text}")
     check("crossings" in text and "[obstacle]" not in text, f"{name}: {text}")
+
+# A metre off the origin to each side that a drawing is seen from, round a post there: the ribbon begins on the drawing
+# and closes on the post, and so it does where File > Import shows it later. The drawing hangs on an object that scales it.
+for name, turn, middle in (("above", (0, 0, 0), (0.3, 0.2, 1)),
+                           ("before", (math.pi / 2, 0, 0), (0.3, 1, 0.2)),
+                           ("beside", (0, math.pi / 2, 0), (1, 0.3, -0.2))):
+    wall = linked(bpy.data.objects.new("wall", None))
+    wall.location, wall.rotation_euler, wall.scale = middle, turn, (0.5, 0.5, 0.5)
+    drawing = draw_curve([[2 * x for x in point] for point in drawn_points(0.005)], name)
+    drawing.parent = wall
+    bpy.ops.mesh.primitive_cylinder_add(radius=0.015, depth=0.1, vertices=24, location=middle, rotation=turn)
+    post = bpy.context.active_object
+    choose(drawing, post)
+    check(tie(width=0.01, duration=2) == {"FINISHED"}, f"{name}: it was not tied")
+    recording = ribbon.open(folder / f"{name}.rbn")
+    check_lies_on(drawing, recording)
+    check_closes_on(post)
+    before = set(bpy.data.objects)
+    bpy.ops.import_scene.ribbon_recording(filepath=str(folder / f"{name}.rbn"))
+    check_lies_on(drawing, recording)
+    shown, = set(bpy.data.objects) - before - {bpy.context.active_object}
+    off = max(min((shown.matrix_world @ a.co - post.matrix_world @ b.co).length for b in post.data.vertices)
+              for a in shown.data.vertices)
+    check(off < 1e-6, f"{name}: the post is shown {off} m off")
 
 # What somebody else has made stays as it is, whichever of the files it is.
 choose(draw_curve(drawn_points(0.02), "logo"), post)
