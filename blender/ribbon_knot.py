@@ -54,12 +54,19 @@ def blender_axes(place):
     return x, -z, y
 
 
-def stroke_of_grease_pencil(drawing):
-    frame = drawing.data.layers.active and drawing.data.layers.active.active_frame
-    strokes = frame.strokes if frame else ()
+def check_open(drawing, is_closed):
+    if is_closed:
+        raise Trouble(f"{drawing.name}: it is closed; a band has two ends, open it (Toggle Cyclic)")
+
+
+def stroke_of_grease_pencil(drawing, depsgraph):
+    """Of the active layer, as Blender draws it: where that is moved to, with modifiers."""
+    layer = drawing.evaluated_get(depsgraph).data.layers.active
+    strokes = layer.active_frame.strokes if layer and layer.active_frame else ()
     if len(strokes) != 1:
         raise Trouble(f"{drawing.name}: the active layer has {len(strokes)} strokes; draw the band in a single one")
-    return [point.co for point in strokes[0].points]
+    check_open(drawing, strokes[0].use_cyclic)
+    return [point.co.copy() for point in strokes[0].points]
 
 
 def points_of_curve(drawing, depsgraph):
@@ -70,8 +77,7 @@ def points_of_curve(drawing, depsgraph):
         copy.bevel_object = None
         if len(copy.splines) != 1:
             raise Trouble(f"{drawing.name}: it has {len(copy.splines)} splines; draw the band as a single one")
-        if copy.splines[0].use_cyclic_u:
-            raise Trouble(f"{drawing.name}: it is closed; a band has two ends, open it (Toggle Cyclic)")
+        check_open(drawing, copy.splines[0].use_cyclic_u)
         probe = bpy.data.objects.new("probe", copy)
         mesh = probe.to_mesh(depsgraph=depsgraph)
         points = [vertex.co.copy() for vertex in mesh.vertices]
@@ -84,10 +90,8 @@ def points_of_curve(drawing, depsgraph):
 
 def drawn_line(drawing, context):
     """The drawing as points, n x 3, in the metres of recordings."""
-    if drawing.type == "GPENCIL":
-        points = stroke_of_grease_pencil(drawing)
-    else:
-        points = points_of_curve(drawing, context.evaluated_depsgraph_get())
+    read = stroke_of_grease_pencil if drawing.type == "GPENCIL" else points_of_curve
+    points = read(drawing, context.evaluated_depsgraph_get())
     line = recorded_axes([drawing.matrix_world @ point for point in points], context.scene)
     apart = numpy.linalg.norm(numpy.diff(line, axis=0), axis=1) > 1e-9
     line = line[numpy.concatenate([[True], apart])] if len(line) else line

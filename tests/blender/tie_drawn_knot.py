@@ -211,6 +211,16 @@ choose(draw_stroke([(x, y, 0) for x, y, _ in drawn_points(0)], "flat ink"))
 check(tie(width=0.01, duration=0.02, fabric="silk") == {"FINISHED"}, "the stroke was not tied")
 text = (folder / "flat-ink.toml").read_text()
 check("crossings" not in text and 'fabric = "silk"' in text, text)
+in_layer = draw_stroke(drawn_points(0.005), "moved layer")
+in_layer.data.layers.active.location.z = 1
+in_layer.location.x = 0.5
+choose(in_layer)
+check(tie(width=0.01, duration=0.02) == {"FINISHED"}, "the stroke of a moved layer was not tied")
+twin = draw_curve([(x + 0.5, y, z + 1) for x, y, z in drawn_points(0.005)], "twin")
+check_lies_on(twin, ribbon.open(folder / "moved-layer.rbn"))
+in_layer.data.layers.active.frames[0].strokes[0].use_cyclic = True
+choose(in_layer)
+check_refused("it is closed")
 choose(draw_stroke([(x, y, max(0, z) * (y > 0.03)) for x, y, z in drawn_points(0.02)], "half flat"))
 check_refused("at one height")
 
