@@ -165,6 +165,10 @@ def triangles_of(thing, context):
     vertices = recorded_axes([thing.matrix_world @ vertex.co for vertex in mesh.vertices], context.scene)
     triangles = [list(triangle.vertices) for triangle in mesh.loop_triangles]
     shown.to_mesh_clear()
+    if not triangles:
+        raise Trouble(f"{thing.name}: it has no faces; select another mesh to fasten the ribbon round, or none")
+    if thing.matrix_world.is_negative:
+        triangles = [triangle[::-1] for triangle in triangles]  # mirrored, they would be inside out
     return vertices, triangles
 
 

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import bpy
+import numpy
 from mathutils import Vector
 
 package, import_add_on, add_on, recorder, folder = sys.argv[sys.argv.index("--") + 1:]
@@ -196,6 +197,18 @@ for name, turn, middle in (("above", (0, 0, 0), (0.3, 0.2, 1)),
     off = max(min((shown.matrix_world @ a.co - post.matrix_world @ b.co).length for b in post.data.vertices)
               for a in shown.data.vertices)
     check(off < 1e-6, f"{name}: the post is shown {off} m off")
+
+# A mirrored object is no more inside out than Blender shows it; one of points alone is refused.
+post.scale.x = -1
+choose(drawing, post)
+check(tie(width=0.01, duration=0.02) == {"FINISHED"}, "round the mirrored post nothing was tied")
+stone = ribbon.open(folder / "beside.rbn").obstacle
+corners = stone.vertices[stone.triangles].astype(float)
+volume = numpy.linalg.det(corners - stone.vertices.mean(axis=0)).sum() / 6
+check(abs(volume / (12 * math.sin(math.pi / 12) * 0.015 ** 2 * 0.1) - 1) < 1e-3, f"the mirrored post has {volume} m3")
+points = linked(bpy.data.objects.new("points", bpy.data.meshes.new("points")))
+choose(drawing, points)
+check_refused("points: it has no faces")
 
 # What somebody else has made stays as it is, whichever of the files it is.
 choose(draw_curve(drawn_points(0.02), "logo"), post)
