@@ -54,4 +54,15 @@ TEST(Interrupt, an_ignored_signal_stays_ignored) {
   EXPECT_EQ(std::signal(SIGINT, before), SIG_IGN);
 }
 
+TEST(Interrupt, an_ignored_signal_stays_ignored_when_another_has_come) {
+  const auto before = std::signal(SIGINT, SIG_IGN);
+  {
+    const Interrupt interrupt;
+    ASSERT_EQ(std::raise(SIGTERM), 0);
+    EXPECT_TRUE(interrupt.requested());
+    ASSERT_EQ(std::raise(SIGINT), 0);
+  }
+  EXPECT_EQ(std::signal(SIGINT, before), SIG_IGN);
+}
+
 }  // namespace ribbon::interrupt_test
