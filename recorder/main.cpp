@@ -120,9 +120,9 @@ Result<std::optional<RunStatistics>> run_task(const RecorderOptions& options,
   return std::optional(*std::move(statistics));
 }
 
-const char* nothing_done(const RecorderOptions& options) {
+std::string nothing_done(const RecorderOptions& options) {
   return options.task == RecorderTask::resume
-             ? "there is nothing to add; extend it with --until or --frames"
+             ? nothing_to_add(options.recording)
              : "ended by the user before there was anything to record";
 }
 
@@ -202,7 +202,7 @@ Result<ExitCode> do_task(const RecorderOptions& options) {
   }
   if (!options.quiet)
     std::printf("%s: %s\n", options.recording.c_str(),
-                run ? summary_line(*run).c_str() : nothing_done(options));
+                (run ? summary_line(*run) : nothing_done(options)).c_str());
   if (run && options.profile) std::fputs(profile_text(*run).c_str(), stdout);
   if (run && !options.statistics.empty())
     if (auto written = write_file(options.statistics, statistics_json(*run)); !written)

@@ -68,6 +68,14 @@ Result<Continuation> continuation(const fs::path& path, const RunLimit& limit) {
 
 }  // namespace
 
+std::string nothing_to_add(const fs::path& path) {
+  const auto reader = RecordingReader::open(path);
+  if (reader && is_slipping(*reader))
+    return "there is nothing to add: an end of the ribbon would slip out of its knot; branch off "
+           "before that by --from, with a hand that holds it";
+  return "there is nothing to add; extend it with --until or --frames";
+}
+
 Result<std::optional<RunStatistics>> resume(const fs::path& path, const std::string& program,
                                             const RunObserver& observer, const RunLimit& limit) {
   {

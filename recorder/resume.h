@@ -24,4 +24,7 @@ Result<std::optional<RunStatistics>> resume(const std::filesystem::path& path,
                                             const std::string& program, const RunObserver& observer,
                                             const RunLimit& limit = {});
 
+// What to say where there was nothing to add.
+std::string nothing_to_add(const std::filesystem::path& path);
+
 }  // namespace ribbon

@@ -161,6 +161,7 @@ TEST_F(Stages, an_end_that_is_about_to_slip_ends_the_run_with_the_advice) {
                                              "longer tail, or hold it"));
   EXPECT_EQ(RecordingReader::open(file())->ending(), RunEnding::first_end_slips);
   EXPECT_FALSE(resume(file(), "test", goes_on, {.until_s = 12})->has_value());
+  EXPECT_THAT(nothing_to_add(file()), HasSubstr("branch off before that by --from"));
 }
 
 // The second end is carried over to the first, near which the band then touches itself.
