@@ -66,7 +66,8 @@ Result<std::string> write_page(const RecordingReader& reader,
   if (viewer_page().empty())
     return failure(page.string(),
                    "cannot be written: this ribbon-play was built without Emscripten",
-                   "install it (apt-get install emscripten) and build again, as docs/page.md says");
+                   "install it by 'source .ci/setup.sh && install_page_tools', and build again "
+                   "(docs/page.md)");
   const auto bytes = RandomAccessFile::open(recording);
   if (!bytes) return tl::unexpected(bytes.error());
   auto file = PendingFile::create(page);

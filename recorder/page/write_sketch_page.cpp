@@ -23,7 +23,8 @@ Result<std::string> write_sketch_page(const std::optional<Scene>& scene,
   if (sketch_page().empty())
     return failure(page.string(),
                    "cannot be written: this ribbon-record was built without Emscripten",
-                   "install it (apt-get install emscripten) and build again, as docs/page.md says");
+                   "install it by 'source .ci/setup.sh && install_page_tools', and build again "
+                   "(docs/page.md)");
   if (overwrite == Overwrite::no && is_taken(page))
     return failure(page.string(), "exists already", "name another file, or replace it by --force");
   const auto filled = packed_scene(scene);

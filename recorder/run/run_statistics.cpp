@@ -48,7 +48,7 @@ RunStatistics statistics_of(const RecordingReader& reader, int frames) {
   RunStatistics statistics{.scene_name = header.scene_name,
                            .along = header.grid.along,
                            .across = header.grid.across,
-                           .first_frame = frames};
+                           .frames_before = frames};
   for (int frame = 0; frame < frames; ++frame) {
     if (const auto numbers = reader.numbers(frame))
       statistics.add(*numbers);
@@ -118,7 +118,7 @@ Json stages_json(const StageSums& stages) {
 
 std::string profile_text(const RunStatistics& statistics) {
   const double all_s = statistics.simulation_s + statistics.measuring_s + statistics.recording_s;
-  const int frames = statistics.frames - statistics.first_frame;
+  const int frames = statistics.frames - statistics.frames_before;
   std::string text =
       filled_in("a step, {} times, by {} in {:.1f} parts:\n", statistics.computed_steps,
                 statistics.integrator, statistics.substeps());
@@ -168,7 +168,7 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"steps", statistics.steps},
       {"computed_steps", statistics.computed_steps},
       {"frames", statistics.frames},
-      {"first_frame", statistics.first_frame},
+      {"frames_before", statistics.frames_before},
       {"simulated_s", statistics.simulated_s},
       {"simulation_s", statistics.simulation_s},
       {"stages", stages_json(statistics.stages)},

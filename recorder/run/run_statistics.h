@@ -25,7 +25,7 @@ struct RunStatistics {
   // By this run: others may have been before it.
   std::int64_t computed_steps = 0;
   int frames = 0;
-  int first_frame = 0;  // how many frames were there before this run
+  int frames_before = 0;  // how many there were before this run
   double simulated_s = 0;
   double simulation_s = 0;  // wall time spent in steps
   StageSums stages = {};    // what it was spent for

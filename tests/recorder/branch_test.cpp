@@ -51,7 +51,7 @@ TEST_F(Branch, without_a_change_it_is_the_same_take) {
   for (const int frame : {0, 1, 15, 20, 60}) {
     const auto statistics = branched(frame, {}).value();
     EXPECT_EQ(statistics->frames, 61);
-    EXPECT_EQ(statistics->first_frame, frame + 1);
+    EXPECT_EQ(statistics->frames_before, frame + 1);
     EXPECT_EQ(common_frames(), 61) << frame;
   }
 }

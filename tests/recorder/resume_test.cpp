@@ -64,7 +64,7 @@ TEST_F(ResumeRun, a_stopped_run_goes_on_to_the_frames_of_one_that_never_stopped)
     EXPECT_EQ(RecordingReader::open(file_)->frame_count(), frames);
     const auto statistics = resume(file_, "resumer", goes_on).value().value();
     EXPECT_EQ(statistics.frames, 61);
-    EXPECT_EQ(statistics.first_frame, frames);
+    EXPECT_EQ(statistics.frames_before, frames);
     EXPECT_EQ(statistics.steps, 240);
     expect_whole();
     const auto sessions = RecordingReader::open(file_)->sessions();

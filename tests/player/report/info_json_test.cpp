@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "files/files.h"
 #include "player/report/info.h"
 
 namespace ribbon::info_json_test {
@@ -32,6 +34,14 @@ TEST(InfoJson, programs_read_what_people_read) {
   EXPECT_EQ(json["missing_frames"], nlohmann::json::array({2}));
   EXPECT_EQ(json["damage"][0]["byte"], 2000);
   EXPECT_EQ(json["frames"][0]["recovery_iterations"], 3);
+}
+
+TEST(InfoJson, is_documented) {
+  const std::string documented =
+      read_file(std::filesystem::path(RIBBON_REFERENCES) / "../../../docs/play.md").value();
+  const auto json = nlohmann::json::parse(info_json(two_frames()));
+  for (const auto& [field, value] : json.items())
+    EXPECT_NE(documented.find("`" + field + "`"), std::string::npos) << field;
 }
 
 TEST(InfoJson, what_is_not_known_is_null) {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "files/files.h"
 #include "result/refusal.h"
 
 namespace ribbon::run_statistics_test {
@@ -93,11 +95,19 @@ TEST(RunStatistics, are_told_to_programs_as_json) {
   EXPECT_TRUE(json["tightness"].is_null());
 }
 
+TEST(RunStatistics, are_documented) {
+  const std::string documented =
+      read_file(std::filesystem::path(RIBBON_SAMPLES) / "../docs/play.md").value();
+  const auto json = nlohmann::json::parse(statistics_json(example()));
+  for (const auto& [field, value] : json.items())
+    EXPECT_THAT(documented, HasSubstr("`" + field + "`")) << value;
+}
+
 // By hand: 100 of 150 steps in 4 s; 1 s of 5 s for the recording.
 TEST(RunStatistics, of_a_run_that_went_on_tell_what_it_did_itself) {
   RunStatistics statistics = example();
   statistics.steps = 150;
-  statistics.first_frame = 1;
+  statistics.frames_before = 1;
   statistics.recording_s = 1;
   statistics.beside_it.longest_queue = 7;
   EXPECT_EQ(statistics.steps_per_second(), 25);
@@ -105,7 +115,7 @@ TEST(RunStatistics, of_a_run_that_went_on_tell_what_it_did_itself) {
   const auto json = nlohmann::json::parse(statistics_json(statistics));
   EXPECT_EQ(json["steps"], 150);
   EXPECT_EQ(json["computed_steps"], 100);
-  EXPECT_EQ(json["first_frame"], 1);
+  EXPECT_EQ(json["frames_before"], 1);
   EXPECT_EQ(json["recording_share"], 0.2);
   EXPECT_EQ(json["longest_queue"], 7);
   EXPECT_THAT(profile_text(statistics), StartsWith("a step, 100 times,"));
