@@ -10,6 +10,7 @@
 #include "curve/joined_drawing.h"
 #include "curve/object_heights.h"
 #include "curve/object_passages.h"
+#include "curve/outline.h"
 #include "curve/over_under.h"
 #include "obstacle/obstacle.h"
 #include "text/number_text.h"
@@ -70,12 +71,14 @@ Json json_of(const ObstacleScene& scene, const TriangleMesh& mesh) {
 
 }  // namespace
 
-Result<Json> scene_json(const Scene& scene) {
+Result<Json> scene_json(const Scene& wanted) {
+  const auto read = with_outline_read(wanted);
+  if (!read) return tl::unexpected(read.error());
+  const Scene& scene = *read;
   const auto drawing = read_drawing(scene.curve);
   if (!drawing) return tl::unexpected(drawing.error());
   const auto obstacle = read_obstacle(scene);
   if (!obstacle) return tl::unexpected(obstacle.error());
-  const bool has_one_width = !scene.ribbon.profile && !scene.ribbon.outline;
   Json json{{"file", scene.file.filename().string()},
             {"text", scene.text},
             {"name", scene.name},
@@ -83,7 +86,7 @@ Result<Json> scene_json(const Scene& scene) {
             {"letters", list_for(*drawing, scene.curve, *obstacle)},
             {"unit_m", scene.curve.unit_m},
             {"origin", Json::list({scene.curve.origin.x(), scene.curve.origin.y()})},
-            {"width_m", has_one_width ? scene.ribbon.width_m : 0.0},
+            {"width_m", scene.ribbon.profile ? 0.0 : scene.ribbon.width_m},
             {"along", scene.ribbon.along},
             {"across", scene.ribbon.across}};
   if (*obstacle) json.set("object", json_of(*scene.obstacle, **obstacle));
