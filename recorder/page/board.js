@@ -11,12 +11,6 @@ const shortest_stroke = 6;                      // a shorter one is a click
 const half_gap_px = 9;
 const button_px = 44;
 
-// Left, top, right and bottom of points.
-function box_around(points) {
-  const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
-  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
-}
-
 // Where buttons stand that belong to these places: there, or as near as may be without lying on one
 // before.
 function places_of_buttons(places) {

@@ -5,6 +5,12 @@
 
 const distance = ([ax, ay], [bx, by]) => Math.hypot(bx - ax, by - ay);
 
+// Left, top, right and bottom of points; these may be more than a call takes arguments.
+const box_around = points => points.reduce(
+    ([left, top, right, bottom], [x, y]) =>
+        [Math.min(left, x), Math.min(top, y), Math.max(right, x), Math.max(bottom, y)],
+    [Infinity, Infinity, -Infinity, -Infinity]);
+
 // From a point to the segment between two others.
 function distance_to_segment([x, y], [ax, ay], [bx, by]) {
   const [dx, dy] = [bx - ax, by - ay];
@@ -42,11 +48,8 @@ const digits_for = grain => Math.max(0, 2 - Math.round(Math.log10(grain)));
 
 // The power of ten that is about a two-thousandth of what the points take up.
 function grain_of(points) {
-  const extents = [0, 1].map(axis => {
-    const values = points.map(point => point[axis]);
-    return Math.max(...values) - Math.min(...values);
-  });
-  return 10 ** Math.round(Math.log10(Math.max(...extents) / 2000 || 1));
+  const [left, top, right, bottom] = box_around(points);
+  return 10 ** Math.round(Math.log10(Math.max(right - left, bottom - top) / 2000 || 1));
 }
 
 // What can be undone. States stay as they are, but for what is told of them once it is found.
@@ -215,9 +218,8 @@ function drawn_pieces(points, {crossings, passes}, widest_half_gap) {
 // The drawing as libribbon reads it.
 function drawing_svg(points, grain) {
   const told = value => +value.toFixed(digits_for(grain));
-  const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
-  const [left, top] = [Math.min(...xs), Math.min(...ys)];
-  const [width, height] = [Math.max(...xs) - left, Math.max(...ys) - top];
+  const [left, top, right, bottom] = box_around(points);
+  const [width, height] = [right - left, bottom - top];
   const margin = 0.05 * Math.max(width, height, grain);
   const box = [left - margin, top - margin, width + 2 * margin, height + 2 * margin];
   return '<svg xmlns="http://www.w3.org/2000/svg" viewBox="' +
@@ -233,6 +235,6 @@ function place_in(sentence) {
 }
 
 if (typeof module !== 'undefined')
-  module.exports = {simplified, rounded, grain_of, History, passages, letters_of, nothing_told, with_choices_kept,
-                    with_crossing_exchanged, with_pass_exchanged, mirrored, alternated, drawn_pieces,
-                    drawing_svg, place_in};
+  module.exports = {box_around, simplified, rounded, grain_of, History, passages, letters_of, nothing_told,
+                    with_choices_kept, with_crossing_exchanged, with_pass_exchanged, mirrored, alternated,
+                    drawn_pieces, drawing_svg, place_in};

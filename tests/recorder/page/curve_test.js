@@ -35,6 +35,11 @@ test('a drawing in metres is taken as finely as one in millimetres', () => {
   assert.match(curve.drawing_svg(in_metres, 0.001), /viewBox="-0.7045 -0.4845 1.419 1.119"/);
 });
 
+test('any number of points has a box', () => {
+  const points = Array.from({length: 300000}, (_, i) => [i, 7 - 2 * i]);
+  assert.deepStrictEqual(curve.box_around(points), [0, -599991, 299999, 7]);
+});
+
 test('what was undone comes back, until something else is done', () => {
   const states = new curve.History(0);
   states.add(1);
