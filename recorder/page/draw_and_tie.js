@@ -77,12 +77,15 @@ addEventListener('beforeunload', event => {
   if (unsaved.drawing || unsaved.recording || is_tying) event.preventDefault();
 });
 
+// Without what binary fractions add.
+const plain = value => +value.toPrecision(12);
+
 // What of the scene is changed besides its drawing.
 function settings() {
   const lines = [];
   if (!given) lines.push('name="sketch"', `obstacle.mesh="${scene.object.file}"`);
-  const width_m = element('width').disabled ? 0 : Number(element('width').value) / 100;
-  if (width_m > 0 && width_m !== scene.width_m) lines.push(`ribbon.width=${width_m}`);
+  const width_m = element('width').disabled ? 0 : plain(Number(element('width').value) / 100);
+  if (width_m > 0 && width_m !== plain(scene.width_m)) lines.push(`ribbon.width=${width_m}`);
   if (element('mesh').value !== 'given') lines.push(...mesh_settings(width_m));
   return lines.join('\n');
 }
@@ -392,7 +395,7 @@ function choose_object(index) {
   scene = given ?? scenes[index];
   grain = board.grain = given ? grain_of(pairs(given.points)) : 1;
   element('width').disabled = scene.width_m === 0;
-  element('width').value = scene.width_m > 0 ? +(100 * scene.width_m).toFixed(2) : '';
+  element('width').value = scene.width_m > 0 ? plain(100 * scene.width_m) : '';
   is_new_object = true;
   send_object();
 }

@@ -698,6 +698,13 @@ class OwnScene(Sketch):
         self.assertEqual(self.script("return [recording.along, recording.across]"), [100, 4])
         self.assertFalse(self.find("save_object").is_displayed())
 
+    def test_its_width_stays_as_it_was_written_until_another_is_chosen(self):
+        of_width = "scene.width_m = arguments[0]; choose_object(0); return [element('width').value, settings()]"
+        for width_m, seen in ((0.06, "6"), (0.009525, "0.9525"), (0.014, "1.4"), (0.1 / 3, "3.33333333333")):
+            self.assertEqual(self.script(of_width, width_m), [seen, ""], width_m)
+        self.script("element('width').value = '1.4'")
+        self.assertEqual(self.script("return settings()"), "ribbon.width=0.014")
+
 
 class OwnReef(Sketch):
     """Over and under do not take turns."""
