@@ -68,7 +68,7 @@ function tell_opened() {
   const {damage} = recording;
   if (damage.length > 0)
     tell_problem(`${source.name} is damaged; what can be read is shown. ${damage[0]}`);
-  else if (view) tell('');
+  else tell('');
 }
 
 // ---- Files

@@ -467,6 +467,7 @@ class PageWithoutPicture(Opened):
         self.press(Keys.END)
         self.wait_for_frame(self.frames())
         self.assertIn("%", self.find("strain").text)
+        self.assertEqual(self.status(), "")
 
 
 if __name__ == "__main__":
