@@ -199,9 +199,12 @@ class Firefox:
         return None
 
     def type_into(self, element, text):
+        if self.script("return arguments[0].type === 'file'", element):
+            return self.in_context("input.setFiles", element=to_bidi(element), files=[text])
         self.script("arguments[0].focus()", element)
         strokes = [{"type": kind, "value": key} for key in text for kind in ("keyDown", "keyUp")]
         self.act([{"type": "key", "id": "keyboard", "actions": strokes}])
+        return None
 
     def execute(self, command, given):
         element = {ELEMENT: given["id"]} if given and "id" in given else None
@@ -245,6 +248,7 @@ class FirefoxDriver(webdriver.Remote):
             "webgl.disabled": not with_picture,
         })
         super().__init__(command_executor=self.firefox, options=webdriver.FirefoxOptions())
+        self._is_remote = False  # files that it is given are on its own machine
         self.take_focus()
 
     def take_focus(self):

@@ -212,6 +212,16 @@ class Page(Opened):
         self.wait_for_frame(self.frames())
         self.picture("other")
 
+    def test_any_file_can_be_chosen(self):
+        """Of an extension that it does not know a phone offers none where a page asks for it."""
+        chooser, name = self.find("file"), self.find("name").text
+        self.assertFalse(chooser.get_attribute("accept"))
+        chooser.send_keys(str(PAGE))
+        self.wait_for(lambda: self.status().startswith(PAGE.name), "what is no recording is not refused")
+        chooser.send_keys(str(OTHER))
+        self.wait_for(lambda: self.find("name").text != name, "the other recording did not come")
+        self.assertEqual(self.status(), "")
+
     def test_a_shorter_recording_is_dropped_while_a_longer_one_plays(self):
         """Frames that were asked for of the one before are not taken for its own."""
         self.press(Keys.END)
