@@ -336,8 +336,9 @@ function save_scene() {
   save(tied.name + '.toml', tied.scene);
   save('sketch.svg', tied.svg);
   if (answer?.text === tied.scene && answer.svg === tied.svg) unsaved.drawing = false;
-  tell(given ? `Put both into the folder of ${given.file}, so that what it names is found.`
-             : `Put both into one folder, with ${tied.object_file}.`);
+  tell((given ? `Put ${tied.name}.toml and sketch.svg into the folder of ${given.file}`
+              : `Put ${tied.name}.toml, sketch.svg and ${tied.object_file} into one folder`) +
+       ', under these names: the browser may have numbered them.');
 }
 
 // ---- The worker

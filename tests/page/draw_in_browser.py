@@ -149,6 +149,7 @@ class Drawing(Sketch):
                       "the last frame did not come")
         self.save("save_recording", "sketch.rbn", into="")
         self.save("save_scene", "sketch.toml", "sketch.svg", into="")
+        self.assertIn("sketch.toml, sketch.svg and cylinder.obj into one folder, under these names", self.status())
         self.save("save_object", "cylinder.obj", into="")
         self.save("save_shape", "sketch.obj", "sketch.mtl", into="")
         self.save("save_motion", "sketch.glb", into="")
@@ -697,6 +698,10 @@ class OwnScene(Sketch):
         self.tie(frames=5)
         self.assertEqual(self.script("return [recording.along, recording.across]"), [100, 4])
         self.assertFalse(self.find("save_object").is_displayed())
+        self.stop()
+        self.save("save_scene", "overhand-cylinder-8x400-sketch.toml", "sketch.svg")
+        self.assertIn("8x400-sketch.toml and sketch.svg into the folder of overhand-cylinder-8x400.toml, under these",
+                      self.status())
 
     def test_its_width_stays_as_it_was_written_until_another_is_chosen(self):
         of_width = "scene.width_m = arguments[0]; choose_object(0); return [element('width').value, settings()]"
