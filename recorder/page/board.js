@@ -290,9 +290,9 @@ class Board {
     const moved = this.points;
     this.stop_drawing();
     const is_click = this.way_px < shortest_stroke;
-    if (this.is_late) this.keep_all_seen();
     if (dragged >= 0 && !is_click) this.deeds.points_changed(rounded(moved, this.grain));
     else if (stroke) this.add(is_click ? stroke.slice(0, 1) : simplified(stroke, 3 * this.grain));
+    if (this.is_late) this.keep_all_seen();
   }
 
   give_up(event) {

@@ -159,11 +159,10 @@ function tell_mistake(sentence) {
   board.show_mistake(place_in(sentence));
 }
 
-// The board does not move under a stroke that has been begun.
 function take_outline({outlined, problem}) {
   board.show_object(outlined);
   if (problem) tell_problem(problem);
-  if (is_new_object && !board.is_touched) fit_board();
+  if (is_new_object) fit_board();
   is_new_object = false;
   say_ready();
 }

@@ -654,6 +654,22 @@ class Drawing(Sketch):
             return board.scale * Math.max((Math.max(...xs) - Math.min(...xs)) / clientWidth,
                                           (Math.max(...ys) - Math.min(...ys)) / clientHeight);""")
 
+    def test_an_object_that_comes_while_one_draws_is_framed_with_the_stroke(self):
+        view = "return [board.scale, ...board.middle]"
+        before = self.script(view)
+        self.script("""
+            delete board.box;
+            board.pointers.set(1, [0, 0]);
+            [board.stroke, board.way_px] = [[[-3000, 900], [3000, 900]], 100];
+            choose_object(1);""")
+        self.wait_for(lambda: not self.script("return is_new_object"), "the object did not come")
+        self.assertEqual(self.script(view), before)
+        self.script("board.lift({pointerId: 1})")
+        self.assertEqual(len(self.points()), 2)
+        self.assertTrue(self.drawing_is_seen())
+        self.script("board.zoom(3, [40, 30]); all_seen.click()")
+        self.assertTrue(self.drawing_is_seen())
+
     def test_the_drawing_fits_a_phone_that_is_turned(self):
         self.turn_phone(390, 844)
         self.begin_with("overhand knot")
