@@ -211,7 +211,6 @@ function tie() {
   begun = {scene: answer.text, svg: answer.svg, name, object: object_of(scene),
            object_file: scene.object?.file};
   is_tying = true;
-  begun_ms = performance.now();
   wanted.is_asked = true;
   wanted.frame = null;
   show_ending();
@@ -254,6 +253,7 @@ function take_opened(opened, most) {
   begun = null;
   unsaved.recording = true;
   most_frames = most;
+  begun_ms = performance.now();
   wanted.is_asked = false;
   element('watch_mode').disabled = false;
   set_mode('watch');
@@ -293,12 +293,12 @@ function take_tied({tied: summary, frames, numbers, bytes}) {
   show_grown();
   is_tying = false;
   show_ending();
-  element('tying').textContent = '';
   tell(`Tied: ${summary}`);
 }
 
 // What was tied before can still be watched.
 function take_refusal(sentence, left) {
+  show_grown();
   keep_left(left);
   begun = null;
   is_tying = false;
@@ -314,6 +314,7 @@ function show_ending() {
   for (const kind of ['recording', 'shape', 'motion', 'scene', 'object'])
     element('save_' + kind).disabled = is_tying;
   element('save_object').hidden = given !== null;
+  if (!is_tying) element('tying').textContent = '';
 }
 
 // ---- Files to take away
@@ -364,7 +365,6 @@ async function take_over(reason, left) {
   grown = null;
   is_tying = false;
   keep_left(left);
-  element('tying').textContent = '';
   show_ending();
   const falls_again = performance.now() - last_fall_ms < 5000;
   last_fall_ms = performance.now();

@@ -186,6 +186,25 @@ class Drawing(Sketch):
         self.find("draw_mode").click()
         self.tie(frames=5)
 
+    def test_frames_a_second_are_those_of_tying(self):
+        """Not of looking for a start before; and a refusal ends their telling."""
+        self.begin_with("overhand knot")
+        Select(self.find("mesh")).select_by_index(1)  # not over before it can be stopped
+        self.script("""
+            const opened = take_opened;
+            take_opened = (...given) => { window.opened_ms = performance.now(); opened(...given); };""")
+        self.tie(frames=5)
+        self.assertGreaterEqual(self.script("return begun_ms - opened_ms"), 0)
+        self.assertIn("frames/s", self.find("tying").text)
+        told = self.browser.execute_async_script("""
+            const done = arguments[0];
+            take = () => {};
+            take_grown(recording.frames, recording.numbers);
+            take_refusal('it goes no further', new Uint8Array(8));
+            requestAnimationFrame(() => requestAnimationFrame(() => done(element('tying').textContent)));""")
+        self.assertEqual(told, "")
+        self.assertEqual(self.status(), "it goes no further")
+
     def test_it_goes_on_in_the_background(self):
         self.begin_with("overhand knot")
         Select(self.find("mesh")).select_by_index(1)
