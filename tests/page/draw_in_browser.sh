@@ -24,7 +24,7 @@ fi
 "$record" --quiet --draw "$root/samples/overhand-cylinder-8x400.toml" \
   --set ribbon.along=100 --set ribbon.across=4 -o "$work/own.html"
 "$record" --quiet --draw "$root/samples/gallery/reef.toml" -o "$work/reef.html"
-sed 's|<path |<path transform="scale(0.001)" |' "$root/samples/overhand-cylinder.svg" >"$work/metres.svg"
+sed 's|transform="translate|transform="scale(0.001) translate|' "$root/samples/overhand-cylinder.svg" >"$work/metres.svg"
 sed "s|overhand-cylinder.svg\"|metres.svg\"\nunit = 1.0|;s|cylinder.obj|$root/samples/cylinder.obj|" \
   "$root/samples/overhand-cylinder-8x400.toml" >"$work/metres.toml"
 "$record" --quiet --draw "$work/metres.toml" -o "$work/metres.html"
