@@ -367,7 +367,7 @@ class Board {
   }
 
   say_spot() {
-    const [x, y] = this.spot.map(value => Math.round(value));
+    const [[x, y]] = rounded([this.spot], 100 * this.grain);
     this.deeds.said(this.selected < 0 ? `${x}, ${y}`
                                       : `Point ${this.selected + 1} of ${this.points.length}: ${x}, ${y}`);
   }

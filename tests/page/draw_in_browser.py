@@ -772,7 +772,9 @@ class InMetres(Sketch):
         self.crossings()[1].click()
         self.wait_for_answer()
         letters = self.letters()
-        self.script("board.select(0); board.shift(-0.02, 0.01)")
+        said = self.script("board.select(0); board.shift(-0.02, 0.01); return status_line.textContent")
+        x, y = self.points()[0]
+        self.assertRegex(said, rf"^Point 1 of \d+: {round(x, 3):g}, {round(y, 3):g}$")
         self.wait_for_answer()
         self.assertEqual(self.letters(), letters)
 
