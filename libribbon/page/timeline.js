@@ -68,9 +68,9 @@ class Timeline {
   }
 
   move_to(index) {
+    this.slider.value = index + 1;  // it may have been drawn to a lost frame
     if (index === this.index) return;
     this.index = index;
-    this.slider.value = index + 1;
     this.slider.setAttribute(
         'aria-valuetext',
         `frame ${index + 1} of ${this.frames}, ${this.time_s(index).toFixed(2)} seconds`);

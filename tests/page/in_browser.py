@@ -264,6 +264,12 @@ class Page(Opened):
             timeline.grow({numbers, frames});""")
         self.press(Keys.END)
         self.wait_for_frame(self.frames() - 2)
+        at = self.script("""
+            const {slider} = timeline;
+            slider.value = slider.max;
+            slider.dispatchEvent(new Event('input'));
+            return slider.valueAsNumber""")
+        self.assertEqual(at, self.frames() - 2)
         self.find("play").click()
         self.wait_for(lambda: self.frame() < self.frames() - 2, "it does not play from the beginning")
 
