@@ -17,6 +17,7 @@
 
 #include "curve/place.h"
 #include "curve/turns.h"
+#include "geometry/lengths_along.h"
 #include "geometry/vectors.h"
 
 namespace ribbon {
@@ -37,12 +38,9 @@ constexpr double smallest_angle = 0.03;  // radians; strands that cross flatter 
 // The drawing measured by the length walked.
 class Walk {
  public:
-  explicit Walk(const Drawing& drawing) : points_(drawing), length_at_(drawing.size(), 0) {
+  explicit Walk(const Drawing& drawing) : points_(drawing), length_at_(lengths_along(drawing)) {
     Eigen::AlignedBox2d box(drawing.front());
-    for (std::size_t i = 1; i < drawing.size(); ++i) {
-      length_at_[i] = length_at_[i - 1] + length_of(drawing[i] - drawing[i - 1]);
-      box.extend(drawing[i]);
-    }
+    for (const Vector2d& point : drawing) box.extend(point);
     extent_ = box.diagonal();
     tolerance_ = tolerance_per_extent * length_of(extent_);
   }

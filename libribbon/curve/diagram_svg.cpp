@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "geometry/vectors.h"
+#include "geometry/lengths_along.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -30,10 +30,8 @@ constexpr int digits = 9;  // enough to read the same knot again
 // The drawing measured by its length.
 class MeasuredDrawing {
  public:
-  explicit MeasuredDrawing(const Drawing& points) : points_(points), length_at_{0} {
-    for (std::size_t i = 1; i < points.size(); ++i)
-      length_at_.push_back(length_at_.back() + length_of(points[i] - points[i - 1]));
-  }
+  explicit MeasuredDrawing(const Drawing& points)
+      : points_(points), length_at_(lengths_along(points)) {}
 
   [[nodiscard]] double length() const { return length_at_.back(); }
   [[nodiscard]] double length_at(double parameter) const {

@@ -6,6 +6,8 @@
 
 #include "curve/catmull_rom.h"
 #include "curve/turns.h"
+#include "geometry/lengths_along.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "curve/over_under.h"
-#include "geometry/vectors.h"
 
 namespace ribbon {
 
@@ -30,14 +29,5 @@ Plan coarse_plan(const Controls& controls);
 
 // Fine enough to measure lengths, both in the plan and along the rises of `rise`.
 Plan fine_plan(const Controls& controls, double rise);
-
-// From the first point to each: 0, ...
-template <class Points>
-std::vector<double> lengths_along(const Points& points) {
-  std::vector<double> lengths{0};
-  for (std::size_t i = 1; i < points.size(); ++i)
-    lengths.push_back(lengths.back() + length_of(points[i] - points[i - 1]));
-  return lengths;
-}
 
 }  // namespace ribbon

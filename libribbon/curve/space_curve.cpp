@@ -14,6 +14,7 @@
 #include "curve/place.h"
 #include "curve/smooth_plan.h"
 #include "curve/walk_levels.h"
+#include "geometry/lengths_along.h"
 #include "geometry/vectors.h"
 
 namespace ribbon {

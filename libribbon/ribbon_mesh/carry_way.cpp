@@ -6,7 +6,7 @@
 
 #include "curve/axis_view.h"
 #include "curve/joined_drawing.h"
-#include "geometry/vectors.h"
+#include "geometry/lengths_along.h"
 
 namespace ribbon {
 
@@ -18,9 +18,7 @@ using Eigen::Vector3d;
 
 // Of the length, at which each point stands.
 std::vector<double> shares_of(const std::vector<Vector2d>& points) {
-  std::vector<double> shares{0};
-  for (std::size_t i = 1; i < points.size(); ++i)
-    shares.push_back(shares.back() + length_of((points[i] - points[i - 1]).eval()));
+  std::vector<double> shares = lengths_along(points);
   const double length = shares.back();
   for (double& share : shares) share = length > 0 ? share / length : 0;
   return shares;
