@@ -38,11 +38,13 @@ std::vector<Companion> companions_of(const ConversionRequest& request, const Con
 }
 
 Result<void> write_companions(const std::vector<Companion>& companions,
-                              const std::filesystem::path& folder) {
+                              const std::filesystem::path& folder, Older older) {
   for (const Companion& companion : companions) {
     const std::filesystem::path file = folder / companion.name;
     if (read_file(file) == *companion.content) continue;
-    if (auto written = write_file(file, *companion.content); !written) return written;
+    // Where nothing is, another conversion may be about to write the same.
+    const Older others = is_taken(file) ? older : Older::is_replaced;
+    if (auto written = write_file(file, *companion.content, others); !written) return written;
   }
   return {};
 }

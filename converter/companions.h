@@ -20,7 +20,8 @@ struct Companion {
 std::vector<Companion> companions_of(const ConversionRequest& request, const ConversionJob& job);
 
 // What is there already and holds the same, stays as it is: it may be where the picture came from.
+// older: what becomes of others.
 Result<void> write_companions(const std::vector<Companion>& companions,
-                              const std::filesystem::path& folder);
+                              const std::filesystem::path& folder, Older older);
 
 }  // namespace ribbon

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commandline/progress.h"
+#include "files/part_file.h"
 #include "model/model.h"
 #include "playback/recording_reader.h"
 #include "result/result.h"
@@ -30,6 +31,9 @@ struct ConversionRequest {
   bool resume = false;             // goes on with a sequence that was stopped
   ProgressStyle progress = ProgressStyle::line;
   std::function<bool()> interrupted = [] { return false; };  // asked before each frame; any thread
+
+  // What has come since the places were looked at. A sequence that goes on replaces its own files.
+  [[nodiscard]] Older later() const { return force || resume ? Older::is_replaced : Older::stays; }
 };
 
 struct ConversionReport {

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "commandline/progress.h"
 #include "files/files.h"
 #include "files/part_file.h"
+#include "recording/writer/record_file.h"
 #include "recording/writer/recording_writer.h"
 #include "text/number_text.h"
 
@@ -58,6 +61,14 @@ float reach_of(RecordingReader& reader, const std::vector<int>& frames) {
   for (const int index : frames)
     if (reader.read(index, positions)) reach_m = std::max(reach_m, positions.cwiseAbs().maxCoeff());
   return reach_m;
+}
+
+// The older recording, locked, so that nobody writes it or goes on with it; nothing where none is.
+Result<std::optional<RecordFile>> locked_older(const std::filesystem::path& output) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(output, code)) return std::nullopt;
+  return RecordFile::open(output).map(
+      [](RecordFile&& file) { return std::optional(std::move(file)); });
 }
 
 // What is told of a part that is thrown away, as of the output. What the writer calls safe goes
@@ -154,6 +165,8 @@ Result<ConversionReport> write_excerpt(const ConversionRequest& request, Convers
   const auto header = excerpt_header(job.reader.header(), job.frames, request.max_error_m, reach_m);
   if (!header)
     return failure(request.recording.string(), header.error().problem, header.error().remedy);
+  const auto older = locked_older(request.output);
+  if (!older) return tl::unexpected(older.error());
   auto part = PartFile::create(request.output);
   if (!part) return tl::unexpected(part.error());
   return RecordingWriter::create(part->path(), *header)
@@ -162,7 +175,7 @@ Result<ConversionReport> write_excerpt(const ConversionRequest& request, Convers
         return of_output(std::move(error), part->path().string(), request.output);
       })
       .and_then([&](ConversionReport report) {
-        return part->take_place_of(request.output).map([&] {
+        return part->take_place_of(request.output, request.later()).map([&] {
           sync_folder_of(request.output);
           return report;
         });

@@ -175,6 +175,7 @@ Result<double> excerpt_bytes(ConversionRequest request, const std::vector<int>& 
   const auto part = trial_file();
   if (!part) return tl::unexpected(part.error());
   request.output = part->path();
+  request.force = true;  // that file is there
   request.progress = ProgressStyle::none;
   return write_excerpt(request, std::move(*job)).map([](const ConversionReport& report) {
     return static_cast<double>(report.bytes_written);

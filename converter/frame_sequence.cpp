@@ -35,6 +35,7 @@ class Sequence {
            SequenceLog log)
       : format_(job.format),
         interrupted_(request.interrupted),
+        later_(request.later()),
         names_(std::move(names)),
         log_(std::move(log)),
         companions_(companions_of(request, job)),
@@ -59,7 +60,7 @@ class Sequence {
  private:
   Result<void> write_all_companions() {
     for (const auto& folder : names_.folders())
-      if (auto written = write_companions(companions_, folder); !written) return written;
+      if (auto written = write_companions(companions_, folder, later_); !written) return written;
     return {};
   }
 
@@ -95,7 +96,7 @@ class Sequence {
     Outcome& outcome = outcomes_[slot];
     const Result<std::string> bytes = encode_model(format_, model, names_.library());
     if (!bytes) return stop(outcome, bytes.error());
-    const Result<void> written = write_file(names_.frame(slot), *bytes).and_then([&] {
+    const Result<void> written = write_file(names_.frame(slot), *bytes, later_).and_then([&] {
       return log_.add(names_.number(slot), *bytes);
     });
     if (!written) return stop(outcome, written.error());
@@ -132,6 +133,7 @@ class Sequence {
 
   OutputFormat format_;
   std::function<bool()> interrupted_;
+  Older later_;
   SequenceNames names_;
   SequenceLog log_;
   std::vector<Companion> companions_;

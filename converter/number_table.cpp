@@ -83,7 +83,7 @@ Result<ConversionReport> write_number_table(const ConversionRequest& request,
   ConversionReport report;
   report.first_file = report.last_file = request.output;
   return append_lines(*file, request, reader, frames, report)
-      .and_then([&] { return file->finish(); })
+      .and_then([&] { return file->finish(request.later()); })
       .map([&] {
         report.bytes_written = file->size();
         report.damage = reader.damage();

@@ -13,9 +13,11 @@ Result<ConversionReport> write_still_life(const ConversionRequest& request,
   const std::string library = material_library_name(request.output);
   const auto bytes = encode_model(job.format, job.model, library);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (auto written = write_companions(companions_of(request, job), output.parent_path()); !written)
+  if (auto written =
+          write_companions(companions_of(request, job), output.parent_path(), request.later());
+      !written)
     return tl::unexpected(written.error());
-  return write_file(output, *bytes).map([&] {
+  return write_file(output, *bytes, request.later()).map([&] {
     ConversionReport report;
     report.bytes_written = bytes->size();
     report.first_file = report.last_file = output;

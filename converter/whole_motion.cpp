@@ -58,10 +58,11 @@ Result<void> append_frames(RecordingReader& reader, const std::vector<int>& fram
 }
 
 // The mesh that the positions in `output` are for; its name is that with .obj. Returns its bytes.
-Result<std::uint64_t> write_base(const Model& model, const std::filesystem::path& output) {
+Result<std::uint64_t> write_base(const Model& model, const std::filesystem::path& output,
+                                 Older older) {
   const auto base = std::filesystem::path(output).replace_extension(".obj");
   const std::string mesh = obj_text(model, material_library_name(output.string()));
-  return write_file(base, mesh).map([&] { return std::uint64_t{mesh.size()}; });
+  return write_file(base, mesh, older).map([&] { return std::uint64_t{mesh.size()}; });
 }
 
 }  // namespace
@@ -81,12 +82,14 @@ Result<ConversionReport> write_whole_motion(const ConversionRequest& request, Co
     if (auto warning = format.warning(base, static_cast<int>(job.frames.size())); !warning.empty())
       report.remarks.push_back(std::move(warning));
   return append_frames(job.reader, job.frames, job.model, **writer, request, report)
-      .and_then([&] { return (*writer)->finish(); })
+      .and_then([&] { return (*writer)->finish(request.later()); })
       .and_then([&] {
-        return write_companions(companions, std::filesystem::path(request.output).parent_path());
+        return write_companions(companions, std::filesystem::path(request.output).parent_path(),
+                                request.later());
       })
       .and_then([&] {
-        return format.deforms_base ? write_base(base, request.output) : Result<std::uint64_t>(0);
+        return format.deforms_base ? write_base(base, request.output, request.later())
+                                   : Result<std::uint64_t>(0);
       })
       .map([&](std::uint64_t base_bytes) {
         report.bytes_written = std::filesystem::file_size(request.output) + base_bytes;

@@ -155,7 +155,7 @@ class AlembicWriter : public MotionWriter {
     return {};
   }
 
-  Result<void> finish() override {
+  Result<void> finish(Older older) override {
     assert(appended_ == frames_);
     MetadataTable metadata;
     const auto names = object_names(model_);
@@ -163,7 +163,7 @@ class AlembicWriter : public MotionWriter {
     for (std::size_t i = 0; i < meshes_.size(); ++i)
       objects.push_back(meshes_[i].finish(file_, metadata, model_.objects[i], names[i]));
     const AlembicNode top = add_object(file_, metadata, "ABC", "", {}, objects);
-    return file_.finish(add_archive(top, metadata));
+    return file_.finish(add_archive(top, metadata), older);
   }
 
  private:

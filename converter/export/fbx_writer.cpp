@@ -83,10 +83,10 @@ class FbxWriter : public MotionWriter {
     return write();
   }
 
-  Result<void> finish() override {
+  Result<void> finish(Older older) override {
     assert(frame_ == frames_);
     content_.end();
-    return write().and_then([&] { return file_.finish(); });
+    return write().and_then([&] { return file_.finish(older); });
   }
 
  private:

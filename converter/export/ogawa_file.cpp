@@ -53,13 +53,13 @@ void OgawaFile::append_number(std::uint64_t number) {
   append(bytes);
 }
 
-Result<void> OgawaFile::finish(Child root) {
+Result<void> OgawaFile::finish(Child root, Older older) {
   if (error_) return tl::unexpected(*error_);
   std::string place;
   put<std::uint64_t>(place, root);
   return file_.overwrite(place_of_root, place)
       .and_then([&] { return file_.overwrite(place_of_frozen, "\xff"); })
-      .and_then([&] { return file_.finish(); });
+      .and_then([&] { return file_.finish(older); });
 }
 
 }  // namespace ribbon

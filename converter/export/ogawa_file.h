@@ -29,7 +29,7 @@ class OgawaFile {
   Child add_group(const std::vector<Child>& children);
 
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
-  Result<void> finish(Child root);
+  Result<void> finish(Child root, Older older);
 
  private:
   explicit OgawaFile(PendingFile file);

@@ -25,9 +25,9 @@ class PositionsWriter : public MotionWriter {
     return file_.append(raw_bytes(swapped_));
   }
 
-  Result<void> finish() override {
+  Result<void> finish(Older older) override {
     assert(frames_missing_ == 0);
-    return file_.finish();
+    return file_.finish(older);
   }
 
  private:

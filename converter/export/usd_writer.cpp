@@ -196,14 +196,14 @@ class UsdWriter : public MotionWriter {
     });
   }
 
-  Result<void> finish() override {
+  Result<void> finish(Older older) override {
     assert(static_cast<int>(extents_.size()) == frames_);
     return file_.append("        }\n        float3[] extent.timeSamples = {\n")
         .and_then([&] { return append_extents(); })
         .and_then([&] { return file_.append("        }\n"); })
         .and_then([&] { return normals_ ? append_normals() : Result<void>{}; })
         .and_then([&] { return file_.append(end_of_ribbon() + rest_text()); })
-        .and_then([&] { return file_.finish(); });
+        .and_then([&] { return file_.finish(older); });
   }
 
  private:

@@ -96,12 +96,12 @@ class GlbWriter : public MotionWriter {
     });
   }
 
-  Result<void> finish() override {
+  Result<void> finish(Older older) override {
     assert(frames_missing_ == 0);
     auto written = bounds_.empty() ? Result<void>{} : append_times_and_weights();
     return written
         .and_then([&] { return file_.overwrite(json_begin, glb_scene(first_, bounds_).json); })
-        .and_then([&] { return file_.finish(); });
+        .and_then([&] { return file_.finish(older); });
   }
 
  private:

@@ -1,6 +1,7 @@
 // One file that holds a whole motion.
 #pragma once
 
+#include "files/part_file.h"
 #include "model/model.h"
 #include "result/result.h"
 
@@ -19,7 +20,7 @@ class MotionWriter {
   // The next frame: the model that the writer was made with, posed anew.
   virtual Result<void> append(const Model& model) = 0;
   // All frames announced must have been appended. The file gets its name.
-  virtual Result<void> finish() = 0;
+  virtual Result<void> finish(Older older = Older::is_replaced) = 0;
 };
 
 }  // namespace ribbon

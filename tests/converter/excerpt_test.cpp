@@ -108,6 +108,17 @@ TEST_F(Excerpts, that_are_interrupted_may_be_tried_again) {
   EXPECT_TRUE(written.error().may_pass) << written.error().sentence();
 }
 
+TEST_F(Excerpts, do_not_take_the_place_of_a_recording_that_is_being_written) {
+  {
+    auto writer = RecordingWriter::create(target_, sample_header()).value();
+    append_sample_frames(writer, 0, 1);
+    EXPECT_THAT(refusal_of(write("")), HasSubstr("is being written by another program"));
+    append_sample_frames(writer, 1, 2);
+  }
+  EXPECT_EQ(RecordingReader::open(target_).value().frame_count(), 2);
+  EXPECT_TRUE(write(""));
+}
+
 TEST_F(Excerpts, are_other_recordings) {
   ASSERT_TRUE(write(""));
   EXPECT_NE(RecordingReader::open(source_).value().recording_id(),

@@ -41,6 +41,7 @@ class NumberTable : public TestInFolder {
   std::string table_of(const std::vector<int>& frames) {
     ConversionRequest request;
     request.output = folder_ / "a.csv";
+    request.force = true;
     const auto reader = demanded(RecordingReader::open(recording_));
     report_ = demanded(write_number_table(request, reader, frames));
     return demanded(read_file(request.output));
