@@ -97,8 +97,10 @@ tl::unexpected<Error> no_frames(bool some_refused) {
 std::string job_text(const ConversionRequest& request, const ConversionJob& job) {
   const ModelSettings& model = request.model;
   const Placement& placement = model.placement;
-  return filled_in("ribbon-convert {} writes {} frames '{}' from {}\n", RIBBON_VERSION,
-                   request.output, request.frames, request.start_frame.value_or(0)) +
+  return filled_in(
+             "ribbon-convert {} writes {} frames '{}' numbered {}\n", RIBBON_VERSION,
+             request.output, request.frames,
+             request.start_frame ? filled_in("from {}", *request.start_frame) : "as recorded") +
          filled_in("of recording {} with {} bytes\n", job.reader.recording_id(),
                    job.reader.file_bytes()) +
          filled_in(

@@ -280,6 +280,7 @@ TEST_F(StoppedConversion, a_file_that_was_touched_since_is_written_again) {
 TEST_F(StoppedConversion, with_other_settings_is_refused) {
   expect_refusal(run(command_ + " --resume --up z"), "other settings");
   expect_refusal(run(command_ + " --resume --frames 1:4"), "other settings");
+  expect_refusal(run(command_ + " --resume --start-frame 0"), "other settings");
   ASSERT_TRUE(write_file(folder_ / "cloth.png", sample_png()));
   expect_refusal(run(command_ + " --resume --texture cloth.png"), "other settings");
 }
