@@ -61,6 +61,7 @@ bool is_worse(const Deviations& one, const Deviations& other) {
 
 void Deviations::add(const Deviations& other) {
   frames += other.frames;
+  missing.insert(other.missing.begin(), other.missing.end());
   if (difference.empty()) difference = other.difference;
   if (is_worse(*this, other) || (frame > 0 && !is_worse(other, *this))) return;
   within = other.within;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Deviations {
   int frame = 0;           // where that is, from 1; 0: nowhere, or in the obstacle
   double allowed_m = 0;    // there
   std::string difference;  // the first one of another kind, in words; empty: none
+  std::set<int> missing = {};  // frames, from 1, of which nothing can be said: they are lost
 
   [[nodiscard]] bool good() const { return within && difference.empty(); }
   // As if `other` had been seen after it.
@@ -47,6 +49,8 @@ class Comparison {
   void see_scene(const WrittenScene& scene, int frames, const std::string& place);
   // One frame, where that ribbon should be.
   void see_ribbon(const Eigen::Matrix3Xd& written);
+  // The recording has lost a frame.
+  void see_lost(int number) { deviations_.missing.insert(number); }
   // Something else is wrong.
   void see_difference(const std::string& what);
 

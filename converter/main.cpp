@@ -1,7 +1,9 @@
 // ribbon-convert: a recording becomes files for modelling packages.
 #include <chrono>
 #include <cstdio>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "commandline/interrupt.h"
 #include "commandline/tool.h"
@@ -45,14 +47,17 @@ void print_summary(const ribbon::ConversionReport& report, double seconds) {
                 pinched_text(report.most_pinched).c_str());
 }
 
-void print_losses(const ribbon::ConversionReport& report) {
-  for (const ribbon::Damage& damage : report.damage)
+void print_losses(const std::vector<ribbon::Damage>& damages, const std::vector<int>& missing) {
+  for (const ribbon::Damage& damage : damages)
     std::fprintf(stderr, "ribbon-convert: damaged at byte %llu, %llu bytes skipped: %s\n",
                  static_cast<unsigned long long>(damage.byte),
                  static_cast<unsigned long long>(damage.length), damage.reason.c_str());
-  if (!report.missing.empty())
+  if (!missing.empty())
     std::fprintf(stderr, "ribbon-convert: the recording has lost %zu of the frames: %s\n",
-                 report.missing.size(), ribbon::number_list(report.missing).c_str());
+                 missing.size(), ribbon::number_list(missing).c_str());
+}
+
+void print_refused(const ribbon::ConversionReport& report) {
   if (!report.refused.empty())
     std::fprintf(stderr, "ribbon-convert: %zu of the frames cannot be made a solid: %s\n",
                  report.refused.size(), ribbon::number_list(report.refused).c_str());
@@ -62,7 +67,8 @@ void tell(const ribbon::ConversionReport& report, double seconds, bool quiet) {
   if (!quiet) print_summary(report, seconds);
   for (const std::string& remark : report.remarks)
     std::fprintf(stderr, "ribbon-convert: %s\n", remark.c_str());
-  print_losses(report);
+  print_losses(report.damage, report.missing);
+  print_refused(report);
 }
 
 ribbon::ExitCode exit_code(const ribbon::ConversionReport& report) {
@@ -79,15 +85,25 @@ ribbon::Result<ribbon::ConversionReport> convert(const ribbon::CommandLine& line
 }
 
 // Good news go where the summary goes.
-ribbon::Result<ribbon::ExitCode> verify(const ribbon::CommandLine& line) {
-  return ribbon::verify_output(line.request, line.tolerance_m)
-      .map([&](const ribbon::VerificationReport& report) {
-        const std::string text = ribbon::verification_text(report);
-        const bool good = report.deviations.good();
-        if (!good) std::fprintf(stderr, "ribbon-convert: %s\n", text.c_str());
-        if (good && !line.quiet) std::printf("%s\n", text.c_str());
-        return good ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;
-      });
+ribbon::Result<ribbon::VerificationReport> verify(const ribbon::CommandLine& line) {
+  auto report = ribbon::verify_output(line.request, line.tolerance_m);
+  if (!report) return report;
+  const std::string text = ribbon::verification_text(*report);
+  const bool good = report->deviations.good();
+  if (!good) std::fprintf(stderr, "ribbon-convert: %s\n", text.c_str());
+  if (good && !line.quiet) std::printf("%s\n", text.c_str());
+  return report;
+}
+
+// No conversion has told what the recording has lost.
+ribbon::Result<ribbon::ExitCode> verify_alone(const ribbon::CommandLine& line) {
+  return verify(line).map([](const ribbon::VerificationReport& report) {
+    const std::set<int>& missing = report.deviations.missing;
+    print_losses(report.damage, {missing.begin(), missing.end()});
+    const bool whole = missing.empty() && report.damage.empty();
+    return whole && report.deviations.good() ? ribbon::ExitCode::done
+                                             : ribbon::ExitCode::answer_is_no;
+  });
 }
 
 // The recording may have grown in between: what is read back is what was written.
@@ -95,8 +111,8 @@ ribbon::Result<ribbon::ExitCode> convert_and_verify(ribbon::CommandLine line) {
   const auto report = convert(line);
   if (!report) return tl::unexpected(report.error());
   line.request.frame_count = report->frame_count;
-  return verify(line).map([&](ribbon::ExitCode verified) {
-    return verified == ribbon::ExitCode::done ? exit_code(*report) : verified;
+  return verify(line).map([&](const ribbon::VerificationReport& verified) {
+    return verified.deviations.good() ? exit_code(*report) : ribbon::ExitCode::answer_is_no;
   });
 }
 
@@ -109,7 +125,7 @@ ribbon::Result<ribbon::ExitCode> plan(const ribbon::ConversionRequest& request) 
 
 ribbon::Result<ribbon::ExitCode> do_job(const ribbon::CommandLine& line) {
   if (line.dry_run) return plan(line.request);
-  if (line.verify_only) return verify(line);
+  if (line.verify_only) return verify_alone(line);
   if (!line.verify) return convert(line).map(exit_code);
   return ribbon::check_verifiable(line.request).and_then([&] { return convert_and_verify(line); });
 }

@@ -33,6 +33,14 @@ tl::unexpected<Error> interrupted() {
   return passing_failure("", "interrupted while reading back", "repeat it with --verify-only");
 }
 
+// Of which files and readers is said later.
+VerificationReport report_of(const Comparison& comparison, const std::vector<Damage>& damage) {
+  VerificationReport report;
+  report.deviations = comparison.deviations();
+  report.damage = damage;
+  return report;
+}
+
 // What is done with a file that can be opened; that it cannot, or turns out to be spoiled, is a
 // difference.
 template <class Use>
@@ -46,12 +54,14 @@ void with_file(const FileReader& reader, const std::filesystem::path& path, Comp
   if (!used) comparison.see_difference(used.error().sentence());
 }
 
-// Expects the ribbon of a frame. False where the recording has lost it or it cannot be made a
-// solid: it was not written, and a motion holds the one before it.
+// Expects the ribbon of a frame. False where the recording has lost it, which is noted, or it
+// cannot be made a solid: it was not written, and a motion holds the one before it.
 bool expect_frame(RecordingReader& reader, int index, Comparison& comparison) {
   Eigen::Matrix3Xf positions;
-  return reader.readable(index) && reader.read(index, positions) &&
-         comparison.expect_ribbon(index + 1, positions);
+  if (reader.readable(index) && reader.read(index, positions))
+    return comparison.expect_ribbon(index + 1, positions);
+  comparison.see_lost(index + 1);
+  return false;
 }
 
 // A motion begins with the first frame that can be written.
@@ -86,29 +96,30 @@ Result<void> verify_frames(const ConversionRequest& request, ConversionJob& job,
   return {};
 }
 
-Result<Deviations> verify_motion(const ConversionRequest& request, ConversionJob& job,
-                                 const FileReader& reader, const ComparisonSettings& settings) {
+Result<VerificationReport> verify_motion(const ConversionRequest& request, ConversionJob& job,
+                                         const FileReader& reader,
+                                         const ComparisonSettings& settings) {
   Comparison comparison(job.model, job.reader.header(), settings);
   if (auto expected = expect_first_frame(job, comparison); !expected)
     return tl::unexpected(expected.error());
   if (motion_format(request.output)->deforms_base) {
     Comparison base = comparison;
     verify_base(request, base);
-    if (!base.deviations().good()) return base.deviations();
+    if (!base.deviations().good()) return report_of(base, job.reader.damage());
   }
   Result<void> verified;
   with_file(reader, request.output, comparison,
             [&](WrittenMotion& file) { verified = verify_frames(request, job, file, comparison); });
-  return verified.map([&] { return comparison.deviations(); });
+  return verified.map([&] { return report_of(comparison, job.reader.damage()); });
 }
 
 // The obstacle alone.
-Deviations verify_still_life(const ConversionRequest& request, const ConversionJob& job,
-                             const FileReader& reader, const ComparisonSettings& settings) {
+VerificationReport verify_still_life(const ConversionRequest& request, const ConversionJob& job,
+                                     const FileReader& reader, const ComparisonSettings& settings) {
   Comparison comparison(job.model, job.reader.header(), settings);
   with_file(reader, request.output, comparison,
             [&](WrittenMotion& file) { comparison.see_scene(file.scene(), 1, request.output); });
-  return comparison.deviations();
+  return report_of(comparison, {});
 }
 
 // One file a frame, on all cores.
@@ -125,13 +136,15 @@ class SequenceVerification {
         recordings_(request.recording, std::move(job.reader)),
         progress_("frame", static_cast<int>(frames_.size()), request.progress) {}
 
-  Result<Deviations> verify() {
+  Result<VerificationReport> verify() {
     parallel_ranges(frames_.size(), frames_at_a_time,
                     [this](std::size_t begin, std::size_t end) { verify_range(begin, end); });
     if (failure_) return tl::unexpected(*failure_);
-    Deviations all;
-    for (const auto& [begin, found] : found_) all.add(found);
-    return all;
+    VerificationReport report;
+    report.damage = recordings_.damage();
+    for (const auto& [begin, found] : found_) report.deviations.add(found);
+    if (!expected_) return no_frames(report.deviations.missing.size() < frames_.size());
+    return report;
   }
 
  private:
@@ -149,11 +162,13 @@ class SequenceVerification {
   void verify_frame(RecordingReader& recording, std::size_t slot, Comparison& comparison) {
     if (request_.interrupted()) return stop(interrupted().value());
     const std::filesystem::path path = names_.frame(slot);
-    if (expect_frame(recording, frames_[slot], comparison))
+    if (expect_frame(recording, frames_[slot], comparison)) {
+      expected_ = true;
       with_file(reader_, path, comparison, [&](WrittenMotion& file) {
         comparison.see_scene(file.scene(), 1, path.string());
         comparison.see_ribbon(file.ribbon(0));
       });
+    }
     const std::lock_guard lock(mutex_);
     progress_.update(++done_);
   }
@@ -176,11 +191,13 @@ class SequenceVerification {
   int done_ = 0;
   std::map<std::size_t, Deviations> found_;  // of each range, in the order of frames
   std::optional<Error> failure_;
+  std::atomic<bool> expected_ = false;  // any frame
   std::atomic<bool> stopped_ = false;
 };
 
-Result<Deviations> verify_job(const ConversionRequest& request, ConversionJob job,
-                              const FileReader& reader, const ComparisonSettings& settings) {
+Result<VerificationReport> verify_job(const ConversionRequest& request, ConversionJob job,
+                                      const FileReader& reader,
+                                      const ComparisonSettings& settings) {
   if (!request.model.with_ribbon) return verify_still_life(request, job, reader, settings);
   if (job.format == OutputFormat::whole_motion)
     return verify_motion(request, job, reader, settings);
@@ -212,8 +229,10 @@ Result<VerificationReport> verify_output(const ConversionRequest& request,
   const std::string extension = extension_of(request.output);
   const FileReader& reader = *file_reader(extension);
   return verify_job(request, std::move(*job), reader, settings_for(extension, tolerance_m))
-      .map([&](Deviations deviations) {
-        return VerificationReport{extension, reader.name, std::move(deviations)};
+      .map([&](VerificationReport report) {
+        report.extension = extension;
+        report.reader = reader.name;
+        return report;
       });
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "converter/comparison.h"
 #include "converter/conversion.h"
@@ -14,6 +15,7 @@ struct VerificationReport {
   std::string extension;  // of the files
   std::string reader;     // who has read them
   Deviations deviations;
+  std::vector<Damage> damage = {};  // of the recording
 };
 
 // Fails where the format holds no positions that could be compared.

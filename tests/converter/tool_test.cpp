@@ -455,6 +455,17 @@ TEST_F(DamagedRecording, what_could_be_written_is_as_recorded) {
   }
 }
 
+TEST_F(DamagedRecording, is_told_without_a_conversion_too) {
+  const std::string lost = "lost " + std::to_string(lost_.size()) + " of the frames: ";
+  for (const std::string output : {"a.pc2", "a.usda", "'out/{frame:03}.obj'"}) {
+    ASSERT_EQ(run("knot.rbn -o " + output).exit_code, 1);
+    const ToolRun answer = run("knot.rbn --verify-only -o " + output);
+    EXPECT_EQ(answer.exit_code, 1) << output;
+    EXPECT_THAT(answer.errors, AllOf(HasSubstr("damaged at byte"), HasSubstr(lost))) << output;
+    EXPECT_THAT(answer.output, HasSubstr("exactly as recorded")) << output;
+  }
+}
+
 TEST_F(DamagedRecording, a_point_cache_starts_with_the_first_good_frame) {
   std::string first = std::to_string(lost_.front() + 1);
   ASSERT_EQ(run("knot.rbn -o a.pc2 --frames " + first + ":-1").exit_code, 1);
@@ -473,6 +484,12 @@ TEST_F(DamagedRecording, lost_frames_alone_could_not) {
     EXPECT_EQ(run(first + output).exit_code, 2);
     EXPECT_THAT(names("."), ElementsAre("knot.rbn"));
   }
+}
+
+TEST_F(DamagedRecording, of_lost_frames_alone_nothing_is_as_recorded) {
+  const std::string first = "knot.rbn --verify-only --frames " + std::to_string(lost_.front() + 1);
+  for (const std::string output : {" -o a.pc2", " -o a.obj"})
+    expect_refusal(run(first + output), "none of the frames can be read");
 }
 
 TEST_F(Tool, an_unwritable_folder_is_named) {
