@@ -94,6 +94,10 @@ tl::unexpected<Error> no_frames(bool some_refused) {
   return failure("", "none of the frames can be read", "record it again");
 }
 
+tl::unexpected<Error> interrupted_conversion() {
+  return passing_failure("", "interrupted", "start again");
+}
+
 std::string job_text(const ConversionRequest& request, const ConversionJob& job) {
   const ModelSettings& model = request.model;
   const Placement& placement = model.placement;

@@ -26,6 +26,9 @@ Result<ConversionJob> open_job(const ConversionRequest& request);
 // Where no frame is left to be written: could some have been, if not as a solid?
 tl::unexpected<Error> no_frames(bool some_refused);
 
+// Where the user has interrupted what cannot go on later.
+tl::unexpected<Error> interrupted_conversion();
+
 // What is written, in words, so that a later run can tell whether it would write the same.
 std::string job_text(const ConversionRequest& request, const ConversionJob& job);
 

@@ -55,11 +55,14 @@ Result<void> coarsen(RecordingHeader& header, double max_error_m, float reach_m)
 }
 
 // The largest coordinate, in magnitude.
-float reach_of(RecordingReader& reader, const std::vector<int>& frames) {
+Result<float> reach_of(const ConversionRequest& request, ConversionJob& job) {
   float reach_m = 0;
   Eigen::Matrix3Xf positions;
-  for (const int index : frames)
-    if (reader.read(index, positions)) reach_m = std::max(reach_m, positions.cwiseAbs().maxCoeff());
+  for (const int index : job.frames) {
+    if (request.interrupted()) return interrupted_conversion();
+    if (job.reader.read(index, positions))
+      reach_m = std::max(reach_m, positions.cwiseAbs().maxCoeff());
+  }
   return reach_m;
 }
 
@@ -124,7 +127,7 @@ Result<ConversionReport> copy_frames(const ConversionRequest& request, Conversio
   ConversionReport report;
   std::optional<int> last_kept;
   for (const int index : job.frames) {
-    if (request.interrupted()) return passing_failure("", "interrupted", "start again");
+    if (request.interrupted()) return interrupted_conversion();
     const Result<bool> taken = excerpt.take(index);
     if (!taken) return tl::unexpected(taken.error());
     if (*taken) {
@@ -161,8 +164,10 @@ Result<RecordingHeader> excerpt_header(const RecordingHeader& source, const std:
 Result<ConversionReport> write_excerpt(const ConversionRequest& request, ConversionJob job) {
   if (!std::is_sorted(job.frames.begin(), job.frames.end()))
     return failure("", "a recording runs forwards", "give --frames a positive step");
-  const float reach_m = request.max_error_m > 0 ? reach_of(job.reader, job.frames) : 0;
-  const auto header = excerpt_header(job.reader.header(), job.frames, request.max_error_m, reach_m);
+  const Result<float> reach_m = request.max_error_m > 0 ? reach_of(request, job) : Result<float>(0);
+  if (!reach_m) return tl::unexpected(reach_m.error());
+  const auto header =
+      excerpt_header(job.reader.header(), job.frames, request.max_error_m, *reach_m);
   if (!header)
     return failure(request.recording.string(), header.error().problem, header.error().remedy);
   const auto older = locked_older(request.output);

@@ -54,8 +54,8 @@ class TimeSpent {
 
 // The model in the pose of each sample. One that cannot be written holds the pose before it or, at
 // the start, after it, as a motion does; if need be, that of a frame which is no sample.
-Result<std::vector<Model>> posed_at(ConversionJob& job, const std::vector<int>& samples,
-                                    TimeSpent& reading) {
+Result<std::vector<Model>> posed_at(const ConversionRequest& request, ConversionJob& job,
+                                    const std::vector<int>& samples, TimeSpent& reading) {
   std::vector<int> candidates = samples;
   candidates.insert(candidates.end(), job.frames.begin(), job.frames.end());
   std::vector<Model> poses;
@@ -63,6 +63,7 @@ Result<std::vector<Model>> posed_at(ConversionJob& job, const std::vector<int>& 
   Model model = job.model;
   Eigen::Matrix3Xf positions;
   for (std::size_t i = 0; i < samples.size() || (i < candidates.size() && poses.empty()); ++i) {
+    if (request.interrupted()) return interrupted_conversion();
     const int index = candidates[i];
     // Only the frame before it makes a frame as quick to read as those in a row are.
     if (index > 0 && job.reader.readable(index - 1)) (void)job.reader.read(index - 1, positions);
@@ -208,7 +209,7 @@ Result<ExpectedSize> size_of_ribbon(const ConversionRequest& request, Conversion
                                     const std::vector<int>& samples) {
   TimeSpent reading;
   TimeSpent writing;
-  const auto poses = posed_at(job, samples, reading);
+  const auto poses = posed_at(request, job, samples, reading);
   if (!poses) return tl::unexpected(poses.error());
   const std::size_t frames = job.frames.size();
   auto size = job.format == OutputFormat::whole_motion

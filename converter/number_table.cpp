@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "converter/conversion_job.h"
 #include "files/pending_file.h"
 #include "model/number_digits.h"
 
@@ -46,7 +47,7 @@ Result<void> append_lines(PendingFile& file, const ConversionRequest& request,
                           ConversionReport& report) {
   if (auto appended = file.append(number_table_title(reader.header())); !appended) return appended;
   for (const int index : frames) {
-    if (request.interrupted()) return passing_failure("", "interrupted", "start again");
+    if (request.interrupted()) return interrupted_conversion();
     const auto numbers = reader.numbers(index);
     if (!numbers) report.missing.push_back(index + 1);
     report.frames_written += numbers ? 1 : 0;

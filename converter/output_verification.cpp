@@ -65,12 +65,13 @@ bool expect_frame(RecordingReader& reader, int index, Comparison& comparison) {
 }
 
 // A motion begins with the first frame that can be written.
-Result<void> expect_first_frame(ConversionJob& job, Comparison& comparison) {
-  if (std::ranges::any_of(job.frames,
-                          [&](int index) { return expect_frame(job.reader, index, comparison); }))
-    return {};
-  return no_frames(
-      std::ranges::any_of(job.frames, [&](int index) { return job.reader.readable(index); }));
+Result<void> expect_first_frame(const ConversionRequest& request, ConversionJob& job,
+                                Comparison& comparison) {
+  for (const int index : job.frames) {
+    if (request.interrupted()) return interrupted();
+    if (expect_frame(job.reader, index, comparison)) return {};
+  }
+  return no_frames(comparison.deviations().missing.size() < job.frames.size());
 }
 
 // The base mesh that positions in a point cache are for.
@@ -100,7 +101,7 @@ Result<VerificationReport> verify_motion(const ConversionRequest& request, Conve
                                          const FileReader& reader,
                                          const ComparisonSettings& settings) {
   Comparison comparison(job.model, job.reader.header(), settings);
-  if (auto expected = expect_first_frame(job, comparison); !expected)
+  if (auto expected = expect_first_frame(request, job, comparison); !expected)
     return tl::unexpected(expected.error());
   if (motion_format(request.output)->deforms_base) {
     Comparison base = comparison;

@@ -22,11 +22,12 @@ Result<Pose> pose_at(RecordingReader& reader, int index, Model& model) {
   });
 }
 
-// Poses `model` at the first of `frames` that can be written.
-Result<void> pose_at_start(RecordingReader& reader, const std::vector<int>& frames, Model& model) {
+// Poses the model of `job` at the first of its frames that can be written.
+Result<void> pose_at_start(const ConversionRequest& request, ConversionJob& job) {
   bool some_refused = false;
-  for (const int index : frames) {
-    const Result<Pose> pose = pose_at(reader, index, model);
+  for (const int index : job.frames) {
+    if (request.interrupted()) return interrupted_conversion();
+    const Result<Pose> pose = pose_at(job.reader, index, job.model);
     if (!pose) return tl::unexpected(pose.error());
     if (*pose == Pose::set) return {};
     some_refused |= *pose == Pose::no_solid;
@@ -46,7 +47,7 @@ Result<void> append_frames(RecordingReader& reader, const std::vector<int>& fram
   ProgressLine progress("frame", static_cast<int>(frames.size()), request.progress);
   int done = 0;
   for (const int index : frames) {
-    if (request.interrupted()) return passing_failure("", "interrupted", "start again");
+    if (request.interrupted()) return interrupted_conversion();
     const Result<Pose> pose = pose_at(reader, index, model);
     if (!pose) return tl::unexpected(pose.error());
     note(report, *pose, index + 1);
@@ -69,8 +70,7 @@ Result<std::uint64_t> write_base(const Model& model, const std::filesystem::path
 
 Result<ConversionReport> write_whole_motion(const ConversionRequest& request, ConversionJob job) {
   const MotionFormat& format = *motion_format(request.output);
-  if (auto posed = pose_at_start(job.reader, job.frames, job.model); !posed)
-    return tl::unexpected(posed.error());
+  if (auto posed = pose_at_start(request, job); !posed) return tl::unexpected(posed.error());
   const Model base = job.model;
   const auto companions = companions_of(request, job);
   const auto writer =
