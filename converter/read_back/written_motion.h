@@ -4,8 +4,10 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -40,11 +42,16 @@ inline void demand(bool good, const char* otherwise) {
 }
 
 // The answer of `read`; where that finds `path` spoiled, or ends in any other exception, an error.
+// What the system lacks is not the file's fault, and passes on.
 template <class Read>
 auto read_strictly(const std::filesystem::path& path, const Read& read)
     -> Result<decltype(read())> {
   try {
     return read();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::system_error&) {
+    throw;
   } catch (const std::exception& problem) {
     return failure(path.string(), std::string("cannot be read back: ") + problem.what(),
                    "convert it again with --force");
