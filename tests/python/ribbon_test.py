@@ -91,6 +91,9 @@ class Writing(RibbonTest):
         with self.assertRaisesRegex(ribbon.Error, "own.rbn"):
             self.written([flat(), flat()])
         self.assertEqual(len(ribbon.open(self.path)), 1)
+        with ribbon.Writer(self.path, force=True, **OWN):
+            pass
+        self.assertEqual(len(ribbon.open(self.path)), 1, "no frame came")
         self.assertEqual(len(self.written([flat(), flat()], force=True)), 2)
 
     def test_what_stops_on_the_way_is_readable_and_not_finished(self):

@@ -211,7 +211,7 @@ TEST_F(Stages, a_recording_that_names_marks_is_not_gone_on_with) {
   (void)recorded({}, staged_scene_text(), {.frames = 3}).value();
   auto header = RecordingReader::open(file())->header();
   header.scene_text = staged_scene_text("'tip'");
-  ASSERT_TRUE(RecordingWriter::create(file(), header, Overwrite::yes)->finish());
+  ASSERT_TRUE(RecordingWriter::create(file(), header, Overwrite::when_told)->finish());
   EXPECT_THAT(refusal_of(resume(file(), "test", goes_on)),
               HasSubstr("its scene still names marks of a drawing"));
 }

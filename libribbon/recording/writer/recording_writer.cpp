@@ -183,7 +183,8 @@ Result<void> RecordingWriter::finish(RunEnding ending) {
                                           {so_far_.frames, ending, so_far_.indices})) +
             make_record(RecordType::footer, footer_payload(so_far_.recording_id, offset)));
   if (!written) return written;
-  if (auto taken = file_.take_place(); !taken) return taken;
+  if (waits_ || so_far_.frames > 0)
+    if (auto taken = file_.take_place(); !taken) return taken;
   if (auto synced = sync(); !synced) return synced;
   return file_.close();
 }

@@ -91,7 +91,7 @@ class RecordingWriter {
   Result<void> sync();
 
   // Writes the last index and what ended the run, syncs and closes. Without it the recording is
-  // still complete: readers then scan.
+  // still complete: readers then scan. Without a frame an older file stays, as told at create().
   Result<void> finish(RunEnding ending = RunEnding::unknown);
 
   // Where to read what has been written so far.

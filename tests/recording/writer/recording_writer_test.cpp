@@ -62,6 +62,8 @@ TEST(RecordingWriter, an_older_recording_stays_until_the_new_one_has_a_frame) {
               std::distance(std::filesystem::directory_iterator(path.parent_path()), {}) == 1)
       << "nothing is left beside it";
 
+  ASSERT_TRUE(RecordingWriter::create(path, sample_header())->finish().has_value());
+  EXPECT_EQ(frames_at(path), 2) << "no frame came";
   auto newer = RecordingWriter::create(path, sample_header()).value();
   EXPECT_EQ(frames_at(path), 2) << "there is no frame yet";
   append_sample_frames(newer, 0, 1);
