@@ -74,7 +74,10 @@ std::string usd_string(std::string_view text) {
 
 std::string usd_asset(std::string_view file_name) {
   const std::string quote = file_name.find('@') == std::string_view::npos ? "@" : "@@@";
-  return quote + "./" + std::string(file_name) + quote;
+  std::string name(file_name);
+  for (std::size_t at = 0; (at = name.find("@@@", at)) != std::string::npos; at += 4)
+    name.insert(at, 1, '\\');
+  return quote + "./" + name + quote;
 }
 
 std::string usd_array(const Eigen::Ref<const Eigen::VectorXi>& numbers) {

@@ -94,8 +94,10 @@ class UsdFile : public WrittenMotion {
   void read_property(const std::string& name, MeshText* mesh) {
     if (!tokens_.take_if('=')) return skip_metadata();  // declared, with values elsewhere
     const char first = tokens_.peek();
-    if (first == '"' || first == '@')
+    if (first == '"')
       tokens_.string();
+    else if (first == '@')
+      tokens_.skip_asset();
     else if (first == '<')
       tokens_.word();
     else if (first == '{')

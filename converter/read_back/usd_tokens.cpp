@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "converter/read_back/written_motion.h"
 
@@ -69,14 +70,26 @@ std::string UsdTokens::word() {
 }
 
 std::string UsdTokens::string() {
-  const char mark = peek() == '@' ? '@' : '"';
-  take(mark);
+  take('"');
   std::string text;
-  for (char c = next(); c != mark; c = next()) {
+  for (char c = next(); c != '"'; c = next()) {
     demand(c != 0, "a string without an end");
-    text += c == '\\' && mark == '"' ? next() : c;
+    text += c == '\\' ? next() : c;
   }
   return text;
+}
+
+void UsdTokens::skip_asset() {
+  take('@');
+  const bool is_short = next() != '@';
+  demand(is_short || next() == '@', "a file without a name");
+  const std::string_view end = is_short ? "@" : "@@@";
+  for (std::string name; !name.ends_with(end);) {
+    const char c = next();
+    demand(c != 0, "a file's name without an end");
+    name += c;
+    if (name.ends_with("\\@@@")) name.clear();  // part of the name
+  }
 }
 
 double UsdTokens::number() {

@@ -27,8 +27,10 @@ class UsdTokens {
   void take(char mark);
   // "name", "a:b.timeSamples", "<...>": up to a space or a mark.
   std::string word();
-  // In quotation marks, or @ as the names of files are; they are taken off.
+  // In quotation marks, which are taken off.
   std::string string();
+  // The name of a file, between @ and @, or between @@@ and @@@ where it holds one itself.
+  void skip_asset();
   double number();
   // Adds all numbers of a value: of one alone, of an array [a, b], and of tuples [(a, b), (c, d)].
   void value(std::vector<double>& numbers) { value(numbers, 0); }

@@ -10,6 +10,7 @@
 #include "files/files.h"
 #include "files/flipped.h"
 #include "model/sample_knot.h"
+#include "model/sample_picture.h"
 #include "recording/sample_recording.h"
 #include "result/refusal.h"
 
@@ -98,6 +99,17 @@ TEST_F(OutputVerification, so_it_is_a_kilometre_away) {
   write_all();
   for (const std::string output : outputs)
     EXPECT_TRUE(report(output).deviations.good()) << verification_text(report(output));
+}
+
+TEST_F(OutputVerification, so_it_is_beside_a_picture_of_any_name) {
+  ASSERT_TRUE(write_file(folder_ / "cloth.png", sample_png()));
+  for (const std::string output : {"a@b.usda", "c@@@@d@.e.usda"}) {
+    ConversionRequest textured = request(output);
+    textured.texture = folder_ / "cloth.png";
+    ASSERT_EQ(refusal_of(convert(textured)), "");
+    const VerificationReport found = verify_output(textured, std::nullopt).value();
+    EXPECT_TRUE(found.deviations.good()) << verification_text(found);
+  }
 }
 
 TEST_F(OutputVerification, other_axes_units_and_faces_are_known) {

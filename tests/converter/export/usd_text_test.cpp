@@ -40,6 +40,7 @@ TEST(UsdText, the_longest_numbers_have_room) {
 TEST(UsdText, addresses_of_files_may_hold_an_at_sign) {
   EXPECT_EQ(usd_asset("first knot.png"), "@./first knot.png@");
   EXPECT_EQ(usd_asset("kn@t.png"), "@@@./kn@t.png@@@");
+  EXPECT_EQ(usd_asset("kn@@@@t.png"), "@@@./kn\\@@@@t.png@@@");
 }
 
 }  // namespace ribbon::usd_text_test
