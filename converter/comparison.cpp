@@ -1,5 +1,6 @@
 #include "converter/comparison.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -85,10 +86,12 @@ bool Comparison::expect_ribbon(int number, const Eigen::Matrix3Xf& recorded) {
     if (!posed) see_difference(posed.error().sentence());
     if (posed && !*posed) return false;
   }
-  ribbon_ = {.number = number,
-             .positions =
-                 model_.solid ? model_.objects.front().positions.cast<double>() : placed(recorded),
-             .allowed_m = allowed_m(recorded)};
+  const bool is_first = ribbon_.number == 0;
+  ribbon_.number = number;
+  ribbon_.positions =
+      model_.solid ? model_.objects.front().positions.cast<double>() : placed(recorded);
+  if (is_first) first_reach_ = ribbon_.positions.cwiseAbs().maxCoeff();
+  ribbon_.allowed_m = allowed_m(recorded, ribbon_.positions);
   return true;
 }
 
@@ -117,10 +120,11 @@ void Comparison::compare_mesh(const WrittenMesh& mesh, const ModelObject& object
     see_difference(place + " has other faces in '" + object.name + "'");
   if (!same_uv(mesh.uv, object.uv))
     see_difference(place + " has other uv in '" + object.name + "'");
-  if (!object.moves)
-    compare_positions(
-        {.number = 0, .positions = placed(obstacle_), .allowed_m = allowed_m(obstacle_)},
-        mesh.positions);
+  if (object.moves) return;
+  const Eigen::Matrix3Xd expected = placed(obstacle_);
+  compare_positions(
+      {.number = 0, .positions = expected, .allowed_m = allowed_m(obstacle_, expected)},
+      mesh.positions);
 }
 
 void Comparison::see_ribbon(const Eigen::Matrix3Xd& written) {
@@ -153,11 +157,13 @@ Eigen::Matrix3Xd Comparison::placed(const Eigen::Matrix3Xf& recorded) const {
   return units * (axes * recorded.cast<double>());
 }
 
-double Comparison::allowed_m(const Eigen::Matrix3Xf& recorded) const {
+double Comparison::allowed_m(const Eigen::Matrix3Xf& recorded,
+                             const Eigen::Matrix3Xd& expected) const {
   if (settings_.tolerance_m) return *settings_.tolerance_m;
   if (recorded.cols() == 0) return 0;
+  const double reach = std::max(first_reach_, expected.cwiseAbs().maxCoeff());
   return model_.placement.rounding_m(recorded) +
-         std::sqrt(3.0) * settings_.format_rounding * recorded.cwiseAbs().maxCoeff();
+         std::sqrt(3.0) * settings_.format_rounding * reach / model_.placement.factor();
 }
 
 }  // namespace ribbon

@@ -16,7 +16,8 @@ struct ComparisonSettings {
   // How far a vertex may be from where it was recorded, in recorded metres; nothing: as far as the
   // format, the unit and the scale are stated to round.
   std::optional<double> tolerance_m;
-  // Of a coordinate, relative to the largest one: what the format rounds by, beside the placement.
+  // Of a coordinate, relative to the largest one of this frame and the first, from which motion may
+  // be told: what the format rounds by, beside the placement.
   double format_rounding = 0;
 };
 
@@ -64,7 +65,8 @@ class Comparison {
   };
 
   [[nodiscard]] Eigen::Matrix3Xd placed(const Eigen::Matrix3Xf& recorded) const;
-  [[nodiscard]] double allowed_m(const Eigen::Matrix3Xf& recorded) const;
+  [[nodiscard]] double allowed_m(const Eigen::Matrix3Xf& recorded,
+                                 const Eigen::Matrix3Xd& expected) const;
   void compare_mesh(const WrittenMesh& mesh, const ModelObject& object, const std::string& place);
   void compare_positions(const Expected& expected, const Eigen::Matrix3Xd& written);
 
@@ -72,6 +74,7 @@ class Comparison {
   Eigen::Matrix3Xf obstacle_;  // as recorded
   ComparisonSettings settings_;
   Expected ribbon_;
+  double first_reach_ = 0;  // the largest coordinate of the first ribbon, in the files' unit
   Deviations deviations_;
 };
 

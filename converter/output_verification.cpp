@@ -22,11 +22,14 @@ namespace {
 constexpr std::size_t frames_at_a_time = 8;  // as they are written
 
 // Displacements since the first frame, which may be twice as large as coordinates, are rounded to
-// half a digit.
-constexpr double glb_rounding = 1.01 * 0x1p-23;
+// half a digit: in .glb of single precision, in .fbx of double.
+double rounding_of(const std::string& extension) {
+  if (extension == ".glb") return 1.01 * 0x1p-23;
+  return extension == ".fbx" ? 1.01 * 0x1p-52 : 0;
+}
 
 ComparisonSettings settings_for(const std::string& extension, std::optional<double> tolerance_m) {
-  return {.tolerance_m = tolerance_m, .format_rounding = extension == ".glb" ? glb_rounding : 0};
+  return {.tolerance_m = tolerance_m, .format_rounding = rounding_of(extension)};
 }
 
 tl::unexpected<Error> interrupted() {

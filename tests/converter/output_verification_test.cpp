@@ -101,6 +101,16 @@ TEST_F(OutputVerification, so_it_is_a_kilometre_away) {
     EXPECT_TRUE(report(output).deviations.good()) << verification_text(report(output));
 }
 
+TEST_F(OutputVerification, so_it_is_where_the_ribbon_comes_from_far_away) {
+  knot_.header.max_position_error_m = knot_.header.quantisation_step_m = 0;
+  knot_.frames[0].colwise() += Eigen::Vector3d(1000.1, 2000.2, -3000.3);
+  knot_.frames[3].array() *= 1e-9;
+  record(knot_);
+  write_all();
+  for (const std::string output : outputs)
+    EXPECT_TRUE(report(output).deviations.good()) << verification_text(report(output));
+}
+
 TEST_F(OutputVerification, so_it_is_beside_a_picture_of_any_name) {
   ASSERT_TRUE(write_file(folder_ / "cloth.png", sample_png()));
   for (const std::string output : {"a@b.usda", "c@@@@d@.e.usda"}) {
