@@ -70,12 +70,11 @@ Result<std::vector<Model>> posed_at(const ConversionRequest& request, Conversion
     Result<bool> posed = false;
     if (job.reader.readable(index)) {
       posed = reading.on([&] {
-        return job.reader.read(index, positions).and_then([&] {
-          return pose_ribbon(model, positions, index + 1);
-        });
+        return job.reader.read(index, positions) ? pose_ribbon(model, positions, index + 1)
+                                                 : Result<bool>(false);
       });
       if (!posed) return tl::unexpected(posed.error());
-      some_refused |= !*posed;
+      some_refused |= !*posed && job.reader.readable(index);
     }
     if (*posed || !poses.empty()) poses.push_back(model);
   }
@@ -185,9 +184,12 @@ Result<double> excerpt_bytes(ConversionRequest request, const std::vector<int>& 
 
 // Frames are predicted from each other, so that some in a row are tried: at the beginning, in the
 // middle and at the end.
-Result<ExpectedSize> size_of_excerpt(const ConversionRequest& request, const ConversionJob& job) {
+Result<ExpectedSize> size_of_excerpt(const ConversionRequest& request, ConversionJob& job) {
   constexpr std::size_t in_a_row = 25;
-  const std::vector<int>& frames = job.frames;
+  job.reader.check();
+  std::vector<int> frames = job.frames;
+  std::erase_if(frames, [&](int index) { return !job.reader.readable(index); });
+  if (frames.empty()) return no_frames(false);
   const auto head = excerpt_bytes(request, {frames.front()});
   if (!head || frames.size() == 1)
     return head.map([](double bytes) { return ExpectedSize{.bytes = bytes}; });
