@@ -162,7 +162,8 @@ Result<Model> model_of_recording(const RecordingHeader& header, const ModelSetti
               .grid = header.grid,
               .placement = settings.placement,
               .stated_gap_m = header.stated_gap_m};
-  if ((settings.with_obstacle || settings.thickness_m > 0) && header.obstacle) {
+  const bool has_obstacle = header.obstacle && header.obstacle->triangles.cols() > 0;
+  if ((settings.with_obstacle || settings.thickness_m > 0) && has_obstacle) {
     ModelObject obstacle =
         obstacle_object(*header.obstacle, model.objects.front().name, settings.placement);
     if (auto checked = check_obstacle(obstacle); !checked) return tl::unexpected(checked.error());

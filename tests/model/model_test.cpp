@@ -139,6 +139,14 @@ TEST(Model, objects_never_share_a_name) {
   EXPECT_NE(model_of_recording(header, {}).value().objects[1].name, "obstacle");
 }
 
+TEST(Model, an_obstacle_without_triangles_is_none) {
+  RecordingHeader header = sample_knot().header;
+  header.obstacle->triangles.resize(3, 0);
+  EXPECT_EQ(model_of_recording(header, {}).value().objects.size(), 1U);
+  EXPECT_THAT(refusal_of(model_of_recording(header, {.with_ribbon = false})),
+              HasSubstr("no obstacle"));
+}
+
 TEST(Model, an_obstacle_triangle_without_its_vertex_is_refused) {
   RecordingHeader header = sample_knot().header;
   header.obstacle->triangles(1, 2) = 5;
