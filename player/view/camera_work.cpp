@@ -52,6 +52,11 @@ struct Extent {
   [[nodiscard]] Sphere sphere() const { return {(low + high) / 2, (high - low).norm() / 2}; }
 };
 
+bool is_empty(const Sphere& sphere, const Eigen::Matrix3Xf& points) {
+  return (points.colwise() - sphere.center).colwise().squaredNorm().minCoeff() >
+         sphere.radius_m * sphere.radius_m;
+}
+
 }  // namespace
 
 CameraWork::CameraWork(RecordingReader& reader, std::vector<Shot> shots)
@@ -95,9 +100,17 @@ void CameraWork::follow(RecordingReader& reader) {
 
 void CameraWork::add_knot(const RecordingHeader& header, const Eigen::Matrix3Xf* positions) {
   std::optional<Sphere> sphere;
-  if (positions != nullptr)
+  if (positions != nullptr) {
     sphere = knot_sphere(header.grid, static_cast<float>(header.ribbon_width_m),
                          static_cast<float>(header.ribbon_length_m), *positions);
+    if (sphere) {
+      last_knot_ = sphere;
+    } else if (last_knot_ && is_empty(*last_knot_, *positions)) {
+      Extent ribbon;
+      ribbon.include(*positions);
+      sphere = ribbon.sphere();
+    }
+  }
   knot_.add(knot_.frame_count() / frames_per_second_, sphere);
 }
 

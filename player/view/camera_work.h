@@ -49,7 +49,8 @@ class CameraWork {
   [[nodiscard]] float lowest_m() const { return lowest_m_; }
 
  private:
-  // positions: of the next frame; null where it cannot be read.
+  // positions: of the next frame; null where it cannot be read. All of the ribbon stands for a knot
+  // that has come apart, once nothing is left where it was.
   void add_knot(const RecordingHeader& header, const Eigen::Matrix3Xf* positions);
   [[nodiscard]] CameraPose pose(const Shot& shot, const Moment& moment) const;
   [[nodiscard]] Sphere subject(Subject subject, const Moment& moment) const;
@@ -62,6 +63,7 @@ class CameraWork {
   float lowest_m_ = 0;
   bool follows_knot_;  // some shot does
   FollowedKnot knot_;  // of all frames, where one does
+  std::optional<Sphere> last_knot_;
 };
 
 }  // namespace ribbon

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "inspection/looped_ribbon.h"
 #include "recording/sample_recording.h"
 
 namespace ribbon::camera_work_test {
@@ -60,6 +61,25 @@ TEST(CameraWork, a_distance_and_a_lens_are_kept) {
   Camera level = work.camera(0, {});
   const Eigen::Vector3f middle = level.eye - 2 * level.world_from_camera.col(2);
   EXPECT_LT(level.project(middle).head<2>().norm(), 1e-5F);
+}
+
+// A loop of two seconds; then the band, straight again, is elsewhere, or where it was.
+TEST(CameraWork, a_knot_that_has_come_apart_and_left_is_not_looked_for_where_it_was) {
+  const auto seen_at_last = [](double height_m) {
+    const RecordingHeader header = header_with_post();
+    std::vector<Pose> poses(100);
+    poses.resize(200, Pose{.height_m = height_m, .turns = 0});
+    auto reader = RecordingReader::open(record_loops(header, poses)).value();
+    const Camera camera = CameraWork(reader, {{knot_view, wide}}).camera(0, {199});
+    int inside = 0;
+    const Eigen::Matrix3Xf last = looped_ribbon(header, poses.back()).cast<float>();
+    for (const auto point : last.colwise())
+      inside += camera.project(point).head<2>().cwiseAbs().maxCoeff() < 1 ? 1 : 0;
+    return static_cast<double>(inside) / header.grid.particle_count();
+  };
+  EXPECT_EQ(seen_at_last(1.5), 1);
+  EXPECT_GT(seen_at_last(0), 0.1) << "what is left of it";
+  EXPECT_LT(seen_at_last(0), 0.9) << "from near";
 }
 
 TEST(CameraWork, keyframes_lead_the_camera) {
