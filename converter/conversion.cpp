@@ -11,6 +11,7 @@
 #include "converter/remarks.h"
 #include "converter/still_life.h"
 #include "converter/whole_motion.h"
+#include "files/files.h"
 #include "model/solid_ribbon.h"
 
 namespace ribbon {
@@ -33,7 +34,8 @@ Result<ConversionReport> convert(const ConversionRequest& request) {
   if (!job) return tl::unexpected(job.error());
   const auto files = planned_files(request, *job);
   if (!files) return tl::unexpected(files.error());
-  if (!request.force && !request.resume)
+  const bool goes_on = request.resume && is_taken(files->log);
+  if (!request.force && !goes_on)
     if (auto free = check_places(*files); !free) return tl::unexpected(free.error());
   const std::shared_ptr<const SolidRibbon> solid = job->model.solid;
   const double factor = request.model.placement.factor();

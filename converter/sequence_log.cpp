@@ -39,8 +39,7 @@ Result<SequenceLog> SequenceLog::begin(const std::filesystem::path& path, const 
 
 Result<SequenceLog> SequenceLog::resume(const std::filesystem::path& path, const std::string& job) {
   const auto text = read_file(path);
-  if (!text)
-    return failure(path.string(), "is not there, so nothing is half-written", "leave --resume out");
+  if (!text) return tl::unexpected(text.error());
   if (!is_log(*text))
     return failure(path.string(), "is no log of a conversion that was stopped",
                    "name another file after -o");

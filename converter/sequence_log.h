@@ -24,7 +24,7 @@ class SequenceLog {
   static bool is_at(const std::filesystem::path& path);
   // An older log under that name is replaced. `job` is one line or several.
   static Result<SequenceLog> begin(const std::filesystem::path& path, const std::string& job);
-  // Goes on with the log that is there. Fails where there is none, or it is of another job.
+  // Goes on with the log that is there. Fails where it cannot be read, or is of another job.
   static Result<SequenceLog> resume(const std::filesystem::path& path, const std::string& job);
 
   // The size of the file of frame `number`, where that is complete and as it was written; 0

@@ -308,9 +308,13 @@ TEST_F(StoppedConversion, can_begin_anew) {
   EXPECT_FALSE(fs::exists(folder_ / "a.obj.unfinished"));
 }
 
-TEST_F(Tool, nothing_half_written_cannot_go_on) {
-  expect_refusal(run("knot.rbn -o 'a.{frame}.obj' --resume"), "leave --resume out");
+// As what was stopped before its first file; once all are there it replaces none.
+TEST_F(Tool, what_has_not_begun_goes_on_from_its_beginning) {
   EXPECT_EQ(run("knot.rbn -o 'a.{frame}.obj' --resume --force").exit_code, 2);
+  EXPECT_THAT(output_of(run("knot.rbn -o 'a.{frame}.obj' --resume")),
+              StartsWith("5 frames, 0.0 MB"));
+  EXPECT_FALSE(fs::exists(folder_ / "a.obj.unfinished"));
+  expect_refusal(run("knot.rbn -o 'a.{frame}.obj' --resume"), "a.0001.obj: exists already");
 }
 
 TEST_F(Tool, several_frames_without_a_pattern_are_refused) {
