@@ -29,13 +29,15 @@ Result<ConversionReport> write_job(const ConversionRequest& request, ConversionJ
 
 }  // namespace
 
-Result<ConversionReport> convert(const ConversionRequest& request) {
-  auto job = open_job(request);
+Result<ConversionReport> convert(const ConversionRequest& wanted) {
+  auto job = open_job(wanted);
   if (!job) return tl::unexpected(job.error());
-  const auto files = planned_files(request, *job);
+  const auto files = planned_files(wanted, *job);
   if (!files) return tl::unexpected(files.error());
-  const bool goes_on = request.resume && is_taken(files->log);
-  if (!request.force && !goes_on)
+  ConversionRequest request = wanted;
+  // What was stopped before its first file has left no log, and begins.
+  request.resume = wanted.resume && is_taken(files->log);
+  if (!request.force && !request.resume)
     if (auto free = check_places(*files); !free) return tl::unexpected(free.error());
   const std::shared_ptr<const SolidRibbon> solid = job->model.solid;
   const double factor = request.model.placement.factor();

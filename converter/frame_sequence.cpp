@@ -153,9 +153,8 @@ Result<ConversionReport> write_frame_sequence(const ConversionRequest& request, 
   auto names = SequenceNames::of(request, job.frames);
   if (!names) return tl::unexpected(names.error());
   const std::string text = job_text(request, job);
-  // One that was stopped before its first file has left none.
-  auto log = request.resume && is_taken(names->log()) ? SequenceLog::resume(names->log(), text)
-                                                      : SequenceLog::begin(names->log(), text);
+  auto log = request.resume ? SequenceLog::resume(names->log(), text)
+                            : SequenceLog::begin(names->log(), text);
   if (!log) return tl::unexpected(log.error());
   return Sequence(request, std::move(job), std::move(*names), std::move(*log)).write();
 }

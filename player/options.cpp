@@ -36,8 +36,8 @@ constexpr const char* examples = R"(Examples:
       the second of eight machines; run again, it renders what is missing
   ribbon-play knot.rbn -o 'preview/{frame:04}.png' --preview
       draws every frame at the speed of replay
-  ribbon-play knot.rbn --sheet sheet.png --frames 1:551:50
-      puts twelve frames on one sheet, seen from two sides, with their numbers
+  ribbon-play knot.rbn --sheet sheet.png --frames 1:-1:30
+      puts every thirtieth frame on one sheet (twelve at most), seen from two sides
   ribbon-play knot.rbn -o last.png --frames -1 --color-by strain --overlay wireframe,time
       shows how far the cloth is stretched, its mesh and the time
   ribbon-play knot.rbn --plot knot.svg

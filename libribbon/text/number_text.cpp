@@ -25,8 +25,7 @@ std::string metres(double length_m) {
 
 std::string length_text(double length_m, int digits) {
   // What is rounded to 1000 mm is a metre.
-  if (length_m * (1 + 0.5 * std::pow(10.0, -digits)) >= 1)
-    return short_number(length_m, digits) + " m";
+  if (length_m >= 1 - 0.5 * std::pow(10.0, -digits)) return short_number(length_m, digits) + " m";
   return short_number(1000 * length_m, digits) + " mm";
 }
 

@@ -167,10 +167,6 @@ class PagePainter {
   Span time_;
 };
 
-}  // namespace
-
-namespace {
-
 // Of the panels side by side; two of them where the subtitle would not find room above one.
 int page_width(std::size_t columns, int subtitle_width) {
   const auto width_of = [](std::size_t panels) {

@@ -182,6 +182,30 @@ TEST_F(Stages, an_end_that_a_hand_holds_does_not_slip) {
   EXPECT_EQ(done->frames, 16);
 }
 
+// A band that is held at one end and pulled at the other is tight after two seconds; then it is let
+// go, and a take leaves it so, unless other hands come.
+TEST_F(Stages, hands_that_let_go_do_not_grip_again_in_a_take_unless_they_change) {
+  const std::string text =
+      "[curve]\npoints = [[-500, 0], [0, 0], [500, 0]]\n"
+      "[ribbon]\nwidth = 0.05\nalong = 40\nacross = 3\nmass = 0.02\n"
+      "[springs]\nstretch = 100\nshear = 100\nbend = 10\n[air]\nresistance = 4\n"
+      "[fastening]\nspeed = 0.1\n"
+      "[[stage]]\n[[stage.hand]]\nat = [0, 0.1]\nhold = true\n"
+      "[[stage.hand]]\nat = [0.9, 1]\npull = [1, 0, 0]\n"
+      "[time]\nduration = 4\n[recording]\nframes_per_second = 10\n";
+  const auto done = recorded({}, text);
+  ASSERT_EQ(refusal_of(done), "");
+  const auto last_stage_of_take = [&](const std::vector<std::string>& settings) {
+    const NewRecording taken{
+        .file = take(), .program = "test", .settings = settings, .overwrite = Overwrite::yes};
+    EXPECT_EQ(refusal_of(branch(file(), 35, taken, goes_on)), "");
+    return RecordingReader::open(take())->numbers(40)->stage;
+  };
+  ASSERT_EQ(RecordingReader::open(file())->numbers(35)->stage, 0);
+  EXPECT_EQ(last_stage_of_take({"friction.coefficient=0.1"}), 0);
+  EXPECT_EQ(last_stage_of_take({"stage[1].hand[2].speed=0.2"}), 1);
+}
+
 std::string drawing_with_marks() {
   return "<svg xmlns='http://www.w3.org/2000/svg'><path id='band' d='M -300 0 L 300 0'/>"
          "<g transform='translate(100 0)'><circle id='middle' cx='-100' cy='5' r='4'/></g>"

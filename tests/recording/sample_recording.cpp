@@ -94,6 +94,7 @@ void write_recording(const std::filesystem::path& path, const RecordingHeader& h
 }
 
 void write_sample_recording(const std::filesystem::path& path, int frames, Ending ending) {
+  std::filesystem::remove(path);  // one without frames would not take its place
   auto writer = RecordingWriter::create(path, sample_header()).value();
   append_sample_frames(writer, 0, frames);
   if (ending == Ending::killed) return;

@@ -33,6 +33,7 @@ TEST(NumberText, lengths_have_significant_digits_in_a_unit_that_fits) {
   EXPECT_EQ(length_text(0.0125, 3), "12.5 mm");
   EXPECT_EQ(length_text(0.999, 3), "999 mm");
   EXPECT_EQ(length_text(0.9994, 3), "999 mm");
+  EXPECT_EQ(length_text(0.9995001, 3), "1 m");
   EXPECT_EQ(length_text(0.9996, 3), "1 m");
   EXPECT_EQ(length_text(86.6842, 3), "86.7 m");
   EXPECT_EQ(length_text(1858.08, 6), "1858.08 m");
