@@ -117,15 +117,16 @@ Result<void> stage_can_end(const Document& document, const StageScene& stage, st
     return failure(document.place(path, "at_most"),
                    "'at_most' is for stages that last until they are tight, or all is carried",
                    "remove it, or write 'until = \"tight\"'");
-  if (stage.until_s || stage.at_most_s) return {};
   const bool is_tightened = stage.goal == StageGoal::tight;
+  // All that nobody carries has arrived at once.
+  if (stage.until_s || (stage.at_most_s && is_tightened)) return {};
   const bool any_works =
       std::any_of(stage.hands.begin(), stage.hands.end(), [&](const HandScene& hand) {
         return is_tightened ? pulls(*hand.task) : hand.task == HandTask::carry;
       });
   if (any_works) return {};
   return failure(document.place(path, "until"),
-                 "'" + stage.name + "' can never end: " +
+                 "'" + stage.name + "' can never reach its goal: " +
                      (is_tightened ? "what nobody pulls never becomes tight"
                                    : "what nobody carries never arrives"),
                  std::string("write how many seconds it lasts, for example 'until = 2', or add a "

@@ -104,7 +104,7 @@ TEST_F(BadKnots, hands_that_have_nothing_or_the_same) {
 
 TEST_F(BadKnots, a_stage_that_can_never_end) {
   expect_refusal_of_stage("[[stage.hand]]\nat = [0, 0.1]\nhold = true\n",
-                          "knot.toml:13:1: 'stage 1' can never end");
+                          "knot.toml:13:1: 'stage 1' can never reach its goal");
 }
 
 TEST_F(BadKnots, a_knot_that_the_drawing_does_not_tie) {
