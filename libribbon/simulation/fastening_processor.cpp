@@ -288,8 +288,12 @@ bool FasteningProcessor::stages_are_over() const {
 }
 
 std::vector<int> FasteningProcessor::stages_given_up() const {
-  if (parts_->staged == nullptr) return {};
-  return parts_->staged->given_up();
+  std::vector<int> stages;
+  if (parts_->staged == nullptr) return stages;
+  const std::vector<bool>& given_up = parts_->staged->given_up();
+  for (int i = 0; i < std::ssize(given_up); ++i)
+    if (given_up[i]) stages.push_back(i);
+  return stages;
 }
 
 std::optional<int> FasteningProcessor::slipping_end() const {
@@ -372,7 +376,8 @@ void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings sett
   }
   archive.ignore_rest();
   go_on_with_other_steps(head.step_s);
-  if (staged_hands_now && settings == Settings::hands_changed) staged_hands_now->aim_anew();
+  if (staged_hands_now && settings == Settings::hands_changed)
+    staged_hands_now->begin_anew(cloth_now);
 }
 
 // The clock of the scene that comes takes over from the one whose steps took other_step_s.

@@ -21,7 +21,8 @@ namespace ribbon {
 struct RibbonMesh;
 struct Scene;
 
-// Is a run to go on exactly as it would have, or with other settings, or also with other hands?
+// Is a run to go on exactly as it would have, or with other settings, or also with other hands in
+// the present stage?
 enum class Settings { as_before, changed, hands_changed };
 
 // How tight the ribbon is now (paper, section 7).
@@ -50,9 +51,9 @@ class FasteningProcessor {
   // processor that was asked for it. With changed settings, which may be any but the ribbon, the
   // obstacle, the contact, the recording's rounding and whether there is fastening, from the same
   // places and speeds; tightness is then measured anew. A stage that has reached its goal is over
-  // all the same, but not where hands change. The number of stages cannot change. Fails where the
-  // state is not one of such a scene, and where springs and air divide each step into too many
-  // parts.
+  // all the same; one that is over begins anew where its hands change. The number of stages cannot
+  // change. Fails where the state is not one of such a scene, and where springs and air divide each
+  // step into too many parts.
   static Result<FasteningProcessor> restore(const Scene& as_read, const RestSize& size,
                                             const std::optional<TriangleMesh>& obstacle,
                                             std::string_view state,
@@ -91,8 +92,7 @@ class FasteningProcessor {
   [[nodiscard]] std::optional<int> stage() const;
   // Are all stages over? Never without them.
   [[nodiscard]] bool stages_are_over() const;
-  // Those, from 0, whose `at_most` was over before all was tight, or had arrived; since the
-  // processor was made or restored.
+  // Those, from 0, whose `at_most` was over before all was tight, or had arrived.
   [[nodiscard]] std::vector<int> stages_given_up() const;
   // The end of the ribbon, 0 or 1, that was about to slip out of its knot when the hands of a stage
   // let go.

@@ -1,10 +1,8 @@
 #include "recorder/run/run.h"
 
 #include <cmath>
-#include <cstddef>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "recorder/run/stopwatch.h"
 #include "text/number_text.h"
@@ -52,7 +50,6 @@ Run::Run(SimulatedFrames& frames, const RunPlan& plan, bool has_checkpoint, Back
     : frames_(frames),
       plan_(plan),
       has_checkpoint_(has_checkpoint),
-      given_up_before_(frames.fastening().stages_given_up().size()),
       file_(file),
       statistics_(std::move(statistics)) {}
 
@@ -87,9 +84,8 @@ Result<RunStatistics> Run::finish(RunEnding ending) {
   statistics_.ending = ending;
   statistics_.limit_reached = plan_.is_cut_short && ending_at(frames_, plan_) == RunEnding::stopped;
   statistics_.until_tight = plan_.until_tight();
-  const std::vector<int> given_up = fastening.stages_given_up();
-  for (std::size_t i = given_up_before_; i < given_up.size(); ++i)
-    statistics_.stages_given_up.push_back(plan_.scene.stages[given_up[i]].name);
+  for (const int stage : fastening.stages_given_up())
+    statistics_.stages_given_up.push_back(plan_.scene.stages[stage].name);
   statistics_.integrator = std::string(word_for(fastening.integrator()));
   statistics_.steps = fastening.steps();
   statistics_.stages = fastening.stage_sums();

@@ -49,7 +49,6 @@ class Run {
   SimulatedFrames& frames_;
   const RunPlan& plan_;
   bool has_checkpoint_;
-  std::size_t given_up_before_;  // stages, in frames that were simulated again
   BackgroundWriter& file_;
   RunStatistics statistics_;
 };

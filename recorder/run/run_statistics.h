@@ -36,7 +36,7 @@ struct RunStatistics {
   RunEnding ending = RunEnding::unknown;
   bool limit_reached = false;  // stopped: where --until or --frames asked, and not by Ctrl-C
   bool until_tight = false;    // was the run to end when the ribbon is tight?
-  // Names of those that 'at_most' ended in this run before their goal was reached.
+  // Names of those that 'at_most' has ended before their goal was reached.
   std::vector<std::string> stages_given_up = {};
 
   double worst_strain = 0;  // over all frames

@@ -91,6 +91,10 @@ TEST_F(Stages, that_do_not_reach_their_goal_in_time_are_named) {
   EXPECT_EQ(done->stages_given_up, std::vector<std::string>{"half knot"});
   EXPECT_THAT(summary_line(*done),
               testing::HasSubstr("; 'at_most' ended 'half knot' before its goal was reached"));
+  // Also by the run that goes on behind that.
+  ASSERT_EQ(refusal_of(recorded(at_most, staged_scene_text(), {.frames = 30})), "");
+  EXPECT_EQ(resume(file(), "test", goes_on)->value().stages_given_up,
+            std::vector<std::string>{"half knot"});
 }
 
 // As it was before 0.2: all frames behind the last stage bore its number.
@@ -202,7 +206,9 @@ TEST_F(Stages, hands_that_let_go_do_not_grip_again_in_a_take_unless_they_change)
     return RecordingReader::open(take())->numbers(40)->stage;
   };
   ASSERT_EQ(RecordingReader::open(file())->numbers(35)->stage, 0);
-  EXPECT_EQ(last_stage_of_take({"friction.coefficient=0.1"}), 0);
+  for (const std::string other : {"friction.coefficient=0.1", "stage[1].friction=0.3",
+                                  "stage[1].name=anything", "stage[1].at_most=50"})
+    EXPECT_EQ(last_stage_of_take({other}), 0) << other;
   EXPECT_EQ(last_stage_of_take({"stage[1].hand[2].speed=0.2"}), 1);
 }
 

@@ -45,6 +45,7 @@ StagedHands::StagedHands(const Scene& scene, const RestSize& size, const Cloth& 
       size_(size),
       particle_mass_kg_(cloth.particle_mass_kg),
       along_(whole_force(scene, size, cloth)),
+      given_up_(scene.stages.size()),
       begun_(cloth.positions),
       progress_(size.grid, {}, scene.time.step_s, scene.air_resistance_per_s),
       guard_(size.width_m),
@@ -70,12 +71,26 @@ void StagedHands::take_places() {
 }
 
 void StagedHands::begin_step(const Cloth& cloth) {
+  note_end();  // a take may have less patience
   if (!is_over() || are_over() || guard_.slipping_end()) return;
   ++stage_;
+  begin_stage(cloth);
+}
+
+void StagedHands::begin_anew(const Cloth& cloth) {
+  if (is_over()) begin_stage(cloth);
+}
+
+void StagedHands::begin_stage(const Cloth& cloth) {
   is_reached_ = false;
+  given_up_[stage_] = false;
   elapsed_s_ = 0;
   begun_ = cloth.positions;
   take_places();
+}
+
+void StagedHands::note_end() {
+  if (is_over() && !present().until_s && !is_reached_) given_up_[stage_] = true;
 }
 
 const Matrix3Xd& StagedHands::pull(const Cloth& cloth) {
@@ -111,7 +126,7 @@ void StagedHands::follow(const Cloth& cloth) {
   for (StageHand& hand : hands_) hand.follow(cloth);
   elapsed_s_ += scene_.time.step_s;
   is_reached_ = goal_is_reached();
-  if (is_over() && !present().until_s && !is_reached_) given_up_.push_back(stage_);
+  note_end();
 }
 
 bool StagedHands::is_over() const {
@@ -167,6 +182,11 @@ void StagedHands::visit_state(StateArchive& archive) {
   along.visit_state(archive);
   archive.visit(stage, 0, static_cast<int>(scene.stages.size()) - 1);
   archive.visit(is_reached);
+  for (std::size_t i = 0; i < given_up.size(); ++i) {
+    bool one = given_up[i];
+    archive.visit(one);
+    given_up[i] = one;
+  }
   archive.visit(elapsed);
   if (elapsed < 0) archive.refuse("a stage began after it");
   archive.visit(begun);

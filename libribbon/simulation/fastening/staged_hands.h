@@ -49,10 +49,10 @@ class StagedHands : public Hands {
   [[nodiscard]] std::optional<Eigen::Vector3d> gravity_m_s2() const;
   // Are all stages over?
   [[nodiscard]] bool are_over() const;
-  // Those, from 0, that were over before they had reached their goal; since this object was made.
-  [[nodiscard]] const std::vector<int>& given_up() const { return given_up_; }
-  // The present stage has to reach its goal once more.
-  void aim_anew() { is_reached_ = false; }
+  // Of each stage: was it over before it had reached its goal?
+  [[nodiscard]] const std::vector<bool>& given_up() const { return given_up_; }
+  // The present stage, if it is over, begins once more.
+  void begin_anew(const Cloth& cloth);
   [[nodiscard]] SlipGuard& guard() { return guard_; }
   // Does a hand hold or carry the first end, and the second?
   [[nodiscard]] std::array<bool, 2> have_ends() const;
@@ -66,6 +66,8 @@ class StagedHands : public Hands {
   [[nodiscard]] const StageScene& present() const { return scene_.stages[stage_]; }
   [[nodiscard]] bool is_over() const;
   [[nodiscard]] bool goal_is_reached() const;
+  void begin_stage(const Cloth& cloth);
+  void note_end();
   void take_places();
   void visit_carrying(StateArchive& archive);
 
@@ -75,8 +77,8 @@ class StagedHands : public Hands {
   FasteningForce along_;
   std::optional<SpeedLimit> speed_limit_;
   int stage_ = 0;
-  bool is_reached_ = false;  // its goal
-  std::vector<int> given_up_;
+  bool is_reached_ = false;       // its goal
+  std::vector<bool> given_up_;    // each stage
   double elapsed_s_ = 0;          // of the present stage
   Eigen::Matrix3Xd begun_;        // positions, when it began
   std::vector<StageHand> hands_;  // of it

@@ -323,7 +323,7 @@ TEST(StagedHands, have_the_ends_that_they_hold_or_carry) {
 }
 
 // As a take knows them, which forgets how far all went lately.
-TEST(StagedHands, that_are_done_stay_so_unless_they_aim_anew) {
+TEST(StagedHands, that_are_done_stay_so_unless_they_begin_anew) {
   const Scene scene = scene_of({{.hands = {hand(0, 0.1, HandTask::pull, {1, 0, 0})}}});
   StagedHands before = hands_of(scene);
   pull(before, 20, 0);
@@ -337,12 +337,35 @@ TEST(StagedHands, that_are_done_stay_so_unless_they_aim_anew) {
   ASSERT_TRUE(reading.finish());
   EXPECT_TRUE(hands.are_done());
   EXPECT_EQ(hands.pull(cloth_at_rest()).norm(), 0);
-  hands.aim_anew();
+  hands.begin_anew(cloth_at_rest());
   EXPECT_GT(hands.pull(cloth_at_rest()).norm(), 0);
   pull(hands, 19, 0);
+  hands.begin_anew(cloth_at_rest());  // it has begun, and goes on
   EXPECT_FALSE(hands.are_over());
   pull(hands, 1, 0);
   EXPECT_TRUE(hands.are_done());
+}
+
+TEST(StagedHands, that_gave_up_say_so_also_later) {
+  Scene scene = two_stages();
+  scene.stages[0].at_most_s = 3;
+  StagedHands before = hands_of(scene);
+  pull(before, 29, 0.2);
+  EXPECT_EQ(before.given_up(), (std::vector{false, false}));
+  StateArchive archive;
+  before.visit_state(archive);
+  const std::string state = archive.bytes();
+  for (const double at_most_s : {3.0, 1.0}) {  // a take has less patience
+    scene.stages[0].at_most_s = at_most_s;
+    StagedHands hands = hands_of(scene);
+    StateArchive reading(state);
+    hands.visit_state(reading);
+    ASSERT_TRUE(reading.finish());
+    pull(hands, 2, 0.2);
+    EXPECT_EQ(hands.stage(), 1);
+    pull(hands, 20, 0);
+    EXPECT_EQ(hands.given_up(), (std::vector{true, false})) << "the second lasted as it should";
+  }
 }
 
 // What a take changes.
