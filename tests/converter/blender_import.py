@@ -45,7 +45,8 @@ FAULTS = {
     "swapped_uv": "uv differ",
     "wrong_name": "objects are",
     "other_name": "objects are",
-    "wrong_rate": "",  # FBX tells its rate; in glTF frames come at other times
+    # FBX tells its rate; in glTF frames come at other times.
+    "wrong_rate": {".fbx": "the frame rate is", ".glb": "a position is off"},
 }
 
 # Faults that have no place in what is compared here.
@@ -270,7 +271,8 @@ class Verdicts:
         if path.stem in ("right", "one_frame"):
             self.accepts(f"spoiled {path.name}", problems)
         else:
-            self.refuses(f"spoiled {path.name}", problems, FAULTS[path.stem])
+            said = FAULTS[path.stem]
+            self.refuses(f"spoiled {path.name}", problems, said if isinstance(said, str) else said[path.suffix])
 
 
 def check_exports(verdicts, convert, folder, sample, faces, corners):

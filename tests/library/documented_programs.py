@@ -52,7 +52,7 @@ def check_own_recording(programs, folder):
 
 def check_growing_recording(programs, folder, scene):
     growing = folder / "growing.rbn"
-    recorder = subprocess.Popen(["ribbon-record", scene, "--until", "0.6", "--quiet", "-o", growing])
+    recorder = subprocess.Popen(["ribbon-record", scene, "--until", "3", "--quiet", "-o", growing])
     while recorder.poll() is None and subprocess.run([programs / "read", growing], capture_output=True).returncode:
         time.sleep(0.01)
     check(recorder.poll() is None, "the recorder ended before it could be followed")

@@ -11,9 +11,10 @@ mkdir -p "$work"
 
 has_browsers || { echo "SKIPPED: nobody has seen whether pages play" >&2; exit 77; }
 
-# make NAME SCENE OPTION...   What an older recorder made is made anew.
+# make NAME SCENE OPTION...   What an older recorder made, or of an older scene, is made anew.
 make() {
-  [[ $work/$1.rbn -nt $build/recorder/ribbon-record ]] ||
+  [[ $work/$1.rbn -nt $build/recorder/ribbon-record && $work/$1.rbn -nt $root/samples/$2 &&
+    $work/$1.rbn -nt ${BASH_SOURCE[0]} ]] ||
     "$build/recorder/ribbon-record" --quiet --force "$root/samples/$2" -o "$work/$1.rbn" "${@:3}"
 }
 

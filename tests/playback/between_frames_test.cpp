@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
 #include "files/files.h"
 #include "files/flipped.h"
 #include "recording/sample_recording.h"
@@ -62,7 +65,28 @@ TEST_F(BetweenTheFrames, an_even_acceleration_is_followed_exactly_where_there_ar
           << index << " " << after;
 }
 
-TEST_F(BetweenTheFrames, at_the_ends_and_beside_lost_frames_the_way_comes_from_what_is_there) {
+TEST_F(BetweenTheFrames, beside_a_lost_frame_it_is_as_at_an_end) {
+  RecordingReader whole = risen(12);
+  BetweenFrames undamaged(whole);
+  const std::string bytes = read_file(path_).value();
+  std::filesystem::remove(path_);
+  ASSERT_TRUE(write_file(path_, flipped(bytes, bytes.size() / 2)));
+  RecordingReader reader = RecordingReader::open(path_).value();
+  reader.check();
+  int lost = 0;
+  while (reader.readable(lost)) ++lost;
+  ASSERT_GE(lost, 2);
+  ASSERT_LT(lost, 12);
+  BetweenFrames between(reader);
+  const double height_m = read_height(between, lost - 2, 0.3);
+  EXPECT_GT(std::abs(height_m - read_height(undamaged, lost - 2, 0.3)), 1e-5);
+  std::filesystem::remove(path_);
+  RecordingReader shorter = risen(lost);
+  BetweenFrames at_end(shorter);
+  EXPECT_NEAR(height_m, read_height(at_end, lost - 2, 0.3), 1e-7);
+}
+
+TEST_F(BetweenTheFrames, of_two_frames_the_way_is_straight) {
   RecordingReader reader = risen(2);
   BetweenFrames between(reader);
   EXPECT_NEAR(read_height(between, 0, 0.25), 0.75 * height(0) + 0.25 * height(1), 3e-5);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "files/files.h"
+#include "files/temporary_folder.h"
 #include "obstacle/obstacle.h"
 #include "playback/recording_reader.h"
 #include "recorder/record.h"
@@ -65,7 +66,7 @@ TEST(Fabric, that_is_too_thick_for_the_particles_is_refused_with_its_place) {
 
 // A small scene in silk, recorded under that name.
 std::filesystem::path recorded(const std::string& name, const RunLimit& limit) {
-  auto file = std::filesystem::path(testing::TempDir()) / name;
+  auto file = temporary_file(name);
   const std::string text = without(without(small_scene_text(), "mass", "\n"), "[springs]", "[air]");
   const Scene scene = read_scene(file, text, {"cloth.fabric=silk"}).value();
   EXPECT_TRUE(record(scene, replacing(file), goes_on, limit).has_value());

@@ -18,12 +18,15 @@ namespace ribbon::tool_test {
 namespace fs = std::filesystem;
 
 // Until a recorder is at work on a recording that holds so many frames.
-void wait_until_written(const fs::path& file, int frames) {
+void wait_until_written(const fs::path& file, int frames, pid_t recorder) {
   const auto is_being_written = [&] {
     const auto reader = RecordingReader::open(file);
     return reader && reader->is_being_written() && reader->frame_count() >= frames;
   };
-  while (!is_being_written()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  while (!is_being_written()) {
+    ASSERT_FALSE(has_ended(recorder));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
 }
 
 class RibbonRecord : public ToolTest {
@@ -165,7 +168,7 @@ TEST_F(RibbonRecord, ctrl_c_and_a_closed_terminal_leave_a_valid_recording) {
         spawned({"/bin/sh", "-c",
                  "cd '" + folder_.string() +
                      "' && exec '" RIBBON_RECORD "' long.toml --force -o knot.rbn > output.txt"});
-    wait_until_written(folder_ / "knot.rbn", 3);
+    wait_until_written(folder_ / "knot.rbn", 3, recorder);
     ::kill(recorder, signal);
     EXPECT_EQ(waited_for(recorder), 3);
     EXPECT_THAT(bytes("output.txt"), HasSubstr("ended early by the user"));
@@ -330,7 +333,7 @@ TEST_F(RibbonRecord, a_recording_is_written_by_one_at_a_time) {
         std::vector<std::string>{RIBBON_RECORD, "--resume", file, "--quiet"}}) {
     const pid_t first = spawned(words);
     ASSERT_GT(first, 0);
-    wait_until_written(file, 1);
+    wait_until_written(file, 1, first);
     const ToolRun resumed = run("--resume knot.rbn");
     const ToolRun replaced = run("long.toml -o knot.rbn --force");
     ::kill(first, SIGKILL);

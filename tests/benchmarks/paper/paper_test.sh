@@ -6,7 +6,11 @@ paper=$(dirname "${BASH_SOURCE[0]}")/../../../samples/paper.sh
 build=$1
 results=$2/results
 
-remade() { "$paper" --quick --build "$build" --to "$results" | grep '^== ' || true; }
+remade() {
+  local said
+  said=$("$paper" --quick --build "$build" --to "$results") || said+=$'\n'"== ended with $?"
+  grep '^== ' <<<"$said" || true
+}
 expect() {
   [[ $2 == "$3" ]] || { printf '%s:\n%s\ninstead of\n%s\n' "$1" "$2" "$3" >&2; exit 1; }
 }

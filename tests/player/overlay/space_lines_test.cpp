@@ -98,7 +98,13 @@ TEST(SpaceLines, what_is_beside_or_behind_the_eye_is_left_out) {
 
 TEST(SpaceLines, the_same_for_any_number_of_threads) {
   const RenderScene cloth = scene();
-  const SpaceLines lines = ribbon_lines({2, 2}, cloth.ribbon().vertices);
+  // Some 420 pieces: more than one thread takes at a time.
+  const RibbonGrid grid{12, 6};
+  Eigen::Matrix3Xf places(3, grid.particle_count());
+  for (int p = 0; p < grid.particle_count(); ++p)
+    places.col(p) << -1.9F + 3.8F * static_cast<float>(grid.row(p)) / 11,
+        -0.45F + 0.9F * static_cast<float>(grid.column(p)) / 5, 0.01F;
+  const SpaceLines lines = ribbon_lines(grid, places);
   same_for_any_threads([&] { return drawn(lines, cloth).rgb; });
 }
 
