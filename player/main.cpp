@@ -59,7 +59,7 @@ tl::unexpected<Error> holds_no_frames(const Options& options) {
   return failure(options.recording.string(), "holds no frames", "record some first");
 }
 
-// Pictures do not show that frames are still to come, or never will.
+// Neither pictures nor lines about frames show that more are still to come, or never will.
 void tell_unfinished(const RecordingReader& reader, const Options& options) {
   const std::string unfinished = unfinished_text(reader);
   if (!unfinished.empty())
@@ -201,7 +201,11 @@ Result<ExitCode> play(const Options& options) {
   if (options.verify) return verify(*reader, options);
   if (options.bench) return print_bench(*reader, options);
   if (is_page(options.pictures)) return render_page(*reader, options);
-  if (options.follow) return follow_recording(*reader, options);
+  if (options.follow) {
+    auto followed = follow_recording(*reader, options);
+    if (followed) tell_unfinished(*reader, options);
+    return followed;
+  }
   RecordingInfo info = recording_info(options.recording, *reader);
   info.memory_bytes = memory_forecast(info.header, options);
   if (options.info || options.json || !options.sheet.empty() || !options.plot.empty())

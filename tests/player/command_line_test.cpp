@@ -352,14 +352,18 @@ TEST_F(RibbonPlay, follow_tells_of_every_frame_until_the_recorder_ends) {
   }
   { const RecordingWriter killed = std::move(writer); }
   follower.join();
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(
+      outcome.errors,
+      "ribbon-play: knot.rbn: unfinished: it ends with frame 20, where its recorder was stopped\n");
   for (int frame = 0; frame < 20; ++frame)
     EXPECT_THAT(outcome.output, HasSubstr(frame_line(frame, sample_numbers(frame)) + "\n"));
   EXPECT_THAT(outcome.output, HasSubstr("20 in 0.38 s, 50 per second; the recorder was stopped"));
 }
 
 TEST_F(RibbonPlay, follow_renders_what_is_there_and_tells_what_is_lost) {
-  EXPECT_EQ(output_of(play_small("-o 'frames/{frame}.png' --follow --quiet")), "");
+  const ToolRun whole = play_small("-o 'frames/{frame}.png' --follow --quiet");
+  EXPECT_EQ(whole.output + whole.errors, "");
   EXPECT_EQ(names("frames").size(), 7U);
   damage();
   const ToolRun damaged = play_small("-o 'frames/{frame}.png' --follow --force");
