@@ -12,6 +12,7 @@
 #include "converter/sequence_log.h"
 #include "converter/sequence_names.h"
 #include "files/files.h"
+#include "files/part_file.h"
 #include "parallel/parallel.h"
 
 namespace ribbon {
@@ -44,6 +45,15 @@ class Sequence {
         readers_(request.recording, std::move(job.reader)),
         progress_("frame", static_cast<int>(frames_.size()), request.progress),
         outcomes_(frames_.size()) {}
+
+  // What a kill has left of its files.
+  void remove_leftovers() const {
+    std::vector<std::filesystem::path> files = names_.frames();
+    files.push_back(names_.log());
+    for (const auto& folder : names_.folders())
+      for (const Companion& companion : companions_) files.push_back(folder / companion.name);
+    ribbon::remove_leftovers(files);
+  }
 
   Result<ConversionReport> write() {
     auto written = write_all_companions();
@@ -156,7 +166,9 @@ Result<ConversionReport> write_frame_sequence(const ConversionRequest& request, 
   auto log = request.resume ? SequenceLog::resume(names->log(), text)
                             : SequenceLog::begin(names->log(), text);
   if (!log) return tl::unexpected(log.error());
-  return Sequence(request, std::move(job), std::move(*names), std::move(*log)).write();
+  Sequence sequence(request, std::move(job), std::move(*names), std::move(*log));
+  if (request.resume) sequence.remove_leftovers();
+  return sequence.write();
 }
 
 }  // namespace ribbon

@@ -12,6 +12,16 @@
 
 namespace ribbon {
 
+namespace {
+
+Result<void> write_once(const std::filesystem::path& path, std::string_view bytes, Older older) {
+  auto file = PendingFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  return file->append(bytes).and_then([&] { return file->finish(older); });
+}
+
+}  // namespace
+
 bool is_taken(const std::filesystem::path& path) {
   std::error_code code;
   const auto status = std::filesystem::symlink_status(path, code);
@@ -57,9 +67,10 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t 
 }
 
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes, Older older) {
-  auto file = PendingFile::create(path);
-  if (!file) return tl::unexpected(file.error());
-  return file->append(bytes).and_then([&] { return file->finish(older); });
+  auto written = write_once(path, bytes, older);
+  // Another process may have taken the temporary file for what a kill has left.
+  if (!written && written.error().may_pass) written = write_once(path, bytes, older);
+  return written;
 }
 
 }  // namespace ribbon

@@ -3,7 +3,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -11,6 +13,21 @@
 #include "files/files.h"
 
 namespace ribbon {
+
+namespace {
+
+// Of which file this is a temporary name; empty: of none.
+std::filesystem::path whole_of(const std::string& name) {
+  const std::size_t mark = name.rfind(temporary_mark);
+  if (mark == std::string::npos) return {};
+  const std::string_view number = std::string_view(name).substr(mark + temporary_mark.size());
+  const bool is_number = !number.empty() && std::all_of(number.begin(), number.end(), [](char c) {
+    return c >= '0' && c <= '9';
+  });
+  return is_number ? name.substr(0, mark) : "";
+}
+
+}  // namespace
 
 Result<PartFile> PartFile::create(const std::filesystem::path& whole) {
   if (auto created = create_folder_of(whole); !created) return tl::unexpected(created.error());
@@ -59,6 +76,21 @@ Result<void> PartFile::take_free_place(const std::filesystem::path& whole) {
                  "complete as " +
                      stays.string(),
                  "rename it");
+}
+
+void remove_leftovers(const std::vector<std::filesystem::path>& files) {
+  std::set<std::filesystem::path> whole;
+  std::set<std::filesystem::path> folders;
+  for (const std::filesystem::path& file : files) {
+    const std::filesystem::path beside = std::filesystem::path(".") / linked_file(file);
+    whole.insert(beside);
+    folders.insert(beside.parent_path());
+  }
+  std::error_code code;
+  for (const std::filesystem::path& folder : folders)
+    for (const auto& entry : std::filesystem::directory_iterator(folder, code))
+      if (whole.contains(whole_of(entry.path().string())))
+        std::filesystem::remove(entry.path(), code);
 }
 
 }  // namespace ribbon

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "files/descriptor.h"
 #include "result/result.h"
@@ -55,5 +56,9 @@ class PartFile {
   std::filesystem::path path_;
   FileDescriptor file_;
 };
+
+// Removes what a kill has left of `files` under temporary names. Nobody knows whether a process
+// still writes one of these: write_file() tries once more then.
+void remove_leftovers(const std::vector<std::filesystem::path>& files);
 
 }  // namespace ribbon

@@ -1,8 +1,6 @@
 #include "player/output/picture_files.h"
 
 #include <filesystem>
-#include <set>
-#include <system_error>
 #include <utility>
 
 #include "files/files.h"
@@ -28,25 +26,6 @@ Result<void> check_place_of(const fs::path& file, int number,
   return check_place(file, replaceable);
 }
 
-// What a kill has left under temporary names.
-void remove_leftovers(const std::vector<PlayedFrame>& frames, const FramePattern& pattern) {
-  std::set<fs::path> pictures;
-  std::set<fs::path> folders;
-  for (const PlayedFrame& frame : frames) {
-    const fs::path picture = fs::path(".") / pattern.file(frame.number);
-    pictures.insert(picture);
-    folders.insert(picture.parent_path());
-  }
-  std::error_code code;
-  for (const fs::path& folder : folders)
-    for (const auto& entry : fs::directory_iterator(folder, code)) {
-      const std::string name = entry.path();
-      const std::size_t mark = name.rfind(temporary_mark);
-      if (mark != std::string::npos && pictures.contains(name.substr(0, mark)))
-        fs::remove(entry.path(), code);
-    }
-}
-
 }  // namespace
 
 PictureFiles::PictureFiles(FramePattern pattern, std::optional<Manifest> manifest,
@@ -61,15 +40,15 @@ Result<void> PictureFiles::put(OutputPicture picture) {
   const std::string bytes = encoded(picture);
   if (manifest_)
     if (auto noted = manifest_->note(picture.number, picture.frame, bytes); !noted) return noted;
-  auto written = write_file(file, bytes);
-  // Once more: a second task of the same shard may have taken the temporary file for a leftover.
-  if (!written && written.error().may_pass) written = write_file(file, bytes);
-  return written;
+  return write_file(file, bytes);
 }
 
 std::vector<PlayedFrame> still_to_render(std::vector<PlayedFrame> frames,
                                          const FramePattern& pattern, const Manifest& manifest) {
-  remove_leftovers(frames, pattern);
+  std::vector<fs::path> pictures;
+  pictures.reserve(frames.size());
+  for (const PlayedFrame& frame : frames) pictures.push_back(pattern.file(frame.number));
+  remove_leftovers(pictures);
   std::erase_if(frames, [&](const PlayedFrame& frame) {
     return manifest.is_complete(frame.number, frame.frame());
   });

@@ -270,6 +270,18 @@ TEST_F(StoppedConversion, goes_on_with_what_is_missing) {
               objects_of(bytes("b.000" + frame + ".obj")));
 }
 
+TEST_F(StoppedConversion, removes_what_a_kill_has_left_of_its_files) {
+  const std::string others = "b.0003.obj.part99";
+  for (const std::string& leftover :
+       {std::string("a.0003.obj.part99"), std::string("a.mtl.part99"), others})
+    ASSERT_TRUE(write_file(folder_ / leftover, "half a file"));
+  expect_refusal(run(command_ + " --resume --up z"), "other settings");
+  EXPECT_TRUE(fs::exists(folder_ / "a.0003.obj.part99")) << "of what was not gone on with";
+  ASSERT_EQ(run(command_ + " --resume").exit_code, 0);
+  EXPECT_THAT(names("."), ElementsAre("a.0001.obj", "a.0002.obj", "a.0003.obj", "a.0004.obj",
+                                      "a.0005.obj", "a.mtl", others, "knot.rbn"));
+}
+
 TEST_F(StoppedConversion, a_file_that_was_touched_since_is_written_again) {
   const std::string whole = bytes("a.0002.obj");
   ASSERT_TRUE(write_file(folder_ / "a.0002.obj", whole.substr(1)));

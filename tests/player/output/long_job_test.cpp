@@ -259,13 +259,15 @@ TEST_F(LongJob, a_full_disk_asks_for_another_try_and_the_next_one_goes_on) {
 }
 
 TEST_F(LongJob, what_a_kill_left_is_removed_beside_pictures_in_no_folder_too) {
-  for (const std::string leftover : {"0003.png.part99", "a/0003.png.part99", "0003.png.note"})
+  for (const std::string leftover :
+       {"0003.png.part99", "a/0003.png.part99", "0003.png.note", "0003.png.partial"})
     ASSERT_TRUE(write_file(folder_ / leftover, "half a picture"));
   for (const std::string pattern : {"{frame}.png", "a/{frame}.png"})
     ASSERT_EQ(play_small("--resume -o '" + pattern + "'").exit_code, 0);
   EXPECT_FALSE(fs::exists(folder_ / "0003.png.part99"));
   EXPECT_FALSE(fs::exists(folder_ / "a/0003.png.part99"));
-  EXPECT_TRUE(fs::exists(folder_ / "0003.png.note")) << "nobody's leftover";
+  for (const std::string nobodys : {"0003.png.note", "0003.png.partial"})
+    EXPECT_TRUE(fs::exists(folder_ / nobodys)) << nobodys;
 }
 
 // As a second task of the same shard removes it when it begins.
