@@ -49,7 +49,6 @@ Result<void> append_lines(PendingFile& file, const ConversionRequest& request,
   for (const int index : frames) {
     if (request.interrupted()) return interrupted_conversion();
     const auto numbers = reader.numbers(index);
-    if (!numbers) report.missing.push_back(index + 1);
     report.frames_written += numbers ? 1 : 0;
     if (auto appended = file.append(line_of(index + 1, reader.header(), numbers)); !appended)
       return appended;
@@ -57,6 +56,15 @@ Result<void> append_lines(PendingFile& file, const ConversionRequest& request,
   if (report.frames_written == 0)
     return failure("", "none of the frames has numbers that can be read", "record it again");
   return {};
+}
+
+// Indices tell the numbers of frames that are lost, too.
+void find_losses(RecordingReader& reader, const std::vector<int>& frames,
+                 ConversionReport& report) {
+  reader.check();
+  for (const int index : frames)
+    if (!reader.readable(index)) report.missing.push_back(index + 1);
+  report.damage = reader.damage();
 }
 
 }  // namespace
@@ -77,7 +85,7 @@ std::string number_table_line(const RecordingReader& reader, int index) {
 }
 
 Result<ConversionReport> write_number_table(const ConversionRequest& request,
-                                            const RecordingReader& reader,
+                                            RecordingReader& reader,
                                             const std::vector<int>& frames) {
   auto file = PendingFile::create(request.output);
   if (!file) return tl::unexpected(file.error());
@@ -87,7 +95,7 @@ Result<ConversionReport> write_number_table(const ConversionRequest& request,
       .and_then([&] { return file->finish(request.later()); })
       .map([&] {
         report.bytes_written = file->size();
-        report.damage = reader.damage();
+        find_losses(reader, frames, report);
         return report;
       });
 }

@@ -42,7 +42,7 @@ class NumberTable : public TestInFolder {
     ConversionRequest request;
     request.output = folder_ / "a.csv";
     request.force = true;
-    const auto reader = demanded(RecordingReader::open(recording_));
+    auto reader = demanded(RecordingReader::open(recording_));
     report_ = demanded(write_number_table(request, reader, frames));
     return demanded(read_file(request.output));
   }
@@ -57,7 +57,7 @@ TEST_F(NumberTable, one_that_is_interrupted_may_be_tried_again) {
   ConversionRequest request;
   request.output = folder_ / "a.csv";
   request.interrupted = [] { return true; };
-  const auto reader = demanded(RecordingReader::open(recording_));
+  auto reader = demanded(RecordingReader::open(recording_));
   const auto written = write_number_table(request, reader, {0});
   EXPECT_EQ(refusal_of(written), "interrupted; start again");
   EXPECT_TRUE(written.error().may_pass);

@@ -452,6 +452,18 @@ TEST_F(DamagedRecording, the_good_frames_are_written_and_the_lost_are_listed) {
   EXPECT_EQ(names("out").size(), good_.size() + 1);
 }
 
+// The index still knows these.
+TEST_F(DamagedRecording, a_table_holds_the_numbers_of_lost_frames_and_lists_these) {
+  const ToolRun answer = run("knot.rbn -o a.csv");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_THAT(answer.output, StartsWith("60 frames"));
+  EXPECT_THAT(answer.errors,
+              AllOf(HasSubstr("damaged at byte"),
+                    HasSubstr("lost " + std::to_string(lost_.size()) +
+                              " of the frames: " + std::to_string(lost_.front() + 1))));
+  EXPECT_THAT(bytes("a.csv"), Not(HasSubstr(",,,,,,")));
+}
+
 TEST_F(DamagedRecording, a_point_cache_holds_the_frame_before_a_lost_one) {
   const ToolRun answer = run("knot.rbn -o a.pc2");
   EXPECT_EQ(answer.exit_code, 1);
