@@ -212,13 +212,14 @@ std::optional<TightnessNumbers> RecordingInfo::last_tightness() const {
 
 std::vector<StageFrames> RecordingInfo::stages() const {
   std::vector<StageFrames> stages;
+  int lies_in = 0;
   for (int index = 0; index < frame_count(); ++index) {
-    const std::string name(numbers[index] ? stage_name(header, *numbers[index]) : "");
-    if (name.empty()) continue;
-    const int number = numbers[index]->stage;
-    if (stages.empty() || stages.back().number != number)
-      stages.push_back({number, name, index + 1, index + 1});
-    stages.back().last = index + 1;
+    if (!numbers[index]) continue;  // a lost frame does not tell that a stage has ended
+    const std::string name(stage_name(header, *numbers[index]));
+    const int number = name.empty() ? 0 : numbers[index]->stage;
+    if (number != 0 && number != lies_in) stages.push_back({number, name, index + 1, index + 1});
+    if (number != 0) stages.back().last = index + 1;
+    lies_in = number;
   }
   return stages;
 }

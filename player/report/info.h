@@ -18,7 +18,7 @@ struct WorstFrame {
   int frame = 0;
 };
 
-// A stage of fastening; all from 1.
+// Frames in a row that lie in a stage of fastening; all from 1.
 struct StageFrames {
   int number = 0;
   std::string name;
@@ -51,7 +51,8 @@ struct RecordingInfo {
   [[nodiscard]] std::optional<std::uint32_t> last_penetrations() const;
   // Of the last frame whose numbers are known; nothing where there is none or it tells none.
   [[nodiscard]] std::optional<TightnessNumbers> last_tightness() const;
-  // Those that frames are known to lie in, in their order.
+  // Those that frames are known to lie in, in their order; one comes again where a take has gripped
+  // again after frames of no stage.
   [[nodiscard]] std::vector<StageFrames> stages() const;
   // Size of the file over particles and frames; 0 without frames.
   [[nodiscard]] double bytes_per_vertex_and_frame() const;

@@ -71,6 +71,20 @@ TEST(RecordingInfo, tells_the_frames_of_each_stage) {
   EXPECT_EQ(info.stages().size(), 2U);
 }
 
+// As in a take whose hands grip again; a lost frame does not tell so.
+TEST(RecordingInfo, frames_of_no_stage_part_a_stage) {
+  RecordingInfo info;
+  info.header.stages = {"carry"};
+  for (const int stage : {1, 1, 0, 0, 1, 1}) {
+    info.numbers.emplace_back(FrameNumbers{2, 0, 0, 0});
+    info.numbers.back()->stage = static_cast<std::uint8_t>(stage);
+  }
+  info.numbers.insert(info.numbers.begin() + 1, std::nullopt);
+  EXPECT_THAT(info_text(info), HasSubstr("stage           carry, frames 1 to 3\n"
+                                         "stage           carry, frames 6 to 7\n"));
+  EXPECT_EQ(info.stages().size(), 2U);
+}
+
 TEST(RecordingInfo, the_text_is_readable) {
   EXPECT_EQ(info_text(three_frames()),
             "recording       knot.rbn\n"
