@@ -256,7 +256,6 @@ Result<void> understand(const Texts& texts, Options& options) {
       .and_then([&] { return take(read_look(texts.look), options.render); })
       .and_then([&] { return take(parse_views(texts.views), options.views); })
       .and_then([&] { return take(read_order(texts.order), options.order); })
-      .and_then([&] { return take(read_shard(texts.shard, options.isa), options.shard); })
       .and_then([&] {
         return take(parse_appearance(texts.appearance, options.follow), options.appearance);
       })
@@ -264,6 +263,7 @@ Result<void> understand(const Texts& texts, Options& options) {
         if (!texts.preview) return {};
         return take(read_preview(options, texts.look.samples), options.preview.emplace());
       })
+      .and_then([&] { return take(read_shard(texts.shard, options.isa), options.shard); })
       .and_then([&] { return check_sheet(options.sheet); })
       .and_then([&] { return check_plot(options.plot); })
       .and_then([&] { return check_names(options); })

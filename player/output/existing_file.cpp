@@ -1,13 +1,15 @@
 #include "player/output/existing_file.h"
 
 #include <algorithm>
+#include <string>
 #include <system_error>
 
 #include "files/files.h"
 
 namespace ribbon {
 
-Result<void> check_place(const std::filesystem::path& file, const Replaceable& replaceable) {
+Result<void> check_place(const std::filesystem::path& file, const Replaceable& replaceable,
+                         std::string_view other_way) {
   if (!is_taken(file)) return {};
   std::error_code code;
   if (std::filesystem::is_directory(file, code))
@@ -16,9 +18,8 @@ Result<void> check_place(const std::filesystem::path& file, const Replaceable& r
   if (std::ranges::any_of(replaceable.never, is_it))
     return failure(file.string(), "is read for what would be written there", "choose another name");
   if (replaceable.all) return {};
-  return failure(
-      file.string(), "exists already",
-      "choose another name, replace it by --force, or go on with a sequence by --resume");
+  return failure(file.string(), "exists already",
+                 "choose another name, or replace it by --force" + std::string(other_way));
 }
 
 }  // namespace ribbon

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "files/part_file.h"
@@ -18,7 +19,9 @@ struct Replaceable {
   [[nodiscard]] Older later() const { return all ? Older::is_replaced : Older::stays; }
 };
 
-// Fails where a file of this name is there and is not to be replaced.
-Result<void> check_place(const std::filesystem::path& file, const Replaceable& replaceable);
+// Fails where a file of this name is there and is not to be replaced. other_way: what may be done
+// then besides choosing another name and --force.
+Result<void> check_place(const std::filesystem::path& file, const Replaceable& replaceable,
+                         std::string_view other_way = "");
 
 }  // namespace ribbon

@@ -1,6 +1,7 @@
 #include "player/output/picture_files.h"
 
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "files/files.h"
@@ -21,9 +22,10 @@ std::string encoded(const OutputPicture& picture) {
 
 // The manifest knows what may be replaced.
 Result<void> check_place_of(const fs::path& file, int number,
-                            const std::optional<Manifest>& manifest, Replaceable replaceable) {
+                            const std::optional<Manifest>& manifest, Replaceable replaceable,
+                            std::string_view other_way = "") {
   if (manifest && manifest->is_known(number)) replaceable.all = true;
-  return check_place(file, replaceable);
+  return check_place(file, replaceable, other_way);
 }
 
 }  // namespace
@@ -57,8 +59,10 @@ std::vector<PlayedFrame> still_to_render(std::vector<PlayedFrame> frames,
 
 Result<void> check_places(const std::vector<PlayedFrame>& frames, const FramePattern& pattern,
                           const std::optional<Manifest>& manifest, const Replaceable& replaceable) {
+  const std::string_view other_way = manifest ? "" : ", or go on with a sequence by --resume";
   for (const PlayedFrame& frame : frames)
-    if (auto free = check_place_of(pattern.file(frame.number), frame.number, manifest, replaceable);
+    if (auto free = check_place_of(pattern.file(frame.number), frame.number, manifest, replaceable,
+                                   other_way);
         !free)
       return free;
   return {};

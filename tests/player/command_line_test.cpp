@@ -102,7 +102,7 @@ TEST_F(RibbonPlay, a_preview_takes_captions_and_refuses_what_only_the_ray_tracer
                  "does not go with wireframe overlays");
   const std::string drawn = preview + "-o 1.png ";
   for (const std::string option : {"--color-by strain", "--quality final", "--noise 1", "--ground",
-                                   "--thickness 1", "--shard 1/2 --isa avx2"})
+                                   "--thickness 1", "--shard 1/2", "--shard 1/2 --isa avx2"})
     expect_refusal(run(drawn + option), "--preview: does not go with --");
   expect_refusal(play_small("-o 1.png --frames 1 --backdrop environment"),
                  "add --environment FILE");

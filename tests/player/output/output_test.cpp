@@ -279,7 +279,8 @@ TEST_F(Output, what_is_there_is_not_replaced_unless_asked) {
   ASSERT_TRUE(write_file(folder_ / "knot.mp4", "a film"));
   expect_refusal(play_small("-o last.png --frames -1"), "last.png: exists already");
   expect_refusal(play_small("-o 'a/{frame:01}.png'"), "a/3.png: exists already");
-  expect_refusal(play_small("-o 'a/{frame:01}.png' --resume"), "a/3.png: exists already");
+  expect_refusal(play_small("-o 'a/{frame:01}.png' --resume"),
+                 "a/3.png: exists already; choose another name, or replace it by --force\n");
   expect_refusal(play_small("-o knot.mp4"), "knot.mp4: exists already");
   expect_refusal(run("knot.rbn --samples 1 --sheet last.png"), "last.png: exists already");
   EXPECT_THAT(pictures("a"), ElementsAre("3.png"));
