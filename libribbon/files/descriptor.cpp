@@ -41,6 +41,9 @@ std::filesystem::path linked_file(const std::filesystem::path& path) {
 }
 
 Result<void> create_folder_of(const std::filesystem::path& path) {
+  const std::filesystem::path name = path.filename();
+  if (name.empty() || name == "." || name == "..")
+    return failure(path.string(), "is the name of a folder, not of a file", "name a file in it");
   std::error_code code;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
   if (!code) return {};

@@ -49,7 +49,8 @@ tl::unexpected<Error> cannot_be_written(const std::filesystem::path& path);
 // What a link leads to; `path` itself where that is none, or leads nowhere.
 std::filesystem::path linked_file(const std::filesystem::path& path);
 
-// Creates the folder that `path` lies in, and those that this one lies in.
+// Creates the folder that `path` lies in, and those that this one lies in; none where `path` itself
+// names a folder ("new/"), which fails.
 Result<void> create_folder_of(const std::filesystem::path& path);
 
 // Waits until the names of files in the folder of linked_file(path) are on the disk, where the file

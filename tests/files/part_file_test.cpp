@@ -77,6 +77,14 @@ TEST(PartFile, takes_no_place_where_something_came_meanwhile_and_stays_itself) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(whole.parent_path()), {}), 1);
 }
 
+TEST(PartFile, is_refused_under_the_name_of_a_folder_which_is_not_created) {
+  const auto folder = temporary_file("named folder");
+  for (const std::string end : {"/", "/.", "/a/.."})
+    EXPECT_THAT(refusal_of(PartFile::create(folder.string() + end)),
+                HasSubstr("is the name of a folder, not of a file; name a file in it"));
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
 TEST(PartFile, a_link_that_leads_nowhere_makes_way) {
   const auto link = temporary_file("nowhere.bin");
   std::filesystem::create_symlink("gone/whole.bin", link);
