@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "player/chart/axis.h"
@@ -72,13 +73,35 @@ Span values(const Chart& chart) {
 }
 
 ChartAxis value_axis(const Chart& chart, float begin, float end) {
-  const Span span = values(chart);
+  Span span = values(chart);
   if (!(span.low < span.high)) return {0, 1, begin, end, 2};
+  const bool is_left = span.high > chart.most_shown;
+  span.high = std::min(span.high, chart.most_shown);
   // Lines do not run along the plot's border, but for zero.
   const double free = (span.high - span.low) / 20;
   const double most = chart.counts ? std::clamp(span.high + 1, 2.0, 6.0) : 6;
-  return {span.low < 0 ? span.low - free : 0, span.high > 0 ? span.high + free : 0, begin, end,
+  return {span.low < 0 ? span.low - free : 0,
+          span.high > 0 && !is_left ? span.high + free : span.high, begin, end,
           static_cast<int>(most)};
+}
+
+using Points = std::vector<Eigen::Vector2d>;
+
+// The parts of a line that are no higher, with the places where it passes that height.
+std::vector<Points> parts_up_to(double height, const Points& line) {
+  std::vector<Points> parts;
+  bool was_shown = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const bool is_shown = line[k].y() <= height;
+    if (is_shown && !was_shown) parts.emplace_back();
+    if (k > 0 && is_shown != was_shown) {
+      const double share = (height - line[k - 1].y()) / (line[k].y() - line[k - 1].y());
+      parts.back().emplace_back(std::lerp(line[k - 1].x(), line[k].x(), share), height);
+    }
+    if (is_shown) parts.back().push_back(line[k]);
+    was_shown = is_shown;
+  }
+  return parts;
 }
 
 class PagePainter {
@@ -93,8 +116,9 @@ class PagePainter {
     if (chart.zone) add_zone(*chart.zone, y, corner);
     add_axes(x, y, corner, names_time);
     if (chart.zone) add_zone_name(*chart.zone, y, corner);
-    for (const auto& points : chart.lines) add_line(points, x, y);
-    if (!chart.lines.empty()) add_last_value(chart.lines.back().back(), x, y);
+    for (const Points& points : chart.lines)
+      for (const Points& part : parts_up_to(chart.most_shown, points)) add_line(part, x, y);
+    if (!chart.lines.empty()) add_last_value(chart.lines.back().back(), x, y, chart.most_shown);
   }
 
  private:
@@ -147,8 +171,7 @@ class PagePainter {
          TextAnchor::start, is_border ? Look::border_color : Look::zone_ink);
   }
 
-  void add_line(const std::vector<Eigen::Vector2d>& points, const ChartAxis& x,
-                const ChartAxis& y) {
+  void add_line(const Points& points, const ChartAxis& x, const ChartAxis& y) {
     DrawnLine drawn{{}, Look::line_color, 1.6F, false};
     for (const Eigen::Vector2d& point : points)
       drawn.points.emplace_back(x.place(point.x()), y.place(point.y()));
@@ -156,8 +179,10 @@ class PagePainter {
     page_.shapes.emplace_back(std::move(drawn));
   }
 
-  void add_last_value(const Eigen::Vector2d& last, const ChartAxis& x, const ChartAxis& y) {
-    const Vector2f place(x.place(last.x()), y.place(last.y()));
+  // Where the line has left the plot, at its border.
+  void add_last_value(const Eigen::Vector2d& last, const ChartAxis& x, const ChartAxis& y,
+                      double most_shown) {
+    const Vector2f place(x.place(last.x()), y.place(std::min(last.y(), most_shown)));
     page_.shapes.emplace_back(DrawnLine{{place}, Look::line_color, 2.5F, false});
     text({place.x() + 8, place.y() + 4}, short_number(last.y(), 3), TextAnchor::start,
          Look::line_color);

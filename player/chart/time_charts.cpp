@@ -15,6 +15,8 @@ using Value = std::function<std::optional<double>(const FrameNumbers&)>;
 
 // A ribbon is tight whose progress lies in here; see the glossary.
 constexpr double tight = 0.03;
+// Single frames, as the first of a stage, may tell ten times the progress of a ribbon that is free.
+constexpr double most_progress = 1.5;
 
 Chart chart(std::string title, const Frames& frames, const Value& value) {
   Chart result;
@@ -71,6 +73,7 @@ void add_tightness(const Frames& frames, std::vector<Chart>& charts) {
   if (std::none_of(frames.begin(), frames.end(), tells)) return;
   Chart progress = tightness_chart("progress, %", frames, &TightnessNumbers::progress, 100);
   progress.zone = {-100 * tight, 100 * tight, "tight"};
+  progress.most_shown = 100 * most_progress;
   charts.push_back(std::move(progress));
   charts.push_back(tightness_chart("pull of the hands, %", frames, &TightnessNumbers::pull, 100));
   charts.push_back(tightness_chart("rows in contact, %", frames, &TightnessNumbers::contact, 100));

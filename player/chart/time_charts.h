@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ struct Chart {
   // Time in seconds and value, point by point. Where a frame is lost the line is broken.
   std::vector<std::vector<Eigen::Vector2d>> lines;
   std::optional<ChartZone> zone;
+  // Higher values set no scale: there the line leaves the plot.
+  double most_shown = std::numeric_limits<double>::infinity();
   bool counts = false;  // values are whole numbers
 };
 

@@ -87,6 +87,20 @@ TEST(ChartPage, a_broken_line_is_drawn_in_its_parts_and_a_single_point_as_a_dot)
   EXPECT_THAT(svg_text(drawing), testing::HasSubstr("<circle"));
 }
 
+TEST(ChartPage, a_line_leaves_the_plot_above_the_most_that_is_shown) {
+  Chart chart = chart_of({{{0, 500}, {1, 100}, {2, 0}, {3, 200}, {4, 900}}});
+  chart.most_shown = 150;
+  const SvgPage page(chart_page("", "", {chart}));
+  const auto lines = page.lines(data_color);
+  ASSERT_THAT(lines, ElementsAre(SizeIs(4)));
+  const float top = lines[0].front().y();
+  EXPECT_EQ(lines[0].back().y(), top);
+  EXPECT_NEAR(lines[0][2].y() - lines[0][1].y(), 2 * (lines[0][1].y() - top), 0.1);
+  EXPECT_GT(lines[0].back().x(), lines[0][2].x());
+  EXPECT_THAT(page.texts(), IsSupersetOf({"100", "900"}));
+  EXPECT_THAT(page.texts(), Not(Contains("500")));
+}
+
 TEST(ChartPage, counts_have_whole_ticks) {
   Chart chart = chart_of({{{0, 0}, {1, 2}}});
   chart.counts = true;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace ribbon::time_charts_test {
@@ -64,6 +65,12 @@ TEST(TimeCharts, so_does_what_is_no_number) {
   EXPECT_THAT(time_charts({}, frames)[0].lines, ElementsAre(SizeIs(2), SizeIs(2)));
   frames[2]->time_s = std::numeric_limits<double>::infinity();
   EXPECT_THAT(time_charts({}, frames)[1].lines, ElementsAre(SizeIs(2), SizeIs(2)));
+}
+
+TEST(TimeCharts, progress_beyond_150_percent_sets_no_scale) {
+  for (const Chart& chart : time_charts({}, fastened(3)))
+    EXPECT_EQ(std::isinf(chart.most_shown), chart.title != "progress, %") << chart.title;
+  EXPECT_EQ(time_charts({}, fastened(3))[1].most_shown, 150);
 }
 
 TEST(TimeCharts, a_ribbon_that_does_not_touch_itself_has_no_rope_length) {
