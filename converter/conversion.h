@@ -37,9 +37,10 @@ struct ConversionRequest {
 };
 
 struct ConversionReport {
-  int frame_count = 0;     // that the recording had
-  int frames_written = 0;  // or kept
-  int frames_kept = 0;     // complete before this conversion went on
+  int frame_count = 0;      // that the recording had
+  int frames_written = 0;   // or kept
+  int frames_repeated = 0;  // others in the place of frames that one file cannot leave out
+  int frames_kept = 0;      // complete before this conversion went on
   std::uint64_t bytes_written = 0;
   std::filesystem::path first_file;
   std::filesystem::path last_file;

@@ -30,8 +30,10 @@ std::string left_out_text(int frames) {
 
 void print_summary(const ribbon::ConversionReport& report, double seconds) {
   const bool several = report.first_file != report.last_file;
-  if (report.frames_written > 0)
-    std::printf("%d %s, ", report.frames_written, report.frames_written == 1 ? "frame" : "frames");
+  const int frames = report.frames_written + report.frames_repeated;
+  if (frames > 0) std::printf("%d %s, ", frames, frames == 1 ? "frame" : "frames");
+  if (report.frames_repeated > 0)
+    std::printf("%d of them the same as another, ", report.frames_repeated);
   if (report.frames_kept > 0) std::printf("%d of them kept, ", report.frames_kept);
   std::printf("%.1f MB in %.1f s: %s%s%s\n", static_cast<double>(report.bytes_written) / 1e6,
               seconds, report.first_file.c_str(), several ? " ... " : "",

@@ -36,7 +36,7 @@ Result<void> pose_at_start(const ConversionRequest& request, ConversionJob& job)
 }
 
 void note(ConversionReport& report, Pose pose, int number) {
-  if (pose == Pose::set) ++report.frames_written;
+  ++(pose == Pose::set ? report.frames_written : report.frames_repeated);
   if (pose == Pose::lost) report.missing.push_back(number);
   if (pose == Pose::no_solid) report.refused.push_back(number);
 }

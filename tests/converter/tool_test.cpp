@@ -585,6 +585,7 @@ TEST_F(Tool, a_motion_holds_the_frame_before_one_that_cannot_be_made_a_solid) {
   record(without_obstacle());
   const auto motion = run("knot.rbn -o knot.mdd --thickness 0.001");
   EXPECT_EQ(motion.exit_code, 1);
+  EXPECT_THAT(motion.output, StartsWith("5 frames, 1 of them the same as another, 0.0 MB"));
   EXPECT_THAT(motion.errors, HasSubstr("1 of the frames cannot be made a solid: 3"));
   const std::string mdd = bytes("knot.mdd");
   const std::size_t begin = 8 + 5 * 4;
