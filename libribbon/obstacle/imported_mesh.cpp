@@ -1,5 +1,6 @@
 #include "obstacle/imported_mesh.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -9,9 +10,11 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <bit>
+#include <charconv>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -177,6 +180,38 @@ class JoinedTriangles {
   std::vector<Eigen::Vector3i> triangles_;
 };
 
+// "ext%20file.bin" is "ext file.bin".
+std::string percent_decoded(std::string name) {
+  for (std::size_t at = name.find('%'); at != std::string::npos; at = name.find('%', at + 1)) {
+    const char* const digits = name.data() + at + 1;
+    std::uint8_t byte = 0;
+    if (at + 2 < name.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2)
+      name.replace(at, 3, 1, static_cast<char>(byte));
+  }
+  return name;
+}
+
+// A file and those that it refers to. glTF encodes their names by percent signs, which assimp 5.2
+// takes for parts of the names.
+class FilesOfMesh final : public Assimp::DefaultIOSystem {
+ public:
+  explicit FilesOfMesh(const std::filesystem::path& mesh) : folder_(mesh.parent_path().string()) {}
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    if (Assimp::IOStream* opened = DefaultIOSystem::Open(file, mode)) return opened;
+    last_missing_ = file;
+    const std::size_t own = last_missing_.starts_with(folder_) ? folder_.size() : 0;
+    last_missing_.replace(own, std::string::npos, percent_decoded(last_missing_.substr(own)));
+    return DefaultIOSystem::Open(last_missing_.c_str(), mode);
+  }
+
+  [[nodiscard]] const std::string& last_missing() const { return last_missing_; }
+
+ private:
+  std::string folder_;  // its name is nobody's code
+  std::string last_missing_;
+};
+
 }  // namespace
 
 std::optional<TriangleMesh> merged_mesh(const aiScene& file) {
@@ -194,13 +229,19 @@ std::optional<TriangleMesh> merged_mesh(const aiScene& file) {
   return result.mesh();
 }
 
-std::optional<TriangleMesh> import_mesh(const std::filesystem::path& path) {
+ImportedMesh import_mesh(const std::filesystem::path& path) {
   Assimp::Importer importer;
+  auto* const files = new FilesOfMesh(path);  // goes with the importer
+  importer.SetIOHandler(files);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* file =
       importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_SortByPType);
-  return file == nullptr ? std::nullopt : merged_mesh(*file);
+  if (file != nullptr) return {merged_mesh(*file), ""};
+  // Materials of .obj, for example, may be missing.
+  const std::string_view problem = importer.GetErrorString();
+  const bool is_needed = problem.find("could not open referenced file") != std::string_view::npos;
+  return {std::nullopt, is_needed ? files->last_missing() : ""};
 }
 
 bool is_importable(const std::string& extension) {

@@ -14,8 +14,13 @@ namespace ribbon {
 // ".obj", in any case.
 bool is_importable(const std::string& extension);
 
-// Nothing where assimp cannot read it; it may as well crash, or never return.
-std::optional<TriangleMesh> import_mesh(const std::filesystem::path& path);
+struct ImportedMesh {
+  std::optional<TriangleMesh> mesh;  // nothing where assimp cannot read it
+  std::string missing_file;          // that it refers to, if that is why
+};
+
+// It may as well crash, or never return.
+ImportedMesh import_mesh(const std::filesystem::path& path);
 
 // All triangles of the file, where its nodes and joints put them, counter-clockwise also where a
 // node mirrors them. Vertices at equal positions are joined: a seam in uv or normals must not tear

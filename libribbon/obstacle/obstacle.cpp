@@ -17,10 +17,15 @@ namespace ribbon {
 
 namespace {
 
-// As the other process hands it over: the number of vertices, their coordinates, the corners.
-std::string bytes_of(const TriangleMesh& mesh) {
-  const std::int64_t vertices = mesh.vertices.cols();
+constexpr std::int64_t no_mesh = -1;
+
+// As the other process hands it over: the number of vertices, their coordinates, the corners; or
+// that there is no mesh, and which file is missing.
+std::string bytes_of(const ImportedMesh& imported) {
+  const std::int64_t vertices = imported.mesh ? imported.mesh->vertices.cols() : no_mesh;
   std::string bytes(reinterpret_cast<const char*>(&vertices), sizeof(vertices));
+  if (!imported.mesh) return bytes + imported.missing_file;
+  const TriangleMesh& mesh = *imported.mesh;
   bytes.append(reinterpret_cast<const char*>(mesh.vertices.data()),
                sizeof(float) * mesh.vertices.size());
   bytes.append(reinterpret_cast<const char*>(mesh.triangles.data()),
@@ -28,16 +33,16 @@ std::string bytes_of(const TriangleMesh& mesh) {
   return bytes;
 }
 
-// Nothing where it is none: what made it may have been astray.
-std::optional<TriangleMesh> mesh_of(std::string_view bytes) {
+// Without a mesh where it is none: what made it may have been astray.
+ImportedMesh mesh_of(std::string_view bytes) {
   std::int64_t vertices = 0;
-  if (bytes.size() < sizeof(vertices)) return std::nullopt;
+  if (bytes.size() < sizeof(vertices)) return {};
   std::memcpy(&vertices, bytes.data(), sizeof(vertices));
   bytes.remove_prefix(sizeof(vertices));
+  if (vertices == no_mesh) return {std::nullopt, std::string(bytes)};
   constexpr std::size_t vertex_bytes = 3 * sizeof(float);
   constexpr std::size_t triangle_bytes = 3 * sizeof(int);
-  if (vertices < 0 || static_cast<std::size_t>(vertices) > bytes.size() / vertex_bytes)
-    return std::nullopt;
+  if (vertices < 0 || static_cast<std::size_t>(vertices) > bytes.size() / vertex_bytes) return {};
   TriangleMesh mesh;
   mesh.vertices.resize(3, vertices);
   const std::size_t of_vertices = vertex_bytes * static_cast<std::size_t>(vertices);
@@ -47,25 +52,19 @@ std::optional<TriangleMesh> mesh_of(std::string_view bytes) {
   std::copy_n(bytes.data(), triangle_bytes * mesh.triangles.cols(),
               reinterpret_cast<char*>(mesh.triangles.data()));
   const auto corners = mesh.triangles.array();
-  if (!((corners >= 0) && (corners < static_cast<int>(vertices))).all()) return std::nullopt;
-  return mesh;
-}
-
-// Nothing, not even a count, where assimp cannot read it.
-std::string imported(const std::filesystem::path& path) {
-  const auto mesh = import_mesh(path);
-  return mesh ? bytes_of(*mesh) : std::string();
+  if (!((corners >= 0) && (corners < static_cast<int>(vertices))).all()) return {};
+  return {std::move(mesh), ""};
 }
 
 // Damaged files make some of assimp's readers crash or run for ever.
-std::optional<TriangleMesh> read_mesh(const std::filesystem::path& path) {
+ImportedMesh read_mesh(const std::filesystem::path& path) {
   constexpr std::uintmax_t least_s = 5;  // also for files beside it, as buffers of a .gltf
   constexpr std::uintmax_t bytes_a_second = 200'000;
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(path, code);
   const auto most_s = static_cast<unsigned>(least_s + (code ? 0 : size / bytes_a_second));
-  const auto bytes = isolated([&] { return imported(path); }, most_s);
-  return bytes ? mesh_of(*bytes) : std::nullopt;
+  const auto bytes = isolated([&] { return bytes_of(import_mesh(path)); }, most_s);
+  return bytes ? mesh_of(*bytes) : ImportedMesh{};
 }
 
 std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
@@ -98,7 +97,10 @@ bool holds_triangle_strips(const std::filesystem::path& path) {
 }
 
 // Why assimp could not read a file that is there. What it says itself is for programmers.
-tl::unexpected<Error> not_read(const NamedFile& file) {
+tl::unexpected<Error> not_read(const NamedFile& file, const std::string& missing_file) {
+  if (!missing_file.empty())
+    return failure(file, "needs '" + missing_file + "', which cannot be opened",
+                   "put that there, or export the object as .glb, which holds all");
   const std::string ending = file.path.extension().string();
   if (!is_importable(ending))
     return failure(file, "is no kind of mesh file that can be read",
@@ -118,8 +120,8 @@ Result<TriangleMesh> read_obstacle(const ObstacleScene& scene) {
     return failure(scene.file, "holds triangle strips, which are not read",
                    "export the object with single triangles, for example as .obj");
   auto read = read_mesh(scene.file.path);
-  if (!read) return not_read(scene.file);
-  TriangleMesh mesh = *std::move(read);
+  if (!read.mesh) return not_read(scene.file, read.missing_file);
+  TriangleMesh mesh = *std::move(read.mesh);
   mesh.name = scene.file.path.stem().string();
   if (mesh.triangles.cols() == 0)
     return failure(scene.file, "gives no triangles", "export the object with its faces");

@@ -93,6 +93,34 @@ TEST(Obstacle, what_cannot_be_read_is_told_with_its_place_in_the_scene) {
   EXPECT_EQ(read_obstacle(scene_of("/no/such/mesh.obj")).error().place, "/no/such/mesh.obj");
 }
 
+// A triangle of single-precision floats and its glTF, which names their file so.
+std::filesystem::path triangle_gltf(const std::string& folder, const std::string& uri) {
+  return written(folder + "/triangle.gltf",
+                 R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+"nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+"min": [0, 0, 0], "max": [1, 1, 0]}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36, "uri": ")" +
+                     uri + R"("}]})");
+}
+
+TEST(Obstacle, names_that_a_gltf_encodes_are_those_of_files) {
+  const std::array<float, 9> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::string bytes(reinterpret_cast<const char*>(corners.data()), sizeof(corners));
+  written("a%20b/its data.bin", bytes);
+  written("a%20b/100%.bin", bytes);
+  written("a%20b/%41.bin", bytes);
+  for (const std::string uri : {"its data.bin", "its%20data.bin", "100%25.bin", "%41.bin"})
+    EXPECT_TRUE(read_obstacle(scene_of(triangle_gltf("a%20b", uri))).has_value()) << uri;
+}
+
+TEST(Obstacle, a_file_that_a_gltf_needs_is_named_where_it_is_missing) {
+  EXPECT_THAT(
+      refusal_of(read_obstacle(scene_of(triangle_gltf("alone", "its%20data.bin")))),
+      HasSubstr("alone/triangle.gltf: needs '" + temporary_file("alone/its data.bin").string() +
+                "', which cannot be opened; put that there"));
+}
+
 // Where assimp reads one triangle of the four, and no error.
 TEST(Obstacle, triangle_strips_are_refused) {
   const std::string head =
