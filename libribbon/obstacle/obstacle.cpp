@@ -74,26 +74,36 @@ std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
-// Of which assimp reads the first triangle of each.
-bool holds_triangle_strips(const std::filesystem::path& path) {
+// PLY that assimp 5.2 reads wrongly: of triangle strips it takes the first triangle of each, and of
+// data that begin with the byte of a line end it skips that.
+Result<void> check_ply(const NamedFile& file) {
   constexpr std::size_t longest_header = 1 << 16;
   std::string head(longest_header, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  if (!head.starts_with("ply")) return false;
+  std::ifstream opened(file.path, std::ios::binary);
+  opened.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(opened.gcount()));
+  if (!head.starts_with("ply")) return {};
   std::istringstream lines(head);
   std::string line;
+  bool is_binary = false;
   while (std::getline(lines, line) && !line.starts_with("end_header")) {
+    is_binary |= line.starts_with("format binary");
     std::istringstream words(line);
     std::string element;
     std::string name;
     std::uint64_t count = 0;
     if (words >> element >> name >> count && element == "element" && name == "tristrips" &&
         count > 0)
-      return true;
+      return failure(file, "holds triangle strips, which are not read",
+                     "export the object with single triangles, for example as .obj");
   }
-  return false;
+  if (is_binary && lines.peek() == '\n')
+    return failure(
+        file,
+        "holds binary data that happen to begin with the byte of a line end, which are not "
+        "read",
+        "export the object as a .ply of text, or as .obj");
+  return {};
 }
 
 // Why assimp could not read a file that is there. What it says itself is for programmers.
@@ -116,9 +126,7 @@ tl::unexpected<Error> not_read(const NamedFile& file, const std::string& missing
 
 Result<TriangleMesh> read_obstacle(const ObstacleScene& scene) {
   if (auto there = check_readable(scene.file); !there) return tl::unexpected(there.error());
-  if (holds_triangle_strips(scene.file.path))
-    return failure(scene.file, "holds triangle strips, which are not read",
-                   "export the object with single triangles, for example as .obj");
+  if (auto ply = check_ply(scene.file); !ply) return tl::unexpected(ply.error());
   auto read = read_mesh(scene.file.path);
   if (!read.mesh) return not_read(scene.file, read.missing_file);
   TriangleMesh mesh = *std::move(read.mesh);

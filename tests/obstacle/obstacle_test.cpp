@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 
 #include <array>
+#include <bit>
+#include <cstdint>
 
 #include "files/files.h"
 #include "files/temporary_folder.h"
@@ -139,6 +141,22 @@ TEST(Obstacle, triangle_strips_are_refused) {
                                        vertices + "3 0 1 2\n")));
   ASSERT_TRUE(triangle.has_value()) << triangle.error().sentence();
   EXPECT_EQ(triangle->triangles.cols(), 1);
+}
+
+// As one coordinate of 256 does.
+TEST(Obstacle, binary_ply_that_begins_with_the_byte_of_a_line_end_is_refused_without_blame) {
+  const auto ply_from = [](std::uint32_t first_bits) {
+    const std::array<float, 9> corners{std::bit_cast<float>(first_bits), 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::array<std::int32_t, 3> triangle{0, 1, 2};
+    return "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty "
+           "float y\nproperty float z\n"
+           "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+           std::string(reinterpret_cast<const char*>(corners.data()), sizeof(corners)) + '\3' +
+           std::string(reinterpret_cast<const char*>(triangle.data()), sizeof(triangle));
+  };
+  EXPECT_THAT(refusal_of(read_obstacle(scene_of(written("unlucky.ply", ply_from(0x3CA3D70A))))),
+              HasSubstr("unlucky.ply: holds binary data that happen to begin with"));
+  EXPECT_TRUE(read_obstacle(scene_of(written("lucky.ply", ply_from(0x3CA3D70B)))).has_value());
 }
 
 // What fuzzing found: the first makes assimp 5.2 read at the end of the file for ever, the second
