@@ -128,25 +128,55 @@ RecordingHeader header_of_take(const RecordingReader& source, int frame, const N
   return header;
 }
 
-// The copies must decode to what the frames were.
-Result<RecordingWriter> begin_with_copies(const NewRecording& take, const RecordingHeader& header,
-                                          RecordingReader& source, int count) {
-  auto target = RecordingWriter::create(
-      take.file, header, take.overwrite == Overwrite::yes ? Overwrite::when_told : take.overwrite);
-  if (!target) return target;
+Result<void> copy_frames(RecordingReader& source, int count, RecordingWriter& target) {
   for (int frame = 0; frame < count; ++frame) {
     const auto quantised = source.read_quantised(frame);
     if (!quantised) return tl::unexpected(quantised.error());
-    if (auto appended = target->append(*source.numbers(frame), **quantised); !appended)
-      return tl::unexpected(appended.error());
+    if (auto appended = target.append(*source.numbers(frame), **quantised); !appended)
+      return appended;
   }
-  auto copy = RecordingReader::open(target->present_path());
+  return {};
+}
+
+// The copies must decode to what the frames were.
+Result<void> check_copies(RecordingReader& source, int count, const RecordingWriter& target,
+                          const fs::path& take) {
+  auto copy = RecordingReader::open(target.present_path());
   if (!copy) return tl::unexpected(copy.error());
   for (int frame = 0; frame < count; ++frame)
     if (!same_frame(source, *copy, frame))
-      return failure(filled_in("{}: frame {}", take.file.string(), frame + 1),
+      return failure(filled_in("{}: frame {}", take.string(), frame + 1),
                      "it was not copied as it was", "report this; the source is as it was");
-  return target->take_place().map([&] { return *std::move(target); });
+  return {};
+}
+
+// The writer calls copies safe, which go with the take.
+Error without_take(Error error, const fs::path& take, bool is_older_there) {
+  if (error.place != take.string()) return error;
+  error.remedy =
+      filled_in("{}; {} and branch off again",
+                is_older_there ? "the older file is as it was" : "nothing of the take is there yet",
+                error.may_pass ? "free some space" : "choose another place");
+  return error;
+}
+
+// The take has its place once it can go on without its source: by the checkpoint of its last copy.
+Result<RecordingWriter> begin_with_copies(const NewRecording& take, const RecordingHeader& header,
+                                          RecordingReader& source, int count,
+                                          FasteningProcessor& fastening) {
+  auto target = RecordingWriter::create(
+      take.file, header, take.overwrite == Overwrite::yes ? Overwrite::when_told : take.overwrite);
+  if (!target) return target;
+  const bool is_older_there = target->present_path() != take.file;
+  const auto steps = static_cast<std::uint64_t>(fastening.steps());
+  auto begun = copy_frames(source, count, *target);
+  if (begun) begun = target->append_checkpoint(steps, fastening.state());
+  if (!begun) begun.error() = without_take(std::move(begun.error()), take.file, is_older_there);
+  if (begun) begun = check_copies(source, count, *target, take.file);
+  if (begun) begun = target->take_place();
+  if (begun) return target;
+  target->take_back();
+  return tl::unexpected(std::move(begun.error()));
 }
 
 }  // namespace
@@ -174,14 +204,13 @@ Result<std::optional<RunStatistics>> branch(const fs::path& file, int frame,
       settings_of_take(source->scene, scene, (*before)->fastening().stage()));
   if (!fastening) return tl::unexpected(fastening.error());
 
-  auto target = begin_with_copies(take, header_of_take(reader, frame, take, scene), reader, copies);
+  auto target = begin_with_copies(take, header_of_take(reader, frame, take, scene), reader, copies,
+                                  *fastening);
   if (!target) return tl::unexpected(target.error());
   RunStatistics statistics = statistics_of(reader, copies);
   statistics.scene_name = scene.name;
   SimulatedFrames onward(scene, *std::move(fastening), frame);
   BackgroundWriter writer(*std::move(target));
-  writer.append_checkpoint(static_cast<std::uint64_t>(onward.fastening().steps()),
-                           onward.fastening().state());
   return run(onward, *plan, true, writer, observer, std::move(statistics));
 }
 

@@ -9,6 +9,7 @@
 #include "recorder/resume.h"
 #include "recorder/small_scene.h"
 #include "recorder/test_runs.h"
+#include "recording/size_limit.h"
 #include "result/refusal.h"
 #include "scene/setting.h"
 
@@ -34,8 +35,9 @@ class Branch : public TestInFolder {
     return branch(source(), frame, {target(), "brancher", settings, Overwrite::yes}, goes_on,
                   limit);
   }
-  [[nodiscard]] std::string refusal(int frame, const std::vector<std::string>& settings) const {
-    return refusal_of(branched(frame, settings));
+  [[nodiscard]] std::string refusal(int frame, const std::vector<std::string>& settings,
+                                    const RunLimit& limit = {}) const {
+    return refusal_of(branched(frame, settings, limit));
   }
   // How many frames of the take are those of the source.
   [[nodiscard]] int common_frames() const {
@@ -198,6 +200,35 @@ TEST_F(Branch, an_older_recording_is_replaced_only_by_a_take_that_begins) {
                              [](int, int) { return false; }};
   EXPECT_FALSE(branch(source(), 20, replacing(target()), gives_up)->has_value());
   EXPECT_EQ(read_file(target()).value(), "older");
+}
+
+TEST_F(Branch, a_disk_that_fills_up_leaves_a_take_that_can_be_gone_on_with_or_none) {
+  ASSERT_EQ(refusal(50, {}, {.frames = 52}), "");
+  const std::uintmax_t whole_bytes = fs::file_size(target());
+  int none = 0;
+  for (const std::string older : {"", "older"})
+    for (std::uintmax_t part = 1; part < 8; ++part) {
+      fs::remove(target());
+      if (!older.empty()) {
+        ASSERT_TRUE(write_file(target(), older));
+      }
+      std::string sentence;
+      {
+        const SizeLimit limit(whole_bytes * part / 8);
+        sentence = refusal(50, {}, {.frames = 52});
+      }
+      if (sentence.ends_with("and branch off again")) {
+        ++none;
+        EXPECT_THAT(sentence, HasSubstr(older.empty() ? "; nothing of the take is there yet; "
+                                                      : "; the older file is as it was; "));
+        EXPECT_EQ(fs::exists(target()) ? read_file(target()).value() : "", older);
+      } else {
+        EXPECT_THAT(sentence, HasSubstr(" are safe; free some space and resume the run"));
+        EXPECT_EQ(refusal_of(resume(target(), "test", goes_on, {.frames = 52})), "");
+      }
+    }
+  EXPECT_GT(none, 1);
+  EXPECT_LT(none, 14);
 }
 
 TEST_F(Branch, frames_that_are_lost_are_not_passed_over) {

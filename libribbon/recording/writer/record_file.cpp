@@ -116,10 +116,11 @@ Result<void> RecordFile::cut(std::uint64_t size) {
   return {};
 }
 
-void RecordFile::remove_if_empty() {
+void RecordFile::take_back() {
+  if (std::exchange(part_, {})) return;
   std::error_code code;
-  if (size_ == 0 && !part_ && std::filesystem::is_regular_file(path_, code))
-    ::unlink(path_.c_str());
+  if (std::filesystem::is_regular_file(path_, code) && is_still_at(path_, file_))
+    ::unlink(linked_file(path_).c_str());
 }
 
 Result<void> RecordFile::sync() {

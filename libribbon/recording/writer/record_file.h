@@ -49,8 +49,9 @@ class RecordFile {
   // From now on this file has the name, and what had it before is gone.
   Result<void> take_place();
 
-  // Takes back a file in which nothing is, so that its name is free again. Pipes and devices stay.
-  void remove_if_empty();
+  // Takes back what was created, of no use to anybody: its name is free again, and an older file
+  // is as it was. Not after take_place() of an older one. Pipes and devices stay.
+  void take_back();
 
   // Waits until everything appended is on the disk.
   Result<void> sync();

@@ -93,7 +93,7 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& pat
   auto written =
       writer.write(std::string(file_signature) + make_record(RecordType::header, payload));
   if (written) return writer;
-  writer.file_.remove_if_empty();
+  writer.take_back();
   return tl::unexpected(std::move(written.error()));
 }
 

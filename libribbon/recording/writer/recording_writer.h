@@ -87,6 +87,10 @@ class RecordingWriter {
   // The recording takes the place of an older file of its name.
   Result<void> take_place() { return file_.take_place(); }
 
+  // Nothing of it is of use, as of one that has not taken its place: the name is free again, or the
+  // older file's. Nothing may be written afterwards.
+  void take_back() { file_.take_back(); }
+
   // Waits until all that was appended is on the disk.
   Result<void> sync();
 

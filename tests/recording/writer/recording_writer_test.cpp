@@ -177,6 +177,31 @@ TEST(RecordingWriter, when_the_disk_fills_up_everything_before_is_intact) {
   expect_sample_frame(reader, 3);
 }
 
+TEST(RecordingWriter, what_is_taken_back_leaves_what_was_there) {
+  const auto path = temporary_file("taken back.rbn");
+  const auto link = temporary_file("leads nowhere yet.rbn");
+  const auto beside = temporary_file("beside.rbn");
+  std::filesystem::create_symlink(path, link);
+  ASSERT_TRUE(write_file(beside, "older"));
+  for (const auto& name : {path, link, beside}) {
+    auto writer = RecordingWriter::create(name, sample_header(), Overwrite::when_told).value();
+    append_sample_frames(writer, 0, 2);
+    writer.take_back();
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(read_file(beside).value(), "older");
+}
+
+TEST(RecordingWriter, what_somebody_else_has_put_in_its_place_is_not_taken_back) {
+  const auto path = temporary_file("another's.rbn");
+  auto writer = RecordingWriter::create(path, sample_header()).value();
+  append_sample_frames(writer, 0, 2);
+  ASSERT_TRUE(write_file(path, "another"));
+  writer.take_back();
+  EXPECT_EQ(read_file(path).value(), "another");
+}
+
 TEST(RecordingWriter, a_refused_frame_is_named_and_the_recording_goes_on) {
   const auto path = temporary_file("refused.rbn");
   auto writer = RecordingWriter::create(path, sample_header()).value();
