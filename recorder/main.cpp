@@ -1,4 +1,7 @@
 // ribbon-record: fastens the ribbon of a scene and records every frame.
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -167,6 +170,16 @@ void warn_of_lost_frames(RecordingReader& reader, const std::filesystem::path& f
                file.c_str(), number_list(lost).c_str());
 }
 
+// Where standard output is the recording itself, as a file or a pipe, a sentence would damage it.
+std::FILE* stream_apart_from(const std::filesystem::path& recording) {
+  struct stat named {};
+  struct stat output {};
+  const bool is_same = ::stat(recording.c_str(), &named) == 0 &&
+                       ::fstat(STDOUT_FILENO, &output) == 0 && named.st_dev == output.st_dev &&
+                       named.st_ino == output.st_ino;
+  return is_same ? stderr : stdout;
+}
+
 // Asked before the run, which may be long.
 Result<void> check_place_of_statistics(const RecorderOptions& options) {
   const std::filesystem::path& file = options.statistics;
@@ -200,10 +213,11 @@ Result<ExitCode> do_task(const RecorderOptions& options) {
     if (run) run->outcome = outcome(*reader);
     if (options.task == RecorderTask::resume) warn_of_lost_frames(*reader, options.recording);
   }
+  std::FILE* const told = stream_apart_from(options.recording);
   if (!options.quiet)
-    std::printf("%s: %s\n", options.recording.c_str(),
-                (run ? summary_line(*run) : nothing_done(options)).c_str());
-  if (run && options.profile) std::fputs(profile_text(*run).c_str(), stdout);
+    std::fprintf(told, "%s: %s\n", options.recording.c_str(),
+                 (run ? summary_line(*run) : nothing_done(options)).c_str());
+  if (run && options.profile) std::fputs(profile_text(*run).c_str(), told);
   if (run && !options.statistics.empty())
     if (auto written = write_file(options.statistics, statistics_json(*run)); !written)
       return tl::unexpected(written.error());

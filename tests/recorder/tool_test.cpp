@@ -50,6 +50,19 @@ TEST_F(RibbonRecord, quiet_says_nothing) {
   EXPECT_EQ(output_of(run("small.toml -o knot.rbn --quiet")), "");
 }
 
+TEST_F(RibbonRecord, what_it_tells_of_a_recording_on_standard_output_goes_elsewhere) {
+  ASSERT_EQ(run("small.toml -o knot.rbn --quiet").exit_code, 0);
+  const std::string knot = bytes("knot.rbn");
+  const ToolRun file = run("small.toml -o /dev/stdout --force --profile");
+  const ToolRun pipe = run("small.toml -o /dev/stdout --profile 2> told | cat");
+  EXPECT_TRUE(file.output == knot);
+  EXPECT_TRUE(pipe.output == knot);
+  for (const std::string& told : {file.errors, bytes("told")}) {
+    EXPECT_THAT(told, HasSubstr("/dev/stdout: free start; 7 frames"));
+    EXPECT_THAT(told, HasSubstr("a step, 24 times"));
+  }
+}
+
 TEST_F(RibbonRecord, writes_the_figures_of_the_run) {
   ASSERT_EQ(run("small.toml -o knot.rbn --stats figures/run.json").exit_code, 0);
   const auto json = nlohmann::json::parse(bytes("figures/run.json"));
