@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <mutex>
-#include <stdexcept>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -50,9 +50,7 @@ const char* configuration() {
 
 // Only a lack of memory is left to go wrong once the arguments are right.
 void check(RTCDevice device) {
-  const RTCError error = rtcGetDeviceError(device);
-  if (error != RTC_ERROR_NONE)
-    throw std::runtime_error("Embree reports error " + std::to_string(error));
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::bad_alloc();
 }
 
 // Robust: no ray slips through between two triangles.
@@ -180,7 +178,7 @@ class PlainPackets {
 // and rays go through one faster.
 struct RayScene::State {
   State() {
-    if (!device) throw std::runtime_error("Embree cannot be started");
+    if (!device) throw std::bad_alloc();
     // Embree refits in dynamic scenes of that quality alone; the tree is built in its geometry's.
     // Compact leaves, which hold numbers of vertices instead of copies of them, would be renewed
     // sooner, but rays lose more than that.
