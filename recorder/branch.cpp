@@ -45,6 +45,9 @@ std::optional<std::pair<const char*, const char*>> common_to_both_that_differs(c
            "the ribbon is in one of them"},
       Rule{centre_axis(a) == centre_axis(b), "the axis of [fastening]",
            "the header names one axis for all frames"},
+      // Else the scene would, by default, have fewer frames.
+      Rule{b.time.step_s * a.recording.frames_per_second <= 1 + 1e-9, "time.step",
+           "it would be longer than the time between two frames"},
       Rule{a.recording.frames_per_second == b.recording.frames_per_second,
            "recording.frames_per_second", "all frames are equally far apart"},
       Rule{a.recording.max_position_error == b.recording.max_position_error,

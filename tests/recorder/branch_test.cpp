@@ -153,6 +153,18 @@ TEST_F(Branch, what_all_frames_have_in_common_cannot_change) {
   }
 }
 
+TEST_F(Branch, a_step_longer_than_a_frame_is_refused_as_such) {
+  std::string text = read_file(folder_ / "knot.toml").value();
+  text.erase(text.find("frames_per_second"), std::string("frames_per_second = 30\n").size());
+  ASSERT_TRUE(write_file(folder_ / "knot.toml", text).has_value());
+  record_source(read_scene(folder_ / "knot.toml").value());
+  EXPECT_EQ(refusal(20, {"time.step=0.5"}),
+            source().string() +
+                ": time.step cannot change in a branch: it would be longer than the time between "
+                "two frames; record a scene of its own");
+  EXPECT_EQ(refusal(20, {"time.step=0.02"}, {.frames = 23}), "") << "as long as a frame";
+}
+
 TEST_F(Branch, a_width_cannot_change_where_the_scene_says_its_clearance_either) {
   const std::string text = read_file(folder_ / "knot.toml").value();
   const std::string setting = "curve.clearance=0.003";
