@@ -65,24 +65,27 @@ std::string tightness_text(const TightnessNumbers& tightness) {
                    tightness.rope_length);
 }
 
+std::string time_text(double time_s) {
+  return (time_s < 1 ? short_number(time_s, 3) : decimals(time_s, 1)) + " s";
+}
+
 std::string slip_text(std::string_view end, double time_s) {
   return filled_in(
-      "; ended at {:.1f} s: the {} end would slip out of its knot; draw a longer tail, or "
-      "hold it",
-      time_s, end);
+      "; ended at {}: the {} end would slip out of its knot; draw a longer tail, or hold it",
+      time_text(time_s), end);
 }
 
 // Nothing where the run lasted as long as it was to.
 std::string ending_text(const RunStatistics& statistics) {
   if (statistics.limit_reached)
-    return filled_in("; ended at {:.1f} s, as asked", statistics.simulated_s);
+    return "; ended at " + time_text(statistics.simulated_s) + ", as asked";
   if (statistics.ending == RunEnding::stopped) return "; ended early by the user";
   if (statistics.ending == RunEnding::first_end_slips)
     return slip_text("first", statistics.simulated_s);
   if (statistics.ending == RunEnding::second_end_slips)
     return slip_text("second", statistics.simulated_s);
   if (statistics.ending == RunEnding::stages_over)
-    return filled_in("; ended at {:.1f} s, when its stages were over", statistics.simulated_s);
+    return "; ended at " + time_text(statistics.simulated_s) + ", when its stages were over";
   if (!statistics.until_tight || !statistics.tightness) return "";
   return (statistics.ending == RunEnding::tight ? "; ended tight: " : "; not yet tight: ") +
          tightness_text(*statistics.tightness);
@@ -143,8 +146,8 @@ std::string profile_text(const RunStatistics& statistics) {
 }
 
 std::string summary_line(const RunStatistics& statistics) {
-  return filled_in("{} start; {} frames, {:.1f} s in {} steps ({:.1f} steps/s); ", statistics.start,
-                   statistics.frames, statistics.simulated_s, statistics.steps,
+  return filled_in("{} start; {} frames, {} in {} steps ({:.1f} steps/s); ", statistics.start,
+                   statistics.frames, time_text(statistics.simulated_s), statistics.steps,
                    statistics.steps_per_second()) +
          filled_in("worst strain of a spring {:.1f} %; penetrating edges {} at worst, {} at last; ",
                    100 * statistics.worst_strain, statistics.worst_penetrating_edges,

@@ -148,6 +148,12 @@ TEST(RunStatistics, say_why_a_run_ended) {
   EXPECT_THAT(summary_line(statistics), EndsWith("; ended at 2.0 s, as asked"));
 }
 
+TEST(RunStatistics, of_a_short_run_tell_how_short_it_is) {
+  RunStatistics statistics;
+  statistics.add({.time_s = 1 / 30.0});
+  EXPECT_THAT(summary_line(statistics), HasSubstr("; 1 frames, 0.0333 s in 0 steps"));
+}
+
 TEST(RunStatistics, tell_programs_how_tight_the_last_frame_is) {
   const auto json = nlohmann::json::parse(statistics_json(tight()));
   EXPECT_EQ(json["ending"], "tight");
