@@ -14,6 +14,7 @@
 #include "commandline/progress.h"
 #include "commandline/tool.h"
 #include "files/files.h"
+#include "files/pending_file.h"
 #include "parallel/parallel.h"
 #include "playback/recording_reader.h"
 #include "recorder/branch.h"
@@ -188,14 +189,15 @@ Result<void> check_place_of_statistics(const RecorderOptions& options) {
     if (!other.empty() && is_same_file(file, other))
       return failure(file.string(), "is " + other.string() + ", in whose place figures cannot go",
                      "name another file after --stats");
-  if (!is_taken(file)) return {};
   // --force may be meant for what -o names.
   if (is_recording(file))
     return failure(file.string(), "is a recording, in whose place figures cannot go",
                    "name another file after --stats");
-  if (options.force) return {};
-  return failure(file.string(), "exists already",
-                 "name another file after --stats, or replace it by --force");
+  std::error_code code;
+  if (is_taken(file) && !std::filesystem::is_directory(file, code) && !options.force)
+    return failure(file.string(), "exists already",
+                   "name another file after --stats, or replace it by --force");
+  return PendingFile::create(file).map([](const PendingFile&) {});
 }
 
 Result<ExitCode> do_task(const RecorderOptions& options) {

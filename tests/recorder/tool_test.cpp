@@ -101,6 +101,14 @@ TEST_F(RibbonRecord, figures_take_no_other_files_place) {
   EXPECT_EQ(nlohmann::json::parse(bytes("run.json"))["frames"], 7);
 }
 
+TEST_F(RibbonRecord, a_place_where_no_figures_can_go_is_told_before_the_run) {
+  fs::create_directory(folder_ / "figures");
+  for (const std::string place : {"figures", "figures --force", "small.toml/run.json"})
+    expect_refusal(run("small.toml -o knot.rbn --stats " + place), "");
+  EXPECT_THAT(run("small.toml -o knot.rbn --stats figures").errors, HasSubstr("is a folder"));
+  EXPECT_FALSE(fs::exists(folder_ / "knot.rbn"));
+}
+
 TEST_F(RibbonRecord, a_limit_that_no_run_reaches_is_told_by_its_name) {
   for (const std::string limit : {"--until 1000000000", "--frames 1000000000"})
     expect_refusal(run("small.toml -o knot.rbn " + limit), limit + ": 'duration' is ");
