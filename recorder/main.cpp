@@ -133,7 +133,7 @@ std::string nothing_done(const RecorderOptions& options) {
 // Not where a limit or the run itself ended it, nor where nothing was left to do.
 bool is_interrupted(const std::optional<RunStatistics>& run, const Watch& watch) {
   if (!run) return watch.is_interrupted();
-  return run->ending == RunEnding::stopped && !run->limit_reached;
+  return run->ending == RunEnding::stopped;
 }
 
 Result<ExitCode> do_crossings(const RecorderOptions& options) {

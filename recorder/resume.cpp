@@ -31,6 +31,11 @@ bool is_slipping(const RecordingReader& reader) {
          reader.ending() == RunEnding::second_end_slips;
 }
 
+bool has_come_to_its_end(const RecordingReader& reader) {
+  return reader.finished() && reader.ending() != RunEnding::stopped &&
+         reader.ending() != RunEnding::limit;
+}
+
 // Has the run got to the end of its scene, or of the limit? One whose end slips is not drawn on.
 bool is_done(const RecordingReader& reader, const RunPlan& plan) {
   if (!reader.finished()) return false;
@@ -104,10 +109,10 @@ Result<std::optional<RunStatistics>> resume(const fs::path& path, const std::str
   SimulatedFrames onward(plan.scene, std::move((*before)->fastening()), last);
   BackgroundWriter file(*std::move(target));
   if (ending_at(onward, plan) == RunEnding::unknown) {
-    const bool had_ended = reader.finished() && reader.ending() != RunEnding::stopped;
-    file.append_session({.reason = had_ended ? SessionReason::extended : SessionReason::resumed,
-                         .program = program,
-                         .changed_settings = changed_settings});
+    file.append_session(
+        {.reason = has_come_to_its_end(reader) ? SessionReason::extended : SessionReason::resumed,
+         .program = program,
+         .changed_settings = changed_settings});
   }
   return run(onward, plan, has_checkpoint_of(reader, last), file, observer, statistics);
 }

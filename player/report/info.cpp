@@ -133,7 +133,9 @@ std::string ending_text(RunEnding ending) {
     case RunEnding::tight:
       return report_line("ended", "when the ribbon was tight");
     case RunEnding::stopped:
-      return report_line("ended", "early, as the user asked: stopped, or at a limit");
+      return report_line("ended", "early, as the user asked");
+    case RunEnding::limit:
+      return report_line("ended", "at the limit that was asked for");
     case RunEnding::stages_over:
       return report_line("ended", "when its stages were over");
     case RunEnding::first_end_slips:

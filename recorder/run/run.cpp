@@ -42,7 +42,7 @@ RunEnding ending_at(SimulatedFrames& frames, const RunPlan& plan) {
   if (plan.until_tight() && fastening.is_tight()) return RunEnding::tight;
   if (plan.until_tight() && fastening.stages_are_over()) return RunEnding::stages_over;
   if (frames.index() + 1 < plan.frames) return RunEnding::unknown;
-  return plan.is_cut_short ? RunEnding::stopped : RunEnding::duration;
+  return plan.is_cut_short ? RunEnding::limit : RunEnding::duration;
 }
 
 Run::Run(SimulatedFrames& frames, const RunPlan& plan, bool has_checkpoint, BackgroundWriter& file,
@@ -82,7 +82,6 @@ Result<RunStatistics> Run::finish(RunEnding ending) {
   const FasteningProcessor& fastening = frames_.fastening();
   statistics_.start = std::string(word_for(fastening.start().kind));
   statistics_.ending = ending;
-  statistics_.limit_reached = plan_.is_cut_short && ending_at(frames_, plan_) == RunEnding::stopped;
   statistics_.until_tight = plan_.until_tight();
   for (const int stage : fastening.stages_given_up())
     statistics_.stages_given_up.push_back(plan_.scene.stages[stage].name);

@@ -77,7 +77,7 @@ std::string slip_text(std::string_view end, double time_s) {
 
 // Nothing where the run lasted as long as it was to.
 std::string ending_text(const RunStatistics& statistics) {
-  if (statistics.limit_reached)
+  if (statistics.ending == RunEnding::limit)
     return "; ended at " + time_text(statistics.simulated_s) + ", as asked";
   if (statistics.ending == RunEnding::stopped) return "; ended early by the user";
   if (statistics.ending == RunEnding::first_end_slips)

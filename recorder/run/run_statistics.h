@@ -34,8 +34,7 @@ struct RunStatistics {
   BackgroundFigures beside_it = {};  // of the writer that worked beside the run
   std::uint64_t bytes = 0;           // of the recording
   RunEnding ending = RunEnding::unknown;
-  bool limit_reached = false;  // stopped: where --until or --frames asked, and not by Ctrl-C
-  bool until_tight = false;    // was the run to end when the ribbon is tight?
+  bool until_tight = false;  // was the run to end when the ribbon is tight?
   // Names of those that 'at_most' has ended before their goal was reached.
   std::vector<std::string> stages_given_up = {};
 

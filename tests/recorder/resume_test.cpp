@@ -6,6 +6,7 @@
 #include "files/flipped.h"
 #include "files/temporary_folder.h"
 #include "playback/frames_of.h"
+#include "playback/unfinished.h"
 #include "recorder/branch.h"
 #include "recorder/record.h"
 #include "recorder/small_scene.h"
@@ -256,12 +257,16 @@ TEST_F(ResumeRun, an_extension_from_before_the_first_frame_goes_on_to_its_end_as
 
 TEST_F(ResumeRun, a_limit_cuts_a_run_short_and_one_before_what_is_there_is_refused) {
   (void)record(scene_, replacing(file_), goes_on, {.frames = 20}).value();
-  EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::stopped);
+  EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::limit);
+  EXPECT_EQ(unfinished_text(*RecordingReader::open(file_)), "");
   EXPECT_EQ(RecordingReader::open(file_)->frame_count(), 20);
   EXPECT_THAT(refusal({.frames = 10}), HasSubstr("holds 20 frames already, more than the 10"));
   ASSERT_EQ(refusal({.until_s = 1}), "");
   EXPECT_EQ(RecordingReader::open(file_)->frame_count(), 31);
+  EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::limit);
   ASSERT_EQ(refusal(), "");
+  EXPECT_EQ(RecordingReader::open(file_)->ending(), RunEnding::duration);
+  EXPECT_EQ(RecordingReader::open(file_)->sessions().back().note.reason, SessionReason::resumed);
   expect_whole();
 }
 

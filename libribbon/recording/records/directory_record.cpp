@@ -49,7 +49,7 @@ std::optional<Directory> parse_directory_payload(std::string_view payload,
   directory.frames = taker.take<std::uint32_t>();
   const auto ending = taker.take<std::uint8_t>();
   // Endings that this version does not know are as good as none.
-  if (ending <= static_cast<std::uint8_t>(RunEnding::second_end_slips))
+  if (ending <= static_cast<std::uint8_t>(RunEnding::limit))
     directory.ending = static_cast<RunEnding>(ending);
   taker.take_bytes(3);
   const auto count = taker.take<std::uint32_t>();

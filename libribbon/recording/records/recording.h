@@ -125,14 +125,15 @@ enum class RunEnding : std::uint8_t {
   stopped = 3,
   stages_over = 4,
   first_end_slips = 5,
-  second_end_slips = 6
+  second_end_slips = 6,
+  limit = 7
 };
 
 // "unknown", "duration", "tight", "stopped", ...
 inline std::string_view word_for(RunEnding ending) {
-  constexpr std::array<std::string_view, 7> words = {
-      "unknown",     "duration",        "tight",           "stopped",
-      "stages over", "first end slips", "second end slips"};
+  constexpr std::array<std::string_view, 8> words = {
+      "unknown",         "duration",         "tight", "stopped", "stages over",
+      "first end slips", "second end slips", "limit"};
   return words[static_cast<std::size_t>(ending)];
 }
 

@@ -136,9 +136,9 @@ TEST(RecordingInfo, tightness_and_ending_are_told) {
   EXPECT_THAT(info_text(info),
               HasSubstr("tight\noutcome         round the object, the knot 0.8 mm from it\n"));
   info.ending = RunEnding::stopped;
-  // A recording does not tell Ctrl-C from --until and --frames.
-  EXPECT_THAT(info_text(info),
-              HasSubstr("ended           early, as the user asked: stopped, or at a limit\n"));
+  EXPECT_THAT(info_text(info), HasSubstr("ended           early, as the user asked\n"));
+  info.ending = RunEnding::limit;
+  EXPECT_THAT(info_text(info), HasSubstr("ended           at the limit that was asked for\n"));
 }
 
 TEST(RecordingInfo, where_a_run_was_taken_up_again_is_told) {

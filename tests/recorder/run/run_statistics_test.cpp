@@ -144,7 +144,7 @@ TEST(RunStatistics, say_why_a_run_ended) {
   EXPECT_THAT(summary_line(statistics), EndsWith("per vertex and frame)"));
   statistics.ending = RunEnding::stopped;
   EXPECT_THAT(summary_line(statistics), EndsWith("; ended early by the user"));
-  statistics.limit_reached = true;
+  statistics.ending = RunEnding::limit;
   EXPECT_THAT(summary_line(statistics), EndsWith("; ended at 2.0 s, as asked"));
 }
 

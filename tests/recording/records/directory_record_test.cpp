@@ -18,6 +18,14 @@ TEST(DirectoryRecord, everything_comes_back) {
             directory());
 }
 
+TEST(DirectoryRecord, every_ending_comes_back) {
+  for (int number = 0; number <= 7; ++number) {
+    Directory with = directory();
+    with.ending = static_cast<RunEnding>(number);
+    EXPECT_EQ(parse_directory_payload(directory_payload(id, with), id, here, here), with);
+  }
+}
+
 TEST(DirectoryRecord, an_ending_of_a_later_version_is_none) {
   std::string payload = directory_payload(id, directory());
   payload[8] = 17;
