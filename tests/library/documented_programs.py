@@ -59,7 +59,7 @@ def check_growing_recording(programs, folder, scene):
     lines = run(programs / "follow", growing).splitlines()
     check(recorder.wait() == 0, "the recorder failed")
     frames = len(run(programs / "read", growing).splitlines())
-    check(len(lines) == frames + 1 and lines[-1] == "ended: stopped", f"of {frames} frames follow said {lines}")
+    check(len(lines) == frames + 1 and lines[-1] == "ended: limit", f"of {frames} frames follow said {lines}")
 
 
 def refusal(*command):
