@@ -125,7 +125,7 @@ void StagedHands::follow(const Cloth& cloth) {
   progress_.add(command_, before_, cloth.positions);
   for (StageHand& hand : hands_) hand.follow(cloth);
   elapsed_s_ += scene_.time.step_s;
-  is_reached_ = goal_is_reached();
+  is_reached_ = !present().until_s && goal_is_reached();
   note_end();
 }
 
