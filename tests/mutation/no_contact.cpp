@@ -20,13 +20,4 @@ bool ContactConstraints::keep_apart(double /*friction*/, const Eigen::Matrix3Xd&
   return false;
 }
 
-const TruncationReport& DisplacementTruncation::truncate(const ContactCandidates& /*candidates*/,
-                                                         const Bodies& /*bodies*/,
-                                                         const PairDistances& /*distances*/,
-                                                         const Eigen::Matrix3Xd& target,
-                                                         Eigen::Matrix3Xd& positions) {
-  positions = target;
-  return report_;
-}
-
 }  // namespace ribbon
