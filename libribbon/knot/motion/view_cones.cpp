@@ -27,6 +27,11 @@ ViewCone cone_around(const SweptEdge& swept) {
   return result;
 }
 
+bool is_a_point(const SweptEdge& swept) {
+  return std::all_of(swept.begin(), swept.end(),
+                     [&](const Eigen::Vector3d& corner) { return corner == swept[0]; });
+}
+
 double extent(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
   return (one - other).squaredNorm();
 }
@@ -49,7 +54,7 @@ std::array<SweptEdge, 2> halves(const SweptEdge& swept) {
 void append(const SweptEdge& swept, int splits_left, std::vector<ViewCone>& cones) {
   constexpr double narrow_rad = 0.03;
   const ViewCone cone = cone_around(swept);
-  if (cone.half_angle_rad <= narrow_rad || splits_left == 0) {
+  if (cone.half_angle_rad <= narrow_rad || splits_left == 0 || is_a_point(swept)) {
     cones.push_back(cone);
     return;
   }
@@ -64,9 +69,15 @@ void append_view_cones(const SweptEdge& swept, std::vector<ViewCone>& cones) {
 }
 
 double clearance_rad(const std::vector<ViewCone>& cones, const Eigen::Vector3d& direction) {
+  // Most cones are told to be no nearer by the chord, which is no longer than the angle.
+  constexpr double rounding = 1e-12;
   double result = std::numbers::pi;
-  for (const ViewCone& cone : cones)
+  for (const ViewCone& cone : cones) {
+    const double reach_rad = result + cone.half_angle_rad;
+    const double squared_chord = 2 - 2 * direction.dot(cone.axis);
+    if (squared_chord > reach_rad * reach_rad + rounding) continue;
     result = std::min(result, angle_between_units(direction, cone.axis) - cone.half_angle_rad);
+  }
   return result;
 }
 

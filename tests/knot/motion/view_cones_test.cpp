@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -40,6 +41,34 @@ TEST(ViewCones, an_edge_through_the_eye_blocks_every_view) {
   const SweptEdge swept{Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(-1, 1, 0),
                         Eigen::Vector3d(1, -1, 0), Eigen::Vector3d(-1, -1, 0)};
   EXPECT_LE(clearance_of(swept, {0, 0, 1}), 0);
+}
+
+TEST(ViewCones, a_point_in_the_eye_blocks_every_view_by_one_cone) {
+  const SweptEdge swept{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                        Eigen::Vector3d::Zero()};
+  std::vector<ViewCone> cones;
+  append_view_cones(swept, cones);
+  ASSERT_EQ(cones.size(), 1U);
+  EXPECT_LE(clearance_rad(cones, Eigen::Vector3d::UnitZ()), 0);
+}
+
+// However many cones lie farther off, in whatever order.
+TEST(ViewCones, clearance_is_the_least_of_those_of_single_cones) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> coordinate;
+  const auto direction = [&] {
+    return Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random)).normalized();
+  };
+  for (int round = 0; round < 200; ++round) {
+    std::vector<ViewCone> cones(1 + random() % 50);
+    for (ViewCone& cone : cones) cone = {direction(), 0.03 * std::abs(coordinate(random))};
+    const Eigen::Vector3d view =
+        round % 2 == 0 ? direction()
+                       : Eigen::Vector3d(cones.back().axis + 1e-7 * direction()).normalized();
+    double least = std::numbers::pi;
+    for (const ViewCone& cone : cones) least = std::min(least, clearance_rad({cone}, view));
+    EXPECT_EQ(clearance_rad(cones, view), least);
+  }
 }
 
 TEST(ViewCones, no_ray_that_meets_a_surface_close_to_the_eye_is_clear) {
