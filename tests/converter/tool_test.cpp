@@ -170,17 +170,22 @@ TEST_F(Tool, axes_unit_and_scale_reach_the_numbers) {
   EXPECT_EQ(cached_sample(bytes("cm.pc2"), 1), placement.place(cached_sample(bytes("m.pc2"), 1)));
 }
 
+// 3 x three of each triangle: whoever reads a file may number its vertices anew.
+Eigen::Matrix3Xf corners_of(const TriangleMesh& mesh) {
+  return mesh.vertices(Eigen::all, mesh.triangles.reshaped());
+}
+
 // Single precision has rounded centimetres.
 TEST_F(Tool, an_obstacle_that_goes_out_as_fbx_comes_back_in_metres_and_y_up) {
-  const TriangleMesh& rock = *sample_knot().header.obstacle;
+  const TriangleMesh rock = sample_knot().header.obstacle.value();
   for (const std::string settings :
        {"--up y --unit m", "--up y --unit cm", "--up z --unit m", "--up z --unit cm"}) {
     ASSERT_EQ(run("knot.rbn -o rock.fbx --force --object obstacle " + settings).exit_code, 0);
     ObstacleScene scene;
     scene.file.path = folder_ / "rock.fbx";
     const TriangleMesh read = read_obstacle(scene).value();
-    EXPECT_TRUE(read.vertices.isApprox(rock.vertices, 1e-6F)) << settings << "\n" << read.vertices;
-    EXPECT_EQ(read.triangles, rock.triangles) << settings;
+    EXPECT_TRUE(corners_of(read).isApprox(corners_of(rock), 1e-6F)) << settings << "\n"
+                                                                    << corners_of(read);
   }
 }
 
