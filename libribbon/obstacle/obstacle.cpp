@@ -74,8 +74,9 @@ std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
-// PLY that assimp 5.2 reads wrongly: of triangle strips it takes the first triangle of each, and of
-// data that begin with the byte of a line end it skips that.
+// PLY that assimp 5.2 reads wrongly: of triangle strips it takes the first triangle of each, of
+// data that begin with the byte of a line end it skips that, and it looks for ever for the end of a
+// header that was cut off.
 Result<void> check_ply(const NamedFile& file) {
   constexpr std::size_t longest_header = 1 << 16;
   std::string head(longest_header, '\0');
@@ -97,6 +98,8 @@ Result<void> check_ply(const NamedFile& file) {
       return failure(file, "holds triangle strips, which are not read",
                      "export the object with single triangles, for example as .obj");
   }
+  if (!line.starts_with("end_header") && head.size() < longest_header)
+    return failure(file, "is cut off: its header has no end", "export the object again");
   if (is_binary && lines.peek() == '\n')
     return failure(
         file,

@@ -161,10 +161,19 @@ TEST(Obstacle, binary_ply_that_begins_with_the_byte_of_a_line_end_is_refused_wit
 
 // What fuzzing found: the first makes assimp 5.2 read at the end of the file for ever, the second
 // makes it abort.
+const std::string ply_cut_off =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_hea";
+
+TEST(Obstacle, a_ply_that_is_cut_off_in_its_header_is_told_at_once) {
+  EXPECT_THAT(refusal_of(read_obstacle(scene_of(written("cut.ply", ply_cut_off)))),
+              HasSubstr("cut.ply: is cut off: its header has no end; export"));
+}
+
 TEST(Obstacle, files_on_which_their_reader_hangs_or_crashes_are_refused_with_a_sentence) {
-  const std::string cut =
-      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_hea";
+  // Longer than what is looked at.
+  std::string cut = ply_cut_off;
+  cut.insert(cut.find("element vertex"), "comment " + std::string(70'000, 'x') + "\n");
   const std::string without_y =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\npro\nproperty float z\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
