@@ -74,6 +74,19 @@ std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
+// Is there a line that says just this, however lines end?
+bool has_line(const std::string& text, std::string_view line) {
+  constexpr std::string_view line_ends = "\r\n";
+  for (std::size_t at = text.find(line); at != std::string::npos; at = text.find(line, at + 1)) {
+    const bool begins = at == 0 || line_ends.find(text[at - 1]) != std::string_view::npos;
+    const std::size_t behind = text.find_first_not_of(" \t", at + line.size());
+    if (begins && behind != std::string::npos &&
+        line_ends.find(text[behind]) != std::string_view::npos)
+      return true;
+  }
+  return false;
+}
+
 // PLY that assimp 5.2 reads wrongly: of triangle strips it takes the first triangle of each, of
 // data that begin with the byte of a line end it skips that, and it looks for ever for the end of a
 // header that was cut off.
@@ -84,6 +97,8 @@ Result<void> check_ply(const NamedFile& file) {
   opened.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(opened.gcount()));
   if (!head.starts_with("ply")) return {};
+  if (head.size() < longest_header && !has_line(head, "end_header"))
+    return failure(file, "is cut off: its header has no end", "export the object again");
   std::istringstream lines(head);
   std::string line;
   bool is_binary = false;
@@ -98,8 +113,6 @@ Result<void> check_ply(const NamedFile& file) {
       return failure(file, "holds triangle strips, which are not read",
                      "export the object with single triangles, for example as .obj");
   }
-  if (!line.starts_with("end_header") && head.size() < longest_header)
-    return failure(file, "is cut off: its header has no end", "export the object again");
   if (is_binary && lines.peek() == '\n')
     return failure(
         file,

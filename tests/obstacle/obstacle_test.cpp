@@ -166,8 +166,20 @@ const std::string ply_cut_off =
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_hea";
 
 TEST(Obstacle, a_ply_that_is_cut_off_in_its_header_is_told_at_once) {
-  EXPECT_THAT(refusal_of(read_obstacle(scene_of(written("cut.ply", ply_cut_off)))),
-              HasSubstr("cut.ply: is cut off: its header has no end; export"));
+  for (const std::string rest : {"", "der", "der0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"})
+    EXPECT_THAT(refusal_of(read_obstacle(scene_of(written("cut.ply", ply_cut_off + rest)))),
+                HasSubstr("cut.ply: is cut off: its header has no end; export"));
+}
+
+TEST(Obstacle, a_ply_may_end_its_lines_in_any_way) {
+  const std::string whole = ply_cut_off + "der\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+  for (const std::string end : {"\n", "\r\n", " \n"}) {
+    std::string text;
+    for (const char c : whole) text += c == '\n' ? end : std::string(1, c);
+    const auto mesh = read_obstacle(scene_of(written("lines.ply", text)));
+    ASSERT_TRUE(mesh.has_value()) << mesh.error().sentence();
+    EXPECT_EQ(mesh->triangles.cols(), 2);
+  }
 }
 
 TEST(Obstacle, files_on_which_their_reader_hangs_or_crashes_are_refused_with_a_sentence) {
