@@ -40,19 +40,27 @@ class StartSearch {
         generated_(cloth.positions) {}
 
   Result<StartReport> find() {
-    if (is_free() && settles()) return relaxed();
+    Result<StartReport> start = search();
     if (is_given_up_) return given_up();
-    if (!take_thin_band() && !take_recovered_band()) return is_given_up_ ? given_up() : pierced();
-    const GrowthReport growth = grow_width(scene_, ribbon_, fraction_, observer_, bodies_, cloth_);
-    if (growth.is_given_up) return given_up();
-    if (!growth.complete) return no_room(growth);
-    if (!settles()) return is_given_up_ ? given_up() : is_too_close() ? too_close() : strained();
-    return relaxed();
+    return start;
   }
 
  private:
-  void tell(const std::string& what) {
-    if (observer_ && !observer_(what)) is_given_up_ = true;
+  Result<StartReport> search() {
+    if (is_free() && settles()) return relaxed();
+    if (!take_thin_band() && !take_recovered_band()) return pierced();
+    const GrowthReport growth = grow_width(
+        scene_, ribbon_, fraction_, [this](const auto& what) { return goes_on(what); }, bodies_,
+        cloth_);
+    if (!growth.complete) return no_room(growth);
+    if (!settles()) return is_too_close() ? too_close() : strained();
+    return relaxed();
+  }
+
+  // Tells the observer; false once that has given the search up.
+  bool goes_on(const std::string& what) {
+    is_given_up_ = is_given_up_ || (observer_ && !observer_(what));
+    return !is_given_up_;
   }
 
   // The band as generated, at a fraction of its width.
@@ -74,12 +82,12 @@ class StartSearch {
 
   // Settles the band at its whole width; are its minimum separation and its strain kept then?
   bool settles() {
-    tell("the ribbon settles at its whole width");
+    const std::string what = "the ribbon settles at its whole width";
+    if (!goes_on(what)) return false;
     fraction_ = 1;
     step_.settle(settling_rounds, bodies_, cloth_);
     for (int step = 0; step < parting_steps && (is_too_close() || is_strained()); ++step) {
-      tell("the ribbon settles at its whole width");
-      if (is_given_up_) return false;
+      if (!goes_on(what)) return false;
       step_.advance_under(Matrix3Xd(3, 0), bodies_, cloth_);
       cloth_.velocities.setZero();
     }
@@ -88,7 +96,7 @@ class StartSearch {
 
   StartReport relaxed() {
     const Matrix3Xd strained = cloth_.positions;
-    tell("the ribbon lets go of what bending it has strained");
+    if (!goes_on("the ribbon lets go of what bending it has strained")) return report_;
     const int steps = relax(scene_, ribbon_.size(), lengths_, bodies_, cloth_);
     if (steps > 0 && test_ && !test_(cloth_.positions)) cloth_.positions = strained;
     return report_;
@@ -118,9 +126,9 @@ class StartSearch {
     for (int part = pierced_ && of_obstacle(*pierced_) ? 1 : thinnest; part <= thinnest;
          part *= 2) {
       take_band(1.0 / part);
-      tell("the ribbon is moved out of what it pierces, " +
-           (part == 1 ? "at its whole width" : "at 1/" + std::to_string(part) + " of its width"));
-      if (is_given_up_) return false;
+      const std::string width =
+          part == 1 ? "at its whole width" : "at 1/" + std::to_string(part) + " of its width";
+      if (!goes_on("the ribbon is moved out of what it pierces, " + width)) return false;
       RecoverySettings settings = RecoverySettings::of_edge(shortest_edge_m());
       settings.patience = patience;
       report_.recovery_iterations += recover(bodies_, settings, cloth_.positions).iterations;

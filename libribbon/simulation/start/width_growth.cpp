@@ -93,8 +93,7 @@ GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fra
     StrainedEdges edges;
     TornEdge torn_edge;
     for (int n = 0; n < steps_per_stage; ++n) {
-      report.is_given_up = observer && !observer(what);
-      if (report.is_given_up) return report;
+      if (observer && !observer(what)) return report;
       step.advance_under(Matrix3Xd(3, 0), bodies, cloth);
       step.settle(rounds_a_width, bodies, cloth);
       ++report.steps;

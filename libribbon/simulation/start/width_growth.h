@@ -20,7 +20,6 @@ struct GrowthReport {
   double settled_fraction = 0;  // the largest fraction of it at which the band settled
   int strained_particle = 0;    // at the edge that is strained most
   int steps = 0;                // taken, at all widths
-  bool is_given_up = false;     // by the observer, whom each step asks
 };
 
 // Raises the rest width of the band, which lies free at a fraction of it, to all of it, by 5 % at a
@@ -28,8 +27,8 @@ struct GrowthReport {
 // steps without force, at rest before each, until it has settled: until at most 1 % of its edges,
 // along and across, are off their rest length by more than 10 %. At its full width it goes on,
 // within the same number of steps, until none is. Ends early where it does not settle: it has no
-// room, or its worst edge stays torn for some steps. All motion passes the contact of the scene,
-// which must be the gate.
+// room, its worst edge stays torn for some steps, or the observer, whom each step asks, gives it
+// up. All motion passes the contact of the scene, which must be the gate.
 GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fraction,
                         const StartObserver& observer, Bodies& bodies, Cloth& cloth);
 
