@@ -1,6 +1,7 @@
 #include "simulation/start/scene_limits.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -59,15 +60,6 @@ Result<void> recording_tells_positions(const Scene& scene, const RestSize& size,
                                 short_number(least, 3) + " or more"));
 }
 
-Result<void> single_precision_keeps_the_gap(const Scene& scene, const ContactLengths& lengths) {
-  if (recorded_gap_m(lengths) > 0) return {};
-  return failure(scene.name,
-                 "recording in single precision may move coordinates by " +
-                     metres(lengths.rounding_m) + ", so that surfaces kept " +
-                     metres(lengths.min_separation_m) + " apart could meet",
-                 "move the ribbon to the origin with curve.origin, or set fewer particles");
-}
-
 // Which is more than what the gap asks for.
 Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size,
                                         const ContactLengths& lengths) {
@@ -75,14 +67,17 @@ Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size
   const double most_m = coarsest_rounding_m(edge_m, least_aimed_strain);
   if (lengths.rounding_m <= most_m) return {};
   const double least = 0.99 * most_m / size.length_m;
-  return failure(scene.name,
-                 "recording may move coordinates by " + metres(lengths.rounding_m) +
-                     ", too much to keep edges of " + metres(edge_m) + " within " +
-                     short_number(100 * paper_strain_limit, 3) + " % of their rest length",
-                 least > least_position_error
-                     ? "set recording.max_position_error to " + short_number(least, 3) +
-                           " or less, or fewer particles"
-                     : "set fewer particles, or a shorter ribbon");
+  const bool lossless = is_lossless(scene);
+  return failure(
+      scene.name,
+      std::string("recording ") + (lossless ? "in single precision " : "") +
+          "may move coordinates by " + metres(lengths.rounding_m) + ", too much to keep edges of " +
+          metres(edge_m) + " within " + short_number(100 * paper_strain_limit, 3) +
+          " % of their rest length",
+      lossless ? "move the ribbon to the origin with curve.origin, or set fewer particles"
+      : least > least_position_error ? "set recording.max_position_error to " +
+                                           short_number(least, 3) + " or less, or fewer particles"
+                                     : "set fewer particles, or a shorter ribbon");
 }
 
 // Of the ribbon's length. Cloth that may hardly be strained takes the correction several times as
@@ -125,8 +120,8 @@ Result<void> check_precision(const Scene& as_read, const RestSize& size,
   if (kept && !is_lossless(as_read))
     kept = recording_tells_positions(as_read, size, lengths.rounding_m, ribbon_m);
   if (kept && as_read.contact == ContactMethod::gate)
-    kept = is_lossless(as_read) ? single_precision_keeps_the_gap(as_read, lengths)
-                                : recording_keeps_the_strain(as_read, size, lengths);
+    kept = recording_keeps_the_strain(as_read, size, lengths);
+  assert(!kept || as_read.contact != ContactMethod::gate || recorded_gap_m(lengths) > 0);
   return kept;
 }
 

@@ -132,6 +132,12 @@ TEST(SceneLimits, without_loss_a_ribbon_so_far_away_that_single_precision_lets_i
   EXPECT_EQ(refusal(scene, mesh), "");
   mesh.positions.row(0).array() += 60000;
   EXPECT_THAT(refusal(scene, mesh), HasSubstr("loop: recording in single precision may move"));
+  // A quarter of that leaves a gap, but may strain its edges of 2 cm by more than is left to it.
+  mesh.positions.row(0).array() -= 45000;
+  EXPECT_THAT(refusal(scene, mesh),
+              AllOf(HasSubstr("loop: recording in single precision may move"),
+                    HasSubstr("too much to keep edges of 0.02 m within 10 %"),
+                    HasSubstr("; move the ribbon to the origin with curve.origin")));
   scene.contact = ContactMethod::paper;
   EXPECT_EQ(refusal(scene, mesh), "");
 }
