@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -32,20 +33,26 @@ int even_stride(const std::vector<int>& kept) {
   return stride;
 }
 
+// Of single precision, which alone has moved the coordinates of a recording without loss.
+double rounding_m(float reach_m) {
+  return (std::nextafter(reach_m, std::numeric_limits<float>::infinity()) - reach_m) / 2.0;
+}
+
 Result<void> coarsen(RecordingHeader& header, double max_error_m, float reach_m) {
-  const double added_m = max_error_m - header.max_position_error_m;
+  const double error_m =
+      header.max_position_error_m > 0 ? header.max_position_error_m : rounding_m(reach_m);
+  const double added_m = max_error_m - error_m;
   if (added_m <= 0)
     return failure("",
-                   "its positions are within " + metres(header.max_position_error_m) +
+                   "its positions are within " + metres(error_m) +
                        " of the truth, so they cannot come to be within " + metres(max_error_m),
                    "leave --max-error out, or choose more");
   const double change_m = largest_change_m(added_m);
   if (header.stated_gap_m > 0 && change_m >= header.stated_gap_m)
-    return failure(
-        "", "layers could meet that it keeps " + metres(header.stated_gap_m) + " apart",
-        "choose less than " +
-            metres(header.max_position_error_m + header.stated_gap_m / largest_change_m(1)) +
-            " for --max-error");
+    return failure("", "layers could meet that it keeps " + metres(header.stated_gap_m) + " apart",
+                   "choose less than " +
+                       metres(error_m + header.stated_gap_m / largest_change_m(1)) +
+                       " for --max-error");
   header.stated_gap_m -= std::min(change_m, header.stated_gap_m);
   if (header.strain_limit > 0)
     header.strain_limit += change_m / rest_size(header).shortest_edge_m();

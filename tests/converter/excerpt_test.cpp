@@ -163,6 +163,26 @@ TEST_F(Excerpts, a_coarsening_that_closes_the_gap_is_refused_with_the_limit) {
   EXPECT_THAT(refusal_of(write("", before_m / 2)), HasSubstr("leave --max-error out"));
 }
 
+TEST_F(Excerpts, of_a_recording_without_loss_are_as_far_off_as_single_precision_to_begin_with) {
+  auto recorded = RecordingReader::open(source_).value();
+  RecordingHeader header = recorded.header();
+  header.max_position_error_m = 0;
+  header.quantisation_step_m = 0;
+  std::vector<Eigen::Matrix3Xd> frames;
+  for (int index = 0; index < 12; ++index)
+    frames.push_back(frame(recorded, index).cast<double>() +
+                     Eigen::Matrix3Xd::Constant(3, header.grid.particle_count(), 3));
+  std::filesystem::remove(source_);
+  write_recording(source_, header, frames);
+  // Half of what lies between the numbers from 2 to 4.
+  constexpr double single_m = 0x1p-23;
+  EXPECT_THAT(refusal_of(write("", 0.99 * single_m)),
+              HasSubstr("so they cannot come to be within 1.18e-07 m; leave --max-error out"));
+  ASSERT_TRUE(write("", 1e-6));
+  EXPECT_LE(RecordingReader::open(target_).value().header().quantisation_step_m,
+            2 * (1e-6 - single_m));
+}
+
 TEST_F(Excerpts, leave_nothing_behind_where_they_fail) {
   EXPECT_THAT(refusal_of(write("5:2:-1")), HasSubstr("forwards"));
   EXPECT_FALSE(std::filesystem::exists(target_));
