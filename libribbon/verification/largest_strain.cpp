@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 namespace {
@@ -14,10 +16,10 @@ void visit_limited_edges(const RestSize& rest, const LimitedEdges& limited, cons
   const RibbonGrid& grid = rest.grid;
   const double along_m = rest.along_m();
   const double across_m = rest.across_m();
-  const double diagonal_m = std::hypot(along_m, across_m);
+  const double diagonal_m = length_of(Eigen::Vector2d(along_m, across_m));
   const auto look = [&](int first, int second, double even_m) {
     look_at(first, second,
-            rest.has_profile() ? (rest.place_m(second) - rest.place_m(first)).norm() : even_m);
+            rest.has_profile() ? length_of(rest.place_m(second) - rest.place_m(first)) : even_m);
   };
   for (int q = 0; q < grid.quad_count(); ++q) {
     const auto [a, b, c, d] = grid.quad(q);
@@ -42,7 +44,7 @@ void visit_strains(const RestSize& rest, const LimitedEdges& limited,
                    const Eigen::Matrix3Xf& positions, const Visit& visit) {
   visit_limited_edges(rest, limited, [&](int first, int second, double rest_m) {
     const double length =
-        (positions.col(second).cast<double>() - positions.col(first).cast<double>()).norm();
+        length_of(positions.col(second).cast<double>() - positions.col(first).cast<double>());
     visit(first, second, std::abs(length / rest_m - 1));
   });
 }
