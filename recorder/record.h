@@ -1,4 +1,4 @@
-// From a scene to a recording: the stations in order.
+// From a scene to a recording: reads the obstacle; record_around.h has the stations in order.
 #pragma once
 
 #include "recorder/run/new_recording.h"

@@ -30,7 +30,7 @@ TYPES = re.compile(r"\b(Rotation2Dd?|AngleAxisd?|Quaterniond?|arc_endpoint_to_ce
 COMMENT = re.compile(r"//.*")
 
 PATTERNS = (
-    (LIBRARY, "'{}' of the C library is not exactly rounded; see geometry/angles.h, geometry/diagonal.h"),
+    (LIBRARY, "'{}' of the C library is not exactly rounded; see geometry/angles.h, geometry/vectors.h"),
     (EIGEN, "'{}' of Eigen has no order of its own; see geometry/vectors.h, integration/ordered_sums.h"),
     (TYPES, "'{}' calls functions of the C library; see geometry/angles.h"),
 )
