@@ -74,17 +74,19 @@ std::optional<Eigen::Index> first_not_finite(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
-// Is there a line that says just this, however lines end?
-bool has_line(const std::string& text, std::string_view line) {
+// Where the data of a PLY begin: behind the line that ends its header, however lines end.
+std::optional<std::size_t> begin_of_data(const std::string& ply) {
+  constexpr std::string_view last_line = "end_header";
   constexpr std::string_view line_ends = "\r\n";
-  for (std::size_t at = text.find(line); at != std::string::npos; at = text.find(line, at + 1)) {
-    const bool begins = at == 0 || line_ends.find(text[at - 1]) != std::string_view::npos;
-    const std::size_t behind = text.find_first_not_of(" \t", at + line.size());
-    if (begins && behind != std::string::npos &&
-        line_ends.find(text[behind]) != std::string_view::npos)
-      return true;
+  for (std::size_t at = ply.find(last_line); at != std::string::npos;
+       at = ply.find(last_line, at + 1)) {
+    const bool begins_a_line = at > 0 && line_ends.find(ply[at - 1]) != std::string_view::npos;
+    const std::size_t end = ply.find_first_not_of(" \t", at + last_line.size());
+    if (begins_a_line && end != std::string::npos &&
+        line_ends.find(ply[end]) != std::string_view::npos)
+      return end + (ply.compare(end, 2, line_ends) == 0 ? 2 : 1);
   }
-  return false;
+  return std::nullopt;
 }
 
 // PLY that assimp 5.2 reads wrongly: of triangle strips it takes the first triangle of each, of
@@ -97,12 +99,13 @@ Result<void> check_ply(const NamedFile& file) {
   opened.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(opened.gcount()));
   if (!head.starts_with("ply")) return {};
-  if (head.size() < longest_header && !has_line(head, "end_header"))
+  const auto data = begin_of_data(head);
+  if (!data && head.size() < longest_header)
     return failure(file, "is cut off: its header has no end", "export the object again");
-  std::istringstream lines(head);
+  std::istringstream lines(head.substr(0, data.value_or(head.size())));
   std::string line;
   bool is_binary = false;
-  while (std::getline(lines, line) && !line.starts_with("end_header")) {
+  while (std::getline(lines, line)) {
     is_binary |= line.starts_with("format binary");
     std::istringstream words(line);
     std::string element;
@@ -113,7 +116,7 @@ Result<void> check_ply(const NamedFile& file) {
       return failure(file, "holds triangle strips, which are not read",
                      "export the object with single triangles, for example as .obj");
   }
-  if (is_binary && lines.peek() == '\n')
+  if (is_binary && data && head[*data] == '\n')
     return failure(
         file,
         "holds binary data that happen to begin with the byte of a line end, which are not "

@@ -159,8 +159,6 @@ TEST(Obstacle, binary_ply_that_begins_with_the_byte_of_a_line_end_is_refused_wit
   EXPECT_TRUE(read_obstacle(scene_of(written("lucky.ply", ply_from(0x3CA3D70B)))).has_value());
 }
 
-// What fuzzing found: the first makes assimp 5.2 read at the end of the file for ever, the second
-// makes it abort.
 const std::string ply_cut_off =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_hea";
@@ -182,6 +180,8 @@ TEST(Obstacle, a_ply_may_end_its_lines_in_any_way) {
   }
 }
 
+// What fuzzing found: the first makes assimp 5.2 read at the end of the file for ever, the second
+// makes it abort.
 TEST(Obstacle, files_on_which_their_reader_hangs_or_crashes_are_refused_with_a_sentence) {
   // Longer than what is looked at.
   std::string cut = ply_cut_off;
