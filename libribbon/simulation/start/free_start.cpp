@@ -110,7 +110,7 @@ class StartSearch {
 
   bool take_thin_band() {
     report_.kind = StartKind::grown;
-    for (int part = 2; part <= thinnest; part *= 2) {
+    for (int part = 2; part <= thinnest && !is_given_up_; part *= 2) {
       take_band(1.0 / part);
       if (is_free()) return true;
     }

@@ -67,17 +67,20 @@ Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size
   const double most_m = coarsest_rounding_m(edge_m, least_aimed_strain);
   if (lengths.rounding_m <= most_m) return {};
   const double least = 0.99 * most_m / size.length_m;
-  const bool lossless = is_lossless(scene);
-  return failure(
-      scene.name,
-      std::string("recording ") + (lossless ? "in single precision " : "") +
-          "may move coordinates by " + metres(lengths.rounding_m) + ", too much to keep edges of " +
-          metres(edge_m) + " within " + short_number(100 * paper_strain_limit, 3) +
-          " % of their rest length",
-      lossless ? "move the ribbon to the origin with curve.origin, or set fewer particles"
-      : least > least_position_error ? "set recording.max_position_error to " +
-                                           short_number(least, 3) + " or less, or fewer particles"
-                                     : "set fewer particles, or a shorter ribbon");
+  std::string what = "recording";
+  std::string remedy = "set fewer particles, or a shorter ribbon";
+  if (is_lossless(scene)) {
+    what += " in single precision";
+    remedy = "move the ribbon to the origin with curve.origin, or set fewer particles";
+  } else if (least > least_position_error) {
+    remedy = "set recording.max_position_error to " + short_number(least, 3) +
+             " or less, or fewer particles";
+  }
+  return failure(scene.name,
+                 what + " may move coordinates by " + metres(lengths.rounding_m) +
+                     ", too much to keep edges of " + metres(edge_m) + " within " +
+                     short_number(100 * paper_strain_limit, 3) + " % of their rest length",
+                 remedy);
 }
 
 // Of the ribbon's length. Cloth that may hardly be strained takes the correction several times as
@@ -119,9 +122,9 @@ Result<void> check_precision(const Scene& as_read, const RestSize& size,
       Eigen::Vector2d(ribbon_m, obstacle_m).maxCoeff<Eigen::PropagateNaN>());
   if (kept && !is_lossless(as_read))
     kept = recording_tells_positions(as_read, size, lengths.rounding_m, ribbon_m);
-  if (kept && as_read.contact == ContactMethod::gate)
-    kept = recording_keeps_the_strain(as_read, size, lengths);
-  assert(!kept || as_read.contact != ContactMethod::gate || recorded_gap_m(lengths) > 0);
+  if (!kept || as_read.contact != ContactMethod::gate) return kept;
+  kept = recording_keeps_the_strain(as_read, size, lengths);
+  assert(!kept || recorded_gap_m(lengths) > 0);
   return kept;
 }
 
