@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <filesystem>
 
 #include "files/temporary_folder.h"
+#include "files/watched_disk.h"
 #include "recording/size_limit.h"
 #include "result/refusal.h"
 
@@ -33,12 +35,24 @@ TEST(Files, a_failed_write_leaves_the_older_file_alone) {
       << "a temporary file was left behind";
 }
 
+// Another process may have taken it for what a kill has left.
+TEST(Files, what_somebody_has_removed_is_written_once_more) {
+  const auto file = temporary_file("removed.bin");
+  WatchedDisk disk;
+  disk.refuse("rename", ENOENT);
+  EXPECT_TRUE(write_file(file, "again").has_value());
+  EXPECT_EQ(read_file(file).value(), "again");
+  disk.refuse("rename", ENOENT, 2);
+  EXPECT_THAT(refusal_of(write_file(file, "x")), HasSubstr("was removed by somebody else"));
+}
+
 TEST(Files, a_missing_file_is_named) {
   EXPECT_THAT(refusal_of(read_file("/no/such/file")), StartsWith("/no/such/file: "));
 }
 
 TEST(Files, a_folder_is_not_a_file) {
-  EXPECT_FALSE(read_file(testing::TempDir()).has_value());
+  EXPECT_EQ(refusal_of(read_file(testing::TempDir())),
+            testing::TempDir() + ": is a folder; name a file");
 }
 
 TEST(Files, a_device_that_never_ends_is_not_read) {
@@ -72,6 +86,9 @@ TEST(Files, what_would_be_replaced_is_known) {
   const auto link = file.parent_path() / "link";
   std::filesystem::create_symlink(file, link);
   EXPECT_TRUE(is_same_file(file, link));
+  const auto second_name = file.parent_path() / "second name";
+  std::filesystem::create_hard_link(file, second_name);
+  EXPECT_TRUE(is_same_file(file, second_name));
   std::filesystem::remove(file);
   EXPECT_TRUE(is_taken(link)) << "it leads nowhere";
   EXPECT_FALSE(is_same_file(file, file.parent_path() / "other.bin"));

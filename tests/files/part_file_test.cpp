@@ -1,11 +1,14 @@
 #include "files/part_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <cerrno>
 #include <filesystem>
 
 #include "files/files.h"
 #include "files/temporary_folder.h"
+#include "files/watched_disk.h"
 #include "result/refusal.h"
 
 namespace ribbon::part_file_test {
@@ -75,6 +78,55 @@ TEST(PartFile, takes_no_place_where_something_came_meanwhile_and_stays_itself) {
   EXPECT_EQ(read_file(whole).value(), "the next");
   std::filesystem::remove(path);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(whole.parent_path()), {}), 1);
+}
+
+// As those of memory cards.
+TEST(PartFile, takes_only_a_free_place_on_file_systems_that_know_no_second_names_either) {
+  const auto whole = temporary_file("one name each") / "whole.bin";
+  WatchedDisk disk;
+  disk.refuse("link", EPERM, 2);
+  ASSERT_TRUE(PartFile::create(whole)->take_place_of(whole, Older::stays).has_value());
+  ASSERT_TRUE(write_file(whole, "somebody else's"));
+  EXPECT_THAT(refusal_of(PartFile::create(whole)->take_place_of(whole, Older::stays)),
+              HasSubstr("was put there by somebody else meanwhile"));
+  EXPECT_EQ(read_file(whole).value(), "somebody else's");
+}
+
+// Nothing could be lost in it, but somebody reads from it.
+TEST(PartFile, takes_no_place_where_a_pipe_came_meanwhile) {
+  const auto whole = temporary_file("a pipe came") / "whole.bin";
+  auto part = PartFile::create(whole).value();
+  ASSERT_EQ(::mkfifo(whole.c_str(), 0600), 0);
+  EXPECT_FALSE(part.take_place_of(whole, Older::stays).has_value());
+  EXPECT_TRUE(std::filesystem::is_fifo(whole));
+}
+
+TEST(PartFile, of_no_other_file_is_taken_for_what_a_kill_has_left) {
+  namespace fs = std::filesystem;
+  const auto folder = temporary_file("left.part 1");
+  const auto linked = temporary_file("left by links");
+  const std::vector<std::string> others = {"a.obj",        "a.obj.part", "a.obj.partial",
+                                           "a.obj.part1b", "a.obj.1",    "b.obj.part1"};
+  for (const std::string& name : others) ASSERT_TRUE(write_file(folder / name, name));
+  for (const auto& left : {folder / "a.obj.part12", linked / "c.obj.part0"})
+    ASSERT_TRUE(write_file(left, "left"));
+  fs::create_symlink(linked / "c.obj", folder / "link.obj");
+  ASSERT_TRUE(write_file(linked / "c.obj", "whole"));
+  remove_leftovers({folder / "a.obj", folder / "link.obj"});
+  for (const std::string& name : others) EXPECT_TRUE(fs::exists(folder / name)) << name;
+  EXPECT_FALSE(fs::exists(folder / "a.obj.part12"));
+  EXPECT_FALSE(fs::exists(linked / "c.obj.part0"));
+  EXPECT_TRUE(fs::exists(linked / "c.obj"));
+}
+
+TEST(PartFile, the_folder_that_is_synced_is_that_of_the_file_itself) {
+  const auto whole = temporary_file("synced folder") / "whole.bin";
+  const auto link = temporary_file("other folder") / "link.bin";
+  ASSERT_TRUE(write_file(whole, "whole") && create_folder_of(link));
+  std::filesystem::create_symlink(whole, link);
+  const WatchedDisk disk;
+  sync_folder_of(link);
+  EXPECT_THAT(disk.calls(), testing::ElementsAre("sync synced folder"));
 }
 
 TEST(PartFile, is_refused_under_the_name_of_a_folder_which_is_not_created) {

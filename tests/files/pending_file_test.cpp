@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <filesystem>
 
 #include "files/files.h"
 #include "files/temporary_folder.h"
+#include "files/watched_disk.h"
 #include "result/refusal.h"
 
 namespace ribbon::pending_file_test {
@@ -36,6 +38,50 @@ TEST(PendingFile, pieces_of_any_size_stay_in_their_order) {
   }
   ASSERT_TRUE(file.finish());
   EXPECT_TRUE(read_file(path).value() == expected);
+}
+
+// A power cut must not leave an empty file under the name.
+TEST(PendingFile, is_on_the_disk_before_it_has_its_name) {
+  const auto path = temporary_file("synced") / "file.bin";
+  for (const auto& [older, takes_its_place] :
+       {std::pair(Older::stays, "link file.bin"), {Older::is_replaced, "rename file.bin"}}) {
+    const WatchedDisk disk;
+    ASSERT_TRUE(write_file(path, "whole", older));
+    EXPECT_THAT(disk.calls(), testing::ElementsAre("sync file.bin.part", takes_its_place));
+  }
+}
+
+TEST(PendingFile, that_may_not_have_reached_the_disk_leaves_the_older_one) {
+  const auto path = temporary_file("not synced") / "file.bin";
+  ASSERT_TRUE(write_file(path, "older"));
+  for (const char* call : {"write", "sync", "close"}) {
+    WatchedDisk disk;
+    disk.refuse(call, EIO);
+    EXPECT_EQ(refusal_of(write_file(path, "newer")),
+              path.string() + ": cannot be written (Input/output error); choose another place")
+        << call;
+    EXPECT_EQ(read_file(path).value(), "older") << call;
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path.parent_path()), {}), 1);
+}
+
+TEST(PendingFile, of_a_user_who_may_not_have_more_may_pass_as_on_a_full_disk) {
+  WatchedDisk disk;
+  disk.refuse("write", EDQUOT, 2);
+  const auto written = write_file(temporary_file("quota.bin"), "bytes");
+  EXPECT_THAT(refusal_of(written), EndsWith("; free some space or choose another place"));
+  EXPECT_TRUE(written.error().may_pass);
+}
+
+TEST(PendingFile, is_whole_though_the_system_takes_a_few_bytes_at_a_time) {
+  const auto path = temporary_file("few bytes.bin");
+  auto file = PendingFile::create(path).value();
+  WatchedDisk disk;
+  disk.dawdle();
+  ASSERT_TRUE(file.append("length ???????????, then the rest"));
+  ASSERT_TRUE(file.overwrite(7, "thirty-four"));
+  ASSERT_TRUE(file.finish());
+  EXPECT_EQ(read_file(path).value(), "length thirty-four, then the rest");
 }
 
 TEST(PendingFile, what_is_not_finished_leaves_nothing_behind) {

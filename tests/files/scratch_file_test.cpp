@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <filesystem>
+#include <string>
 
 #include "files/files.h"
 #include "files/temporary_folder.h"
+#include "files/watched_disk.h"
 #include "result/refusal.h"
 
 namespace ribbon::scratch_file_test {
@@ -26,6 +29,20 @@ TEST(ScratchFile, has_no_name_and_comes_out_as_it_went_in) {
   ASSERT_TRUE(whole.append(" back"));
   ASSERT_TRUE(whole.finish());
   EXPECT_TRUE(read_file(path).value() == expected + " back");
+}
+
+TEST(ScratchFile, a_disk_that_takes_no_more_is_told_on_the_way_in_and_out) {
+  const auto path = temporary_file("full scratch") / "whole.bin";
+  auto scratch = ScratchFile::create(path).value();
+  auto whole = PendingFile::create(path).value();
+  WatchedDisk disk;
+  disk.refuse("write", ENOSPC);
+  EXPECT_THAT(refusal_of(scratch.append("lost")),
+              testing::StartsWith(path.string() + ": cannot be written"));
+  ASSERT_TRUE(scratch.append(std::string(70'000, 'x')));
+  disk.refuse("write", ENOSPC);
+  EXPECT_THAT(refusal_of(scratch.append_to(whole)),
+              testing::StartsWith(path.string() + ": cannot be written"));
 }
 
 TEST(ScratchFile, an_unwritable_place_is_named) {
