@@ -146,10 +146,12 @@ TEST(HeaderRecord, stages_come_back_but_not_more_than_a_byte_counts) {
   header.stages.assign(255, "x");
   std::string payload = header_payload(header);
   EXPECT_EQ(parse_header_payload(payload)->stages.size(), 255U);
-  const std::size_t count_at = payload.size() - marks_bytes - std::size_t{255} * 5 - count_bytes;
+  const std::size_t last_at = payload.size() - marks_bytes - 5;
+  payload.insert(last_at, payload.substr(last_at, 5));
+  const std::size_t count_at = last_at - std::size_t{254} * 5 - count_bytes;
   payload[count_at + 1] = 1;
   payload[count_at] = 0;
-  EXPECT_FALSE(parse_header_payload(payload + std::string(8, '\0')).has_value());
+  EXPECT_FALSE(parse_header_payload(payload).has_value());
 }
 
 TEST(HeaderRecord, marks_and_the_part_to_certify_come_back) {
@@ -178,8 +180,10 @@ TEST(HeaderRecord, places_beyond_the_ribbon_and_more_marks_than_can_be_are_refus
   EXPECT_FALSE(is_taken({}, KnotBetween{{std::numeric_limits<double>::quiet_NaN(), 1}, ""}));
   EXPECT_TRUE(is_taken(std::vector<RecordedMark>(255, {"x", 0.5}), {}));
   std::string payload = header_payload(sample_header());
-  payload[payload.size() - marks_bytes + 1] = 1;
-  EXPECT_FALSE(parse_header_payload(payload + std::string(5000, '\0')).has_value());
+  const std::size_t marks_at = payload.size() - marks_bytes;
+  payload[marks_at + 1] = 1;
+  payload.insert(marks_at + count_bytes, std::string(256UL * (count_bytes + sizeof(double)), '\0'));
+  EXPECT_FALSE(parse_header_payload(payload).has_value());
 }
 
 TEST(HeaderRecord, row_widths_come_back_or_are_none) {
@@ -217,7 +221,8 @@ TEST(HeaderRecord, more_or_fewer_row_widths_than_rows_are_refused) {
   for (const int surplus : {-1, 0, 1}) {
     std::string widths;
     for (int row = 0; row < header.grid.along + surplus; ++row)
-      put<float>(widths, static_cast<float>(header.ribbon_width_m));
+      put<float>(widths, static_cast<float>(header.ribbon_width_m * header.grid.along /
+                                            (header.grid.along + surplus)));
     const auto count = static_cast<std::uint32_t>(header.grid.along + surplus);
     EXPECT_EQ(parse_header_payload(before + columns(count, widths)).has_value(), surplus == 0);
   }
@@ -233,6 +238,14 @@ TEST(HeaderRecord, an_older_major_version_is_refused_with_a_sentence) {
       "program, or record it again");
   EXPECT_EQ(refusal_of(parse_header_payload(payload.substr(0, 20))),
             "was written in format version 2.4, this program reads version 7; record it again");
+  payload[0] = 1;
+  EXPECT_EQ(refusal_of(parse_header_payload(payload)),
+            "was written in format version 1.4, this program reads version 7; record it again")
+      << "its header told other fields";
+  RecordingHeader header = sample_header();
+  header.writer.clear();
+  EXPECT_EQ(refusal_of(parse_header_payload(header_payload(header).replace(0, 1, "\2"))),
+            "was written in format version 2.0, this program reads version 7; record it again");
 }
 
 TEST(HeaderRecord, the_origin_comes_back) {
@@ -256,6 +269,8 @@ TEST(HeaderRecord, counts_that_lie_are_refused) {
   EXPECT_FALSE(parse_header_payload(with_grid(4096, 4096)).has_value());
   EXPECT_FALSE(parse_header_payload(with_grid(0xFFFFFFFF, 0xFFFFFFFF)).has_value());
   EXPECT_FALSE(parse_header_payload(with_grid(0x80000000, 2)).has_value());
+  EXPECT_TRUE(is_recordable({4096, 4096}));
+  EXPECT_FALSE(is_recordable({4097, 4096}));
 }
 
 // A point for each row of the ribbon with the most rows.
@@ -274,12 +289,21 @@ bool is_taken_with(const std::function<void(RecordingHeader&)>& change) {
 TEST(HeaderRecord, triangles_of_missing_vertices_are_refused) {
   EXPECT_TRUE(is_taken_with([](auto& header) { header.obstacle->triangles(1, 3) = 5; }));
   EXPECT_FALSE(is_taken_with([](auto& header) { header.obstacle->triangles(1, 3) = 6; }));
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.obstacle->triangles(1, 3) = -1; }));
 }
 
 TEST(HeaderRecord, impossible_numbers_are_refused) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(is_taken_with([](auto& header) { header.frames_per_second = nan; }));
+  for (const double size : {-1.0, 0.0, nan, infinity}) {
+    EXPECT_FALSE(is_taken_with([=](auto& header) { header.ribbon_length_m = size; })) << size;
+    EXPECT_FALSE(is_taken_with([=](auto& header) { header.ribbon_width_m = size; })) << size;
+  }
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.uv(1, 5) = nan; }));
+  EXPECT_FALSE(is_taken_with([](auto& header) { header.scene_name.clear(); }));
+  for (const double step : {-1e-6, nan, 1e38})
+    EXPECT_FALSE(is_taken_with([=](auto& header) { header.quantisation_step_m = step; })) << step;
   EXPECT_FALSE(is_taken_with([](auto& header) { header.max_position_error_m = -1e-5; }));
   EXPECT_FALSE(is_taken_with([](auto& header) { header.obstacle->vertices(0, 0) = infinity; }));
   for (const double gap : {-1e-9, nan, infinity})

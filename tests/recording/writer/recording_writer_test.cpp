@@ -140,6 +140,10 @@ TEST(RecordingWriter, an_obstacle_that_no_reader_would_take_is_refused) {
   EXPECT_EQ(refusal_of(RecordingWriter::create("large.rbn", header)),
             "large.rbn: a recording holds at most 2^26 vertices and as many triangles of its "
             "obstacle, not 67108865 and 8; take a coarser mesh");
+  header = sample_header();
+  header.obstacle->triangles.resize(3, (1 << 26) + 1);
+  EXPECT_THAT(refusal_of(RecordingWriter::create("large.rbn", header)),
+              HasSubstr("of its obstacle, not 6 and 67108865; take a coarser mesh"));
   EXPECT_FALSE(std::filesystem::exists("large.rbn"));
 }
 
