@@ -20,6 +20,7 @@ TEST(ClosestOnTriangle, above_the_inside_it_is_the_foot_of_the_perpendicular) {
 TEST(ClosestOnTriangle, beyond_an_edge_it_lies_on_the_edge_and_beyond_a_corner_on_the_corner) {
   EXPECT_TRUE(closest_on_triangle({1, -5, 1}, a, b, c).isApprox(Vector3d(0.5, 0.5, 0)));
   EXPECT_TRUE(closest_on_triangle({9, -1, 0}, a, b, c).isApprox(Vector3d(0, 1, 0)));
+  EXPECT_TRUE(closest_on_triangle({-3, 1, 1}, a, b, c).isApprox(Vector3d(0.5, 0, 0.5)));
   EXPECT_TRUE(closest_on_triangle({3, 3, 0}, a, b, c).isApprox(Vector3d(0, 0.5, 0.5)));
 }
 
@@ -52,6 +53,9 @@ TEST(ClosestOnSegments, a_segment_without_length_is_its_point) {
   const Vector3d beside(0.5, 3, 0);
   EXPECT_EQ(closest_on_segments(a, b, beside, beside)[0], 0.25);
   EXPECT_EQ(closest_on_segments(beside, beside, a, b)[1], 0.25);
+  const Vector3d beyond(9, 3, 0);
+  EXPECT_EQ(closest_on_segments(beyond, beyond, a, b)[1], 1);
+  EXPECT_FALSE(closest_on_segments(beyond, beyond, a, b).hasNaN());
 }
 
 TEST(ClosestOnSegments, of_crossing_lines_it_is_the_common_perpendicular) {
@@ -71,6 +75,7 @@ TEST(ClosestOnSegments, no_other_pair_of_points_is_closer) {
     const Vector3d q0 = point();
     const Vector3d q1 = trial % 4 == 0 ? Vector3d(q0 + (p1 - p0)) : point();  // some are parallel
     const Vector2d st = closest_on_segments(p0, p1, q0, q1);
+    EXPECT_TRUE((st.array() >= 0).all() && (st.array() <= 1).all()) << trial;
     const double found = (p0 + st[0] * (p1 - p0) - q0 - st[1] * (q1 - q0)).norm();
     for (int i = 0; i <= 20; ++i)
       for (int j = 0; j <= 20; ++j)

@@ -33,6 +33,12 @@ TEST(ObjectAxis, runs_from_end_to_end_of_a_post) {
   EXPECT_FALSE(axis.is_inside(2.1));
 }
 
+TEST(ObjectAxis, runs_through_an_object_whose_faces_are_inside_out) {
+  TriangleMesh post = closed(tube(0.1, -1, 2));
+  post.triangles.row(0).swap(post.triangles.row(1));
+  EXPECT_NEAR(object_axis(upright, post).value().extent().high_m, 2, 1e-6);
+}
+
 TEST(ObjectAxis, runs_from_end_to_end_of_a_pipe_that_is_open) {
   const auto axis = object_axis(upright, tube(0.1, -1, 2)).value();
   EXPECT_NEAR(axis.extent().low_m, -1, 1e-3);

@@ -20,6 +20,16 @@ TEST(Pierce, works_from_both_sides) {
   EXPECT_TRUE(pierce({1, 1, 3}, {1, 1, -1}, a, c, b).has_value());
 }
 
+TEST(Pierce, what_goes_through_the_border_goes_through) {
+  for (const double from : {1, -1}) {
+    EXPECT_TRUE(pierce({2, 0, from}, {2, 0, -from}, a, b, c)
+                    .value()
+                    .weights.isApprox(Vector3d(0.5, 0.5, 0)));
+    EXPECT_TRUE(
+        pierce({4, 0, from}, {4, 0, -from}, a, b, c).value().weights.isApprox(Vector3d(0, 1, 0)));
+  }
+}
+
 TEST(Pierce, an_edge_beside_short_of_or_along_the_triangle_does_not) {
   EXPECT_FALSE(pierce({3, 3, 1}, {3, 3, -1}, a, b, c).has_value());
   EXPECT_FALSE(pierce({1, 1, 3}, {1, 1, 0.001}, a, b, c).has_value());
