@@ -109,6 +109,7 @@ TEST(Stages, what_cannot_be_is_refused_where_it_stands) {
   const std::string hand = "[[stage.hand]]\n" + pulling_hand;
   for (const Case& wrong : std::vector<Case>{
            {one_stage("", "at = [0, 1.5]\npull = [1, 0, 0]\n"), ":17:6", "from 0 to 1"},
+           {one_stage("", "at = [-0.5, 0.25]\npull = [1, 0, 0]\n"), ":17:6", "from 0 to 1"},
            {one_stage("", "at = [0.5, 0.25]\npull = [1, 0, 0]\n"), ":17:6", "the smaller first"},
            {one_stage("", "pull = [1, 0, 0]\n"), ":16:1", "'at' is missing in [[stage.hand]]"},
            {one_stage("", "at = [0, 1]\npull = [0, 0, 0]\n"), ":18:8", "not all zeros"},
@@ -164,6 +165,19 @@ TEST(Stages, what_cannot_be_is_refused_where_it_stands) {
     EXPECT_THAT(sentence, HasSubstr("knot.toml" + wrong.place)) << sentence;
     EXPECT_THAT(sentence, HasSubstr(wrong.words)) << sentence;
   }
+}
+
+TEST(Stages, are_as_many_as_frames_can_tell_of) {
+  std::string text = fastened("");
+  for (int stage = 0; stage < most_stages; ++stage)
+    text += "[[stage]]\n[[stage.hand]]\n" + pulling_hand;
+  EXPECT_EQ(complaint(text), "");
+  EXPECT_THAT(complaint(text + "[[stage]]\n[[stage.hand]]\n" + pulling_hand),
+              HasSubstr("there are too many stages; write at most 200"));
+}
+
+TEST(Stages, one_that_waits_to_be_tight_for_a_time_needs_nobody_who_pulls) {
+  EXPECT_EQ(complaint(one_stage("at_most = 2\n", "at = [0, 1]\nhold = true\n")), "");
 }
 
 TEST(Stages, hands_that_meet_do_not_fight_and_those_of_other_stages_are_others) {
