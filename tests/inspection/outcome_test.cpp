@@ -17,6 +17,8 @@ TEST(Embraces, a_loop_round_the_object_does) {
   EXPECT_TRUE(embraces({.turns = 3}));
   EXPECT_TRUE(embraces({.height_m = 0.29}));
   EXPECT_TRUE(embraces({.height_m = -0.29}));
+  EXPECT_TRUE(embraces(*object_axis(upright, object), looped({}).rowwise().reverse()))
+      << "from its other end";
 }
 
 TEST(Embraces, a_loop_beside_the_object_does_not) {

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "files/files.h"
+#include "files/flipped.h"
 #include "inspection/looped_ribbon.h"
 #include "knot/knotted_curves.h"
 #include "recording/sample_recording.h"
@@ -53,6 +55,39 @@ TEST(Verify, the_sample_is_in_order) {
 
 TEST(Verify, a_recorder_that_was_stopped_leaves_nothing_wrong) {
   EXPECT_EQ(verify_file(sample(7, Ending::killed)).complaints(), Complaints{});
+}
+
+TEST(Verify, all_that_is_wrong_is_told) {
+  Verification verification;
+  verification.intersecting_pairs = 1;
+  verification.header.stated_gap_m = 1e-4;
+  verification.smallest_gap = {{9e-5, {0, 1}}, 1};
+  verification.knot.changes.emplace_back();
+  verification.knot.uncertain_frames = 1;
+  verification.parts.emplace_back();
+  verification.parts[0].knot.changes.emplace_back();
+  verification.parts[0].knot.uncertain_frames = 1;
+  verification.parts[0].knot.unexpected_frames = 1;
+  verification.not_finite = {3};
+  verification.lost = {4};
+  verification.damaged = true;
+  EXPECT_EQ(verification.complaints(),
+            (Complaints{"triangles intersect", "the stated gap is not kept", "the knot has changed",
+                        "the knot cannot be certified", "the knot of a part has changed",
+                        "the knot of a part cannot be certified",
+                        "the knot of a part is not the one expected", "coordinates are no numbers",
+                        "frames are lost"}));
+}
+
+TEST(Verify, a_lost_frame_is_wrong_and_elsewhere_than_asked_for_the_file_is_damaged) {
+  const auto last_begins = std::filesystem::file_size(sample(6, Ending::killed));
+  const auto path = sample(7, Ending::killed);
+  ASSERT_TRUE(write_file(path, flipped(read_file(path).value(), last_begins + 100)));
+  const Verification verification = verify_file(path);
+  EXPECT_EQ(verification.lost, std::vector<int>{7});
+  EXPECT_EQ(verification.frames_checked, 6);
+  EXPECT_EQ(verification.complaints(), Complaints{"frames are lost"});
+  EXPECT_EQ(verify_file(path, {0, 1}).complaints(), Complaints{"the file is damaged"});
 }
 
 TEST(Verify, only_the_frames_asked_for_are_checked_and_certified) {
@@ -216,17 +251,18 @@ TEST(Verify, a_knot_that_is_expected_has_to_be_seen) {
 
 TEST(Verify, intersecting_frames_are_counted_and_the_worst_is_named) {
   const RecordingHeader header = sample_header();
-  std::vector<Eigen::Matrix3Xd> frames(7, sample_positions(0));
-  frames[2].row(1).array() -= 0.15;  // the tip of the stone comes through
-  frames[5].row(1).array() -= 0.3;   // right through the middle
+  std::vector<Eigen::Matrix3Xd> frames(10, sample_positions(0));
+  for (const std::size_t frame : {2U, 6U, 7U, 8U, 9U})
+    frames[frame].row(1).array() -= 0.15;  // the tip of the stone comes through
+  frames[5].row(1).array() -= 0.3;         // right through the middle
   const Verification verification = verify_frames(header, frames);
   EXPECT_EQ(
       verification.complaints(),
       (Complaints{"triangles intersect", "the stated gap is not kept", "the knot has changed"}));
-  EXPECT_EQ(verification.intersecting_frames, 2);
+  EXPECT_EQ(verification.intersecting_frames, 6);
   EXPECT_EQ(verification.most_intersections->frame, 6);
   EXPECT_GT(verification.intersecting_pairs, verification.most_intersections->pairs);
-  ASSERT_EQ(verification.first_intersections.size(), 2U);
+  ASSERT_EQ(verification.first_intersections.size(), 5U);
   EXPECT_EQ(verification.first_intersections[0].frame, 3);
   EXPECT_EQ(verification.first_intersections[0].time_s, 0.04);
   EXPECT_GE(verification.first_intersections[0].pair.second, header.grid.triangle_count());
