@@ -262,6 +262,25 @@ TEST_F(DamagedRecording, bytes_behind_the_footer_cost_nothing) {
   EXPECT_TRUE(lost_frames(reader).empty());
 }
 
+// What stands there may be a frame, and the last one; it is counted once.
+TEST_F(DamagedRecording, a_damaged_tail_that_grows_is_no_more_frames) {
+  auto reader = open(flipped(killed_, begin_[frames - 1] + record_head_bytes + 3)).value();
+  EXPECT_EQ(reader.frame_count(), frames);
+  std::ofstream(path_, std::ios::app | std::ios::binary) << record_magic;
+  ASSERT_TRUE(reader.refresh().has_value());
+  EXPECT_EQ(reader.frame_count(), frames);
+}
+
+TEST_F(DamagedRecording, a_run_that_was_taken_up_and_stopped_at_once_has_no_end) {
+  auto reader = open(finished_).value();
+  EXPECT_TRUE(reader.finished());
+  std::ofstream(path_, std::ios::app | std::ios::binary) << make_record(
+      RecordType::session, session_payload(reader.recording_id(), {frames, session_.note}));
+  ASSERT_TRUE(reader.refresh().has_value());
+  EXPECT_FALSE(reader.finished());
+  EXPECT_FALSE(RecordingReader::open(path_)->finished());
+}
+
 TEST_F(DamagedRecording, an_unknown_record_is_skipped) {
   std::string bytes = killed_;
   bytes.insert(begin_[7], make_record(static_cast<RecordType>(4711), "what later versions know"));
@@ -444,6 +463,18 @@ TEST_F(DamagedFirstIndex, found_while_the_file_grows_costs_nothing) {
     EXPECT_EQ(reader.readable(255), bytes == damaged_);
     EXPECT_TRUE(is_read(reader, 256));
   }
+}
+
+// As a recorder leaves it that was killed just then, on a disk that lost its last frame.
+TEST_F(DamagedFirstIndex, an_index_tells_of_lost_frames_at_the_end) {
+  std::string bytes = read_file(path_).value();
+  const auto index = parse_record_head(bytes.substr(first_index(), record_head_bytes));
+  bytes.resize(first_index() + record_head_bytes + index->payload_bytes);
+  std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(before_[255]),
+            bytes.begin() + static_cast<std::ptrdiff_t>(first_index()), '\0');
+  auto reader = open(bytes).value();
+  EXPECT_EQ(reader.frame_count(), 256);
+  EXPECT_FALSE(reader.readable(255));
 }
 
 // The file is that long, but most of it was never written.

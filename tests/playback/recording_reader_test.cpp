@@ -72,8 +72,9 @@ TEST(RecordingReader, what_is_no_recording_is_refused) {
     ASSERT_TRUE(write_file(path, bytes).has_value());
     EXPECT_THAT(refusal_of(RecordingReader::open(path)), HasSubstr("is not a ribbon recording"));
   }
-  EXPECT_FALSE(RecordingReader::open(testing::TempDir()).has_value());
-  EXPECT_FALSE(RecordingReader::open("/dev/null").has_value());
+  for (const std::string& no_file : {testing::TempDir(), std::string("/dev/null")})
+    EXPECT_EQ(refusal_of(RecordingReader::open(no_file)),
+              no_file + ": is not a file; name a recording");
 }
 
 // As a recorder leaves it that is killed at once.
