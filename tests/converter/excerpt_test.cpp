@@ -147,6 +147,9 @@ TEST_F(Excerpts, coarsened_ones_lose_no_more_of_the_gap_than_they_state) {
   const double lost_m = source.header().stated_gap_m - target.header().stated_gap_m;
   EXPECT_NEAR(lost_m, 2 * std::sqrt(3) * added_m, 1e-12);
   EXPECT_GE(smallest_gap_m(target), smallest_gap_m(source) - lost_m);
+  const double shortest_m = rest_size(source.header()).shortest_edge_m();
+  EXPECT_NEAR(target.header().strain_limit - source.header().strain_limit, lost_m / shortest_m,
+              1e-12);
   float largest = 0;
   for (int index = 0; index < 12; ++index)
     largest =
@@ -160,7 +163,8 @@ TEST_F(Excerpts, a_coarsening_that_closes_the_gap_is_refused_with_the_limit) {
   const double limit_m = before_m + 1e-4 / (2 * std::sqrt(3));
   EXPECT_THAT(refusal_of(write("", 1.001 * limit_m)), HasSubstr("layers could meet"));
   EXPECT_TRUE(write("", 0.999 * limit_m));
-  EXPECT_THAT(refusal_of(write("", before_m / 2)), HasSubstr("leave --max-error out"));
+  for (const double error_m : {before_m / 2, before_m})
+    EXPECT_THAT(refusal_of(write("", error_m)), HasSubstr("leave --max-error out"));
 }
 
 TEST_F(Excerpts, of_a_recording_without_loss_are_as_far_off_as_single_precision_to_begin_with) {

@@ -160,6 +160,8 @@ def check_textured_on_both_sides(verdicts, convert, folder):
     corners = ribbon.properties["faceVertexIndices"].value.reshape(-1, 3)
     good = good and corners[faces - side :].min() >= 48 and corners[: faces - side, 0].min() < 48
     good = good and subset.properties["material:binding"] == "/World/Materials/ribbon_back"
+    obstacle = world.children["small_object"]
+    good = good and obstacle.properties["material:binding"] == "/World/Materials/obstacle"
     good = good and shows_picture(world, "ribbon", out, front)
     good = good and shows_picture(world, "ribbon_back", out, back)
     verdicts.say(good, "textured on both sides .usda", "a picture for each")

@@ -287,11 +287,21 @@ TEST_F(StoppedConversion, removes_what_a_kill_has_left_of_its_files) {
                                       "a.0005.obj", "a.mtl", others, "knot.rbn"));
 }
 
-TEST_F(StoppedConversion, a_file_that_was_touched_since_is_written_again) {
-  const std::string whole = bytes("a.0002.obj");
-  ASSERT_TRUE(write_file(folder_ / "a.0002.obj", whole.substr(1)));
-  EXPECT_THAT(output_of(run(command_ + " --resume")), StartsWith("5 frames, 1 of them kept"));
-  EXPECT_EQ(bytes("a.0002.obj"), whole);
+TEST_F(StoppedConversion, files_that_were_touched_since_are_written_again) {
+  const std::string one = bytes("a.0001.obj");
+  const std::string other = bytes("a.0002.obj");
+  ASSERT_TRUE(write_file(folder_ / "a.0001.obj", flipped(one, one.size() / 2, 1)));
+  ASSERT_TRUE(write_file(folder_ / "a.0002.obj", other.substr(1)));
+  EXPECT_EQ(output_of(run(command_ + " --resume")).find("kept"), std::string::npos);
+  EXPECT_EQ(bytes("a.0001.obj"), one);
+  EXPECT_EQ(bytes("a.0002.obj"), other);
+}
+
+TEST_F(StoppedConversion, can_be_stopped_again_before_anything_is_added) {
+  ASSERT_TRUE(write_file(folder_ / "a.0003.obj/in the way", ""));
+  EXPECT_EQ(run(command_ + " --threads 1 --resume").exit_code, 2);
+  EXPECT_TRUE(fs::remove_all(folder_ / "a.0003.obj"));
+  EXPECT_THAT(output_of(run(command_ + " --resume")), StartsWith("5 frames, 2 of them kept"));
 }
 
 TEST_F(StoppedConversion, with_other_settings_is_refused) {

@@ -27,6 +27,7 @@ TEST(FbxFrame, the_file_says_metres_y_up_and_the_frame_rate) {
   const ReadFbxRecord file = read_fbx(frame_bytes(sample_knot(), 0));
   const ReadFbxRecord& settings = file["GlobalSettings"];
   EXPECT_EQ(settings.setting("UnitScaleFactor"), 100);
+  EXPECT_EQ(settings.setting("OriginalUnitScaleFactor"), 100);
   EXPECT_EQ(settings.setting("UpAxis"), 1);
   EXPECT_EQ(settings.setting("FrontAxis"), 2);
   EXPECT_EQ(settings.setting("CoordAxis"), 0);
@@ -101,6 +102,13 @@ TEST_F(FbxMotion, each_channel_is_full_in_its_frame_alone) {
   }
   for (const ReadFbxRecord* channel : all_in(file_["Objects"], "Deformer", "BlendShapeChannel"))
     EXPECT_EQ((*channel)["FullWeights"].array(), std::vector<double>{100});
+}
+
+TEST_F(FbxMotion, ends_with_its_last_frame) {
+  constexpr double last = 4 * 46186158000.0 / 50;
+  EXPECT_EQ(file_["GlobalSettings"].setting("TimeSpanStop"), last);
+  EXPECT_EQ(file_["Objects"]["AnimationStack"].setting("LocalStop"), last);
+  EXPECT_EQ(file_["Objects"]["AnimationStack"].setting("ReferenceStop"), last);
 }
 
 void expect_all_connected(const ReadFbxRecord& file) {
