@@ -61,6 +61,12 @@ TEST(DirectoryRecord, fewer_frames_than_the_indices_have_are_refused) {
   EXPECT_FALSE(parse_directory_payload(directory_payload(id, small), id, here, here));
 }
 
+TEST(DirectoryRecord, an_index_whose_frames_end_before_they_begin_is_refused) {
+  Directory turned = directory();
+  turned.indices[0].lowest_frame = 257;
+  EXPECT_FALSE(parse_directory_payload(directory_payload(id, turned), id, here, here));
+}
+
 TEST(DirectoryRecord, every_prefix_is_refused) {
   const std::string payload = directory_payload(id, directory());
   for (std::size_t size = 0; size < payload.size(); ++size)

@@ -54,6 +54,8 @@ TEST(FrameRecord, what_cannot_be_is_refused) {
   };
   EXPECT_TRUE(with(0, 0));
   EXPECT_FALSE(with(8, 43)) << "the geometry begins inside the reference";
+  EXPECT_TRUE(with(8, static_cast<char>(payload.size()))) << "no geometry";
+  EXPECT_FALSE(with(8, static_cast<char>(payload.size() + 1)));
   EXPECT_FALSE(with(9, 1)) << "the geometry begins behind the payload";
   EXPECT_FALSE(with(10, 2)) << "no such encoding";
   EXPECT_FALSE(with(11, 1)) << "no such encoding";

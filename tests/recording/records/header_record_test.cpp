@@ -67,6 +67,12 @@ TEST(HeaderRecord, what_a_newer_minor_version_appends_is_ignored) {
   EXPECT_TRUE(parse_header_payload(payload).has_value());
 }
 
+TEST(HeaderRecord, positions_that_are_coded_otherwise_are_refused) {
+  std::string payload = header_payload(sample_header());
+  ++payload[4];
+  EXPECT_FALSE(parse_header_payload(payload).has_value());
+}
+
 TEST(HeaderRecord, limited_edges_come_back_one_by_one) {
   for (const LimitedEdges edges : {LimitedEdges{}, LimitedEdges{.along = true},
                                    LimitedEdges{.across = true}, LimitedEdges{.diagonals = true}}) {

@@ -64,6 +64,14 @@ TEST(IndexRecord, what_does_not_lie_before_it_is_refused) {
   EXPECT_FALSE(parse_index_payload(index_payload(id, far), id, here, here).has_value());
 }
 
+TEST(IndexRecord, frames_whose_records_are_smaller_than_any_are_refused) {
+  for (const std::uint64_t less : {0, 1}) {
+    Index small = index();
+    small.frames[1].record_bytes = static_cast<std::uint32_t>(smallest_frame_record - less);
+    EXPECT_EQ(parse_index_payload(index_payload(id, small), id, here, here).has_value(), less == 0);
+  }
+}
+
 TEST(IndexRecord, frame_numbers_that_the_file_cannot_hold_are_refused) {
   Index far = index();
   far.frames[1].frame = static_cast<std::uint32_t>(most_frames(here));

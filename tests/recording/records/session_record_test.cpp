@@ -11,6 +11,14 @@ TEST(SessionRecord, everything_comes_back) {
   EXPECT_EQ(parse_session_payload(session_payload(id, session), id), session);
 }
 
+TEST(SessionRecord, every_reason_comes_back) {
+  for (int number = 0; number <= 3; ++number) {
+    Session with = session;
+    with.note.reason = static_cast<SessionReason>(number);
+    EXPECT_EQ(parse_session_payload(session_payload(id, with), id), with);
+  }
+}
+
 TEST(SessionRecord, a_reason_of_a_later_version_is_none) {
   std::string payload = session_payload(id, session);
   payload[8] = 17;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "files/files.h"
+#include "files/watched_disk.h"
 #include "playback/recording_reader.h"
 #include "playback/sample_frame.h"
 #include "recording/codec/position_encoder.h"
@@ -75,6 +77,44 @@ TEST(RecordingWriter, an_older_recording_stays_until_the_new_one_has_a_frame) {
   EXPECT_EQ(frames_at(path), 3);
 }
 
+// A power cut must leave the one or the other.
+TEST(RecordingWriter, an_older_recording_stays_until_the_new_one_is_on_the_disk) {
+  const auto path = temporary_file("on the disk") / "knot.rbn";
+  ASSERT_TRUE(write_file(path, "older"));
+  auto newer = RecordingWriter::create(path, sample_header()).value();
+  WatchedDisk disk;
+  disk.refuse("sync", EIO);
+  EXPECT_EQ(refusal_of(newer.append(sample_numbers(0), sample_positions(0))),
+            path.string() + ": may not have reached the disk (Input/output error); check the disk");
+  EXPECT_EQ(read_file(path).value(), "older");
+  append_sample_frames(newer, 1, 2);
+  EXPECT_THAT(disk.calls(),
+              testing::ElementsAre("sync knot.rbn.part", "sync knot.rbn.part", "sync on the disk",
+                                   "rename knot.rbn", "sync on the disk"));
+}
+
+TEST(RecordingWriter, a_disk_that_fails_is_told_but_not_one_that_needs_no_force) {
+  auto writer = RecordingWriter::create(temporary_file("forced.rbn"), sample_header()).value();
+  append_sample_frames(writer, 0, 2);
+  ASSERT_TRUE(writer.sync());
+  append_sample_frames(writer, 2, 3);
+  WatchedDisk disk;
+  disk.refuse("sync", EIO);
+  EXPECT_THAT(refusal_of(writer.sync()), EndsWith("frames 1 to 2 are safe; check the disk"));
+  disk.refuse("sync", EINVAL);
+  EXPECT_TRUE(writer.finish().has_value()) << "as a pipe";
+}
+
+TEST(RecordingWriter, what_may_be_lost_at_the_end_is_told) {
+  for (const char* call : {"sync", "close"}) {
+    auto writer = RecordingWriter::create(temporary_file("lost at the end.rbn"), sample_header());
+    append_sample_frames(*writer, 0, 1);
+    WatchedDisk disk;
+    disk.refuse(call, EIO);
+    EXPECT_THAT(refusal_of(writer->finish()), HasSubstr("may not have reached the disk")) << call;
+  }
+}
+
 TEST(RecordingWriter, an_older_recording_stays_as_long_as_is_wished) {
   const auto path = temporary_file("older take.rbn");
   ASSERT_TRUE(write_file(path, "older").has_value());
@@ -135,16 +175,18 @@ TEST(RecordingWriter, a_grid_that_no_reader_would_take_is_refused) {
 }
 
 TEST(RecordingWriter, an_obstacle_that_no_reader_would_take_is_refused) {
+  const auto path = temporary_file("large.rbn");
   RecordingHeader header = sample_header();
   header.obstacle->vertices.resize(3, (1 << 26) + 1);
-  EXPECT_EQ(refusal_of(RecordingWriter::create("large.rbn", header)),
-            "large.rbn: a recording holds at most 2^26 vertices and as many triangles of its "
-            "obstacle, not 67108865 and 8; take a coarser mesh");
+  EXPECT_EQ(refusal_of(RecordingWriter::create(path, header)),
+            path.string() +
+                ": a recording holds at most 2^26 vertices and as many triangles of its "
+                "obstacle, not 67108865 and 8; take a coarser mesh");
   header = sample_header();
   header.obstacle->triangles.resize(3, (1 << 26) + 1);
-  EXPECT_THAT(refusal_of(RecordingWriter::create("large.rbn", header)),
+  EXPECT_THAT(refusal_of(RecordingWriter::create(path, header)),
               HasSubstr("of its obstacle, not 6 and 67108865; take a coarser mesh"));
-  EXPECT_FALSE(std::filesystem::exists("large.rbn"));
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST(RecordingWriter, a_target_that_cannot_be_written_is_told_before_the_run) {
