@@ -27,8 +27,9 @@ struct ConversionRequest {
   std::filesystem::path texture_back = {};  // of a solid's back; empty: the same
   std::optional<int> start_frame;  // number of the first file of a sequence; otherwise as recorded
   double max_error_m = 0;          // of positions in a recording; 0: as they were recorded
-  bool force = false;              // what exists may be replaced
-  bool resume = false;             // goes on with a sequence that was stopped
+  static constexpr double least_max_error_m = 1e-9;  // that may be asked for
+  bool force = false;                                // what exists may be replaced
+  bool resume = false;                               // goes on with a sequence that was stopped
   ProgressStyle progress = ProgressStyle::line;
   std::function<bool()> interrupted = [] { return false; };  // asked before each frame; any thread
 

@@ -44,15 +44,17 @@ Result<void> coarsen(RecordingHeader& header, double max_error_m, float reach_m)
   const double added_m = max_error_m - error_m;
   if (added_m <= 0)
     return failure("",
-                   "its positions are within " + metres(error_m) +
+                   "its positions are within " + metres(error_m, Rounding::up) +
                        " of the truth, so they cannot come to be within " + metres(max_error_m),
                    "leave --max-error out, or choose more");
   const double change_m = largest_change_m(added_m);
-  if (header.stated_gap_m > 0 && change_m >= header.stated_gap_m)
+  if (header.stated_gap_m > 0 && change_m >= header.stated_gap_m) {
+    const double most_m = error_m + header.stated_gap_m / largest_change_m(1);
     return failure("", "layers could meet that it keeps " + metres(header.stated_gap_m) + " apart",
-                   "choose less than " +
-                       metres(error_m + header.stated_gap_m / largest_change_m(1)) +
-                       " for --max-error");
+                   most_m > ConversionRequest::least_max_error_m
+                       ? "choose less than " + metres(most_m, Rounding::down) + " for --max-error"
+                       : "leave --max-error out");
+  }
   header.stated_gap_m -= std::min(change_m, header.stated_gap_m);
   if (header.strain_limit > 0)
     header.strain_limit += change_m / rest_size(header).shortest_edge_m();

@@ -45,7 +45,7 @@ void print_summary(const ribbon::ConversionReport& report, double seconds) {
         left_out_text(report.left_out).c_str());
   if (report.least_thickness_m)
     std::printf("the ribbon is at least %s thick%s\n",
-                ribbon::metres(*report.least_thickness_m).c_str(),
+                ribbon::metres(*report.least_thickness_m, ribbon::Rounding::down).c_str(),
                 pinched_text(report.most_pinched).c_str());
 }
 

@@ -74,7 +74,7 @@ void add_how(Arguments& arguments, ConversionRequest& request, Words& words) {
       .with_default_shown();
   arguments.add("--scale", model.placement.scale, {1e-6, 1e6}, "X",
                 "Makes everything X times as large");
-  arguments.add("--max-error", request.max_error_m, {1e-9, 1}, "M",
+  arguments.add("--max-error", request.max_error_m, {ConversionRequest::least_max_error_m, 1}, "M",
                 "Of a recording: how far coordinates may be from the truth, in metres");
   arguments.add("--fps", model.frames_per_second, {1e-3, 1e6}, "RATE",
                 "Frames a second that the files state, whatever the recording's were");

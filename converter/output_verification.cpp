@@ -247,7 +247,7 @@ std::string verification_text(const VerificationReport& report) {
                                      found.frames, found.frames == 1 ? "frame" : "frames");
   if (found.largest_m == 0) return head + "exactly as recorded";
   const std::string place = found.frame > 0 ? filled_in("frame {}", found.frame) : "the obstacle";
-  return head + (found.within ? "at most " : "") + metres(found.largest_m) +
+  return head + (found.within ? "at most " : "") + metres(found.largest_m, Rounding::up) +
          " from the recording, in " + place + "; " + (found.within ? "up to " : "only ") +
          metres(found.allowed_m) + " is allowed";
 }

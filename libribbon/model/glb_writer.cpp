@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -90,10 +91,12 @@ class GlbWriter : public MotionWriter {
     const ModelObject& first = first_.objects.front();
     moved_.noalias() = ribbon.positions - first.positions;
     bounds_.push_back(bounds_of(moved_));
-    return file_.append(raw_bytes(moved_)).and_then([&] {
-      moved_.noalias() = ribbon.normals - first.normals;
-      return file_.append(raw_bytes(moved_));
-    });
+    return displacements_keep_the_gap(ribbon)
+        .and_then([&] { return file_.append(raw_bytes(moved_)); })
+        .and_then([&] {
+          moved_.noalias() = ribbon.normals - first.normals;
+          return file_.append(raw_bytes(moved_));
+        });
   }
 
   Result<void> finish(Older older) override {
@@ -117,6 +120,21 @@ class GlbWriter : public MotionWriter {
     return file_.append(raw_bytes(times_s))
         .and_then([&] { return file_.append(raw_bytes(places)); })
         .and_then([&] { return file_.append(raw_bytes(weights)); });
+  }
+
+  // They are rounded, and so is what a viewer adds up; two layers may each move by that.
+  [[nodiscard]] Result<void> displacements_keep_the_gap(const ModelObject& ribbon) const {
+    const double factor = first_.placement.factor();
+    const double reach = ribbon.positions.cwiseAbs().maxCoeff() + moved_.cwiseAbs().maxCoeff();
+    const double rounding_m =
+        std::sqrt(3.0) * 1.01 * 0x1p-24 * reach / factor +
+        first_.placement.rounding_m(ribbon.positions / static_cast<float>(factor));
+    if (first_.stated_gap_m == 0 || 2 * rounding_m < first_.stated_gap_m) return {};
+    return failure("",
+                   "displacements round coordinates by up to " + metres(rounding_m) +
+                       ", so that layers could meet that are " + metres(first_.stated_gap_m) +
+                       " apart",
+                   "write .pc2 or .usda, which hold positions");
   }
 
   PendingFile file_;

@@ -4,29 +4,53 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace ribbon {
+
+namespace {
+
+double number_of(const std::string& text) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double number = 0;
+  stream >> number;
+  return number;
+}
+
+}  // namespace
 
 std::string decimals(double number, int digits) {
   return fmt::format("{:.{}f}", number, digits);
 }
 
-std::string short_number(double number, int digits) {
-  return fmt::format("{:.{}g}", number, digits);
+std::string short_number(double number, int digits, Rounding rounding) {
+  std::string text = fmt::format("{:.{}g}", number, digits);
+  if (rounding == Rounding::to_nearest || !std::isfinite(number)) return text;
+  const double told = number_of(text);
+  const double roundoff = 0x1p-50 * std::abs(number);  // 100 * 0.07 is 7
+  const bool holds =
+      rounding == Rounding::up ? told >= number - roundoff : told <= number + roundoff;
+  if (holds) return text;
+  const double last_digit = std::pow(10.0, std::floor(std::log10(std::abs(number))) - digits + 1);
+  return fmt::format("{:.{}g}", number + (rounding == Rounding::up ? last_digit : -last_digit),
+                     digits);
 }
 
 std::string shortest(double number) {
   return fmt::format("{}", number);
 }
 
-std::string metres(double length_m) {
-  return short_number(length_m, 3) + " m";
+std::string metres(double length_m, Rounding rounding) {
+  return short_number(length_m, 3, rounding) + " m";
 }
 
-std::string length_text(double length_m, int digits) {
+std::string length_text(double length_m, int digits, Rounding rounding) {
+  const std::string text = short_number(1000 * length_m, digits, rounding);
   // What is rounded to 1000 mm is a metre.
-  if (length_m >= 1 - 0.5 * std::pow(10.0, -digits)) return short_number(length_m, digits) + " m";
-  return short_number(1000 * length_m, digits) + " mm";
+  if (length_m < 1 && number_of(text) < 1000) return text + " mm";
+  return short_number(length_m, digits, rounding) + " m";
 }
 
 std::string filled_in(std::string_view pattern, std::initializer_list<TextValue> values) {

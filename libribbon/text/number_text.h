@@ -15,17 +15,20 @@ namespace ribbon {
 // With a fixed number of decimals: "4.10".
 std::string decimals(double number, int digits);
 
+// Where a number that needs more digits goes: a bound that is told has to hold.
+enum class Rounding { to_nearest, down, up };
+
 // As short as that many significant digits allow: "0.25", "1e-05".
-std::string short_number(double number, int digits = 6);
+std::string short_number(double number, int digits = 6, Rounding rounding = Rounding::to_nearest);
 
 // With as many digits as the number needs.
 std::string shortest(double number);
 
 // Three significant digits and the unit: "0.0123 m".
-std::string metres(double length_m);
+std::string metres(double length_m, Rounding rounding = Rounding::to_nearest);
 
 // In millimetres, from a metre on in metres: "12.5 mm", "86.7 m".
-std::string length_text(double length_m, int digits);
+std::string length_text(double length_m, int digits, Rounding rounding = Rounding::to_nearest);
 
 // A pattern of {fmt} for values of these types, in their order: "{}", "{:<17}" and the like for a
 // whole number or text, "{:.1f}" or "{:.3g}" for a number with decimals. One that does not fit them

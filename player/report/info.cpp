@@ -79,7 +79,7 @@ std::string checkpoints_text(const RecordingInfo& info) {
 
 std::string error_text(double max_position_error_m) {
   if (max_position_error_m == 0) return "none beyond rounding to single precision";
-  return "at most " + length_text(max_position_error_m, 6);
+  return "at most " + length_text(max_position_error_m, 6, Rounding::up);
 }
 
 std::string obstacle_text(const RecordingInfo& info) {
@@ -95,14 +95,14 @@ std::string curve_text(const Eigen::Matrix3Xf& points) {
 
 std::string gap_text(const RecordingHeader& header) {
   if (header.stated_gap_m == 0) return "none stated";
-  return filled_in("at least {}, as stated", length_text(header.stated_gap_m, 6));
+  return filled_in("at least {}, as stated", length_text(header.stated_gap_m, 6, Rounding::down));
 }
 
 std::string strain_limit_text(const RecordingHeader& header) {
   const std::string edges = "for " + limited_edges_text(header.limited_edges);
   if (header.strain_limit == 0)
     return "none stated" + (header.limited_edges.any() ? " " + edges : "");
-  return filled_in("{:.6g} %, as stated {}", 100 * header.strain_limit, edges);
+  return short_number(100 * header.strain_limit, 6, Rounding::up) + " %, as stated " + edges;
 }
 
 std::string vector_text(const Eigen::Vector3d& vector) {

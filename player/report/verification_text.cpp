@@ -69,8 +69,8 @@ std::string stated_text(const Verification& verification) {
 std::string gap_text(const Verification& verification) {
   if (!verification.smallest_gap) return "not known";
   const auto& [gap, frame] = *verification.smallest_gap;
-  return filled_in("{:.6g} m in frame {}, {}; {}", gap.certain_m, frame,
-                   pair_text(verification.header.grid, gap.pair), stated_text(verification));
+  return filled_in("{} m in frame {}, {}; {}", short_number(gap.certain_m, 6, Rounding::down),
+                   frame, pair_text(verification.header.grid, gap.pair), stated_text(verification));
 }
 
 std::string strain_limit_text(const Verification& verification) {

@@ -276,6 +276,26 @@ TEST(GlbWriter, more_than_the_format_can_hold_is_refused_before_anything_is_writ
   EXPECT_FALSE(std::filesystem::exists(path.parent_path()));
 }
 
+// Positions are floats as they stand; their differences are not.
+TEST(GlbWriter, displacements_that_could_close_the_gap_are_refused) {
+  Model first = posed_model(sample_knot(), 0);
+  Model second = posed_model(sample_knot(), 1);
+  for (Model* model : {&first, &second}) model->objects.front().positions.array() += 500;
+  const double rounding_m = std::sqrt(3) * 500 * 0x1p-24;
+  for (const double gap_m : {0.0, 3 * rounding_m, 1.9 * rounding_m}) {
+    first.stated_gap_m = gap_m;
+    auto writer = new_glb_writer(temporary_file("far.glb"), first, 2).value();
+    ASSERT_TRUE(writer->append(first));
+    const auto appended = writer->append(second);
+    EXPECT_EQ(appended.has_value(), gap_m != 1.9 * rounding_m);
+    if (!appended) {
+      EXPECT_THAT(refusal_of(appended),
+                  AllOf(StartsWith("displacements round coordinates by"),
+                        EndsWith("write .pc2 or .usda, which hold positions")));
+    }
+  }
+}
+
 TEST(GlbWriter, an_unwritable_place_is_named) {
   EXPECT_THAT(refusal_of(new_glb_writer("/dev/null/a.glb", posed_model(sample_knot(), 0), 2)),
               HasSubstr("/dev/null"));

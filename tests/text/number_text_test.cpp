@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
+#include <random>
+#include <string>
 
 namespace ribbon::number_text_test {
 
@@ -38,6 +41,38 @@ TEST(NumberText, lengths_have_significant_digits_in_a_unit_that_fits) {
   EXPECT_EQ(length_text(86.6842, 3), "86.7 m");
   EXPECT_EQ(length_text(1858.08, 6), "1858.08 m");
   EXPECT_EQ(length_text(0, 3), "0 mm");
+}
+
+TEST(NumberText, bounds_are_rounded_to_where_they_hold) {
+  EXPECT_EQ(short_number(1.2341, 3, Rounding::up), "1.24");
+  EXPECT_EQ(short_number(1.2349, 3, Rounding::down), "1.23");
+  EXPECT_EQ(short_number(-1.2341, 3, Rounding::up), "-1.23");
+  EXPECT_EQ(short_number(-1.2341, 3, Rounding::down), "-1.24");
+  EXPECT_EQ(short_number(9.991, 3, Rounding::up), "10");
+  EXPECT_EQ(short_number(9.999, 3, Rounding::down), "9.99");
+  EXPECT_EQ(short_number(10.001, 3, Rounding::up), "10.1");
+  EXPECT_EQ(short_number(1e-9, 3, Rounding::up), "1e-09");
+  EXPECT_EQ(short_number(100 * 0.07, 6, Rounding::up), "7") << "it is 7.000000000000001";
+  EXPECT_EQ(short_number(0, 3, Rounding::down), "0");
+  EXPECT_EQ(metres(0.12345, Rounding::up), "0.124 m");
+  EXPECT_EQ(length_text(0.9996, 3, Rounding::down), "999 mm");
+  EXPECT_EQ(length_text(0.9991, 3, Rounding::up), "1 m");
+  EXPECT_EQ(length_text(1.0001, 3, Rounding::up), "1.01 m");
+  EXPECT_EQ(length_text(1.2e-5, 6, Rounding::up), "0.012 mm");
+}
+
+TEST(NumberText, a_bound_told_in_any_digits_is_one) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> exponent(-12, 12);
+  for (int trial = 0; trial < 10'000; ++trial) {
+    const double number = std::pow(10, exponent(random));
+    const int digits = 1 + trial % 8;
+    const double up = std::stod(short_number(number, digits, Rounding::up));
+    const double down = std::stod(short_number(number, digits, Rounding::down));
+    EXPECT_LE(down, number) << digits;
+    EXPECT_GE(up, number) << digits;
+    EXPECT_LE(up - down, 2.01 * std::pow(10, 1 - digits) * number);
+  }
 }
 
 TEST(NumberText, sentences_are_filled_in_with_numbers_and_words) {
