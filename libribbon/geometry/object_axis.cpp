@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/vectors.h"
 #include "geometry/winding_number.h"
 
 namespace ribbon {
@@ -17,10 +18,11 @@ class AxisInObject {
   AxisInObject(const CentreAxis& line, const TriangleMesh& object) : line_(line), object_(object) {}
 
   [[nodiscard]] std::vector<ObjectAxis::Stretch> stretches() const {
-    const Eigen::RowVectorXd heights =
-        line_.direction.transpose() * (object_.vertices.cast<double>().colwise() - line_.point_m);
-    const double low_m = heights.minCoeff();
-    const double spacing_m = (heights.maxCoeff() - low_m) / samples;
+    Eigen::VectorXd heights_m(object_.vertices.cols());
+    for (Eigen::Index k = 0; k < heights_m.size(); ++k)
+      heights_m[k] = dot(line_.direction, object_.vertices.col(k).cast<double>() - line_.point_m);
+    const double low_m = heights_m.minCoeff();
+    const double spacing_m = (heights_m.maxCoeff() - low_m) / samples;
     std::vector<ObjectAxis::Stretch> result;
     bool was_inside = false;
     // The last sample lies beyond the object, as the one before the first does.

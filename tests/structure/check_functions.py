@@ -6,14 +6,15 @@ usage: check_functions.py ROOT
 
 Prints one line "file:line: what is wrong" for each function of the C library that is rounded as its
 authors liked, and for each sum of Eigen, whose order depends on vector instructions, in the stations
-from the drawing to the simulation. Exits with 1 when there is any.
+from the drawing to the simulation, which ask those of knots whether a start is the one that was
+meant. Exits with 1 when there is any.
 """
 
 import re
 import sys
 from pathlib import Path
 
-STATIONS = ("geometry", "scene", "curve", "ribbon_mesh", "obstacle", "simulation")
+STATIONS = ("geometry", "scene", "curve", "ribbon_mesh", "obstacle", "knot", "simulation")
 
 # Only text of messages depends on it.
 EXEMPT = {"libribbon/curve/place.cpp"}
@@ -26,12 +27,14 @@ EIGEN = re.compile(
     r"(?:\.|->)(norm|squaredNorm|stableNorm|lpNorm|dot|sum|mean|trace|normalized?|stableNormalized?"
     r"|a?(?:sin|cos|tan)h?|exp|log|pow|cbrt)\s*(?:<[^>]*>)?\("
 )
+PRODUCT = re.compile(r"(transpose\(\) \*)")
 TYPES = re.compile(r"\b(Rotation2Dd?|AngleAxisd?|Quaterniond?|arc_endpoint_to_center)\b")
 COMMENT = re.compile(r"//.*")
 
 PATTERNS = (
     (LIBRARY, "'{}' of the C library is not exactly rounded; see geometry/angles.h, geometry/vectors.h"),
     (EIGEN, "'{}' of Eigen has no order of its own; see geometry/vectors.h, integration/ordered_sums.h"),
+    (PRODUCT, "'{}' is a sum of Eigen, which has no order of its own; see geometry/vectors.h"),
     (TYPES, "'{}' calls functions of the C library; see geometry/angles.h"),
 )
 

@@ -18,6 +18,9 @@ class CheckFunctions(unittest.TestCase):
                      "a.normalize()", "a->norm()", "x.array().exp()"):
             self.assertEqual(len(self.names(f"return {call};")), 1, call)
 
+    def test_products_of_a_row_and_a_column_are_found(self):
+        self.assertEqual(self.names("return a.transpose() * b;"), ["transpose() *"])
+
     def test_types_that_call_them_are_found(self):
         self.assertEqual(self.names("const Eigen::Rotation2Dd turn(angle);"), ["Rotation2Dd"])
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/vectors.h"
+
 namespace ribbon {
 
 namespace {
@@ -17,13 +19,16 @@ constexpr double doubtful_fraction = 0.25;
 
 // The height at which the plane of a triangle that is pierced by the axis meets it.
 double height_of_passage_m(const ObjectAxis& axis, const Eigen::Matrix3d& triangle) {
-  const Eigen::RowVector3d heights =
-      axis.line.direction.transpose() * (triangle.colwise() - axis.line.point_m);
+  const auto height = [&](const Eigen::Vector3d& point) {
+    return dot(axis.line.direction, point - axis.line.point_m);
+  };
+  const Eigen::Vector3d heights(height(triangle.col(0)), height(triangle.col(1)),
+                                height(triangle.col(2)));
   const Eigen::Vector3d normal =
       (triangle.col(1) - triangle.col(0)).cross(triangle.col(2) - triangle.col(0));
   const double height_m =
-      normal.dot(triangle.col(0) - axis.line.point_m) / normal.dot(axis.line.direction);
-  if (std::isnan(height_m)) return heights.mean();
+      dot(normal, triangle.col(0) - axis.line.point_m) / dot(normal, axis.line.direction);
+  if (std::isnan(height_m)) return (heights.x() + heights.y() + heights.z()) / 3;
   return std::clamp(height_m, heights.minCoeff(), heights.maxCoeff());
 }
 
@@ -99,8 +104,8 @@ int AxisTurns::swept_over_ends(const Eigen::Matrix3d& triangle, double move_m) c
 int AxisTurns::swept_over_ends(const Eigen::Matrix3Xd& before, const Eigen::Matrix3Xd& now) const {
   int turns = 0;
   for (Eigen::Index k = 0; k + 1 < now.cols(); ++k) {
-    const double move_m =
-        std::max((now.col(k) - before.col(k)).norm(), (now.col(k + 1) - before.col(k + 1)).norm());
+    const double move_m = std::max(length_of(now.col(k) - before.col(k)),
+                                   length_of(now.col(k + 1) - before.col(k + 1)));
     Eigen::Matrix3d first;
     Eigen::Matrix3d second;
     first << before.col(k), now.col(k), now.col(k + 1);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/angles.h"
+#include "geometry/vectors.h"
 #include "knot/motion/straight_motion.h"
 
 namespace ribbon {
@@ -27,7 +28,7 @@ std::vector<Eigen::Vector3d> all_directions() {
     const double radius = std::sqrt(1 - height * height);
     const double turn_rad = golden_angle_rad * k;
     const Eigen::Vector3d exact(radius * cosine(turn_rad), radius * sine(turn_rad), height);
-    result.push_back((exact * 4096).array().round().matrix().normalized());
+    result.push_back(normalised((exact * 4096).array().round().matrix()));
   }
   return result;
 }
@@ -68,7 +69,8 @@ void append_ray(const MovingCurve& base, const MovingCurve& curve, std::size_t e
                 const Eigen::Vector3d& direction, std::vector<ViewCone>& cones) {
   const Eigen::Vector3d before = tip(curve.before, 1 - end) - tip(base.before, end);
   const Eigen::Vector3d now = tip(curve.now, 1 - end) - tip(base.now, end);
-  append_view_cones({before, direction * before.norm(), now, direction * before.norm()}, cones);
+  const Eigen::Vector3d on_ray = direction * length_of(before);
+  append_view_cones({before, on_ray, now, on_ray}, cones);
 }
 
 // All that could come through the rays of an end during a step.
@@ -112,7 +114,7 @@ bool arc_is_clear(const ClearDirection& from, const ClearDirection& to,
   if (from.clear_rad <= least_rad || to.clear_rad <= least_rad) return false;
   if (plainly_clear(from, to)) return true;
   if (splits_left == 0) return false;
-  const Eigen::Vector3d unit = (from.unit + to.unit).normalized();
+  const Eigen::Vector3d unit = normalised(from.unit + to.unit);
   const ClearDirection middle{unit, clearance_rad(cones, unit)};
   return arc_is_clear(from, middle, cones, splits_left - 1) &&
          arc_is_clear(middle, to, cones, splits_left - 1);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/vectors.h"
 #include "knot/type/view_crossing.h"
 
 namespace ribbon {
@@ -119,7 +120,7 @@ bool is_wide_turn(const RibbonCurves& before, const RibbonCurves& now, std::size
                   const Eigen::Vector3d& ray) {
   const Eigen::Vector3d from = across(before, end).cross(ray);
   const Eigen::Vector3d to = across(now, end).cross(ray);
-  return from.dot(to) < 0;
+  return dot(from, to) < 0;
 }
 
 int half_rounded_up(int number) {

@@ -8,6 +8,7 @@
 
 #include "geometry/box.h"
 #include "geometry/closest_points.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 namespace {
@@ -50,7 +51,7 @@ bool lies_beyond(const std::array<Eigen::Vector3d, 2>& one,
                  double rounding) {
   for (const Eigen::Vector3d& p : one)
     for (const Eigen::Vector3d& q : other)
-      if (!(direction.dot(p - q) > rounding * direction.norm())) return false;
+      if (!(dot(direction, p - q) > rounding * length_of(direction))) return false;
   return true;
 }
 

@@ -5,11 +5,12 @@
 #include <numbers>
 
 #include "geometry/angles.h"
+#include "geometry/vectors.h"
 
 namespace ribbon {
 
 double angle_between_units(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const double cosine = std::clamp(a.dot(b), -1.0, 1.0);
+  const double cosine = std::clamp(dot(a, b), -1.0, 1.0);
   return polar_angle(cosine, std::sqrt(1 - cosine * cosine));
 }
 
@@ -17,11 +18,11 @@ namespace {
 
 ViewCone cone_around(const SweptEdge& swept) {
   const Eigen::Vector3d middle =
-      swept[0].normalized() + swept[1].normalized() + swept[2].normalized() + swept[3].normalized();
-  ViewCone result{middle.normalized(), 0};
+      normalised(swept[0]) + normalised(swept[1]) + normalised(swept[2]) + normalised(swept[3]);
+  ViewCone result{normalised(middle), 0};
   for (const Eigen::Vector3d& corner : swept)
     result.half_angle_rad =
-        std::max(result.half_angle_rad, angle_between_units(result.axis, corner.normalized()));
+        std::max(result.half_angle_rad, angle_between_units(result.axis, normalised(corner)));
   // Only within a half space do the corners bound the directions in between.
   if (result.half_angle_rad > 1.5) result.half_angle_rad = std::numbers::pi;
   return result;
@@ -33,7 +34,7 @@ bool is_a_point(const SweptEdge& swept) {
 }
 
 double extent(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
-  return (one - other).squaredNorm();
+  return squared_length_of(one - other);
 }
 
 // Halves the swept surface across its longer side: the edge, or the way that it goes.
@@ -74,7 +75,7 @@ double clearance_rad(const std::vector<ViewCone>& cones, const Eigen::Vector3d& 
   double result = std::numbers::pi;
   for (const ViewCone& cone : cones) {
     const double reach_rad = result + cone.half_angle_rad;
-    const double squared_chord = 2 - 2 * direction.dot(cone.axis);
+    const double squared_chord = 2 - 2 * dot(direction, cone.axis);
     if (squared_chord > reach_rad * reach_rad + rounding) continue;
     result = std::min(result, angle_between_units(direction, cone.axis) - cone.half_angle_rad);
   }
