@@ -35,6 +35,7 @@ std::optional<std::vector<std::uint32_t>> FrameDecoder::needed(RecordingContents
     if (known == nullptr || known->offset >= offset || undecodable_.contains(*next))
       return std::nullopt;
     if (Slot* slot = all ? nullptr : at_hand(*next)) {
+      if (chain.size() + slot->needs > most_needed) return std::nullopt;
       slot->last_use = ++uses_;
       break;
     }
@@ -93,10 +94,12 @@ bool FrameDecoder::decode_record(const RecordingContents& contents, const Indexe
       record->frame != entry.frame || record->reference != entry.reference)
     return false;
   Slot* reference = nullptr;
+  slot.needs = 0;
   if (entry.reference) {
     reference = at_hand(*entry.reference);
     // Where the contents were checked meanwhile, the frame may refer to another than before.
     if (reference == nullptr) return false;
+    slot.needs = reference->needs + 1;
   }
   return decoder_.decode(record->encoding, record->geometry,
                          reference == nullptr ? nullptr : &reference->quantised, slot.quantised);

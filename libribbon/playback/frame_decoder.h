@@ -28,6 +28,7 @@ class FrameDecoder {
  private:
   struct Slot {
     std::uint32_t frame = 0;
+    std::size_t needs = 0;  // so many others, references of references
     std::uint64_t last_use = 0;
     QuantisedFrame quantised;
   };

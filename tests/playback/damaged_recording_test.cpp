@@ -414,6 +414,7 @@ TEST_F(LongChain, a_frame_may_need_256_others_and_no_more) {
   auto reader = RecordingReader::open(path_).value();
   EXPECT_TRUE(is_read(reader, 256));
   EXPECT_FALSE(RecordingReader::open(path_)->readable(257));
+  EXPECT_FALSE(is_read(reader, 257)) << "though the one before it is at hand";
   EXPECT_TRUE(is_read(reader, 0));
 }
 
