@@ -221,6 +221,15 @@ TEST(Verify, a_knot_whose_end_is_buried_is_not_known_once_something_may_have_pas
   EXPECT_NEAR(knot.may_have_passed->moved_m, 2, 0.1);
 }
 
+// The centre line stays where it is, and the ribbon turns right through it.
+TEST(Verify, a_twist_that_goes_while_the_end_is_buried_may_have_passed) {
+  const CertifiedKnot knot = certified_balls({ball(0.6), ball(0.02), ball(0.02, 60, 1)}, 1);
+  EXPECT_EQ(knot.buried_frames, 1);
+  EXPECT_EQ(knot.uncertain_frames, 1);
+  ASSERT_TRUE(knot.may_have_passed);
+  EXPECT_EQ(knot.may_have_passed->frame_before, 2);
+}
+
 // Between the last certificate and the end's burial the closure alone would not be asked any more.
 TEST(Verify, what_passed_just_before_an_end_got_buried_is_found) {
   const CertifiedKnot knot =

@@ -101,6 +101,34 @@ TEST(FeatureDistances, tiny_and_huge_shapes_are_measured_too) {
   }
 }
 
+// Coordinates of which sums and halves are numbers, too.
+class TouchingFeatures : public testing::Test {
+ protected:
+  Vector3f point() {
+    const auto coordinate = [&] { return static_cast<float>(steps_(random_)) * 0x1p-20F; };
+    const float x = coordinate();
+    const float y = coordinate();
+    return {x, y, coordinate()};
+  }
+
+ private:
+  std::mt19937 random_{11};
+  std::uniform_int_distribution<int> steps_{-(1 << 18), 1 << 18};
+};
+
+// By the arithmetic of the bound they often seem to lie apart a little.
+TEST_F(TouchingFeatures, have_no_distance) {
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Vector3f a = point();
+    const Vector3f b = point();
+    const Vector3f c = point();
+    const Vector3f inside = (a + b + 2 * c) / 4;
+    ASSERT_EQ(4 * exact(inside), exact(a) + exact(b) + 2 * exact(c));
+    EXPECT_EQ(certain_point_triangle_distance(inside, a, b, c), 0);
+    EXPECT_EQ(certain_segments_distance(a, 2 * inside - a, b, 2 * inside - b), 0);
+  }
+}
+
 class RandomFeatures : public testing::TestWithParam<float> {
  protected:
   Vector3f point() {
