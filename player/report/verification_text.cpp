@@ -123,7 +123,7 @@ std::string changes_text(const CertifiedKnot& knot) {
     text += report_line("", "not known in " + counted(knot.uncertain_frames, "frame"));
   if (knot.turned_too_far)
     text += report_line(
-        "", filled_in("between frames {} and {} an end turned too far from frame to "
+        "", filled_in("between frames {} and {} an end went or turned too far from frame to "
                       "frame to see which way; record more frames_per_second",
                       knot.turned_too_far->frame_before, knot.turned_too_far->frame_after));
   if (known == 0) return text;

@@ -123,6 +123,15 @@ bool is_wide_turn(const RibbonCurves& before, const RibbonCurves& now, std::size
   return dot(from, to) < 0;
 }
 
+// Has an end gone farther than it is wide? So fast it may have turned any way, also a whole turn.
+bool goes_far(const RibbonCurves& before, const RibbonCurves& now, std::size_t end) {
+  const auto tip_of = [end](const Eigen::Matrix3Xd& curve) {
+    return curve.col(tip_index(curve, end));
+  };
+  return squared_length_of(tip_of(now.centre_line) - tip_of(before.centre_line)) >
+         squared_length_of(across(before, end));
+}
+
 int half_rounded_up(int number) {
   return number / 2 + (number > 0 ? number % 2 : 0);
 }
@@ -147,7 +156,7 @@ void SelvageLinking::follow(const RibbonCurves& before, const RibbonCurves& now,
                             const Directions& rays) {
   if (!number_) return;
   for (const std::size_t end : {0U, 1U})
-    if (is_wide_turn(before, now, end, rays[end])) ++wide_turns_;
+    if (is_wide_turn(before, now, end, rays[end]) || goes_far(before, now, end)) ++wide_turns_;
   for (std::size_t view = 0; view < views().size(); ++view) {
     const ProjectivePoint viewer = ProjectivePoint::direction(views()[view]);
     const auto sum_before = crossing_sum_before(before, rays, view);

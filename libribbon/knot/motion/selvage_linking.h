@@ -26,8 +26,8 @@ class SelvageLinking {
   // Positive for right-handed. Empty when the selvages touched in some frame.
   [[nodiscard]] const std::optional<int>& number() const { return number_; }
   // How often an end has turned about its ray by more than a quarter of a turn from one frame to
-  // the next. It is taken to have turned the shorter way; each time that it went the longer one,
-  // the number is one off.
+  // the next, or gone so far that it may have. It is taken to have turned the shorter way; each
+  // time that it went the longer one, the number is one off.
   [[nodiscard]] int wide_turns() const { return wide_turns_; }
 
  private:

@@ -91,6 +91,21 @@ TEST(SelvageLinking, counts_turns_that_may_have_gone_the_other_way) {
   }
 }
 
+// By hand: nine tenths of a turn are taken for one tenth the other way.
+TEST(SelvageLinking, counts_steps_in_which_an_end_goes_so_far_that_it_may_have_turned_any_way) {
+  for (const auto& [across_m, wide_turns] : {std::pair(0.1, 0), {0.7, 2}}) {
+    SelvageLinking linking;
+    const RibbonCurves before = with_end_turned(0);
+    RibbonCurves now = with_end_turned(0.9);
+    for (Eigen::Matrix3Xd* curve : {&now.centre_line, &now.first_selvage, &now.second_selvage})
+      curve->row(1).array() += across_m;
+    linking.start(before, along_x);
+    linking.follow(before, now, along_x);
+    EXPECT_EQ(linking.wide_turns(), wide_turns) << "the ribbon is 0.6 m wide";
+    EXPECT_EQ(linking.number(), 2);
+  }
+}
+
 TEST(SelvageLinking, stays_when_the_first_end_is_turned_too) {
   const auto reversed = [](RibbonCurves curves) {
     curves.first_selvage = curves.first_selvage.rowwise().reverse().eval();

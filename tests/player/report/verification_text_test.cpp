@@ -147,7 +147,7 @@ TEST(VerificationText, says_where_an_end_turned_too_far_and_what_helps) {
   verification.knot.uncertain_frames = 1;
   verification.knot.turned_too_far = {31, 41, "linked -2 times", "linked -1 time", 0.25};
   EXPECT_THAT(verification_text("", verification),
-              AllOf(HasSubstr("between frames 31 and 41 an end turned too far"),
+              AllOf(HasSubstr("between frames 31 and 41 an end went or turned too far"),
                     HasSubstr("record more frames_per_second"),
                     EndsWith("WRONG: the knot cannot be certified\n")));
   const auto json = nlohmann::json::parse(verification_json("", verification));
