@@ -133,9 +133,10 @@ std::string changes_text(const CertifiedKnot& knot) {
   for (std::size_t k = 0; k < std::min(most_changes, changes.size()); ++k) {
     text += report_line("", filled_in("frame {}: {}", changes[k].frame_before, changes[k].before));
     text += report_line("", filled_in("frame {}: {}", changes[k].frame_after, changes[k].after));
-    text +=
-        report_line("", filled_in("meanwhile a particle went up to {:.2g} m from frame to frame",
-                                  changes[k].moved_m));
+    text += report_line(
+        "", filled_in("meanwhile a particle went up to {:.2g} m from frame to frame; if that is "
+                      "far, record more frames_per_second to be sure",
+                      changes[k].moved_m));
   }
   return text;
 }

@@ -1,5 +1,6 @@
 #include "knot/motion/selvage_linking.h"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <vector>
@@ -123,13 +124,15 @@ bool is_wide_turn(const RibbonCurves& before, const RibbonCurves& now, std::size
   return dot(from, to) < 0;
 }
 
-// Has an end gone farther than it is wide? So fast it may have turned any way, also a whole turn.
+// Has a corner of an end gone farther than the end is wide? So fast it may have turned any way,
+// also a whole turn.
 bool goes_far(const RibbonCurves& before, const RibbonCurves& now, std::size_t end) {
-  const auto tip_of = [end](const Eigen::Matrix3Xd& curve) {
-    return curve.col(tip_index(curve, end));
+  const auto way_m = [end](const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
+    return length_of(to.col(tip_index(to, end)) - from.col(tip_index(from, end)));
   };
-  return squared_length_of(tip_of(now.centre_line) - tip_of(before.centre_line)) >
-         squared_length_of(across(before, end));
+  return std::max(way_m(before.first_selvage, now.first_selvage),
+                  way_m(before.second_selvage, now.second_selvage)) >
+         length_of(across(before, end));
 }
 
 int half_rounded_up(int number) {

@@ -72,7 +72,8 @@ TEST(VerificationText, what_is_wrong_is_said_with_its_place) {
       "                CHANGED 1 time; 3 frames certified\n"
       "                frame 1: trefoil\n"
       "                frame 10: unknot\n"
-      "                meanwhile a particle went up to 0.12 m from frame to frame\n"
+      "                meanwhile a particle went up to 0.12 m from frame to frame; if that is far, "
+      "record more frames_per_second to be sure\n"
       "verdict         WRONG: triangles intersect, the stated gap is not kept, edges are strained "
       "beyond the limit, the knot has changed, coordinates are no numbers, frames are lost\n");
 }
