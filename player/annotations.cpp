@@ -5,6 +5,7 @@
 
 #include "player/overlay/frame_caption.h"
 #include "player/picture/curve_style.h"
+#include "player/view/scene_model.h"
 
 namespace ribbon {
 
@@ -38,8 +39,10 @@ Result<void> color_as_asked(const Appearance& appearance, RecordingReader& reade
 Annotations::Annotations(const RecordingReader& reader, const Overlays& overlays,
                          std::optional<Legend> legend)
     : reader_(reader), overlays_(overlays), legend_(std::move(legend)) {
-  if (overlays_.obstacle_wireframe && reader.header().obstacle)
-    obstacle_lines_ = mesh_lines(*reader.header().obstacle);
+  const RecordingHeader model = model_of(reader.header());
+  if (overlays_.obstacle_wireframe && model.obstacle) obstacle_lines_ = mesh_lines(*model.obstacle);
+  if (overlays_.curve) curve_ = model.input_curve;
+  forward_m_ = curve_style::forward * static_cast<float>(model.ribbon_width_m);
 }
 
 void Annotations::draw_lines_of(const RenderScene& scene, const Camera& camera,
@@ -55,9 +58,7 @@ void Annotations::draw_lines_of(const RenderScene& scene, const Camera& camera,
 
 void Annotations::draw_curve(const RenderScene& scene, const Camera& camera, float width,
                              Picture& picture) const {
-  const RecordingHeader& header = reader_.header();
-  const float forward_m = curve_style::forward * static_cast<float>(header.ribbon_width_m);
-  draw_lines(polyline(moved_forward(header.input_curve, camera, forward_m)),
+  draw_lines(polyline(moved_forward(curve_, camera, forward_m_)),
              {curve_style::ink, curve_style::pixels * width, 1, curve_style::hidden_opacity}, scene,
              camera, picture);
 }

@@ -22,7 +22,7 @@ class Annotations {
   Annotations(const RecordingReader& reader, const Overlays& overlays,
               std::optional<Legend> legend);
 
-  // Lines in space, over a picture that `camera` took of `scene`.
+  // Lines in space, over a picture that `camera` took of `scene`, the model.
   void draw_lines_of(const RenderScene& scene, const Camera& camera, Picture& picture) const;
   // Caption and legend, over any picture of frame `index`, or of what lies `after` of the way to
   // the next: then the numbers are those of the nearer one.
@@ -36,7 +36,10 @@ class Annotations {
   const RecordingReader& reader_;
   Overlays overlays_;
   std::optional<Legend> legend_;
-  SpaceLines obstacle_lines_;  // none where they are not asked for
+  // In the model; none where they are not asked for.
+  SpaceLines obstacle_lines_;
+  Eigen::Matrix3Xf curve_;
+  float forward_m_;  // towards the eye: so a curve in the cloth is seen
   CaptionPainter painter_;
 };
 

@@ -8,6 +8,7 @@
 #include "player/picture/png_encoder.h"
 #include "player/render/render.h"
 #include "player/shots.h"
+#include "player/view/scene_model.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -152,9 +153,11 @@ Result<std::string> bench(RecordingReader& reader, const Options& options) {
   if (!reader.read(frame_of_tree(frames.back(), quality), tree_positions))
     tree_positions = positions;  // as the player does where that frame is damaged
   const Camera camera = CameraWork(reader, *shots).camera(0, {frames.back(), 0});
-  return *replay +
-         picture_rows(measure_pictures(positions, tree_positions, reader.header(), camera, options),
-                      quality);
+  const RecordingHeader model = model_of(reader.header());
+  const float scale = model_scale(reader.header());
+  return *replay + picture_rows(measure_pictures(scale * positions, scale * tree_positions, model,
+                                                 camera, options),
+                                quality);
 }
 
 }  // namespace ribbon

@@ -8,6 +8,7 @@
 #include "player/picture/color_map.h"
 #include "player/render/cloth_pattern.h"
 #include "player/render/lighting.h"
+#include "player/view/scene_model.h"
 #include "text/json.h"
 #include "text/number_text.h"
 #include "verification/largest_strain.h"
@@ -108,9 +109,10 @@ Result<ShownRecording> ShownRecording::open(const std::filesystem::path& file) {
 
 ShownRecording::ShownRecording(RecordingReader reader)
     : reader_(std::move(reader)),
+      scale_(model_scale(reader_.header())),
       ribbon_(ribbon_surface(reader_.header().grid)),
       threads_(threads_of(reader_.header())),
-      obstacle_(corners_of(reader_.header().obstacle)) {
+      obstacle_(corners_of(model_of(reader_.header()).obstacle)) {
   append_numbers(reader_, numbers_);
 }
 
@@ -125,6 +127,8 @@ void ShownRecording::take_box() {
     box_min_ = box_min_.cwiseMin(positions_.rowwise().minCoeff());
     box_max_ = box_max_.cwiseMax(positions_.rowwise().maxCoeff());
   }
+  box_min_ *= scale_;
+  box_max_ *= scale_;
 }
 
 std::string ShownRecording::description() const {
@@ -158,12 +162,12 @@ Result<void> ShownRecording::refresh() {
 Result<void> ShownRecording::show(int index) {
   if (auto read = reader_.read(index, positions_); !read) return read;
   const RecordingHeader& header = reader_.header();
-  update_ribbon(header.grid, positions_, ribbon_);
+  update_ribbon(header.grid, scale_ * positions_, ribbon_);
   const std::vector<float> strains =
       particle_strains(rest_size(header), measured_edges(header.limited_edges), positions_);
   particles_.clear();
   for (Eigen::Index p = 0; p < positions_.cols(); ++p) {
-    append(particles_, positions_.col(p));
+    append(particles_, ribbon_.vertices.col(p));
     append(particles_, ribbon_.normals.col(p));
     particles_.push_back(strains[p]);
   }

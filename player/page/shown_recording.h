@@ -12,6 +12,7 @@
 
 namespace ribbon {
 
+// Places are those of the model (scene_model.h).
 class ShownRecording {
  public:
   // Of a particle: position, normal, largest strain of the edges that end there.
@@ -49,6 +50,7 @@ class ShownRecording {
   void take_box();
 
   RecordingReader reader_;
+  float scale_;  // of the model
   Surface ribbon_;
   Eigen::Matrix3Xf positions_;
   std::vector<double> numbers_;

@@ -8,12 +8,17 @@
 #include "player/preview/composition.h"
 #include "player/preview/preview_scene.h"
 #include "player/preview/render_target.h"
+#include "player/view/scene_model.h"
 
 namespace ribbon {
 
 struct PreviewRenderer::State {
   State(RecordingReader& recording, OffscreenContext opened, const Gl& functions, bool antialiased)
-      : frames(recording), context(std::move(opened)), gl(functions), target(gl, antialiased) {}
+      : frames(recording),
+        scale(model_scale(recording.header())),
+        context(std::move(opened)),
+        gl(functions),
+        target(gl, antialiased) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -28,6 +33,7 @@ struct PreviewRenderer::State {
   }
 
   BetweenFrames frames;
+  float scale;  // of the model
   OffscreenContext context;
   Gl gl;
   RenderTarget target;
@@ -43,7 +49,7 @@ Result<PreviewRenderer> PreviewRenderer::create(RecordingReader& reader,
   const auto gl = load_gl(*context);
   if (!gl) return tl::unexpected(gl.error());
   auto state = std::make_unique<State>(reader, *std::move(context), *gl, settings.antialiased);
-  auto scene = PreviewScene::create(state->gl, reader.header(), settings.cloth);
+  auto scene = PreviewScene::create(state->gl, model_of(reader.header()), settings.cloth);
   if (!scene) return tl::unexpected(scene.error());
   state->scene.emplace(*std::move(scene));
   return PreviewRenderer(std::move(state));
@@ -57,7 +63,7 @@ PreviewRenderer::~PreviewRenderer() = default;
 Result<void> PreviewRenderer::show(int index, double after) {
   if (auto read = state_->frames.read(index, after, state_->positions); !read) return read;
   state_->context.make_current();
-  state_->scene->set_ribbon(state_->positions);
+  state_->scene->set_ribbon(state_->scale * state_->positions);
   return {};
 }
 

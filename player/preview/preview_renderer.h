@@ -25,7 +25,8 @@ class PreviewRenderer {
   // Loads frame `index`, or what lies `after` of the way to the next (BetweenFrames). Fails when a
   // frame cannot be read.
   Result<void> show(int index, double after = 0);
-  // The frame that was shown last. Fails when there is not enough memory.
+  // The frame that was shown last, by a camera about its model. Fails when there is not enough
+  // memory.
   Result<Picture> picture(const Camera& camera, PictureSize size);
 
  private:

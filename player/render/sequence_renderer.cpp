@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "player/view/scene_model.h"
+
 namespace ribbon {
 
 SequenceRenderer::SequenceRenderer(RecordingReader& reader, RenderSettings settings)
     : reader_(reader),
       between_(reader),
-      scene_(reader.header(), settings.thickness_m > 0),
+      scale_(model_scale(reader.header())),
+      scene_(model_of(reader.header()), settings.thickness_m > 0),
       renderer_(std::move(settings)) {
   scene_.set_cloth(renderer_.settings().cloth);
   if (renderer_.settings().thickness_m > 0)
@@ -21,7 +24,8 @@ std::vector<float> SequenceRenderer::half_thickness(int index) {
   if (!gaps_) return {};
   constexpr float share = 0.45F;
   std::vector<float> half = gaps_->values(index, positions_);
-  for (float& gap_m : half) gap_m = std::min(share * gap_m, renderer_.settings().thickness_m / 2);
+  for (float& gap_m : half)
+    gap_m = scale_ * std::min(share * gap_m, renderer_.settings().thickness_m / 2);
   return half;
 }
 
@@ -43,12 +47,12 @@ void SequenceRenderer::set_ribbon(int index) {
     tree_frame_.reset();
     if (reader_.read(built, tree_positions_)) {
       const std::vector<float> thick(static_cast<std::size_t>(tree_positions_.cols()),
-                                     settings.thickness_m / 2);
-      scene_.set_ribbon(tree_positions_, thick);
+                                     scale_ * settings.thickness_m / 2);
+      scene_.set_ribbon(scale_ * tree_positions_, thick);
       tree_frame_ = built;
     }
   }
-  scene_.set_ribbon(positions_, half_thickness(index),
+  scene_.set_ribbon(scale_ * positions_, half_thickness(index),
                     tree_frame_ ? RibbonTree::refitted : RibbonTree::rebuilt);
 }
 

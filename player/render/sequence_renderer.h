@@ -31,19 +31,21 @@ class SequenceRenderer {
   // the same reader.
   void color_by(ValueColors colors) { colors_.emplace(std::move(colors)); }
 
-  // Where the ground lies, if there is to be one: below everything in any frame.
+  // Where the ground lies in the model, if there is to be one: below everything in any frame.
   void set_lowest(float height_m);
 
   // Loads frame `index`, or what lies `after` of the way to the next (BetweenFrames): measured
   // values are then those of the nearer one. Fails when a frame cannot be read.
   Result<void> show(int index, double after = 0);
-  // The frame that was shown last: as linear light, and as it is shown on a screen.
+  // The frame that was shown last, by a camera about its model: as linear light, and as it is
+  // shown on a screen.
   LightPicture light(const Camera& camera, PictureSize size);
   Picture picture(const Camera& camera, PictureSize size);
 
   // Of all pictures so far.
   [[nodiscard]] const NoiseReached& noise() const { return noise_; }
 
+  // The model.
   [[nodiscard]] const RenderScene& scene() const { return scene_; }
   // Of the colours that the ribbon shows instead of its cloth.
   [[nodiscard]] std::optional<Legend> legend() const;
@@ -55,6 +57,7 @@ class SequenceRenderer {
 
   RecordingReader& reader_;
   BetweenFrames between_;
+  float scale_;  // of the model
   RenderScene scene_;
   Renderer renderer_;
   NoiseReached noise_;

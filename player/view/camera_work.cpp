@@ -6,6 +6,7 @@
 
 #include "player/view/framing.h"
 #include "player/view/orbit.h"
+#include "player/view/scene_model.h"
 
 namespace ribbon {
 
@@ -60,7 +61,8 @@ bool is_empty(const Sphere& sphere, const Eigen::Matrix3Xf& points) {
 }  // namespace
 
 CameraWork::CameraWork(RecordingReader& reader, std::vector<Shot> shots)
-    : shots_(std::move(shots)),
+    : scale_(model_scale(reader.header())),
+      shots_(std::move(shots)),
       frames_per_second_(reader.header().frames_per_second),
       follows_knot_(std::any_of(shots_.begin(), shots_.end(), looks_at_knot)) {
   std::vector<std::vector<Framing>> framings;
@@ -71,10 +73,10 @@ CameraWork::CameraWork(RecordingReader& reader, std::vector<Shot> shots)
     for (auto& directions : framings)
       for (Framing& framing : directions) framing.include(points);
   };
-  if (reader.header().obstacle) include(reader.header().obstacle->vertices);
+  if (reader.header().obstacle) include(scale_ * reader.header().obstacle->vertices);
   Eigen::Matrix3Xf positions;
   for (int index = 0; index < reader.frame_count(); ++index) {
-    const bool is_there = reader.readable(index) && reader.read(index, positions);
+    const bool is_there = read(reader, index, positions);
     if (is_there) include(positions);
     if (follows_knot_) add_knot(reader.header(), is_there ? &positions : nullptr);
   }
@@ -93,16 +95,22 @@ void CameraWork::follow(RecordingReader& reader) {
   if (!follows_knot_) return;
   Eigen::Matrix3Xf positions;
   for (int index = knot_.frame_count(); index < reader.frame_count(); ++index) {
-    const bool is_there = reader.readable(index) && reader.read(index, positions);
+    const bool is_there = read(reader, index, positions);
     add_knot(reader.header(), is_there ? &positions : nullptr);
   }
+}
+
+bool CameraWork::read(RecordingReader& reader, int index, Eigen::Matrix3Xf& positions) const {
+  if (!reader.readable(index) || !reader.read(index, positions)) return false;
+  positions *= scale_;
+  return true;
 }
 
 void CameraWork::add_knot(const RecordingHeader& header, const Eigen::Matrix3Xf* positions) {
   std::optional<Sphere> sphere;
   if (positions != nullptr) {
-    sphere = knot_sphere(header.grid, static_cast<float>(header.ribbon_width_m),
-                         static_cast<float>(header.ribbon_length_m), *positions);
+    sphere = knot_sphere(header.grid, static_cast<float>(scale_ * header.ribbon_width_m),
+                         static_cast<float>(scale_ * header.ribbon_length_m), *positions);
     if (sphere) {
       last_knot_ = sphere;
     } else if (last_knot_ && is_empty(*last_knot_, *positions)) {
@@ -136,11 +144,12 @@ Camera CameraWork::camera(std::size_t number, const Moment& moment) const {
   if (is_still(shot)) return still_[number];
   const CameraPose pose = this->pose(shot, moment);
   const Sphere looked_at = subject(pose.view.subject, moment);
-  float distance_m = pose.view.distance_m;
+  float distance_m = scale_ * pose.view.distance_m;
   if (distance_m == 0)
     distance_m = looks_at_knot(shot) ? distance_to_hold(looked_at.radius_m, pose.view, shot.size)
                                      : distances_[number] * pose.view.lens_mm / shot.view.lens_mm;
-  return orbit_camera(pose.view, shot.size, pose.target.value_or(looked_at.center), distance_m);
+  const Eigen::Vector3f target = pose.target ? scale_ * *pose.target : looked_at.center;
+  return orbit_camera(pose.view, shot.size, target, distance_m);
 }
 
 }  // namespace ribbon

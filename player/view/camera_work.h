@@ -27,8 +27,9 @@ struct Moment {
   double after = 0;     // of the way to the next frame
 };
 
-// A still camera stands so that the obstacle and the ribbon of every frame that can be read just
-// fit: a frame looks the same whichever others are rendered. One that looks at the knot follows it.
+// Cameras stand about the model of the scene. A still one stands so that the obstacle and the
+// ribbon of every frame that can be read just fit: a frame looks the same whichever others are
+// rendered. One that looks at the knot follows it.
 class CameraWork {
  public:
   // Reads every frame once. At least one must be readable.
@@ -49,12 +50,15 @@ class CameraWork {
   [[nodiscard]] float lowest_m() const { return lowest_m_; }
 
  private:
+  // Fills `positions` with a frame of the model; false where it cannot be read.
+  bool read(RecordingReader& reader, int index, Eigen::Matrix3Xf& positions) const;
   // positions: of the next frame; null where it cannot be read. All of the ribbon stands for a knot
   // that has come apart, once nothing is left where it was.
   void add_knot(const RecordingHeader& header, const Eigen::Matrix3Xf* positions);
   [[nodiscard]] CameraPose pose(const Shot& shot, const Moment& moment) const;
   [[nodiscard]] Sphere subject(Subject subject, const Moment& moment) const;
 
+  float scale_;  // of the model
   std::vector<Shot> shots_;
   std::vector<Camera> still_;     // of each shot, if nothing moves it
   std::vector<float> distances_;  // of each shot: from the middle of everything, that holds it

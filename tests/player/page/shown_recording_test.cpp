@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <vector>
 
 #include "files/files.h"
 #include "files/flipped.h"
@@ -71,6 +72,30 @@ TEST_F(ShownRecordingTest, particles_are_where_they_were_recorded) {
   for (Eigen::Index p = 0; p < truth.cols(); ++p)
     EXPECT_NEAR(told.col(p).segment<3>(3).norm(), 1, 1e-5);
   EXPECT_GE(told.row(6).minCoeff(), 0);
+}
+
+// The page takes less than 1e-6 m for nothing.
+TEST_F(ShownRecordingTest, particles_of_a_tiny_scene_are_those_of_its_model) {
+  auto expected = ShownRecording::open(file_).value();
+  ASSERT_TRUE(expected.show(4));
+  constexpr double times = 0x1p-30;
+  RecordingHeader header = sample_header();
+  for (double* length : {&header.ribbon_length_m, &header.ribbon_width_m, &header.stated_gap_m,
+                         &header.max_position_error_m, &header.quantisation_step_m})
+    *length *= times;
+  header.obstacle->vertices *= static_cast<float>(times);
+  std::vector<Eigen::Matrix3Xd> frames;
+  for (int frame = 0; frame < 7; ++frame) frames.emplace_back(times * sample_positions(frame));
+  std::filesystem::remove(file_);
+  write_recording(file_, header, frames);
+  auto tiny = ShownRecording::open(file_).value();
+  ASSERT_TRUE(tiny.show(4));
+  EXPECT_EQ(tiny.particles(), expected.particles());
+  EXPECT_EQ(tiny.obstacle(), expected.obstacle());
+  const auto box = [](const ShownRecording& shown) {
+    return nlohmann::json::parse(shown.description())["box_max"];
+  };
+  EXPECT_EQ(box(tiny), box(expected));
 }
 
 TEST_F(ShownRecordingTest, obstacle_has_three_corners_a_triangle) {
