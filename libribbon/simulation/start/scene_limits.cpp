@@ -43,44 +43,88 @@ Result<void> arithmetic_keeps_the_gap(const Scene& scene, double gap_m, double f
                      " of the origin, or make the edges of the ribbon longer");
 }
 
-Result<void> recording_tells_positions(const Scene& scene, const RestSize& size, double rounding_m,
-                                       double farthest_m) {
-  const double single_m = std::ldexp(farthest_m, -24);
-  if (single_m <= rounding_m) return {};
-  const double least = 1.01 * single_m / size.length_m;
+// What a recorded coordinate may be off by, and what else bounds that.
+struct CoordinateError {
+  double asked_m;     // by the scene
+  double borne_m;     // at most, by the edges
+  double length_m;    // of the ribbon
+  double farthest_m;  // the same's largest coordinate
+  double obstacle_m;  // the obstacle's; 0 where there is none
+
+  // What single precision takes at that distance.
+  [[nodiscard]] double single_m() const { return std::ldexp(farthest_m, -24); }
+  // Is there an error that a scene may ask for, finer than edges bear and no finer than that? With
+  // room for the digits in which it is told.
+  [[nodiscard]] bool can_serve() const {
+    return 1.01 * std::max(single_m(), least_position_error * length_m) <=
+           0.99 * std::min(borne_m, most_position_error * length_m);
+  }
+};
+
+// To where single precision takes less than that.
+std::string move_nearer(const CoordinateError& error, double rounding_m) {
+  const double within_m = 0.99 * std::ldexp(rounding_m, 24);
+  return "move it to within " + metres(within_m) + " of the origin with curve.origin" +
+         (error.obstacle_m > within_m ? " and obstacle.position" : "");
+}
+
+// Nothing where no error serves.
+std::string set_error(const CoordinateError& error) {
+  if (!error.can_serve()) return "";
+  return ", or set recording.max_position_error to " +
+         short_number(1.01 * error.single_m() / error.length_m, 3) + " or more";
+}
+
+Result<void> recording_tells_positions(const Scene& scene, const CoordinateError& error) {
+  const double single_m = error.single_m();
+  if (single_m <= error.asked_m) return {};
   return failure(scene.name,
-                 "the ribbon lies " + metres(farthest_m) +
+                 "the ribbon lies " + metres(error.farthest_m) +
                      " from the origin, where recorded coordinates are only right to " +
                      metres(single_m),
-                 "move it to within " + metres(0.99 * std::ldexp(rounding_m, 24)) +
-                     " of the origin with curve.origin" +
-                     (least > most_position_error
-                          ? " or make it smaller"
-                          : ", make it smaller, or set recording.max_position_error to " +
-                                short_number(least, 3) + " or more"));
+                 move_nearer(error, std::min(error.asked_m, error.borne_m)) + set_error(error));
 }
 
 // Which is more than what the gap asks for.
 Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size,
-                                        const ContactLengths& lengths) {
-  const double edge_m = size.shortest_edge_m();
-  const double most_m = coarsest_rounding_m(edge_m, least_aimed_strain);
-  if (lengths.rounding_m <= most_m) return {};
+                                        const CoordinateError& error) {
+  const double most_m = error.borne_m;
+  if (error.asked_m <= most_m) return {};
   const double least = 0.99 * most_m / size.length_m;
   std::string what = "recording";
   std::string remedy = "set fewer particles, or a shorter ribbon";
   if (is_lossless(scene)) {
     what += " in single precision";
-    remedy = "move the ribbon to the origin with curve.origin, or set fewer particles";
+    remedy = "set fewer particles, or move the ribbon to the origin with curve.origin" +
+             set_error(error);
   } else if (least > least_position_error) {
-    remedy = "set recording.max_position_error to " + short_number(least, 3) +
-             " or less, or fewer particles";
+    remedy = "set recording.max_position_error to " + short_number(least, 3) + " or less";
+    // So fine it may be nearer only.
+    if (!error.can_serve()) remedy += " and " + move_nearer(error, 0.98 * most_m);
+    remedy += ", or fewer particles";
   }
   return failure(scene.name,
-                 what + " may move coordinates by " + metres(lengths.rounding_m) +
-                     ", too much to keep edges of " + metres(edge_m) + " within " +
+                 what + " may move coordinates by " + metres(error.asked_m) +
+                     ", too much to keep edges of " + metres(size.shortest_edge_m()) + " within " +
                      short_number(100 * paper_strain_limit, 3) + " % of their rest length",
                  remedy);
+}
+
+// As of a drawing that was taken for metres, or a width for millimetres: that tells more than what
+// no recording holds because of it.
+bool is_no_ribbon(const RestSize& size) {
+  constexpr double most_widths_long = 1e4;
+  constexpr double most_lengths_wide = 10;
+  return size.length_m > most_widths_long * size.width_m ||
+         size.width_m > most_lengths_wide * size.length_m;
+}
+
+tl::unexpected<Error> refused_size(const Scene& scene, const RestSize& size) {
+  return failure(scene.name,
+                 "the ribbon is " + metres(size.length_m) + " long and " + metres(size.width_m) +
+                     " wide, and no recording holds edges of so different lengths",
+                 "set curve.unit, now " + shortest(scene.curve.unit_m) +
+                     " m, or ribbon.width so that they fit each other");
 }
 
 // Of the ribbon's length. Cloth that may hardly be strained takes the correction several times as
@@ -115,16 +159,21 @@ Scene with_rounding(Scene scene, const RestSize& size, double reach_m) {
 Result<void> check_precision(const Scene& as_read, const RestSize& size,
                              const ContactLengths& lengths, const Matrix3Xd& positions,
                              const std::optional<TriangleMesh>& obstacle) {
-  const double ribbon_m = farthest_m(positions);
-  const double obstacle_m = obstacle ? farthest_m(obstacle->vertices.cast<double>()) : 0;
+  const bool has_gate = as_read.contact == ContactMethod::gate;
+  const CoordinateError error = {
+      .asked_m = lengths.rounding_m,
+      .borne_m = has_gate ? coarsest_rounding_m(size.shortest_edge_m(), least_aimed_strain)
+                          : std::numeric_limits<double>::infinity(),
+      .length_m = size.length_m,
+      .farthest_m = farthest_m(positions),
+      .obstacle_m = obstacle ? farthest_m(obstacle->vertices.cast<double>()) : 0};
   Result<void> kept = arithmetic_keeps_the_gap(
       as_read, lengths.min_separation_m,
-      Eigen::Vector2d(ribbon_m, obstacle_m).maxCoeff<Eigen::PropagateNaN>());
-  if (kept && !is_lossless(as_read))
-    kept = recording_tells_positions(as_read, size, lengths.rounding_m, ribbon_m);
-  if (!kept || as_read.contact != ContactMethod::gate) return kept;
-  kept = recording_keeps_the_strain(as_read, size, lengths);
-  assert(!kept || recorded_gap_m(lengths) > 0);
+      Eigen::Vector2d(error.farthest_m, error.obstacle_m).maxCoeff<Eigen::PropagateNaN>());
+  if (kept && !is_lossless(as_read)) kept = recording_tells_positions(as_read, error);
+  if (kept && has_gate) kept = recording_keeps_the_strain(as_read, size, error);
+  if (!kept && is_no_ribbon(size) && !error.can_serve()) return refused_size(as_read, size);
+  assert(!kept || !has_gate || recorded_gap_m(lengths) > 0);
   return kept;
 }
 

@@ -33,6 +33,8 @@ Scene with_rounding(Scene scene, const RestSize& size, double reach_m);
 // - recorded coordinates, in single precision, cannot hold recording.max_position_error,
 // - what recording may move a coordinate by uses up that gap (a scene that wants no loss) or leaves
 //   strain correction too little to aim at (any other); not with contact = "paper".
+// Of a ribbon with a width and a length that were hardly meant, it names these instead. An error
+// that is proposed passes all of it.
 Result<void> check_precision(const Scene& as_read, const RestSize& size,
                              const ContactLengths& lengths, const Eigen::Matrix3Xd& positions,
                              const std::optional<TriangleMesh>& obstacle);

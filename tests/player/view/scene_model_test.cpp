@@ -93,8 +93,9 @@ class SizedRecording : public RibbonPlay {
  protected:
   [[nodiscard]] std::string lines_over_it(double times) const {
     record(recording_, times);
-    output_of(play_small("--frames 2 --overlay wireframe,obstacle-wireframe,curve --view knot "
-                         "--color-by strain --force -o lines.png"));
+    output_of(
+        play_small("--frames 2 --overlay wireframe,obstacle-wireframe,curve --view knot "
+                   "--color-by strain --force -o lines.png"));
     return bytes("lines.png");
   }
 };

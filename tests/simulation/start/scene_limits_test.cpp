@@ -28,8 +28,70 @@ TEST(SceneLimits, a_ribbon_where_single_precision_is_too_coarse_is_refused_with_
   EXPECT_THAT(refusal(scene, mesh), HasSubstr("within 679 m of the origin"));
   EXPECT_THAT(refusal(scene, mesh), HasSubstr("or set recording.max_position_error to 1.1"));
   mesh.positions.row(0).array() += 2e6;
-  EXPECT_THAT(refusal(scene, mesh), EndsWith("with curve.origin or make it smaller"))
+  EXPECT_THAT(refusal(scene, mesh), EndsWith("within 679 m of the origin with curve.origin"))
       << "no scene may have so large an error";
+  TriangleMesh obstacle = post(0.4);
+  obstacle.vertices.row(0).array() += 2e6F;
+  EXPECT_THAT(refusal_of(FasteningProcessor::create(scene, mesh, obstacle)),
+              EndsWith("of the origin with curve.origin and obstacle.position"));
+}
+
+// What a sentence says to set something to, or to come within.
+double number_after(const std::string& sentence, const std::string& words) {
+  EXPECT_THAT(sentence, HasSubstr(words));
+  return std::stod(sentence.substr(sentence.find(words) + words.size()));
+}
+
+// An error that is coarse enough for the place may be too coarse for the edges.
+TEST(SceneLimits, what_is_proposed_to_a_ribbon_far_from_the_origin_serves) {
+  Scene scene = scene_of_loop();
+  const RibbonMesh mesh = mesh_of_loop(scene);
+  const auto at = [&](double x_m) {
+    RibbonMesh moved = mesh;
+    moved.positions.row(0).array() += x_m;
+    return moved;
+  };
+  const std::string set_error = "or set recording.max_position_error to ";
+  scene.recording.max_position_error =
+      number_after(refusal(scene, at(6500)), set_error);  // nearly as much as edges bear
+  EXPECT_EQ(refusal(scene, at(6500)), "");
+  scene.recording.max_position_error = 1e-5;
+  const std::string too_far = refusal(scene, at(1e4));
+  EXPECT_THAT(too_far, Not(HasSubstr(set_error)));
+  const double within_m = number_after(too_far, "move it to within ");
+  EXPECT_EQ(refusal(scene, at(within_m - 1)), "");
+  scene.recording.max_position_error = 2e-4;
+  const std::string too_coarse = refusal(scene, at(1e4));
+  const double nearer_m = number_after(too_coarse, " or less and move it to within ");
+  scene.recording.max_position_error =
+      number_after(too_coarse, "set recording.max_position_error to ");
+  EXPECT_EQ(refusal(scene, at(nearer_m - 1)), "");
+}
+
+// Neither the origin nor the particles are what is wrong.
+TEST(SceneLimits, a_length_and_a_width_that_do_not_fit_are_named) {
+  const std::string remedy =
+      "; set curve.unit, now 0.001 m, or ribbon.width so that they fit each other";
+  for (const double error : {0.0, 1e-5}) {
+    Scene scene = scene_of_loop();
+    scene.recording.max_position_error = error;
+    for (const double size : {1e-9, 1e-6, 1e6, 1e9})
+      EXPECT_THAT(refusal(scene, mesh_of_loop(scene, size)),
+                  AllOf(HasSubstr("loop: the ribbon is 4.09"), HasSubstr(" long and 0.06 m wide"),
+                        EndsWith(remedy)))
+          << size;
+    for (const double width_m : {1e-12, 1e-7}) {
+      scene.ribbon.width_m = width_m;
+      EXPECT_THAT(refusal(scene, mesh_of_loop(scene)), EndsWith(remedy)) << width_m;
+    }
+  }
+  Scene as_published = scene_of_loop();
+  as_published.contact = ContactMethod::paper;
+  EXPECT_THAT(refusal(as_published, mesh_of_loop(as_published, 1e-9)), EndsWith(remedy));
+  Scene thread = scene_of_loop();
+  thread.ribbon.width_m = 2e-4;
+  EXPECT_THAT(refusal(thread, mesh_of_loop(thread)),
+              HasSubstr("; set recording.max_position_error to 3.31e-07"));
 }
 
 TEST(SceneLimits, an_obstacle_where_double_precision_is_too_coarse_is_refused) {
@@ -137,7 +199,12 @@ TEST(SceneLimits, without_loss_a_ribbon_so_far_away_that_single_precision_lets_i
   EXPECT_THAT(refusal(scene, mesh),
               AllOf(HasSubstr("loop: recording in single precision may move"),
                     HasSubstr("too much to keep edges of 0.02 m within 10 %"),
-                    HasSubstr("; move the ribbon to the origin with curve.origin")));
+                    EndsWith("or move the ribbon to the origin with curve.origin")));
+  mesh.positions.row(0).array() -= 10000;
+  const std::string sentence = refusal(scene, mesh);
+  scene.recording.max_position_error =
+      number_after(sentence, "with curve.origin, or set recording.max_position_error to ");
+  EXPECT_EQ(refusal(scene, mesh), "") << "which may be finer than what is prepared for without";
   scene.contact = ContactMethod::paper;
   EXPECT_EQ(refusal(scene, mesh), "");
 }
