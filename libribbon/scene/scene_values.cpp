@@ -183,10 +183,11 @@ template Result<Coordinates<3>> coordinates<3>(const Value& value);
 
 Result<Coordinates<3>> direction(const Value& value) {
   auto vector = coordinates<3>(value);
-  if (vector && squared_length_of(*vector) == 0)
+  if (vector && vector->isZero(0))
     return wrong(value, value.toml, "a direction that is not all zeros");
+  // The smallest numbers there are have few digits; larger by a power of two they lose none.
   return vector.map([](const Coordinates<3>& direction) -> Coordinates<3> {
-    return safely_normalised(direction);
+    return safely_normalised(0x1p600 * direction);
   });
 }
 

@@ -146,6 +146,19 @@ TEST(ReadScene, the_knot_of_a_part_is_expected_between_shares_or_marks) {
               HasSubstr("must be two places that differ"));
 }
 
+TEST(ReadScene, a_direction_may_have_any_length) {
+  const auto axis = [](const std::string& numbers) {
+    return read_text(
+               with("[air]\nresistance = 1\n[fastening]\nspeed = 1\naxis = " + numbers + "\n"))
+        .value()
+        .fastening->axis_direction;
+  };
+  const Eigen::Vector3d expected = axis("[0, 3, 4]");
+  for (const char* numbers : {"[0, 3e11, 4e11]", "[0, 3e-300, 4e-300]", "[0, 3e-320, 4e-320]"})
+    EXPECT_TRUE(axis(numbers).isApprox(expected, 1e-3)) << numbers;
+  EXPECT_NEAR(axis("[0, 3e-320, 4e-320]").norm(), 1, 1e-15) << "whatever digits it has";
+}
+
 TEST(ReadScene, hands_yield_unless_told_never_to) {
   const auto yield = [](const std::string& line) {
     return read_text(with("[air]\nresistance = 1\n[fastening]\nspeed = 1\n" + line))
