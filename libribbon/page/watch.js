@@ -52,7 +52,8 @@ function tell_problem(sentence) {
   status_line.className = 'problem';
 }
 
-const percent = value => (100 * value).toFixed(1) + ' %';
+const percent = value =>
+    Math.abs(value) > 10 ? (value > 0 ? 'over 1000 %' : 'below -1000 %') : (100 * value).toFixed(1) + ' %';
 const known = (value, written) => (Number.isNaN(value) ? '–' : written(value));
 
 // What stands beside the picture, by the id of its place.

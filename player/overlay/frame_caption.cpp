@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inspection/progress_text.h"
 #include "player/picture/legend.h"
 #include "player/picture/page_colors.h"
 #include "text/number_text.h"
@@ -26,8 +27,9 @@ std::string strain_line(const FrameNumbers& numbers) {
 }
 
 std::string tightness_line(const TightnessNumbers& tightness) {
-  return filled_in("progress {:.1f} % · pull {:.1f} % · in contact {:.1f} %",
-                   100 * tightness.progress, 100 * tightness.pull, 100 * tightness.contact);
+  return progress_text(tightness.progress) + filled_in(" · pull {:.1f} % · in contact {:.1f} %",
+                                                       100 * tightness.pull,
+                                                       100 * tightness.contact);
 }
 
 }  // namespace

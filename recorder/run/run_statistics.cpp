@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "inspection/figures_json.h"
+#include "inspection/progress_text.h"
 #include "text/json.h"
 #include "text/number_text.h"
 
@@ -61,8 +62,8 @@ RunStatistics statistics_of(const RecordingReader& reader, int frames) {
 namespace {
 
 std::string tightness_text(const TightnessNumbers& tightness) {
-  return filled_in("progress {:.1f} %, rope length {:.1f} widths", 100 * tightness.progress,
-                   tightness.rope_length);
+  return progress_text(tightness.progress) +
+         filled_in(", rope length {:.1f} widths", tightness.rope_length);
 }
 
 std::string time_text(double time_s) {
