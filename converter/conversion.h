@@ -22,7 +22,9 @@ struct ConversionRequest {
   std::string frames;  // "A:B:STEP"; empty: all
   // Of which these are some: those that the recording has gained since are not asked for.
   std::optional<int> frame_count = {};
-  ModelSettings model;                      // its pictures are read from the textures
+  ModelSettings model;                               // its pictures are read from the textures
+  static constexpr double least_thickness_m = 1e-6;  // of a solid, that may be asked for
+  static constexpr double most_thickness_m = 1;
   std::filesystem::path texture = {};       // of the ribbon; empty: none
   std::filesystem::path texture_back = {};  // of a solid's back; empty: the same
   std::optional<int> start_frame;  // number of the first file of a sequence; otherwise as recorded

@@ -8,6 +8,7 @@
 #include "converter/format_abilities.h"
 #include "converter/output_names.h"
 #include "model/picture_file.h"
+#include "model/solid_ribbon.h"
 #include "recording/coding/checksum.h"
 #include "text/number_text.h"
 
@@ -88,10 +89,16 @@ Result<ConversionJob> open_job(const ConversionRequest& request) {
   return ConversionJob{*format, std::move(*reader), std::move(*frames), std::move(*model)};
 }
 
-tl::unexpected<Error> no_frames(bool some_refused) {
-  if (some_refused)
-    return failure("", "the cloth of no frame can be made a solid", "leave --thickness out");
-  return failure("", "none of the frames can be read", "record it again");
+tl::unexpected<Error> no_frames(const Model& model, bool some_refused) {
+  if (!some_refused) return failure("", "none of the frames can be read", "record it again");
+  const std::string problem = "the cloth of no frame can be made a solid";
+  const double told_m =
+      model.solid ? model.solid->told_thickness().value_or(0) / model.placement.factor() : 0;
+  if (told_m == 0 || told_m > ConversionRequest::most_thickness_m)
+    return failure("", problem, "leave --thickness out");
+  return failure(
+      "", problem + " so thin: single precision does not tell its sides apart",
+      "set --thickness to " + short_number(told_m, 2, Rounding::up) + " or more, or leave it out");
 }
 
 tl::unexpected<Error> interrupted_conversion() {

@@ -23,8 +23,8 @@ struct ConversionJob {
 // be.
 Result<ConversionJob> open_job(const ConversionRequest& request);
 
-// Where no frame is left to be written: could some have been, if not as a solid?
-tl::unexpected<Error> no_frames(bool some_refused);
+// Where no frame of `model` is left to be written: could some have been, if not as this solid?
+tl::unexpected<Error> no_frames(const Model& model, bool some_refused);
 
 // Where the user has interrupted what cannot go on later.
 tl::unexpected<Error> interrupted_conversion();

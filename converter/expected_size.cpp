@@ -78,7 +78,7 @@ Result<std::vector<Model>> posed_at(const ConversionRequest& request, Conversion
     }
     if (*posed || !poses.empty()) poses.push_back(model);
   }
-  if (poses.empty()) return no_frames(some_refused);
+  if (poses.empty()) return no_frames(job.model, some_refused);
   const Model first = poses.front();
   poses.insert(poses.begin(), samples.size() - poses.size(), first);
   return poses;
@@ -189,7 +189,7 @@ Result<ExpectedSize> size_of_excerpt(const ConversionRequest& request, Conversio
   job.reader.check();
   std::vector<int> frames = job.frames;
   std::erase_if(frames, [&](int index) { return !job.reader.readable(index); });
-  if (frames.empty()) return no_frames(false);
+  if (frames.empty()) return no_frames(job.model, false);
   const auto head = excerpt_bytes(request, {frames.front()});
   if (!head || frames.size() == 1)
     return head.map([](double bytes) { return ExpectedSize{.bytes = bytes}; });

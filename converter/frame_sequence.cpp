@@ -137,7 +137,7 @@ class Sequence {
       report.frames_kept += outcome.kept ? 1 : 0;
       report.bytes_written += outcome.kept ? 0 : outcome.bytes;
     }
-    if (report.frames_written == 0) return no_frames(!report.refused.empty());
+    if (report.frames_written == 0) return no_frames(model_, !report.refused.empty());
     return report;
   }
 

@@ -51,7 +51,8 @@ void add_what(Arguments& arguments, ConversionRequest& request, Words& words) {
            "Of the ribbon: triangles, which the recording certifies, or quads")
       .one_of({"triangles", "quads"})
       .with_default_shown();
-  arguments.add("--thickness", request.model.thickness_m, {1e-6, 1}, "M",
+  arguments.add("--thickness", request.model.thickness_m,
+                {ConversionRequest::least_thickness_m, ConversionRequest::most_thickness_m}, "M",
                 "Makes the ribbon a closed solid, so many recorded metres thick");
   const auto texture =
       arguments.add("--texture", request.texture, "FILE",

@@ -74,7 +74,7 @@ Result<void> expect_first_frame(const ConversionRequest& request, ConversionJob&
     if (request.interrupted()) return interrupted();
     if (expect_frame(job.reader, index, comparison)) return {};
   }
-  return no_frames(comparison.deviations().missing.size() < job.frames.size());
+  return no_frames(job.model, comparison.deviations().missing.size() < job.frames.size());
 }
 
 // The base mesh that positions in a point cache are for.
@@ -147,7 +147,7 @@ class SequenceVerification {
     VerificationReport report;
     report.damage = recordings_.damage();
     for (const auto& [begin, found] : found_) report.deviations.add(found);
-    if (!expected_) return no_frames(report.deviations.missing.size() < frames_.size());
+    if (!expected_) return no_frames(model_, report.deviations.missing.size() < frames_.size());
     return report;
   }
 

@@ -32,7 +32,7 @@ Result<void> pose_at_start(const ConversionRequest& request, ConversionJob& job)
     if (*pose == Pose::set) return {};
     some_refused |= *pose == Pose::no_solid;
   }
-  return no_frames(some_refused);
+  return no_frames(job.model, some_refused);
 }
 
 void note(ConversionReport& report, Pose pose, int number) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -161,6 +162,7 @@ std::optional<Eigen::Matrix3Xf> SolidRibbon::raise(const Eigen::Matrix3Xf& surfa
     }
     halve_where_they_meet(found.pairs, solid, heights);
   }
+  note_refused(surface);
   return std::nullopt;
 }
 
@@ -171,6 +173,18 @@ void SolidRibbon::note(const Eigen::ArrayXd& heights) const {
   if (pinched < heights.size())
     least_thickness_ =
         std::min(least_thickness_, 2 * (heights > 0).select(heights, thickness_).minCoeff());
+}
+
+void SolidRibbon::note_refused(const Eigen::Matrix3Xf& surface) const {
+  const std::lock_guard lock(mutex_);
+  refused_reach_ = std::max(refused_reach_, surface.cwiseAbs().maxCoeff());
+}
+
+std::optional<double> SolidRibbon::told_thickness() const {
+  constexpr double spacings = 4;  // rounding brings both sides nearer by less than two
+  const std::lock_guard lock(mutex_);
+  const double least = spacings * std::ldexp(refused_reach_, -23);
+  return least > thickness_ ? std::optional(least) : std::nullopt;
 }
 
 double SolidRibbon::least_thickness() const {

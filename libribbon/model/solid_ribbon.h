@@ -34,6 +34,9 @@ class SolidRibbon {
   // At any particle, but for pinched ones, of all that was raised so far; the thickness asked for
   // where nothing was.
   [[nodiscard]] double least_thickness() const;
+  // How thick those that could not be raised so far would have to be at least, for single precision
+  // to tell front and back apart where they lie; nothing where they were, or all could be raised.
+  [[nodiscard]] std::optional<double> told_thickness() const;
   // How many particles were pinched in one surface, at most.
   [[nodiscard]] int most_pinched() const;
 
@@ -41,6 +44,7 @@ class SolidRibbon {
   [[nodiscard]] TriangleSoup surface_soup(const Eigen::Matrix3Xf& surface) const;
   [[nodiscard]] Eigen::ArrayXd heights_between_layers(const TriangleSoup& surface) const;
   void note(const Eigen::ArrayXd& heights) const;
+  void note_refused(const Eigen::Matrix3Xf& surface) const;
 
   RibbonGrid grid_;
   double thickness_;
@@ -51,6 +55,7 @@ class SolidRibbon {
   BoxTree solid_rest_;
   mutable std::mutex mutex_;
   mutable double least_thickness_;
+  mutable float refused_reach_ = 0;  // largest coordinate of what could not be raised
   mutable int most_pinched_ = 0;
 };
 

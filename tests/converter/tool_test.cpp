@@ -617,6 +617,25 @@ TEST_F(Tool, where_no_frame_can_be_made_a_solid_the_conversion_fails) {
                    "the cloth of no frame can be made a solid; leave --thickness out");
 }
 
+TEST_F(Tool, cloth_too_thin_for_its_coordinates_is_to_be_thicker) {
+  SampleKnot knot = without_obstacle();
+  for (auto& frame : knot.frames) frame *= 90;
+  record(knot);
+  for (const char* options : {"-o 'out/{frame}.obj'", "-o out/knot.mdd",
+                              "-o out/knot.mdd --dry-run", "-o out/large.mdd --scale 1000"}) {
+    const ToolRun thin = run(std::string("knot.rbn --frames 1 --thickness 1e-6 ") + options);
+    EXPECT_EQ(thin.exit_code, 2) << options;
+    const std::string remedy = "does not tell its sides apart; set --thickness to ";
+    ASSERT_THAT(thin.errors, HasSubstr(remedy)) << options;
+    const std::string told = thin.errors.substr(thin.errors.find(remedy) + remedy.size());
+    EXPECT_EQ(
+        run("knot.rbn --frames 1 --thickness " + told.substr(0, told.find(' ')) + " " + options)
+            .exit_code,
+        0)
+        << options;
+  }
+}
+
 class TexturedTool : public Tool {
  protected:
   TexturedTool() { EXPECT_TRUE(write_file(folder_ / "cloth.png", sample_png())); }

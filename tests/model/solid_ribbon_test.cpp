@@ -125,6 +125,31 @@ TEST(SolidRibbon, a_surface_that_intersects_is_refused) {
   EXPECT_FALSE(SolidRibbon(grid, 0.002, no_vertices, no_triangles).raise(crossed));
 }
 
+// Turned, so that no coordinate is exact.
+TEST(SolidRibbon, thinner_than_single_precision_tells_is_refused_with_a_thickness_that_serves) {
+  for (const float angle : {0.2F, 0.7F, 1.1F}) {
+    const Eigen::Matrix3f turn =
+        Eigen::AngleAxisf(angle, Eigen::Vector3f(1, 2, 3).normalized()).toRotationMatrix();
+    Eigen::Matrix3Xf far = turn * hairpin(0.3);
+    far.array() += 90;
+    const SolidRibbon thin(grid, 1e-6, no_vertices, no_triangles);
+    ASSERT_FALSE(thin.raise(far));
+    const double told = thin.told_thickness().value();
+    EXPECT_LT(told, 1e-4);
+    const SolidRibbon thick(grid, told, no_vertices, no_triangles);
+    EXPECT_TRUE(thick.raise(far)) << angle;
+    EXPECT_FALSE(thick.told_thickness());
+  }
+}
+
+TEST(SolidRibbon, a_surface_that_intersects_is_not_too_thin) {
+  Eigen::Matrix3Xf crossed = hairpin(0.3);
+  crossed.col(grid.particle(0, 0)) << 0.5F, 0.5F, 0.05F;
+  const SolidRibbon solid(grid, 0.002, no_vertices, no_triangles);
+  ASSERT_FALSE(solid.raise(crossed));
+  EXPECT_FALSE(solid.told_thickness());
+}
+
 // From frame 313 of overhand-hourglass-16x400: nothing intersects, but the triangles around the
 // particle in the middle look in all directions.
 constexpr RibbonGrid patch{.along = 3, .across = 3};
