@@ -318,6 +318,10 @@ double FasteningProcessor::guaranteed_strain() const {
   return parts_->time_step->guaranteed_strain();
 }
 
+double FasteningProcessor::held_strain() const {
+  return parts_->time_step->held_strain();
+}
+
 // ---- The state
 
 std::string FasteningProcessor::state() {

@@ -116,6 +116,9 @@ class FasteningProcessor {
   // No limited edge (limited_edges()) is further from its rest length than this fraction of it,
   // with the same allowance. 0 with contact = "paper", which guarantees nothing.
   [[nodiscard]] double guaranteed_strain() const;
+  // To what edges are held in the steps so that this is kept as recorded: of some to less than of
+  // others, where that is coarse. Infinite where none are.
+  [[nodiscard]] double held_strain() const;
 
   // Where the time of all steps went.
   [[nodiscard]] const StageSums& stage_sums() const;

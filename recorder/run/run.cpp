@@ -86,6 +86,7 @@ Result<RunStatistics> Run::finish(RunEnding ending) {
   for (const int stage : fastening.stages_given_up())
     statistics_.stages_given_up.push_back(plan_.scene.stages[stage].name);
   statistics_.integrator = std::string(word_for(fastening.integrator()));
+  statistics_.held_strain = fastening.held_strain();
   statistics_.steps = fastening.steps();
   statistics_.stages = fastening.stage_sums();
   statistics_.bytes = file_.bytes_written();

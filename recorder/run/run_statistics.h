@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ struct RunStatistics {
 
   double worst_strain = 0;  // over all frames
   double last_strain = 0;
+  // To what edges were held; infinite where none were.
+  double held_strain = std::numeric_limits<double>::infinity();
   std::uint32_t worst_penetrating_edges = 0;  // over all frames
   std::uint32_t last_penetrating_edges = 0;
   std::uint64_t recovery_iterations = 0;  // at the start and in all steps

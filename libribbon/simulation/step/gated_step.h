@@ -43,6 +43,7 @@ class GatedStep : public TimeStep {
   [[nodiscard]] bool is_within_limit(const Cloth& cloth);
 
   [[nodiscard]] double guaranteed_strain() const override { return paper_strain_limit; }
+  [[nodiscard]] double held_strain() const override { return strain_constraints_.least_held(); }
 
  private:
   StepReport advance(Hands* hands, Bodies& bodies, Cloth& cloth) override;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "geometry/rest_size.h"
@@ -28,6 +29,9 @@ class PublishedStep : public TimeStep {
   StepReport correct(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth) override;
 
   [[nodiscard]] double guaranteed_strain() const override { return 0; }
+  [[nodiscard]] double held_strain() const override {
+    return std::numeric_limits<double>::infinity();
+  }
 
  private:
   StepReport advance(Hands* hands, Bodies& bodies, Cloth& cloth) override;

@@ -42,6 +42,9 @@ class TimeStep {
   // No limited edge (limited_edges()) that was within it before a step is further from its rest
   // length afterwards, with what recording may add, as a fraction of it. 0: nothing is guaranteed.
   [[nodiscard]] virtual double guaranteed_strain() const = 0;
+  // To what strain correction brings the edges that it holds to least, as a fraction of their
+  // length at rest: the less, the more recording may add. Infinite where it holds none.
+  [[nodiscard]] virtual double held_strain() const = 0;
 
   // Coulomb's coefficient from the next step on; at first it is the scene's.
   void set_friction(double coefficient) { friction_ = coefficient; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "geometry/vectors.h"
@@ -72,6 +73,13 @@ bool tighten_all(const SpringFamily& family, double limit, const RestLengths& re
 
 StrainConstraints::StrainConstraints(const RibbonGrid& grid, std::vector<LimitedFamily> families)
     : grid_(grid), families_(std::move(families)) {}
+
+double StrainConstraints::least_held() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const LimitedFamily& family : families_)
+    least = std::min(least, family.limit + strain_left_over);
+  return least;
+}
 
 bool StrainConstraints::tighten(SweepActivity& activity, Cloth& cloth) const {
   bool any = false;

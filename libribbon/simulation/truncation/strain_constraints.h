@@ -37,6 +37,10 @@ class StrainConstraints {
   // passed over. Was any beyond it by more than 0.4 % of its length?
   bool tighten(SweepActivity& activity, Cloth& cloth) const;
 
+  // To what they bring every edge where nothing is in the way, as a fraction of its rest length:
+  // that of the family with the least. Infinite without edges.
+  [[nodiscard]] double least_held() const;
+
   // At the beginning of some sweeps.
   [[nodiscard]] SweepActivity activity() const {
     return {grid_, first_family_task + families_.size()};

@@ -51,6 +51,16 @@ TEST(RunStatistics, fit_on_one_line) {
       "at worst, 2 at last; 0.0 MB (16.0 bits per vertex and frame)");
 }
 
+TEST(RunStatistics, tell_to_what_edges_were_held_where_that_is_little) {
+  RunStatistics statistics = example();
+  statistics.held_strain = 0.088;
+  EXPECT_THAT(summary_line(statistics), HasSubstr("worst strain of a spring 30.0 %; "));
+  statistics.held_strain = 0.0281;
+  EXPECT_THAT(summary_line(statistics),
+              HasSubstr("worst strain of a spring 30.0 % (edges are held to 2.8 %, as recorded "
+                        "coordinates are coarse); "));
+}
+
 TEST(RunStatistics, tell_where_the_time_went) {
   RunStatistics statistics = example();
   statistics.stages.time_s = {0.1, 0.4, 2, 0.5, 0.6, 0.4, 0};

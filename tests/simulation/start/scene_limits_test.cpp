@@ -54,8 +54,11 @@ TEST(SceneLimits, what_is_proposed_to_a_ribbon_far_from_the_origin_serves) {
   const std::string set_error = "or set recording.max_position_error to ";
   scene.recording.max_position_error =
       number_after(refusal(scene, at(6500)), set_error);  // nearly as much as edges bear
-  EXPECT_EQ(refusal(scene, at(6500)), "");
+  const auto far = FasteningProcessor::create(scene, at(6500), std::nullopt);
+  ASSERT_TRUE(far) << far.error().sentence();
+  EXPECT_NEAR(far->held_strain(), 0.03, 0.003) << "which is the price";
   scene.recording.max_position_error = 1e-5;
+  EXPECT_NEAR(FasteningProcessor::create(scene, mesh, std::nullopt)->held_strain(), 0.088, 1e-12);
   const std::string too_far = refusal(scene, at(1e4));
   EXPECT_THAT(too_far, Not(HasSubstr(set_error)));
   const double within_m = number_after(too_far, "move it to within ");

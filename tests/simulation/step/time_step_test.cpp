@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "simulation/loop_scene.h"
 #include "simulation/published/recovery.h"
 #include "simulation/step/gated_step.h"
@@ -93,6 +95,7 @@ TEST(TimeStep, guarantees_the_limit_of_strain_where_the_scene_wants_the_gate) {
     band.scene.contact = contact;
     const auto step = create_time_step(band.scene, size, contact_lengths(band.scene, size), 0.001);
     EXPECT_EQ(step->guaranteed_strain(), contact == ContactMethod::gate ? 0.1 : 0);
+    EXPECT_EQ(std::isfinite(step->held_strain()), contact == ContactMethod::gate);
   }
 }
 
