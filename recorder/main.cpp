@@ -93,6 +93,11 @@ Result<void> is_no_recording(const std::filesystem::path& scene) {
                  "(.toml)");
 }
 
+// What becomes of one that has the name of what is written, also where it came meanwhile.
+Older older_file(const RecorderOptions& options) {
+  return options.force ? Older::is_replaced : Older::stays;
+}
+
 // What is written takes the place of no file of the scene, not even by --force.
 Result<Scene> read_scene_apart(const RecorderOptions& options) {
   if (auto other = is_no_recording(options.input); !other) return tl::unexpected(other.error());
@@ -138,7 +143,7 @@ bool is_interrupted(const std::optional<RunStatistics>& run, const Watch& watch)
 
 Result<ExitCode> do_crossings(const RecorderOptions& options) {
   const auto text = read_scene_apart(options).and_then([&](const Scene& scene) {
-    return show_crossings(scene, options.diagram, options.force ? Overwrite::yes : Overwrite::no);
+    return show_crossings(scene, options.diagram, older_file(options));
   });
   if (!text) return tl::unexpected(text.error());
   if (!options.quiet) std::fputs(text->c_str(), stdout);
@@ -151,8 +156,7 @@ Result<ExitCode> do_draw(const RecorderOptions& options) {
                                                return std::optional(std::move(read));
                                              });
   const auto text = scene.and_then([&](const std::optional<Scene>& begun) {
-    return write_sketch_page(begun, options.recording,
-                             options.force ? Overwrite::yes : Overwrite::no);
+    return write_sketch_page(begun, options.recording, older_file(options));
   });
   if (!text) return tl::unexpected(text.error());
   if (!options.quiet) std::fputs(text->c_str(), stdout);
@@ -221,7 +225,8 @@ Result<ExitCode> do_task(const RecorderOptions& options) {
                  (run ? summary_line(*run) : nothing_done(options)).c_str());
   if (run && options.profile) std::fputs(profile_text(*run).c_str(), told);
   if (run && !options.statistics.empty())
-    if (auto written = write_file(options.statistics, statistics_json(*run)); !written)
+    if (auto written = write_file(options.statistics, statistics_json(*run), older_file(options));
+        !written)
       return tl::unexpected(written.error());
   return interrupted ? ExitCode::try_again : ExitCode::done;
 }

@@ -63,8 +63,8 @@ tl::unexpected<Error> with_numbers(Error why, const std::filesystem::path& file)
 }  // namespace
 
 Result<std::string> show_crossings(const Scene& scene, const std::filesystem::path& file,
-                                   Overwrite overwrite) {
-  if (overwrite == Overwrite::no && is_taken(file))
+                                   Older older) {
+  if (older == Older::stays && is_taken(file))
     return failure(file.string(), "exists already", "name another file, or replace it by --force");
   const auto drawing = read_drawing(scene.curve);
   if (!drawing) return tl::unexpected(drawing.error());
@@ -80,7 +80,8 @@ Result<std::string> show_crossings(const Scene& scene, const std::filesystem::pa
   const NumberedPassages drawn = crossings && objects
                                      ? NumberedPassages{passages_along(*crossings), *objects}
                                      : numbered(*points, runs.value_or(std::vector<ObjectRun>()));
-  if (auto written = write_file(file, diagram_svg(drawing->points, drawn.crossings, drawn.objects));
+  if (auto written =
+          write_file(file, diagram_svg(drawing->points, drawn.crossings, drawn.objects), older);
       !written)
     return tl::unexpected(written.error());
   if (!objects) return with_numbers(objects.error(), file);

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "recording/writer/recording_writer.h"
+#include "files/part_file.h"
 #include "result/result.h"
 #include "scene/scene.h"
 
@@ -15,6 +15,6 @@ namespace ribbon {
 // told the file shows the numbers without gaps, and then this fails with the reason and names the
 // file. It fails and writes nothing where an older file is not to be replaced.
 Result<std::string> show_crossings(const Scene& scene, const std::filesystem::path& file,
-                                   Overwrite overwrite);
+                                   Older older);
 
 }  // namespace ribbon

@@ -19,13 +19,13 @@ Result<std::string> packed_scene(const std::optional<Scene>& scene) {
 }  // namespace
 
 Result<std::string> write_sketch_page(const std::optional<Scene>& scene,
-                                      const std::filesystem::path& page, Overwrite overwrite) {
+                                      const std::filesystem::path& page, Older older) {
   if (sketch_page().empty())
     return failure(page.string(),
                    "cannot be written: this ribbon-record was built without Emscripten",
                    "install it by 'source .ci/setup.sh && install_page_tools', and build again "
                    "(docs/page.md)");
-  if (overwrite == Overwrite::no && is_taken(page))
+  if (older == Older::stays && is_taken(page))
     return failure(page.string(), "exists already", "name another file, or replace it by --force");
   const auto filled = packed_scene(scene);
   if (!filled) return tl::unexpected(filled.error());
@@ -39,7 +39,7 @@ Result<std::string> write_sketch_page(const std::optional<Scene>& scene,
       whole += part.text;
   }
   const double megabytes = static_cast<double>(whole.size()) / 1e6;
-  return write_file(page, whole).map([&] {
+  return write_file(page, whole, older).map([&] {
     return filled_in("page: {} ({:.1f} MB); open it in a browser\n", page.string(), megabytes);
   });
 }

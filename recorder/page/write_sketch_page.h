@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "recording/writer/recording_writer.h"
+#include "files/part_file.h"
 #include "result/result.h"
 #include "scene/scene.h"
 
@@ -15,6 +15,6 @@ namespace ribbon {
 // returns what there is to say of it. Fails where drawing or object of the scene cannot be read,
 // where an older file is not to be replaced, and where the program was built without the page.
 Result<std::string> write_sketch_page(const std::optional<Scene>& scene,
-                                      const std::filesystem::path& page, Overwrite overwrite);
+                                      const std::filesystem::path& page, Older older);
 
 }  // namespace ribbon

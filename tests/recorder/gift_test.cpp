@@ -58,12 +58,12 @@ TEST(Gift, tied_otherwise_is_proposed_a_list_with_the_letters_of_the_box) {
 
 TEST(Gift, shown_with_its_passages_is_a_drawing_of_the_same) {
   const auto file = temporary_file("gift.svg");
-  EXPECT_THAT(show_crossings(scene_with(), file, Overwrite::yes).value(),
+  EXPECT_THAT(show_crossings(scene_with(), file, Older::is_replaced).value(),
               HasSubstr("crossings = \"" + scene_with().curve.crossings->letters + "\""));
   Scene drawn = scene_with();
   drawn.curve.drawing = DrawnSvg{{file}, "band"};
   drawn.curve.crossings.reset();
-  EXPECT_THAT(show_crossings(drawn, temporary_file("again.svg"), Overwrite::yes).value(),
+  EXPECT_THAT(show_crossings(drawn, temporary_file("again.svg"), Older::is_replaced).value(),
               HasSubstr("crossings = \"" + scene_with().curve.crossings->letters + "\""));
 }
 
@@ -71,11 +71,11 @@ TEST(Gift, whose_list_does_not_tell_of_the_box_is_told_how_often_it_is_passed) {
   Scene scene = scene_with();
   std::erase_if(scene.curve.crossings->letters,
                 [](char letter) { return letter == 'F' || letter == 'B'; });
-  EXPECT_THAT(show_crossings(scene, temporary_file("gift.svg"), Overwrite::yes).value(),
+  EXPECT_THAT(show_crossings(scene, temporary_file("gift.svg"), Older::is_replaced).value(),
               HasSubstr("passes the object 5 times"));
   scene.curve.drawing = DrawnPoints{{{-9000, 0}, {9000, 10}}};
   scene.curve.crossings.reset();
-  EXPECT_THAT(show_crossings(scene, temporary_file("straight.svg"), Overwrite::yes).value(),
+  EXPECT_THAT(show_crossings(scene, temporary_file("straight.svg"), Older::is_replaced).value(),
               HasSubstr("passes the object once"));
 }
 

@@ -70,6 +70,17 @@ TEST_F(RibbonRecord, writes_the_figures_of_the_run) {
   EXPECT_EQ(json["bytes"], fs::file_size(folder_ / "knot.rbn"));
 }
 
+// As one that came meanwhile: a way through a folder that is yet to be created leads to it.
+TEST_F(RibbonRecord, a_file_that_is_met_only_in_the_end_is_not_replaced) {
+  ASSERT_TRUE(write_file(folder_ / "theirs", "somebody else's").has_value());
+  for (const std::string words : {"small.toml --crossings for-diagrams/../theirs",
+                                  "small.toml -o knot.rbn --quiet --stats for-figures/../theirs"}) {
+    expect_refusal(run(words), "theirs: was put there by somebody else");
+    EXPECT_EQ(bytes("theirs"), "somebody else's");
+  }
+  EXPECT_EQ(RecordingReader::open(folder_ / "knot.rbn").value().frame_count(), 7);
+}
+
 TEST_F(RibbonRecord, what_is_to_be_replaced_stays_where_nothing_can_be_recorded) {
   ASSERT_EQ(run("small.toml -o knot.rbn --quiet").exit_code, 0);
   const std::string knot = bytes("knot.rbn");

@@ -38,6 +38,14 @@ TEST_F(SketchPage, is_one_file_that_loads_nothing) {
   expect_refusal(run("--draw -o sketch.html"), "--force");
 }
 
+// As one that came meanwhile: a way through a folder that is yet to be created leads to it.
+TEST_F(SketchPage, takes_no_place_of_a_file_that_is_met_only_in_the_end) {
+  if (sketch_page().empty()) GTEST_SKIP() << "this build has no pages";
+  ASSERT_TRUE(write_file(folder_ / "theirs", "somebody else's").has_value());
+  expect_refusal(run("--draw -o new/../theirs"), "theirs: was put there by somebody else");
+  EXPECT_EQ(bytes("theirs"), "somebody else's");
+}
+
 TEST_F(SketchPage, holds_the_scene_that_is_named) {
   if (sketch_page().empty()) GTEST_SKIP() << "this build has no pages";
   ASSERT_EQ(run("--draw small.toml --set name='</script>' -o sketch.html").exit_code, 0);
