@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 
+#include "commandline/extension.h"
 #include "converter/export/alembic_writer.h"
 #include "converter/export/fbx_writer.h"
 #include "converter/export/mdd_writer.h"
@@ -34,15 +34,8 @@ std::span<const MotionFormat> motion_formats() {
   return formats;
 }
 
-std::string extension_of(const std::filesystem::path& output) {
-  std::string extension = output.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 const MotionFormat* motion_format(const std::filesystem::path& output) {
-  const std::string extension = extension_of(output);
+  const std::string extension = lower_case_extension(output);
   const auto* found = std::find_if(formats.begin(), formats.end(), [&](const MotionFormat& format) {
     return format.extension == extension;
   });

@@ -31,7 +31,4 @@ std::span<const MotionFormat> motion_formats();
 // The one that the extension of `output` names, in upper or lower case; null: none.
 const MotionFormat* motion_format(const std::filesystem::path& output);
 
-// ".OBJ" of "a/knot.OBJ" in lower case; empty where there is none.
-std::string extension_of(const std::filesystem::path& output);
-
 }  // namespace ribbon

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "commandline/extension.h"
 #include "converter/motion_format.h"
 
 namespace ribbon {
@@ -41,7 +42,7 @@ std::string supported() {
 }  // namespace
 
 Result<OutputFormat> output_format(const std::string& output) {
-  const std::string extension = extension_of(output);
+  const std::string extension = lower_case_extension(output);
   if (extension == ".obj") return OutputFormat::obj;
   if (extension == ".fbx") return OutputFormat::fbx;
   if (extension != ".csv" && extension != ".rbn" && motion_format(output) == nullptr)

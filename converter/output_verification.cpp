@@ -6,6 +6,7 @@
 #include <mutex>
 #include <utility>
 
+#include "commandline/extension.h"
 #include "commandline/progress.h"
 #include "converter/conversion_job.h"
 #include "converter/motion_format.h"
@@ -214,7 +215,7 @@ Result<VerificationReport> verify_job(const ConversionRequest& request, Conversi
 }  // namespace
 
 Result<void> check_verifiable(const ConversionRequest& request) {
-  const std::string extension = extension_of(request.output);
+  const std::string extension = lower_case_extension(request.output);
   if (extension == ".rbn")
     return failure(request.output, "is a recording, which ribbon-play --verify proves",
                    "leave --verify out");
@@ -230,7 +231,7 @@ Result<VerificationReport> verify_output(const ConversionRequest& request,
     return tl::unexpected(verifiable.error());
   auto job = open_job(request);
   if (!job) return tl::unexpected(job.error());
-  const std::string extension = extension_of(request.output);
+  const std::string extension = lower_case_extension(request.output);
   const FileReader& reader = *file_reader(extension);
   return verify_job(request, std::move(*job), reader, settings_for(extension, tolerance_m))
       .map([&](VerificationReport report) {

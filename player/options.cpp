@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "commandline/arguments.h"
+#include "commandline/extension.h"
 #include "files/files.h"
 #include "player/job_options.h"
 #include "player/look_options.h"
 #include "player/order_options.h"
-#include "player/output/picture_format.h"
 #include "player/preview_options.h"
 #include "text/number_text.h"
 
@@ -103,14 +103,14 @@ void add_view_options(Arguments& arguments, Options& options, Texts& texts, Argu
 }
 
 Result<void> check_plot(const std::filesystem::path& file) {
-  const std::string ending = lower_case_extension(file.string());
+  const std::string ending = lower_case_extension(file);
   if (file.empty() || ending == ".svg" || ending == ".png") return {};
   return failure("--plot " + file.string(), "is neither .svg nor .png",
                  "let the name end in one of them");
 }
 
 Result<void> check_sheet(const std::filesystem::path& file) {
-  if (file.empty() || lower_case_extension(file.string()) == ".png") return {};
+  if (file.empty() || lower_case_extension(file) == ".png") return {};
   return failure("--sheet " + file.string(), "is no .png", "let the name end in it");
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "commandline/extension.h"
 #include "files/files.h"
 #include "player/chart/chart_page.h"
-#include "player/output/picture_format.h"
 #include "player/picture/png_encoder.h"
 #include "text/number_text.h"
 
@@ -36,7 +36,7 @@ Result<std::string> write_plot(const RecordingInfo& info, std::vector<int> frame
       static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), std::nullopt));
   const Drawing page = chart_page(info.header.scene_name, subtitle(info, frames.size(), lost),
                                   time_charts(info.header, numbers));
-  const bool is_svg = lower_case_extension(options.plot.string()) == ".svg";
+  const bool is_svg = lower_case_extension(options.plot) == ".svg";
   return write_file(options.plot, is_svg ? svg_text(page) : png_bytes(painted(page, png_scale)),
                     options.replaceable.later())
       .map([&] { return "charts: " + options.plot.string(); });

@@ -1,17 +1,8 @@
 #include "player/output/picture_format.h"
 
-#include <algorithm>
-#include <filesystem>
+#include "commandline/extension.h"
 
 namespace ribbon {
-
-std::string lower_case_extension(const std::string& output) {
-  std::string extension = std::filesystem::path(output).extension();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
-  return extension;
-}
 
 Result<void> check_single_name(const std::string& output) {
   if (output.find("{frame") != std::string::npos)

@@ -25,7 +25,4 @@ constexpr bool is_one_file_each(PictureFormat format) {
   return format == PictureFormat::png || format == PictureFormat::exr;
 }
 
-// ".mp4" of "Knot.MP4".
-std::string lower_case_extension(const std::string& output);
-
 }  // namespace ribbon

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "commandline/extension.h"
 #include "player/output/existing_file.h"
-#include "player/output/picture_format.h"
 #include "text/number_text.h"
 
 namespace ribbon {

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "player/output/picture_format.h"
+#include "commandline/extension.h"
 
 namespace ribbon {
 
