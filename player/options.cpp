@@ -1,6 +1,5 @@
 #include "player/options.h"
 
-#include <charconv>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "player/look_options.h"
 #include "player/order_options.h"
 #include "player/preview_options.h"
+#include "text/number_in.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -59,9 +59,8 @@ listed) or --verify found something wrong, 2 could not, 3 interrupted, or the di
 try again.)";
 
 bool read_side(std::string_view text, int& side) {
-  const char* end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, side);
-  return problem == std::errc() && stop == end && side >= smallest_side && side <= largest_side;
+  side = number_in<int>(text).value_or(0);
+  return side >= smallest_side && side <= largest_side;
 }
 
 Result<PictureSize> parse_size(const std::string& text) {

@@ -1,19 +1,17 @@
 #include "player/places.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
+
+#include "text/number_in.h"
 
 namespace ribbon {
 
 namespace {
 
 std::optional<double> share_in(const std::string& text) {
-  double share = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, share);
-  const bool is_share = problem == std::errc() && stop == end && share >= 0 && share <= 1;
-  return is_share ? std::optional(share) : std::nullopt;
+  const auto number = number_in<double>(text);
+  return number && *number >= 0 && *number <= 1 ? number : std::nullopt;
 }
 
 std::string remedy(const std::vector<RecordedMark>& marks) {

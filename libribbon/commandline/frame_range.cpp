@@ -1,10 +1,10 @@
 #include "commandline/frame_range.h"
 
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
+#include "text/number_in.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -35,10 +35,8 @@ std::vector<std::string_view> split_at(char separator, std::string_view text) {
 
 // False when `text` is neither empty nor a whole number.
 bool read_number(std::string_view text, std::optional<int>& number) {
-  if (text.empty()) return true;
-  const char* end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, number.emplace());
-  return problem == std::errc() && stop == end;
+  number = number_in<int>(text);
+  return number || text.empty();
 }
 
 Result<Written> read_written(const std::string& text) {

@@ -1,22 +1,11 @@
 #include "player/measure/quantity.h"
 
-#include <charconv>
 #include <cmath>
-#include <optional>
+#include <string_view>
+
+#include "text/number_in.h"
 
 namespace ribbon {
-
-namespace {
-
-std::optional<double> read_number(std::string_view text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, number);
-  if (problem != std::errc() || stop != end || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
-}  // namespace
 
 QuantityNotation notation(Quantity quantity) {
   switch (quantity) {
@@ -40,9 +29,10 @@ Result<ValueRange> parse_color_range(const std::string& text, Quantity quantity)
   };
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return refusal("is not a range");
-  const auto low = read_number(std::string_view(text).substr(0, colon));
-  const auto high = read_number(std::string_view(text).substr(colon + 1));
-  if (!low || !high) return refusal("is not a range");
+  const auto low = number_in<double>(std::string_view(text).substr(0, colon));
+  const auto high = number_in<double>(std::string_view(text).substr(colon + 1));
+  if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high))
+    return refusal("is not a range");
   if (!(*low < *high)) return refusal("does not end above its beginning");
   if (*low < 0) return refusal("holds negative values, and there are none");
   if (quantity == Quantity::contact && *low != 0)

@@ -1,11 +1,11 @@
 #include "player/output/play_order.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
 
+#include "text/number_in.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -104,27 +104,23 @@ bool is_there(const PlayedFrame& frame, const std::vector<int>& lost) {
 }  // namespace
 
 Result<Shard> parse_shard(const std::string& text) {
-  Shard shard;
-  const char* end = text.data() + text.size();
-  const auto [slash, first] = std::from_chars(text.data(), end, shard.part);
-  if (first == std::errc() && slash != end && *slash == '/') {
-    const auto [stop, second] = std::from_chars(slash + 1, end, shard.parts);
-    if (second == std::errc() && stop == end && 1 <= shard.part && shard.part <= shard.parts)
-      return shard;
+  const std::size_t slash = text.find('/');
+  if (slash != std::string::npos) {
+    const auto part = number_in<int>(std::string_view(text).substr(0, slash));
+    const auto parts = number_in<int>(std::string_view(text).substr(slash + 1));
+    if (part && parts && 1 <= *part && *part <= *parts) return Shard{*part, *parts};
   }
   return failure("--shard " + text, "is no part of a job",
                  "write I/N for part I of N, I from 1 to N, as in 2/8");
 }
 
 Result<Hold> parse_hold(const std::string& text) {
-  Hold hold;
-  const char* end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, hold.length);
-  hold.is_seconds = std::string_view(stop, end) == "s";
-  const bool is_whole = hold.length == std::floor(hold.length);
-  if (problem == std::errc() && hold.length > 0 && std::isfinite(hold.length) &&
-      (hold.is_seconds || (stop == end && is_whole)))
-    return hold;
+  const bool is_seconds = text.ends_with('s');
+  const auto length =
+      number_in<double>(std::string_view(text).substr(0, text.size() - (is_seconds ? 1 : 0)));
+  if (length && *length > 0 && std::isfinite(*length) &&
+      (is_seconds || *length == std::floor(*length)))
+    return Hold{*length, is_seconds};
   return failure("--hold " + text, "is no time for which a frame could stand",
                  "write a number of pictures or seconds, as in 96 or 4s");
 }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <sstream>
 #include <string_view>
 
 #include "files/files.h"
+#include "text/number_in.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -84,14 +84,12 @@ Result<std::vector<int>> read_heading(const std::vector<std::string>& fields,
 
 Result<double> read_field(std::string_view field, double least, double most,
                           const std::string& place) {
-  double number = 0;
-  const char* end = field.data() + field.size();
-  const auto [stop, problem] = std::from_chars(field.data(), end, number);
-  if (problem != std::errc() || stop != end || !(number >= least && number <= most))
+  const auto number = number_in<double>(field);
+  if (!number || !(*number >= least && *number <= most))
     return failure(place,
                    filled_in("'{}' is not a number from {:.4g} to {:.4g}", field, least, most),
                    "correct it");
-  return number;
+  return *number;
 }
 
 }  // namespace

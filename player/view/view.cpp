@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <optional>
 #include <string_view>
 #include <utility>
 
+#include "text/number_in.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -26,18 +25,10 @@ tl::unexpected<Error> unknown(const std::string& text) {
                  "azimuth=30,elevation=20,distance=2,lens=60,subject=knot");
 }
 
-std::optional<float> number_in(std::string_view text) {
-  float number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, number);
-  if (problem != std::errc() || stop != end) return std::nullopt;
-  return number;
-}
-
 Result<void> set_number(std::string_view name, std::string_view value, View& view) {
   for (const ViewSetting& setting : view_settings) {
     if (setting.name != name) continue;
-    const auto number = number_in(value);
+    const auto number = number_in<float>(value);
     if (!number || !(*number >= setting.least && *number <= setting.most))
       return failure(
           filled_in("{}={}", name, value), "makes no view",
