@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -30,12 +29,6 @@ constexpr std::array changes_the_film{"--frames", "--reverse", "--ping-pong", "-
 template <class Names>
 bool is_among(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::string hexadecimal(std::uint32_t number) {
-  std::array<char, 9> digits{};
-  std::snprintf(digits.data(), digits.size(), "%08x", number);
-  return digits.data();
 }
 
 // "1656992 bytes, checksum 8a2f33b1", that of the checksums of its pieces: a long file need not fit

@@ -53,6 +53,10 @@ std::string length_text(double length_m, int digits, Rounding rounding) {
   return short_number(length_m, digits, rounding) + " m";
 }
 
+std::string hexadecimal(std::uint32_t number) {
+  return fmt::format("{:08x}", number);
+}
+
 std::string filled_in(std::string_view pattern, std::initializer_list<TextValue> values) {
   fmt::dynamic_format_arg_store<fmt::format_context> arguments;
   for (const TextValue& value : values)

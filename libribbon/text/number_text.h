@@ -3,6 +3,7 @@
 
 #include <array>
 #include <concepts>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ std::string metres(double length_m, Rounding rounding = Rounding::to_nearest);
 
 // In millimetres, from a metre on in metres: "12.5 mm", "86.7 m".
 std::string length_text(double length_m, int digits, Rounding rounding = Rounding::to_nearest);
+
+// Eight hexadecimal digits, as checksums and the ids of recordings are told: "008a2f33".
+std::string hexadecimal(std::uint32_t number);
 
 // A pattern of {fmt} for values of these types, in their order: "{}", "{:<17}" and the like for a
 // whole number or text, "{:.1f}" or "{:.3g}" for a number with decimals. One that does not fit them

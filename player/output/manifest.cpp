@@ -3,11 +3,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -38,11 +36,9 @@ fs::path name_of(const FramePattern& pattern, const Shard& shard) {
 
 std::string picture_line(const std::string& digits, double frame, std::uint64_t bytes,
                          std::uint32_t checksum) {
-  std::array<char, 9> hexadecimal{};
-  std::snprintf(hexadecimal.data(), hexadecimal.size(), "%08x", checksum);
   return filled_in("picture {} of frame {:.12g}{}: {} bytes, checksum {}\n", digits, frame,
                    frame == std::floor(frame) ? "" : interpolated_mark, bytes,
-                   std::string_view(hexadecimal.data()));
+                   hexadecimal(checksum));
 }
 
 // Takes `words` and what comes before the next space off the beginning of a line.

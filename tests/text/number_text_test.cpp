@@ -75,6 +75,11 @@ TEST(NumberText, a_bound_told_in_any_digits_is_one) {
   }
 }
 
+TEST(NumberText, checksums_have_eight_digits) {
+  EXPECT_EQ(hexadecimal(0x8a2f33), "008a2f33");
+  EXPECT_EQ(hexadecimal(0xffffffff), "ffffffff");
+}
+
 TEST(NumberText, sentences_are_filled_in_with_numbers_and_words) {
   const std::string knot = "knot";
   EXPECT_EQ(filled_in("{}: frame {} of {}", knot, 3, std::uint64_t{7}), "knot: frame 3 of 7");
