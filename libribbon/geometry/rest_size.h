@@ -29,13 +29,12 @@ struct RestSize {
   }
 
   // From one row to the next, and from one particle of a row to the next: of a row of mean width,
-  // and of a certain one.
+  // of a certain one, and of the narrowest.
   [[nodiscard]] double along_m() const { return length_m / (grid.along - 1); }
   [[nodiscard]] double across_m() const { return width_m / (grid.across - 1); }
   [[nodiscard]] double across_m(int row) const { return row_width_m(row) / (grid.across - 1); }
-  [[nodiscard]] double shortest_edge_m() const {
-    return std::min(along_m(), narrowest_m() / (grid.across - 1));
-  }
+  [[nodiscard]] double narrowest_across_m() const { return narrowest_m() / (grid.across - 1); }
+  [[nodiscard]] double shortest_edge_m() const { return std::min(along_m(), narrowest_across_m()); }
 
   // How far a particle lies from the first row, and from the middle line.
   [[nodiscard]] Eigen::Vector2d place_m(int particle) const {

@@ -11,13 +11,13 @@ namespace ribbon {
 namespace {
 
 // Narrower, and the tip's edges would set every gap; steeper, and quads are no rectangles any more.
-constexpr double narrowest_across = 1.0 / 8;  // of the way from row to row
-constexpr double steepest = 1;                // change of width per length
+constexpr double least_across = 1.0 / 8;  // of the way from row to row
+constexpr double steepest = 1;            // change of width per length
 
 Result<void> is_wide_enough(const RibbonScene& ribbon, const RestSize& size) {
   const double narrowest_m = size.narrowest_m();
-  const double across_m = narrowest_m / (ribbon.across - 1);
-  const double least_m = narrowest_across * size.along_m();
+  const double across_m = size.narrowest_across_m();
+  const double least_m = least_across * size.along_m();
   if (across_m >= least_m) return {};
   const int fewer = 1 + static_cast<int>(narrowest_m / least_m);
   return failure(

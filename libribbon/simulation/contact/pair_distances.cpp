@@ -22,7 +22,7 @@ Number apart(FeaturePair::Kind kind, const std::array<Number, 4>& of_vertices) {
 }
 
 double corner_to_diagonal_m(const RestSize& size) {
-  const double across_m = size.narrowest_m() / (size.grid.across - 1);
+  const double across_m = size.narrowest_across_m();
   return size.along_m() * across_m / length_of(Eigen::Vector2d(size.along_m(), across_m));
 }
 
