@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "commandline/progress.h"
 #include "files/files.h"
 #include "files/part_file.h"
+#include "geometry/single_precision.h"
 #include "recording/writer/record_file.h"
 #include "recording/writer/recording_writer.h"
 #include "text/number_text.h"
@@ -35,7 +35,7 @@ int even_stride(const std::vector<int>& kept) {
 
 // Of single precision, which alone has moved the coordinates of a recording without loss.
 double rounding_m(float reach_m) {
-  return (std::nextafter(reach_m, std::numeric_limits<float>::infinity()) - reach_m) / 2.0;
+  return 0.5 * last_place(reach_m);
 }
 
 Result<void> coarsen(RecordingHeader& header, double max_error_m, float reach_m) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/single_precision.h"
+
 namespace ribbon {
 
 Eigen::Matrix3Xf Placement::place(const Eigen::Matrix3Xf& recorded) const {
@@ -17,12 +19,11 @@ Eigen::Matrix3Xf Placement::place(const Eigen::Matrix3Xf& recorded) const {
 
 double Placement::rounding_m(const Eigen::Matrix3Xf& recorded) const {
   if (factor() == 1 || recorded.cols() == 0) return 0;
-  // Single precision rounds a coordinate by at most this part of it; the sum of all roundings in
-  // double precision is far below the tenth that is added.
-  constexpr double part = 1.1 * 0x1p-24;
+  // The sum of all roundings in double precision is far below the tenth that is added.
+  constexpr double with_others = 1.1;
   const double smallest_normal = std::numeric_limits<float>::min();
   const double largest = recorded.cwiseAbs().maxCoeff();
-  return std::sqrt(3.0) * (part * largest + smallest_normal / factor());
+  return std::sqrt(3.0) * (with_others * largest_rounding(largest) + smallest_normal / factor());
 }
 
 }  // namespace ribbon

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geometry/single_precision.h"
+
 namespace ribbon {
 namespace {
 
@@ -44,9 +46,8 @@ double scatter(std::uint64_t index) {
 }
 
 double quarter_of_last_place(const Eigen::Matrix3Xf& positions) {
-  const auto largest = static_cast<double>(positions.cwiseAbs().maxCoeff());
-  if (largest == 0) return 0;
-  return std::ldexp(1.0, std::ilogb(largest) - 23 - 2);
+  const float largest = positions.cwiseAbs().maxCoeff();
+  return largest == 0 ? 0 : last_place(largest) / 4;
 }
 
 // The nearer it is to the centre line, the less comes between the two.

@@ -1,9 +1,8 @@
 // What the encoder and the decoder of positions must agree upon; it stands in the header.
 #pragma once
 
-#include <cmath>
-
 #include "geometry/ribbon_grid.h"
+#include "geometry/single_precision.h"
 
 namespace ribbon {
 
@@ -20,9 +19,9 @@ struct CodecParameters {
 // the truth, rounding to single precision included. 0 (exact single precision) where that rounding
 // takes half of the bound, and for a bound of 0.
 inline float quantisation_step_m(double max_error_m, double reach_m) {
-  // Half a unit of the last digit, for the product; the step's own rounding is known to the
-  // encoder, which quantises with the step as it is.
-  const double left_m = max_error_m - std::ldexp(reach_m, -24);
+  // That of the product; the step's own rounding is known to the encoder, which quantises with the
+  // step as it is.
+  const double left_m = max_error_m - largest_rounding(reach_m);
   if (!(left_m > 0.5 * max_error_m)) return 0;
   return static_cast<float>(2 * left_m * (1 - 0x1p-20));
 }

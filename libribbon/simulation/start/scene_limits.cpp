@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "geometry/single_precision.h"
 #include "simulation/state/edge_strain.h"
 #include "simulation/truncation/strain_constraints.h"
 #include "text/number_text.h"
@@ -52,7 +53,7 @@ struct CoordinateError {
   double obstacle_m;  // the obstacle's; 0 where there is none
 
   // What single precision takes at that distance.
-  [[nodiscard]] double single_m() const { return std::ldexp(farthest_m, -24); }
+  [[nodiscard]] double single_m() const { return largest_rounding(farthest_m); }
   // Is there an error that a scene may ask for, finer than edges bear and no finer than that? With
   // room for the digits in which it is told.
   [[nodiscard]] bool can_serve() const {
@@ -63,7 +64,7 @@ struct CoordinateError {
 
 // To where single precision takes less than that.
 std::string move_nearer(const CoordinateError& error, double rounding_m) {
-  const double within_m = 0.99 * std::ldexp(rounding_m, 24);
+  const double within_m = 0.99 * rounding_m / largest_rounding(1);
   return "move it to within " + metres(within_m) + " of the origin with curve.origin" +
          (error.obstacle_m > within_m ? " and obstacle.position" : "");
 }
@@ -150,8 +151,8 @@ double recorded_reach_m(const Scene& scene, const RestSize& size, const Matrix3X
 
 Scene with_rounding(Scene scene, const RestSize& size, double reach_m) {
   std::optional<double>& error = scene.recording.max_position_error;
-  // Half of the spacing of the numbers below the reach, a power of two.
-  if (is_lossless(scene)) error = std::ldexp(reach_m, -25) / size.length_m;
+  // The reach is a power of two, so that the numbers below it are as finely spaced as its half.
+  if (is_lossless(scene)) error = largest_rounding(0.5 * reach_m) / size.length_m;
   if (!error) error = usual_position_error(scene, size);
   return scene;
 }

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "geometry/single_precision.h"
+
 // Our own codec picks its instructions while it runs; what is put around the others can as well.
 #define RIBBON_CLONED __attribute__((target_clones("avx2", "default")))
 
@@ -103,7 +105,7 @@ RIBBON_CLONED void join(const unsigned char* planes, std::size_t count, std::uin
 std::optional<float> quantisation_step(const CodecTask& task) {
   if (task.bound_m == 0) return 0.0F;
   // The product of step and value is rounded by at most half of its last place.
-  const double step = 2 * (task.bound_m - std::ldexp(task.largest_m + task.bound_m, -24));
+  const double step = 2 * (task.bound_m - largest_rounding(task.largest_m + task.bound_m));
   if (step <= 0) return std::nullopt;
   return std::nextafter(static_cast<float>(step), 0.0F);
 }
