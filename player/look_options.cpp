@@ -71,12 +71,12 @@ Result<Lighting> lighting_of(const LookTexts& texts) {
   return lighting;
 }
 
-Result<Cloth> cloth_of(const LookTexts& texts) {
+Result<ClothColors> cloth_of(const LookTexts& texts) {
   auto front = texture_of(texts.texture);
   if (!front) return tl::unexpected(front.error());
   auto back = texture_of(texts.texture_back);
   if (!back) return tl::unexpected(back.error());
-  return Cloth{std::move(*front), std::move(*back)};
+  return ClothColors{std::move(*front), std::move(*back)};
 }
 
 constexpr int most_samples_for_noise = 4096;

@@ -223,7 +223,7 @@ Result<ExitCode> play(const Options& options) {
 
 int main(int argc, char** argv) {
   return ribbon::run_tool("ribbon-play", [&]() -> ribbon::Result<ribbon::ExitCode> {
-    const auto options = ribbon::parse_options(argc, argv);
+    const auto options = ribbon::parse_player_options(argc, argv);
     if (!options) return tl::unexpected(options.error());
     return *options ? ribbon::play(**options) : ribbon::ExitCode::done;
   });

@@ -271,7 +271,7 @@ Result<void> understand(const Texts& texts, Options& options) {
 
 }  // namespace
 
-Result<std::optional<Options>> parse_options(int argc, const char* const* argv) {
+Result<std::optional<Options>> parse_player_options(int argc, const char* const* argv) {
   Options options;
   Texts texts;
   Arguments arguments("ribbon-play",

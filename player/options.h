@@ -55,6 +55,6 @@ struct Options {
 
 // Nothing when --help or --version was asked for: that has been printed to standard output. Fails
 // when the command line cannot be understood.
-Result<std::optional<Options>> parse_options(int argc, const char* const* argv);
+Result<std::optional<Options>> parse_player_options(int argc, const char* const* argv);
 
 }  // namespace ribbon

@@ -34,8 +34,8 @@ Result<std::string> write_plot(const RecordingInfo& info, std::vector<int> frame
   for (const int index : frames) numbers.push_back(info.numbers[index]);
   const auto lost =
       static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), std::nullopt));
-  const Drawing page = chart_page(info.header.scene_name, subtitle(info, frames.size(), lost),
-                                  time_charts(info.header, numbers));
+  const ChartDrawing page = chart_page(info.header.scene_name, subtitle(info, frames.size(), lost),
+                                       time_charts(info.header, numbers));
   const bool is_svg = lower_case_extension(options.plot) == ".svg";
   return write_file(options.plot, is_svg ? svg_text(page) : png_bytes(painted(page, png_scale)),
                     options.replaceable.later())

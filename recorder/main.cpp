@@ -237,7 +237,7 @@ Result<ExitCode> do_task(const RecorderOptions& options) {
 
 int main(int argc, char** argv) {
   return ribbon::run_tool("ribbon-record", [&]() -> ribbon::Result<ribbon::ExitCode> {
-    const auto options = ribbon::parse_options(argc, argv);
+    const auto options = ribbon::parse_recorder_options(argc, argv);
     if (!options) return tl::unexpected(options.error());
     return *options ? ribbon::do_task(**options) : ribbon::ExitCode::done;
   });

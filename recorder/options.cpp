@@ -79,7 +79,7 @@ Result<void> goes_together(const Given& given) {
 
 }  // namespace
 
-Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const* argv) {
+Result<std::optional<RecorderOptions>> parse_recorder_options(int argc, const char* const* argv) {
   RecorderOptions options;
   Arguments arguments("ribbon-record", "Fastens the ribbon of a scene and records every frame.",
                       RIBBON_VERSION, examples);

@@ -38,6 +38,6 @@ struct RecorderOptions {
 
 // Nothing when --help or --version was asked for: that has been printed to standard output. Fails
 // when the command line cannot be understood or asks for things that do not go together.
-Result<std::optional<RecorderOptions>> parse_options(int argc, const char* const* argv);
+Result<std::optional<RecorderOptions>> parse_recorder_options(int argc, const char* const* argv);
 
 }  // namespace ribbon

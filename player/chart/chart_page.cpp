@@ -106,7 +106,7 @@ std::vector<Points> parts_up_to(double height, const Points& line) {
 
 class PagePainter {
  public:
-  PagePainter(Drawing& page, const Span& time) : page_(page), time_(time) {}
+  PagePainter(ChartDrawing& page, const Span& time) : page_(page), time_(time) {}
 
   // With the upper left corner of the plot there.
   void add(const Chart& chart, const Vector2f& corner, bool names_time) {
@@ -188,7 +188,7 @@ class PagePainter {
          Look::line_color);
   }
 
-  Drawing& page_;
+  ChartDrawing& page_;
   Span time_;
 };
 
@@ -203,12 +203,12 @@ int page_width(std::size_t columns, int subtitle_width) {
 
 }  // namespace
 
-Drawing chart_page(const std::string& title, const std::string& subtitle,
-                   const std::vector<Chart>& charts) {
+ChartDrawing chart_page(const std::string& title, const std::string& subtitle,
+                        const std::vector<Chart>& charts) {
   assert(!charts.empty());
   const std::size_t rows = std::min(charts.size(), Look::most_in_a_column);
   const std::size_t columns = (charts.size() + rows - 1) / rows;
-  Drawing page;
+  ChartDrawing page;
   page.title = title;
   const CaptionPainter letters;
   page.size = {page_width(columns, letters.width(subtitle, Look::text_height)),

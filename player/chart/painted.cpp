@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "player/chart/drawing.h"
+#include "player/chart/chart_drawing.h"
 #include "player/picture/caption.h"
 #include "player/picture/page_colors.h"
 #include "player/picture/strokes.h"
@@ -76,7 +76,7 @@ class DrawingPainter {
 
 }  // namespace
 
-Picture painted(const Drawing& drawing, int scale) {
+Picture painted(const ChartDrawing& drawing, int scale) {
   DrawingPainter painter(drawing.size, scale);
   for (const auto& shape : drawing.shapes)
     std::visit([&painter](const auto& drawn) { painter.paint(drawn); }, shape);

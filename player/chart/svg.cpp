@@ -1,4 +1,4 @@
-#include "player/chart/drawing.h"
+#include "player/chart/chart_drawing.h"
 #include "text/characters.h"
 #include "text/number_text.h"
 
@@ -63,7 +63,7 @@ std::string element(const DrawnText& text) {
 
 }  // namespace
 
-std::string svg_text(const Drawing& drawing) {
+std::string svg_text(const ChartDrawing& drawing) {
   std::string svg = filled_in(
       R"(<svg xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" viewBox="0 0 {} {}" )"
       R"(font-family="DejaVu Sans, Verdana, sans-serif">)",

@@ -9,7 +9,7 @@ namespace ribbon {
 
 namespace {
 
-void append_side(const Cloth& cloth, bool is_front, ClothTexels& texels) {
+void append_side(const ClothColors& cloth, bool is_front, ClothTexels& texels) {
   const float period = texels.period[is_front ? 0 : 1];
   const auto along_count = static_cast<float>(texels.along);
   const auto across_count = static_cast<float>(texels.across);
@@ -25,7 +25,7 @@ void append_side(const Cloth& cloth, bool is_front, ClothTexels& texels) {
 }
 
 // As many texels as the finer of both sides has pixels.
-ClothTexels sized_for(const Cloth& cloth) {
+ClothTexels sized_for(const ClothColors& cloth) {
   if (!cloth.front)
     return {pattern_along, pattern_across, Eigen::Vector2f::Constant(pattern_period), {}};
   const Texture& front = *cloth.front;
@@ -38,7 +38,7 @@ ClothTexels sized_for(const Cloth& cloth) {
 
 }  // namespace
 
-ClothTexels cloth_texels(const Cloth& cloth) {
+ClothTexels cloth_texels(const ClothColors& cloth) {
   ClothTexels texels = sized_for(cloth);
   texels.bytes.reserve(std::size_t{2} * 4 * texels.along * texels.across);
   append_side(cloth, true, texels);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "player/render/cloth.h"
+#include "player/render/cloth_colors.h"
 
 namespace ribbon {
 
@@ -21,6 +21,6 @@ struct ClothTexels {
   std::vector<std::uint8_t> bytes;
 };
 
-ClothTexels cloth_texels(const Cloth& cloth);
+ClothTexels cloth_texels(const ClothColors& cloth);
 
 }  // namespace ribbon

@@ -41,13 +41,13 @@ Result<PreviewScene::Programs> PreviewScene::make_programs(const Gl& gl) {
 }
 
 Result<PreviewScene> PreviewScene::create(const Gl& gl, const RecordingHeader& header,
-                                          const Cloth& cloth) {
+                                          const ClothColors& cloth) {
   const auto programs = make_programs(gl);
   if (!programs) return tl::unexpected(programs.error());
   return PreviewScene(gl, header, cloth, *programs);
 }
 
-PreviewScene::PreviewScene(const Gl& gl, const RecordingHeader& header, const Cloth& cloth,
+PreviewScene::PreviewScene(const Gl& gl, const RecordingHeader& header, const ClothColors& cloth,
                            Programs programs)
     : gl_(&gl),
       programs_(programs),
@@ -69,7 +69,7 @@ PreviewScene::PreviewScene(const Gl& gl, const RecordingHeader& header, const Cl
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void PreviewScene::load(const Cloth& cloth) {
+void PreviewScene::load(const ClothColors& cloth) {
   const ClothTexels texels = cloth_texels(cloth);
   periods_ = texels.period;
   GLuint texture = 0;

@@ -8,7 +8,7 @@
 #include "player/preview/projection.h"
 #include "player/preview/shader_program.h"
 #include "player/preview/vertex_array.h"
-#include "player/render/cloth.h"
+#include "player/render/cloth_colors.h"
 #include "player/render/surface.h"
 #include "recording/records/recording.h"
 
@@ -25,7 +25,7 @@ class PreviewScene {
   // Obstacle and curve are there, as far as the recording has them; the ribbon is not yet. Keeps a
   // reference to `gl`. Fails where OpenGL does.
   static Result<PreviewScene> create(const Gl& gl, const RecordingHeader& header,
-                                     const Cloth& cloth);
+                                     const ClothColors& cloth);
 
   // positions: 3 x particles, in metres.
   void set_ribbon(const Eigen::Matrix3Xf& positions);
@@ -41,8 +41,9 @@ class PreviewScene {
   };
   static Result<Programs> make_programs(const Gl& gl);
 
-  PreviewScene(const Gl& gl, const RecordingHeader& header, const Cloth& cloth, Programs programs);
-  void load(const Cloth& cloth);
+  PreviewScene(const Gl& gl, const RecordingHeader& header, const ClothColors& cloth,
+               Programs programs);
+  void load(const ClothColors& cloth);
   void set_lines(const LineBands& bands, std::optional<VertexArray>& lines);
   void draw_ribbon(const Eigen::Matrix4f& clip_from_world) const;
   void draw_lines(const PreviewShot& shot, const Eigen::Matrix4f& clip_from_world) const;

@@ -1,7 +1,7 @@
 // How previews are drawn.
 #pragma once
 
-#include "player/render/cloth.h"
+#include "player/render/cloth_colors.h"
 
 namespace ribbon {
 
@@ -10,7 +10,7 @@ inline constexpr int largest_preview_part = 2048;  // pixels, each way
 
 struct PreviewSettings {
   bool antialiased = true;  // edges with four samples a pixel
-  Cloth cloth = {};
+  ClothColors cloth = {};
   int threads = 0;  // at most so many; 0: as many as there are cores
 };
 

@@ -110,8 +110,8 @@ Color cloth_back(float /*along*/, float across, float blur) {
   return vermilion + (wine - vermilion) * stripe(distance_to_selvage(across), blur);
 }
 
-void cloth_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
-                  std::size_t first) {
+void pattern_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
+                    std::size_t first) {
   vectorised([&]() RIBBON_INLINED {
     const LaneVector front = lane_vector(indigo);
     const LaneVector thread_on_front = lane_vector(cream - indigo);

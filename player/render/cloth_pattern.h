@@ -16,8 +16,8 @@ Color cloth_front(float along, float across, float blur);
 Color cloth_back(float along, float across, float blur);
 
 // The same of `count` looks, whose textures' unit is the ribbon's width: colors from `first` on.
-void cloth_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
-                  std::size_t first);
+void pattern_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
+                    std::size_t first);
 
 // After so many ribbon widths the pattern begins anew; as an image it has so many texels.
 inline constexpr float pattern_period = 0.5F;

@@ -5,7 +5,7 @@
 
 #include "player/picture/picture.h"
 #include "player/picture/tone.h"
-#include "player/render/cloth.h"
+#include "player/render/cloth_colors.h"
 #include "player/render/lighting.h"
 #include "player/render/pixel_planes.h"
 #include "player/render/quality.h"
@@ -19,7 +19,7 @@ struct RenderSettings {
   Quality quality = {};
   Lighting lighting = {};
   Backdrop backdrop = {};
-  Cloth cloth = {};
+  ClothColors cloth = {};
   float thickness_m = 0;  // of the cloth, as it is seen at the selvages
   Tone tone = {};
   bool ground = false;  // a floor in the backdrop's colours that shows the shadows

@@ -8,7 +8,7 @@
 
 #include "player/picture/color.h"
 #include "player/picture/color_map.h"
-#include "player/render/cloth.h"
+#include "player/render/cloth_colors.h"
 #include "player/render/ray_scene.h"
 #include "player/render/surface.h"
 #include "player/render/surface_points.h"
@@ -22,7 +22,7 @@ class RenderScene {
   // thickness is seen there.
   explicit RenderScene(const RecordingHeader& header, bool with_selvages = false);
 
-  void set_cloth(Cloth cloth) { cloth_ = std::move(cloth); }
+  void set_cloth(ClothColors cloth) { cloth_ = std::move(cloth); }
   // An endless floor at that height, which must be below everything.
   void set_ground(float height_m) { ground_m_ = height_m; }
 
@@ -54,7 +54,7 @@ class RenderScene {
 
   RibbonGrid grid_;
   bool with_selvages_;
-  Cloth cloth_;
+  ClothColors cloth_;
   std::optional<ColorMap> map_;  // on which the ribbon's texture is; none: cloth is shown
   std::optional<float> ground_m_;
   Surface ribbon_;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "recorder/run/drawn_knot.h"
-#include "recorder/run/tying.h"
+#include "recorder/run/tied_as_drawn.h"
 
 namespace ribbon {
 
@@ -15,8 +15,8 @@ Result<void> start_is_tied_as_drawn(const Scene& scene, const RibbonMesh& ribbon
                                     const FasteningProcessor& fastening) {
   if (scene.contact != ContactMethod::gate) return {};
   auto tied = fastening.start().kind == StartKind::recovered
-                  ? check_tying(ribbon.grid, object_axis(centre_axis(scene), obstacle),
-                                ribbon.positions, fastening.positions())
+                  ? check_tied_as_drawn(ribbon.grid, object_axis(centre_axis(scene), obstacle),
+                                        ribbon.positions, fastening.positions())
                   : Result<void>();
   if (tied) tied = check_first_frame(scene, ribbon, fastening.positions());
   if (!tied) tied.error().place = scene.name;

@@ -30,7 +30,7 @@ Chart chart_of(std::vector<std::vector<Eigen::Vector2d>> lines) {
 // An SVG as a browser reads it.
 class SvgPage {
  public:
-  explicit SvgPage(const Drawing& drawing) {
+  explicit SvgPage(const ChartDrawing& drawing) {
     const std::string svg = svg_text(drawing);
     const auto read = page_.load_buffer(svg.data(), svg.size());
     EXPECT_TRUE(read) << read.description() << "\n" << svg;
@@ -81,7 +81,7 @@ TEST(ChartPage, points_stand_where_their_values_are) {
 }
 
 TEST(ChartPage, a_broken_line_is_drawn_in_its_parts_and_a_single_point_as_a_dot) {
-  const Drawing drawing =
+  const ChartDrawing drawing =
       chart_page("", "", {chart_of({{{0, 1}, {1, 2}}, {{3, 3}}, {{5, 1}, {6, 2}, {7, 2}}})});
   EXPECT_THAT(SvgPage(drawing).lines(data_color), ElementsAre(SizeIs(2), SizeIs(3)));
   EXPECT_THAT(svg_text(drawing), testing::HasSubstr("<circle"));
@@ -125,7 +125,7 @@ TEST(ChartPage, any_numbers_make_a_page_whose_places_are_finite) {
                                                               {{{-huge, tiny}, {huge, 2 * tiny}}},
                                                               {{{5, 7}, {2, 1}}},
                                                               {{{1e15, 1}, {1e15 + 1, 1}}}}) {
-    const Drawing drawing = chart_page("", "", {chart_of(lines)});
+    const ChartDrawing drawing = chart_page("", "", {chart_of(lines)});
     for (const auto& line : SvgPage(drawing).lines(data_color))
       for (const Eigen::Vector2f& point : line) EXPECT_TRUE(point.allFinite());
     EXPECT_THAT(svg_text(drawing), Not(testing::HasSubstr("nan")));
@@ -135,8 +135,8 @@ TEST(ChartPage, any_numbers_make_a_page_whose_places_are_finite) {
 
 TEST(ChartPage, eight_charts_stand_in_two_columns_and_three_in_one) {
   const Chart chart = chart_of({{{0, 0}, {1, 1}}});
-  const Drawing three = chart_page("", "", std::vector<Chart>(3, chart));
-  const Drawing eight = chart_page("", "", std::vector<Chart>(8, chart));
+  const ChartDrawing three = chart_page("", "", std::vector<Chart>(3, chart));
+  const ChartDrawing eight = chart_page("", "", std::vector<Chart>(8, chart));
   EXPECT_GT(eight.size.width, 1.8 * three.size.width);
   EXPECT_GT(eight.size.height, three.size.height);
 }
@@ -148,7 +148,7 @@ TEST(ChartPage, long_headings_find_room) {
   for (const int words : {1, 15, 90}) {
     std::string subtitle;
     for (int word = 0; word < words; ++word) subtitle += "particles ";
-    const Drawing page = chart_page(title, subtitle, {chart});
+    const ChartDrawing page = chart_page(title, subtitle, {chart});
     int headings = 0;
     for (const auto& shape : page.shapes)
       if (const auto* text = std::get_if<DrawnText>(&shape);
@@ -164,7 +164,7 @@ TEST(ChartPage, long_headings_find_room) {
 }
 
 TEST(ChartPage, pixels_have_the_line_where_the_svg_has_it) {
-  const Drawing drawing =
+  const ChartDrawing drawing =
       chart_page("title", "subtitle", {chart_of({{{0, 0}, {1, 25}, {2, 100}, {4, 50}}})});
   const Picture picture = painted(drawing, 2);
   EXPECT_EQ(picture.size, (PictureSize{2 * drawing.size.width, 2 * drawing.size.height}));

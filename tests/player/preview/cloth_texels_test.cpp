@@ -59,7 +59,7 @@ TEST(ClothTexels, textures_of_different_shapes_each_fill_their_side) {
   const Color red(1, 0, 0);
   const Color green(0, 1, 0);
   const Color blue(0, 0, 1);
-  const Cloth cloth{texture_of({40, 20}, red, green), texture_of({8, 32}, blue, red)};
+  const ClothColors cloth{texture_of({40, 20}, red, green), texture_of({8, 32}, blue, red)};
   const ClothTexels texels = cloth_texels(cloth);
   EXPECT_EQ(texels.along, 40);
   EXPECT_EQ(texels.across, 32);

@@ -136,7 +136,7 @@ TEST(SurfacePoints, are_the_same_bits_with_all_instruction_sets) {
     expect_same(plain->looks.*member, widest->looks.*member);
 }
 
-TEST(ClothColors, are_those_of_one_look_after_the_other) {
+TEST(PatternColors, are_those_of_one_look_after_the_other) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> number(0, 1);
   LookBatch looks;
@@ -149,7 +149,7 @@ TEST(ClothColors, are_those_of_one_look_after_the_other) {
   for (const InstructionSet set : {InstructionSet::baseline, best_instruction_set()}) {
     choose_instruction_set(set);
     VectorLanes colors;
-    cloth_colors(looks, batch_size - 5, colors, 5);
+    pattern_colors(looks, batch_size - 5, colors, 5);
     for (std::size_t i = 0; i < batch_size - 5; ++i) {
       const Color expected = looks.front[i] > 0
                                  ? cloth_front(looks.x[i], looks.y[i], looks.reach[i])

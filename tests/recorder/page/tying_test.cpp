@@ -10,7 +10,7 @@
 #include "recorder/small_scene.h"
 #include "recorder/test_runs.h"
 
-namespace ribbon::page_tying_test {
+namespace ribbon::tying_test {
 
 using ::testing::HasSubstr;
 
@@ -53,4 +53,4 @@ TEST_F(TyingInAPage, what_cannot_begin_is_refused) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "knot.rbn"));
 }
 
-}  // namespace ribbon::page_tying_test
+}  // namespace ribbon::tying_test

@@ -35,16 +35,16 @@ struct DrawnText {
   std::uint32_t color = 0;
 };
 
-struct Drawing {
+struct ChartDrawing {
   PictureSize size;
   std::string title;  // told by programs that show the drawing, not drawn
   std::vector<std::variant<DrawnBox, DrawnLine, DrawnText>> shapes;  // later ones lie on top
 };
 
 // As SVG, whatever characters the texts hold.
-std::string svg_text(const Drawing& drawing);
+std::string svg_text(const ChartDrawing& drawing);
 
 // As pixels, `scale` of them for each of the drawing's.
-Picture painted(const Drawing& drawing, int scale);
+Picture painted(const ChartDrawing& drawing, int scale);
 
 }  // namespace ribbon

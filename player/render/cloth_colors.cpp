@@ -1,4 +1,4 @@
-#include "player/render/cloth.h"
+#include "player/render/cloth_colors.h"
 
 #include "player/render/cloth_pattern.h"
 
@@ -15,15 +15,15 @@ Color textured(const Texture& texture, float along, float across, float reach) {
 
 }  // namespace
 
-Color Cloth::color(float along, float across, bool shows_front, float reach) const {
+Color ClothColors::color(float along, float across, bool shows_front, float reach) const {
   const Texture* texture = texture_of(shows_front);
   if (texture != nullptr) return textured(*texture, along, across, reach);
   return shows_front ? cloth_front(along, across, reach) : cloth_back(along, across, reach);
 }
 
-void Cloth::find_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
-                        std::size_t first) const {
-  if (!front) cloth_colors(looks, count, colors, first);
+void ClothColors::find_colors(const LookBatch& looks, std::size_t count, VectorLanes& colors,
+                              std::size_t first) const {
+  if (!front) pattern_colors(looks, count, colors, first);
   for (std::size_t i = 0; i < count; ++i) {
     const Texture* texture = texture_of(looks.front[i] > 0);
     if (texture == nullptr) continue;

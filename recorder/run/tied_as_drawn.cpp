@@ -1,11 +1,11 @@
-#include "recorder/run/tying.h"
+#include "recorder/run/tied_as_drawn.h"
 
 #include "knot/knot_witness.h"
 
 namespace ribbon {
 
-Result<void> check_tying(const RibbonGrid& grid, const std::optional<ObjectAxis>& axis,
-                         const Eigen::Matrix3Xd& drawn, const Eigen::Matrix3Xd& start) {
+Result<void> check_tied_as_drawn(const RibbonGrid& grid, const std::optional<ObjectAxis>& axis,
+                                 const Eigen::Matrix3Xd& drawn, const Eigen::Matrix3Xd& start) {
   KnotWitness witness(grid, axis);
   witness.follow(drawn.cast<float>());
   const KnotCertificate before = witness.certificate();

@@ -12,7 +12,7 @@ namespace ribbon {
 
 // Without textures the built-in pattern. A texture is as high as the ribbon is wide and is repeated
 // along it; a back without one of its own shows the front's.
-struct Cloth {
+struct ClothColors {
   std::shared_ptr<const Texture> front;
   std::shared_ptr<const Texture> back;
 
