@@ -251,8 +251,8 @@ std::int64_t FasteningProcessor::steps_at(double time_s) const {
   return parts_->steps_before + static_cast<std::int64_t>(std::ceil(steps - 1e-9 * (1 + steps)));
 }
 
-const StageSums& FasteningProcessor::stage_sums() const {
-  return parts_->time_step->stage_sums();
+const PhaseSums& FasteningProcessor::phase_sums() const {
+  return parts_->time_step->phase_sums();
 }
 
 // ---- What became of the ribbon

@@ -13,7 +13,7 @@
 #include "result/result.h"
 #include "scene/integration_method.h"
 #include "simulation/start/start_report.h"
-#include "simulation/step/stage_clock.h"
+#include "simulation/step/step_clock.h"
 #include "simulation/step/step_report.h"
 
 namespace ribbon {
@@ -121,7 +121,7 @@ class FasteningProcessor {
   [[nodiscard]] double held_strain() const;
 
   // Where the time of all steps went.
-  [[nodiscard]] const StageSums& stage_sums() const;
+  [[nodiscard]] const PhaseSums& phase_sums() const;
 
   // 3 x particles, metres.
   [[nodiscard]] const Eigen::Matrix3Xd& positions() const;

@@ -88,7 +88,7 @@ Result<RunStatistics> Run::finish(RunEnding ending) {
   statistics_.integrator = std::string(word_for(fastening.integrator()));
   statistics_.held_strain = fastening.held_strain();
   statistics_.steps = fastening.steps();
-  statistics_.stages = fastening.stage_sums();
+  statistics_.phases = fastening.phase_sums();
   statistics_.bytes = file_.bytes_written();
   statistics_.beside_it = file_.figures();
   statistics_.computed_steps = frames_.effort().steps;

@@ -31,7 +31,7 @@ double RunStatistics::per_step(std::int64_t count) const {
 }
 
 double RunStatistics::substeps() const {
-  return per_step(stages.parts);
+  return per_step(phases.parts);
 }
 
 double RunStatistics::share_of_recording() const {
@@ -114,16 +114,16 @@ std::string profile_line(std::string_view what, double time_s, double of_s, std:
   return filled_in("  {:<17}{:>6.1f} %{:>11.3f} ms\n", what, percent, each_ms);
 }
 
-Json stages_json(const StageSums& stages) {
+Json phases_json(const PhaseSums& phases) {
   Json json;
-  for (std::size_t stage = 0; stage < step_stage_count; ++stage) {
-    std::string name(word_for(static_cast<StepStage>(stage)));
+  for (std::size_t phase = 0; phase < step_phase_count; ++phase) {
+    std::string name(word_for(static_cast<StepPhase>(phase)));
     std::replace(name.begin(), name.end(), ' ', '_');
-    json.set(name + "_s", stages.time_s[stage]);
+    json.set(name + "_s", phases.time_s[phase]);
   }
-  json.set("detections", stages.detections);
-  json.set("listed_pairs", stages.listed_pairs);
-  json.set("sweeps", stages.sweeps);
+  json.set("detections", phases.detections);
+  json.set("listed_pairs", phases.listed_pairs);
+  json.set("sweeps", phases.sweeps);
   return json;
 }
 
@@ -136,9 +136,9 @@ std::string profile_text(const RunStatistics& statistics) {
       filled_in("a step, {} times, by {} in {:.1f} parts:\n", statistics.computed_steps,
                 statistics.integrator, statistics.substeps());
   // A step truncates or recovers; the other takes no time.
-  for (std::size_t stage = 0; stage < step_stage_count; ++stage)
-    if (const double time_s = statistics.stages.time_s[stage]; time_s > 0)
-      text += profile_line(word_for(static_cast<StepStage>(stage)), time_s, all_s,
+  for (std::size_t phase = 0; phase < step_phase_count; ++phase)
+    if (const double time_s = statistics.phases.time_s[phase]; time_s > 0)
+      text += profile_line(word_for(static_cast<StepPhase>(phase)), time_s, all_s,
                            statistics.computed_steps);
   text += filled_in("a frame, {} times:\n", frames) +
           profile_line("measuring", statistics.measuring_s, all_s, frames) +
@@ -147,7 +147,7 @@ std::string profile_text(const RunStatistics& statistics) {
           profile_line("encoding", statistics.beside_it.writer.encoding_s, all_s, frames) +
           profile_line("writing", statistics.beside_it.writer.writing_s, all_s, frames) +
           profile_line("syncing", statistics.beside_it.writer.syncing_s, all_s, frames);
-  const StageSums& sums = statistics.stages;
+  const PhaseSums& sums = statistics.phases;
   return text + filled_in(
                     "in a step {:.2f} detections, {:.0f} pairs of features listed, {:.1f} "
                     "sweeps over all edges\n",
@@ -185,7 +185,7 @@ std::string statistics_json(const RunStatistics& statistics) {
       {"frames_before", statistics.frames_before},
       {"simulated_s", statistics.simulated_s},
       {"simulation_s", statistics.simulation_s},
-      {"stages", stages_json(statistics.stages)},
+      {"phases", phases_json(statistics.phases)},
       {"measuring_s", statistics.measuring_s},
       {"recording_s", statistics.recording_s},
       {"recording_share", statistics.share_of_recording()},

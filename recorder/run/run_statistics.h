@@ -11,7 +11,7 @@
 #include "playback/recording_reader.h"
 #include "recording/records/recording.h"
 #include "recording/writer/background_writer.h"
-#include "simulation/step/stage_clock.h"
+#include "simulation/step/step_clock.h"
 
 namespace ribbon {
 
@@ -29,7 +29,7 @@ struct RunStatistics {
   int frames_before = 0;  // how many there were before this run
   double simulated_s = 0;
   double simulation_s = 0;  // wall time spent in steps
-  StageSums stages = {};    // what it was spent for
+  PhaseSums phases = {};    // what it was spent for
   double measuring_s = 0;   // wall time spent on the numbers of frames
   double recording_s = 0;   // wall time for which recording them, and checkpoints, blocked the run
   BackgroundFigures beside_it = {};  // of the writer that worked beside the run
@@ -65,7 +65,7 @@ struct RunStatistics {
 // What there is to tell of the first frames of a recording, so many.
 RunStatistics statistics_of(const RecordingReader& reader, int frames);
 
-// Where the time of the run went, in lines of text: each stage of the steps, and the frames.
+// Where the time of the run went, in lines of text: each phase of the steps, and the frames.
 std::string profile_text(const RunStatistics& statistics);
 
 // For people: one line. For programs: JSON.

@@ -50,23 +50,23 @@ TEST(FasteningProcessor, tells_where_the_time_of_its_steps_went) {
     Scene scene = scene_of_loop();
     scene.contact = contact;
     FasteningProcessor fastening = processor(scene, post(0.3));
-    const StageSums start = fastening.stage_sums();
+    const PhaseSums start = fastening.phase_sums();
     EXPECT_EQ(start.detections, 0);
     const auto before = std::chrono::steady_clock::now();
     for (int i = 0; i < 10; ++i) fastening.step();
     const std::chrono::duration<double> all = std::chrono::steady_clock::now() - before;
-    const StageSums sums = fastening.stage_sums();
+    const PhaseSums sums = fastening.phase_sums();
     EXPECT_GE(sums.detections, 10);
     // A step truncates or recovers.
-    const StepStage left_out =
-        contact == ContactMethod::gate ? StepStage::recovery : StepStage::truncation;
-    double stages_s = 0;
-    for (std::size_t stage = 0; stage < step_stage_count; ++stage) {
-      EXPECT_EQ(sums.time_s[stage] == 0, static_cast<StepStage>(stage) == left_out) << stage;
-      stages_s += sums.time_s[stage];
+    const StepPhase left_out =
+        contact == ContactMethod::gate ? StepPhase::recovery : StepPhase::truncation;
+    double phases_s = 0;
+    for (std::size_t phase = 0; phase < step_phase_count; ++phase) {
+      EXPECT_EQ(sums.time_s[phase] == 0, static_cast<StepPhase>(phase) == left_out) << phase;
+      phases_s += sums.time_s[phase];
     }
-    EXPECT_LE(stages_s, all.count());
-    EXPECT_GT(stages_s, 0.5 * all.count());
+    EXPECT_LE(phases_s, all.count());
+    EXPECT_GT(phases_s, 0.5 * all.count());
   }
 }
 

@@ -225,7 +225,7 @@ TEST(Resume, a_start_that_was_grown_is_not_searched_again) {
   ASSERT_EQ(grown.start().kind, StartKind::grown);
   FasteningProcessor again = restored(run, grown.state());
   EXPECT_EQ(again.start().kind, StartKind::grown);
-  EXPECT_EQ(again.stage_sums().detections, 0);
+  EXPECT_EQ(again.phase_sums().detections, 0);
   EXPECT_GT(again.guaranteed_gap_m(), 0);
   grown.step();
   again.step();

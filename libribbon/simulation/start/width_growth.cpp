@@ -18,9 +18,9 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-constexpr double growth = 1.05;            // of the width, from one stage to the next
+constexpr double growth = 1.05;            // of the width, from one width to the next
 constexpr int strained_edges_percent = 1;  // that a settled band may have
-constexpr int steps_per_stage = 12;        // at most, to settle; one is nearly always enough
+constexpr int steps_per_width = 12;        // at most, to settle; one is nearly always enough
 constexpr int rounds_a_width = 2;          // after each of them
 constexpr double torn_strain = 1;          // of an edge that has been led round something
 constexpr double noticeable = 0.01;        // of that strain
@@ -92,7 +92,7 @@ GrowthReport grow_width(const Scene& scene, const RibbonMesh& ribbon, double fra
     step.move(rows_scaled(size.grid, scale, cloth.positions), bodies, cloth);
     StrainedEdges edges;
     TornEdge torn_edge;
-    for (int n = 0; n < steps_per_stage; ++n) {
+    for (int n = 0; n < steps_per_width; ++n) {
       if (observer && !observer(what)) return report;
       step.advance_under(Matrix3Xd(3, 0), bodies, cloth);
       step.settle(rounds_a_width, bodies, cloth);

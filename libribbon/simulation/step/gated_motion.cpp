@@ -26,26 +26,26 @@ Gate::Gate(const RestSize& size, PairDistances pair_distances)
       farthest_m(1.5 * size.shortest_edge_m()) {}
 
 void GatedMotion::detect(const Matrix3Xd& led, const Matrix3Xd& target, const Vector3d& fall_m) {
-  const StageTimer timer(clock_, StepStage::detection);
+  const PhaseTimer timer(clock_, StepPhase::detection);
   gate_.broad_phase.detect(bodies_, free_positions(), led, target, fall_m);
   clock_.count_detection(candidates().pairs.size());
 }
 
 void GatedMotion::detect_around(std::span<const int> particles, Widening widening,
                                 const Matrix3Xd& target) {
-  const StageTimer timer(clock_, StepStage::detection);
+  const PhaseTimer timer(clock_, StepPhase::detection);
   gate_.broad_phase.widen(particles, widening, bodies_, target);
   clock_.count_detection(candidates().pairs.size());
 }
 
 void GatedMotion::detect_if_outgrown(const Matrix3Xd& target) {
-  const StageTimer timer(clock_, StepStage::detection);
+  const PhaseTimer timer(clock_, StepPhase::detection);
   find_particles_outside(candidates(), target, gate_.outside);
   if (!gate_.outside.empty()) detect_around(gate_.outside, Widening::onward, target);
 }
 
 int GatedMotion::truncate(const Matrix3Xd& target) {
-  const StageTimer timer(clock_, StepStage::truncation);
+  const PhaseTimer timer(clock_, StepPhase::truncation);
   const auto advance = [&]() -> const TruncationReport& {
     return gate_.truncation.truncate(candidates(), bodies_, gate_.distances, target,
                                      gate_.free_positions);

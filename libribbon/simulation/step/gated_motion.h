@@ -8,13 +8,13 @@
 #include "geometry/rest_size.h"
 #include "simulation/contact/pair_distances.h"
 #include "simulation/detection/bodies.h"
-#include "simulation/step/stage_clock.h"
+#include "simulation/step/step_clock.h"
 #include "simulation/truncation/contact_candidates.h"
 #include "simulation/truncation/displacement_truncation.h"
 
 namespace ribbon {
 
-// The gate's settings, and its stages, which keep their memory from motion to motion.
+// The gate's settings, and its phases, which keep their memory from motion to motion.
 struct Gate {
   Gate(const RestSize& size, PairDistances pair_distances);
 
@@ -28,12 +28,12 @@ struct Gate {
 };
 
 // Within one step, or some of its substeps: from the positions at its start, in which nothing
-// intersects, stage by stage toward the targets that integration and corrections set. What it
+// intersects, phase by phase toward the targets that integration and corrections set. What it
 // refers to must outlive it, and the gate serves one motion at a time.
 class GatedMotion {
  public:
   GatedMotion(Gate& gate, const Eigen::Matrix3Xd& start, double duration_s, Bodies& bodies,
-              StageClock& clock)
+              StepClock& clock)
       : gate_(gate), bodies_(bodies), clock_(clock), duration_s_(duration_s) {
     gate_.free_positions = start;
   }
@@ -66,7 +66,7 @@ class GatedMotion {
 
   Gate& gate_;
   Bodies& bodies_;
-  StageClock& clock_;
+  StepClock& clock_;
   double duration_s_;
 };
 

@@ -7,7 +7,7 @@
 
 #include "geometry/vectors.h"
 #include "ribbon_mesh/springs.h"
-#include "simulation/step/stage_clock.h"
+#include "simulation/step/step_clock.h"
 
 namespace ribbon {
 
@@ -136,28 +136,28 @@ StepReport GatedStep::correct_within(GatedMotion& motion, const Bodies& bodies, 
   return report;
 }
 
-// ---- The stages
+// ---- The phases
 
 void GatedStep::hold_force(const Matrix3Xd& force, const Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::integration);
+  const PhaseTimer timer(clock_, StepPhase::integration);
   integrator_->hold_force(force, cloth);
 }
 
 void GatedStep::integrate_substep(Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::integration);
+  const PhaseTimer timer(clock_, StepPhase::integration);
   integrator_->displace_in_substep(cloth);
 }
 
 void GatedStep::find_contacts(const GatedMotion& motion, const Matrix3Xd& target,
                               const Bodies& bodies, const Vector3d& fall_m) {
-  const StageTimer timer(clock_, StepStage::repulsion);
+  const PhaseTimer timer(clock_, StepPhase::repulsion);
   contacts_.find(motion.candidates(), bodies, gate_.distances, motion.slack_m(),
                  motion.free_positions(), target, fall_m);
 }
 
 // What sweeps have not let go is more than they can pass on.
 void GatedStep::shorten_loose_ends(Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::strain_correction);
+  const PhaseTimer timer(clock_, StepPhase::strain_correction);
   loose_rows_.break_at(contacts_.found());
   loose_rows_.shorten(cloth);
 }
@@ -166,7 +166,7 @@ void GatedStep::shorten_loose_ends(Cloth& cloth) {
 // satisfied in turn.
 void GatedStep::correct_strain_and_contact(int most_sweeps, const Matrix3Xd& before,
                                            const Bodies& bodies, Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::strain_correction);
+  const PhaseTimer timer(clock_, StepPhase::strain_correction);
   activity_.reset();
   contacts_.begin_sweeps();
   bool any = true;
@@ -190,7 +190,7 @@ StepReport GatedStep::pass_gate(GatedMotion& motion, Cloth& cloth) {
 // What was truncated is taken from the velocity, as far as there is any in that direction: a
 // repulsion or correction that did not get through must not throw a particle the other way.
 int GatedStep::truncate(GatedMotion& motion, Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::truncation);
+  const PhaseTimer timer(clock_, StepPhase::truncation);
   const int truncated = motion.truncate(cloth.positions);
   for (Eigen::Index particle = 0; particle < cloth.particle_count(); ++particle) {
     const Vector3d lost = cloth.positions.col(particle) - motion.free_positions().col(particle);
@@ -205,7 +205,7 @@ int GatedStep::truncate(GatedMotion& motion, Cloth& cloth) {
 }
 
 StrainExcess GatedStep::strain_excess(const Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::strain_correction);
+  const PhaseTimer timer(clock_, StepPhase::strain_correction);
   return strain_constraints_.excess(cloth.positions);
 }
 

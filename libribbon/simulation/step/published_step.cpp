@@ -3,7 +3,7 @@
 #include "simulation/contact/repulsion.h"
 #include "simulation/detection/swept_pairs.h"
 #include "simulation/state/edge_strain.h"
-#include "simulation/step/stage_clock.h"
+#include "simulation/step/step_clock.h"
 
 namespace ribbon {
 
@@ -33,16 +33,16 @@ StepReport PublishedStep::correct(const Matrix3Xd& before, Bodies& bodies, Cloth
   return recover(bodies, cloth);                                                  // section 5.6
 }
 
-// ---- The stages
+// ---- The phases
 
 void PublishedStep::integrate(const Matrix3Xd& force, Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::integration);
+  const PhaseTimer timer(clock_, StepPhase::integration);
   integrator_->displace(force, cloth);
 }
 
 std::vector<FeaturePair> PublishedStep::detect(const Matrix3Xd& before, Bodies& bodies,
                                                const Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::detection);
+  const PhaseTimer timer(clock_, StepPhase::detection);
   std::vector<FeaturePair> pairs =
       swept_pairs_by_curvature(bodies, before, cloth.positions, distances_.largest_activation_m());
   clock_.count_detection(pairs.size());
@@ -52,14 +52,14 @@ std::vector<FeaturePair> PublishedStep::detect(const Matrix3Xd& before, Bodies& 
 // while ∃ collision: update velocity, displacement.
 bool PublishedStep::repel(const std::vector<FeaturePair>& pairs, const Matrix3Xd& before,
                           const Bodies& bodies, Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::repulsion);
+  const PhaseTimer timer(clock_, StepPhase::repulsion);
   return repel_once(pairs, distances_, {.friction = friction_}, bodies, before, cloth);
 }
 
 // while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes
 // their velocities, so that the springs are not stretched again in the next step.
 void PublishedStep::correct_strain(Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::strain_correction);
+  const PhaseTimer timer(clock_, StepPhase::strain_correction);
   const Matrix3Xd before = cloth.positions;
   int rounds = 0;
   while (rounds < most_corrections && strain_correction_.any_over_limit(cloth.positions)) {
@@ -72,7 +72,7 @@ void PublishedStep::correct_strain(Cloth& cloth) {
 
 // while ∃ edge penetration: apply error recovery schemes.
 StepReport PublishedStep::recover(Bodies& bodies, Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::recovery);
+  const PhaseTimer timer(clock_, StepPhase::recovery);
   const RecoveryReport report = ribbon::recover(bodies, recovery_, cloth.positions);
   return {.recovery_iterations = report.iterations,
           .penetrating_edges = report.penetrating_edges,

@@ -22,7 +22,7 @@ StepReport TimeStep::take(Hands* hands, Bodies& bodies, Cloth& cloth) {
 }
 
 const Matrix3Xd& TimeStep::fastening_force(Hands* hands, const Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::fastening_force);
+  const PhaseTimer timer(clock_, StepPhase::fastening_force);
   const Matrix3Xd& force = hands != nullptr ? hands->pull(cloth) : no_force_;
   integrator_->take_grips(hands != nullptr ? hands->grips() : std::span<const Grip>());
   return force;
@@ -30,7 +30,7 @@ const Matrix3Xd& TimeStep::fastening_force(Hands* hands, const Cloth& cloth) {
 
 // The hands measure how far the ribbon followed their pull.
 void TimeStep::follow_with(Hands& hands, const Cloth& cloth) {
-  const StageTimer timer(clock_, StepStage::fastening_force);
+  const PhaseTimer timer(clock_, StepPhase::fastening_force);
   hands.follow(cloth);
 }
 

@@ -12,7 +12,7 @@
 #include "simulation/fastening/hands.h"
 #include "simulation/integration/integrator.h"
 #include "simulation/state/cloth.h"
-#include "simulation/step/stage_clock.h"
+#include "simulation/step/step_clock.h"
 #include "simulation/step/step_report.h"
 
 namespace ribbon {
@@ -55,22 +55,22 @@ class TimeStep {
 
   [[nodiscard]] const Integrator& integrator() const { return *integrator_; }
   // Of all steps.
-  [[nodiscard]] const StageSums& stage_sums() const { return clock_.sums(); }
+  [[nodiscard]] const PhaseSums& phase_sums() const { return clock_.sums(); }
 
  protected:
   // particle_mass_kg: mean.
   TimeStep(const Scene& scene, const RestSize& size, double particle_mass_kg);
 
-  // All stages of a step, under the force of the hands.
+  // All phases of a step, under the force of the hands.
   virtual StepReport advance(Hands* hands, Bodies& bodies, Cloth& cloth) = 0;
 
-  // The first stage: 3 x particles, N, or no columns for none.
+  // The first phase: 3 x particles, N, or no columns for none.
   const Eigen::Matrix3Xd& fastening_force(Hands* hands, const Cloth& cloth);
 
   double step_s_;
   double friction_;
   std::unique_ptr<Integrator> integrator_;
-  StageClock clock_;
+  StepClock clock_;
 
  private:
   void follow_with(Hands& hands, const Cloth& cloth);

@@ -38,8 +38,8 @@ void describe(CLI::App& app, Options& options) {
 void print_heading() {
   std::string names = "| scene | ms a step |";
   std::string rule = "|---|---|";
-  for (std::size_t stage = 0; stage < step_stage_count; ++stage) {
-    names += " " + std::string(word_for(static_cast<StepStage>(stage))) + " |";
+  for (std::size_t phase = 0; phase < step_phase_count; ++phase) {
+    names += " " + std::string(word_for(static_cast<StepPhase>(phase))) + " |";
     rule += "---|";
   }
   std::printf("%s held | at most | allocations |\n%s---|---|---|\n", names.c_str(), rule.c_str());
@@ -47,7 +47,7 @@ void print_heading() {
 
 void print(const std::string& feature, const StepCost& cost, int particles) {
   std::printf("| %s | %.2f |", feature.c_str(), 1e3 * cost.processor_s);
-  for (const double stage_s : cost.stage_s) std::printf(" %.0f %% |", 100 * stage_s / cost.wall_s);
+  for (const double phase_s : cost.phase_s) std::printf(" %.0f %% |", 100 * phase_s / cost.wall_s);
   std::printf(" %.0f | %.0f | %.0f |\n", cost.held_bytes / particles, cost.most_bytes / particles,
               cost.allocations);
   std::fflush(stdout);

@@ -68,10 +68,10 @@ Result<SampleRibbon> ribbon_in(const std::string& tight, const RibbonSize& size,
 
 void print_heading(const std::string& state) {
   std::printf("\n%s\n\n| particles | ms a step | by the clock |", state.c_str());
-  for (std::size_t stage = 0; stage < step_stage_count; ++stage)
-    std::printf(" %s |", std::string(word_for(static_cast<StepStage>(stage))).c_str());
+  for (std::size_t phase = 0; phase < step_phase_count; ++phase)
+    std::printf(" %s |", std::string(word_for(static_cast<StepPhase>(phase))).c_str());
   std::printf(" pairs | sweeps | start | held | at most |\n|---|---|---|");
-  for (std::size_t stage = 0; stage < step_stage_count; ++stage) std::printf("---|");
+  for (std::size_t phase = 0; phase < step_phase_count; ++phase) std::printf("---|");
   std::puts("---|---|---|---|---|");
 }
 
@@ -79,7 +79,7 @@ void print(const RibbonSize& size, const StepCost& cost) {
   const double particles = size.particles();
   std::printf("| %dx%d | %.3g | %.3g |", size.across, size.along, 1e3 * cost.processor_s,
               1e3 * cost.wall_s);
-  for (const double stage_s : cost.stage_s) std::printf(" %.0f %% |", 100 * stage_s / cost.wall_s);
+  for (const double phase_s : cost.phase_s) std::printf(" %.0f %% |", 100 * phase_s / cost.wall_s);
   std::printf(" %.0f | %.1f | %.0f | %.0f | %.0f |\n", cost.listed_pairs, cost.sweeps,
               cost.start_bytes / particles, cost.held_bytes / particles,
               cost.most_bytes / particles);

@@ -26,15 +26,15 @@ double since(std::size_t bytes_before, std::size_t bytes) {
 
 void run_measured(int steps, FasteningProcessor& fastening, StepCost& cost) {
   using Clock = std::chrono::steady_clock;
-  const StageSums before = fastening.stage_sums();
+  const PhaseSums before = fastening.phase_sums();
   const double processor_s = processor_time_s();
   const auto start = Clock::now();
   for (int step = 0; step < steps; ++step) fastening.step();
   cost.wall_s = std::chrono::duration<double>(Clock::now() - start).count() / steps;
   cost.processor_s = (processor_time_s() - processor_s) / steps;
-  const StageSums& after = fastening.stage_sums();
-  for (std::size_t stage = 0; stage < step_stage_count; ++stage)
-    cost.stage_s[stage] = (after.time_s[stage] - before.time_s[stage]) / steps;
+  const PhaseSums& after = fastening.phase_sums();
+  for (std::size_t phase = 0; phase < step_phase_count; ++phase)
+    cost.phase_s[phase] = (after.time_s[phase] - before.time_s[phase]) / steps;
   cost.listed_pairs = static_cast<double>(after.listed_pairs - before.listed_pairs) / steps;
   cost.sweeps = static_cast<double>(after.sweeps - before.sweeps) / steps;
 }

@@ -8,7 +8,7 @@
 #include "result/result.h"
 #include "ribbon_mesh/ribbon_mesh.h"
 #include "scene/scene.h"
-#include "simulation/step/stage_clock.h"
+#include "simulation/step/step_clock.h"
 
 namespace ribbon {
 
@@ -16,7 +16,7 @@ namespace ribbon {
 struct StepCost {
   double processor_s = 0;                          // of all threads
   double wall_s = 0;                               // by a clock
-  std::array<double, step_stage_count> stage_s{};  // by a clock, by stage
+  std::array<double, step_phase_count> phase_s{};  // by a clock, by phase
   double allocations = 0;
   double held_bytes = 0;    // after the steps
   double most_bytes = 0;    // at any time in the steps

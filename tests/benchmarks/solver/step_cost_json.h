@@ -9,12 +9,12 @@
 namespace ribbon {
 
 inline nlohmann::ordered_json json_of(const StepCost& cost, int particles) {
-  nlohmann::ordered_json stages;
-  for (std::size_t stage = 0; stage < step_stage_count; ++stage)
-    stages[std::string(word_for(static_cast<StepStage>(stage)))] = cost.stage_s[stage];
+  nlohmann::ordered_json phases;
+  for (std::size_t phase = 0; phase < step_phase_count; ++phase)
+    phases[std::string(word_for(static_cast<StepPhase>(phase)))] = cost.phase_s[phase];
   return {{"processor_s_per_step", cost.processor_s},
           {"wall_s_per_step", cost.wall_s},
-          {"stage_s_per_step", stages},
+          {"phase_s_per_step", phases},
           {"listed_pairs_per_step", cost.listed_pairs},
           {"sweeps_per_step", cost.sweeps},
           {"allocations_per_step", cost.allocations},

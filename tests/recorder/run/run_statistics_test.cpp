@@ -19,7 +19,7 @@ RunStatistics example() {
   statistics.integrator = "rk4";
   statistics.steps = 100;
   statistics.computed_steps = 100;
-  statistics.stages.parts = 400;
+  statistics.phases.parts = 400;
   statistics.simulation_s = 4;
   statistics.bytes = 160;
   return statistics;
@@ -63,10 +63,10 @@ TEST(RunStatistics, tell_to_what_edges_were_held_where_that_is_little) {
 
 TEST(RunStatistics, tell_where_the_time_went) {
   RunStatistics statistics = example();
-  statistics.stages.time_s = {0.1, 0.4, 2, 0.5, 0.6, 0.4, 0};
-  statistics.stages.detections = 150;
-  statistics.stages.listed_pairs = 123'400;
-  statistics.stages.sweeps = 1230;
+  statistics.phases.time_s = {0.1, 0.4, 2, 0.5, 0.6, 0.4, 0};
+  statistics.phases.detections = 150;
+  statistics.phases.listed_pairs = 123'400;
+  statistics.phases.sweeps = 1230;
   statistics.measuring_s = 0.75;
   statistics.recording_s = 0.25;
   statistics.beside_it.writer = {.encoding_s = 0.5, .writing_s = 0.1, .syncing_s = 0.05};
@@ -100,8 +100,8 @@ TEST(RunStatistics, are_told_to_programs_as_json) {
   EXPECT_EQ(json["steps"], 100);
   EXPECT_EQ(json["worst_penetrating_edges"], 5);
   EXPECT_EQ(json["ending"], "unknown");
-  EXPECT_EQ(json["stages"]["detection_s"], 0);
-  EXPECT_EQ(json["stages"]["strain_correction_s"], 0);
+  EXPECT_EQ(json["phases"]["detection_s"], 0);
+  EXPECT_EQ(json["phases"]["strain_correction_s"], 0);
   EXPECT_TRUE(json["tightness"].is_null());
 }
 

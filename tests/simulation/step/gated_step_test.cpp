@@ -117,7 +117,7 @@ TEST(GatedStep, a_long_end_that_is_pulled_takes_few_sweeps) {
     drift(gated, planted.bodies, cloth);
     ASSERT_TRUE(gated.is_within_limit(cloth)) << step;
   }
-  EXPECT_LT(gated.stage_sums().sweeps, 150 * steps);
+  EXPECT_LT(gated.phase_sums().sweeps, 150 * steps);
 }
 
 // Both ends are pulled outward while all of it is pressed on the floor. Rounded by 0.01 m, what is

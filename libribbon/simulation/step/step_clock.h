@@ -10,9 +10,9 @@
 
 namespace ribbon {
 
-// The stages of a step, in the order of the paper's Figure 5. The last two exclude each other: the
+// The phases of a step, in the order of the paper's Figure 5. The last two exclude each other: the
 // gate truncates displacements, and contact = "paper" recovers from penetrations.
-enum class StepStage {
+enum class StepPhase {
   fastening_force,
   integration,
   detection,
@@ -22,22 +22,22 @@ enum class StepStage {
   recovery
 };
 
-inline constexpr std::size_t step_stage_count = 7;
+inline constexpr std::size_t step_phase_count = 7;
 
 // "fastening force", "integration", ...
-std::string_view word_for(StepStage stage);
+std::string_view word_for(StepPhase phase);
 
 // Of many steps together.
-struct StageSums {
-  std::array<double, step_stage_count> time_s{};  // wall time, by stage
+struct PhaseSums {
+  std::array<double, step_phase_count> time_s{};  // wall time, by phase
   std::int64_t detections = 0;
   std::int64_t listed_pairs = 0;  // of features, by all detections
   std::int64_t sweeps = 0;        // of the strain correction over all edges
   std::int64_t parts = 0;         // into which steps were divided
 };
 
-// At any time one stage, or none, is charged: the one of the StageTimer that was started last.
-class StageClock {
+// At any time one phase, or none, is charged: the one of the PhaseTimer that was started last.
+class StepClock {
  public:
   void count_detection(std::size_t pairs) {
     ++sums_.detections;
@@ -46,38 +46,38 @@ class StageClock {
   void count_sweeps(int sweeps) { sums_.sweeps += sweeps; }
   void count_parts(int parts) { sums_.parts += parts; }
 
-  [[nodiscard]] const StageSums& sums() const { return sums_; }
+  [[nodiscard]] const PhaseSums& sums() const { return sums_; }
 
  private:
-  friend class StageTimer;
+  friend class PhaseTimer;
   using Moment = std::chrono::steady_clock::time_point;
   static constexpr int none = -1;
 
-  // Returns the stage that was charged before.
-  int charge(int stage) {
+  // Returns the phase that was charged before.
+  int charge(int phase) {
     const Moment now = std::chrono::steady_clock::now();
     if (charged_ != none)
       sums_.time_s[charged_] += std::chrono::duration<double>(now - last_).count();
     last_ = now;
-    return std::exchange(charged_, stage);
+    return std::exchange(charged_, phase);
   }
 
-  StageSums sums_;
+  PhaseSums sums_;
   int charged_ = none;
   Moment last_;
 };
 
-// As long as it lives, its stage is charged; then, again, what was charged before.
-class StageTimer {
+// As long as it lives, its phase is charged; then, again, what was charged before.
+class PhaseTimer {
  public:
-  StageTimer(StageClock& clock, StepStage stage)
-      : clock_(clock), before_(clock.charge(static_cast<int>(stage))) {}
-  ~StageTimer() { clock_.charge(before_); }
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
+  PhaseTimer(StepClock& clock, StepPhase phase)
+      : clock_(clock), before_(clock.charge(static_cast<int>(phase))) {}
+  ~PhaseTimer() { clock_.charge(before_); }
+  PhaseTimer(const PhaseTimer&) = delete;
+  PhaseTimer& operator=(const PhaseTimer&) = delete;
 
  private:
-  StageClock& clock_;
+  StepClock& clock_;
   int before_;
 };
 
