@@ -106,7 +106,7 @@ class StartSearch {
     return first_closer_than(too_close_m_, bodies_, cloth_.positions).has_value();
   }
 
-  bool is_strained() { return !step_.is_within_limit(cloth_); }
+  bool is_strained() { return !step_.is_bearable(cloth_); }
 
   bool take_thin_band() {
     report_.kind = StartKind::grown;

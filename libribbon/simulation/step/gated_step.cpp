@@ -124,7 +124,7 @@ StepReport GatedStep::advance_to_gate(int parts, const Matrix3Xd& force, Bodies&
 
 StepReport GatedStep::correct_within(GatedMotion& motion, const Bodies& bodies, Cloth& cloth) {
   StepReport report = pass_gate(motion, cloth);
-  for (int round = 0; round < strain_correction_.most_rounds && report.is_over_limit; ++round) {
+  for (int round = 0; round < strain_correction_.most_rounds && report.is_over_aimed; ++round) {
     find_contacts(motion, cloth.positions, bodies);
     shorten_loose_ends(cloth);
     correct_strain_and_contact(strain_correction_.most_sweeps, motion.free_positions(), bodies,
@@ -184,7 +184,7 @@ StepReport GatedStep::pass_gate(GatedMotion& motion, Cloth& cloth) {
   const StrainExcess strain = strain_excess(cloth);
   return {.truncated = truncated,
           .is_bearable = strain.is_bearable,
-          .is_over_limit = strain.beyond_limit > strain_left_over};
+          .is_over_aimed = strain.beyond_aimed > strain_left_over};
 }
 
 // What was truncated is taken from the velocity, as far as there is any in that direction: a
@@ -209,7 +209,7 @@ StrainExcess GatedStep::strain_excess(const Cloth& cloth) {
   return strain_constraints_.excess(cloth.positions);
 }
 
-bool GatedStep::is_within_limit(const Cloth& cloth) {
+bool GatedStep::is_bearable(const Cloth& cloth) {
   return strain_excess(cloth).is_bearable;
 }
 

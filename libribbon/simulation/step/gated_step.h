@@ -40,7 +40,7 @@ class GatedStep : public TimeStep {
   void move(const Eigen::Matrix3Xd& target, Bodies& bodies, Cloth& cloth);
 
   // Is every edge within the paper's limit of strain, with what recording may add?
-  [[nodiscard]] bool is_within_limit(const Cloth& cloth);
+  [[nodiscard]] bool is_bearable(const Cloth& cloth);
 
   [[nodiscard]] double guaranteed_strain() const override { return paper_strain_limit; }
   [[nodiscard]] double held_strain() const override { return strain_constraints_.least_held(); }

@@ -76,7 +76,7 @@ StepReport PublishedStep::recover(Bodies& bodies, Cloth& cloth) {
   const RecoveryReport report = ribbon::recover(bodies, recovery_, cloth.positions);
   return {.recovery_iterations = report.iterations,
           .penetrating_edges = report.penetrating_edges,
-          .is_over_limit = strain_correction_.any_over_limit(cloth.positions)};
+          .is_over_aimed = strain_correction_.any_over_limit(cloth.positions)};
 }
 
 PublishedStep::PublishedStep(const Scene& scene, const RestSize& size, double particle_mass_kg)

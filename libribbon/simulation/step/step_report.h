@@ -9,7 +9,8 @@ struct StepReport {
   int truncated = 0;            // particles that the gate did not let reach their targets
   double pull = 1;              // the fraction of the fastening force that the hands applied
   bool is_bearable = true;      // with the gate: is every edge within the paper's limit of strain?
-  bool is_over_limit = false;  // is some edge still longer or shorter than the strain limit allows?
+  // Is some edge still noticeably longer or shorter than the strain correction aims at?
+  bool is_over_aimed = false;
 };
 
 }  // namespace ribbon

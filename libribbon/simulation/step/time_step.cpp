@@ -35,8 +35,8 @@ void TimeStep::follow_with(Hands& hands, const Cloth& cloth) {
 }
 
 StepReport TimeStep::settle(int rounds, Bodies& bodies, Cloth& cloth) {
-  StepReport last{.is_over_limit = true};
-  for (int round = 0; round < rounds && last.is_over_limit; ++round) {
+  StepReport last{.is_over_aimed = true};
+  for (int round = 0; round < rounds && last.is_over_aimed; ++round) {
     const Matrix3Xd before = cloth.positions;
     const int recovery_iterations = last.recovery_iterations;
     last = correct(before, bodies, cloth);

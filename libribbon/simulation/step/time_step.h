@@ -35,7 +35,7 @@ class TimeStep {
   // particles) brought the cloth; leaves them where they may be, with velocities that agree.
   virtual StepReport correct(const Eigen::Matrix3Xd& before, Bodies& bodies, Cloth& cloth) = 0;
 
-  // Corrects up to `rounds` times, until no edge is over the strain limit, and leaves the cloth at
+  // Corrects up to `rounds` times, until every edge is as is aimed at, and leaves the cloth at
   // rest. The report's recovery iterations are those of all rounds.
   StepReport settle(int rounds, Bodies& bodies, Cloth& cloth);
 

@@ -25,11 +25,11 @@ struct Tightened {
 
 // Moves the two ends of an edge that is too long or too short, and takes from them the speed at
 // which it becomes more so.
-Tightened tighten_edge(double limit, double rest_m, int a, int b, Cloth& cloth) {
+Tightened tighten_edge(double aimed, double rest_m, int a, int b, Cloth& cloth) {
   const Eigen::Vector3d apart = cloth.positions.col(b) - cloth.positions.col(a);
   const double length_m = length_of(apart);
   const double excess_m =
-      length_m - std::clamp(length_m, (1 - limit) * rest_m, (1 + limit) * rest_m);
+      length_m - std::clamp(length_m, (1 - aimed) * rest_m, (1 + aimed) * rest_m);
   const double from_rest_m = length_m - rest_m;
   const double corrected_m = std::copysign(
       std::min(over_relaxation * std::abs(excess_m), std::abs(from_rest_m)), excess_m);
@@ -45,22 +45,22 @@ Tightened tighten_edge(double limit, double rest_m, int a, int b, Cloth& cloth) 
   return {std::abs(excess_m) / rest_m, 0.5 * std::abs(corrected_m)};
 }
 
-// Was any of them beyond its limit by more than is negligible?
+// Was any of them beyond what is aimed at by more than is negligible?
 template <class RestLengths>
-bool tighten_all(const SpringFamily& family, double limit, const RestLengths& rest_m,
+bool tighten_all(const SpringFamily& family, double aimed, const RestLengths& rest_m,
                  const RibbonGrid& grid, SweepActivity& activity, Cloth& cloth) {
   double worst = 0;
   for (int row = 0; row + family.rows < grid.along; ++row) {
     const int other_row = row + family.rows;
     if (activity.is_resting(row) && activity.is_resting(other_row)) continue;
     for_each_spring_of_row(grid, family, row, [&](int a, int b) {
-      const double shortest_m = (1 - limit) * rest_m(a);
-      const double longest_m = (1 + limit) * rest_m(a);
+      const double shortest_m = (1 - aimed) * rest_m(a);
+      const double longest_m = (1 + aimed) * rest_m(a);
       const double squared = squared_length_of(cloth.positions.col(b) - cloth.positions.col(a));
       // A collapsed edge has no direction to grow in; its neighbours give it one.
       if ((squared >= shortest_m * shortest_m && squared <= longest_m * longest_m) || squared == 0)
         return;
-      const auto [excess, by_m] = tighten_edge(limit, rest_m(a), a, b, cloth);
+      const auto [excess, by_m] = tighten_edge(aimed, rest_m(a), a, b, cloth);
       worst = std::max(worst, excess);
       activity.move(a, by_m);
       activity.move(b, by_m);
@@ -77,7 +77,7 @@ StrainConstraints::StrainConstraints(const RibbonGrid& grid, std::vector<Limited
 double StrainConstraints::least_held() const {
   double least = std::numeric_limits<double>::infinity();
   for (const LimitedFamily& family : families_)
-    least = std::min(least, family.limit + strain_left_over);
+    least = std::min(least, family.aimed + strain_left_over);
   return least;
 }
 
@@ -88,7 +88,7 @@ bool StrainConstraints::tighten(SweepActivity& activity, Cloth& cloth) const {
     const LimitedFamily& limited = families_[i];
     any = with_rest_lengths(limited.family,
                             [&](const auto& rest_m) {
-                              return tighten_all(limited.family, limited.limit, rest_m, grid_,
+                              return tighten_all(limited.family, limited.aimed, rest_m, grid_,
                                                  activity, cloth);
                             }) ||
           any;
@@ -100,7 +100,7 @@ StrainExcess StrainConstraints::excess(const Eigen::Matrix3Xd& positions) const 
   StrainExcess excess;
   for (const LimitedFamily& limited : families_) {
     const double strain = worst_strain(grid_, limited.family, positions);
-    excess.beyond_limit = std::max(excess.beyond_limit, strain - limited.limit);
+    excess.beyond_aimed = std::max(excess.beyond_aimed, strain - limited.aimed);
     excess.is_bearable = excess.is_bearable && strain <= limited.most;
   }
   return excess;

@@ -12,16 +12,17 @@
 
 namespace ribbon {
 
+// Strains are parts of the rest length, in both directions.
 struct LimitedFamily {
   SpringFamily family;
-  double limit = 0;  // of the rest length, in both directions: what is aimed at
+  double aimed = 0;  // what the correction aims at
   double most = 0;   // what no step may leave
 };
 
 // Of all edges.
 struct StrainExcess {
-  // The most by which the |strain| of an edge is beyond its limit; below 0 where none is.
-  double beyond_limit = -std::numeric_limits<double>::infinity();
+  // The most by which the |strain| of an edge is beyond what is aimed at; below 0 where none is.
+  double beyond_aimed = -std::numeric_limits<double>::infinity();
   bool is_bearable = true;  // is every edge within what no step may leave?
 };
 
@@ -31,10 +32,10 @@ class StrainConstraints {
  public:
   StrainConstraints(const RibbonGrid& grid, std::vector<LimitedFamily> families);
 
-  // One sweep: both particles of each edge beyond the limit move toward or away from each other by
-  // equal parts (over-relaxed, up to its rest length), and lose the speed at which it gets further
-  // beyond, so that kinetic energy never grows; one family after the other; rows that rest are
-  // passed over. Was any beyond it by more than 0.4 % of its length?
+  // One sweep: both particles of each edge beyond what is aimed at move toward or away from each
+  // other by equal parts (over-relaxed, up to its rest length), and lose the speed at which it gets
+  // further beyond, so that kinetic energy never grows; one family after the other; rows that rest
+  // are passed over. Was any beyond it by more than 0.4 % of its length?
   bool tighten(SweepActivity& activity, Cloth& cloth) const;
 
   // To what they bring every edge where nothing is in the way, as a fraction of its rest length:

@@ -115,7 +115,7 @@ TEST(GatedStep, a_long_end_that_is_pulled_takes_few_sweeps) {
   for (int step = 0; step < steps; ++step) {
     cloth.velocities.bottomRightCorner(3, long_grid.across).row(0).array() += 40;
     drift(gated, planted.bodies, cloth);
-    ASSERT_TRUE(gated.is_within_limit(cloth)) << step;
+    ASSERT_TRUE(gated.is_bearable(cloth)) << step;
   }
   EXPECT_LT(gated.phase_sums().sweeps, 150 * steps);
 }

@@ -45,7 +45,7 @@ TEST(PublishedStep, what_is_too_long_is_corrected_and_its_velocity_with_it) {
   Bodies bodies = ribbon_alone(grid);
   Cloth cloth = cloth_at(flat);
   cloth.positions.rightCols(grid.across).row(0).array() += 0.5;
-  EXPECT_FALSE(step().correct(flat, bodies, cloth).is_over_limit);
+  EXPECT_FALSE(step().correct(flat, bodies, cloth).is_over_aimed);
   EXPECT_LE(cloth.positions.col(grid.particle(20, 2)).x(),
             cloth.positions.col(grid.particle(19, 2)).x() + 1.1 + 1e-9);
   EXPECT_LT(cloth.velocities.col(grid.particle(20, 2)).x(), 0);
