@@ -242,18 +242,6 @@ class StartSearch {
 
 }  // namespace
 
-std::string_view word_for(StartKind kind) {
-  switch (kind) {
-    case StartKind::free:
-      return "free";
-    case StartKind::grown:
-      return "grown";
-    case StartKind::recovered:
-      return "recovered";
-  }
-  return "";
-}
-
 Result<StartReport> find_free_start(const Scene& scene, const RibbonMesh& ribbon,
                                     const ContactLengths& lengths, const StartObserver& observer,
                                     const StartTest& test, Bodies& bodies, Cloth& cloth) {
