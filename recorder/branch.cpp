@@ -71,19 +71,19 @@ Result<RunPlan> plan_of_take(const Scene& recorded, const std::optional<Triangle
                  "record a scene of its own");
 }
 
-// As before where both would go on to the same bits. stage: in which they go on.
-Settings settings_of_take(Scene a, const Scene& b, std::optional<int> stage) {
+// Nothing where both would go on to the same bits. stage: in which they go on.
+Changed changed_in_take(Scene a, const Scene& b, std::optional<int> stage) {
   a.name = b.name;
   a.text = b.text;
   a.time.duration_s = b.time.duration_s;
   a.time.until = b.time.until;
   a.recording.checkpoint_every_s = b.recording.checkpoint_every_s;
-  if (a == b) return Settings::as_before;
-  if (!stage) return Settings::changed;
+  if (a == b) return Changed::nothing;
+  if (!stage) return Changed::settings;
   const StageScene& one = a.stages[*stage];
   const StageScene& other = b.stages[*stage];
   const bool are_alike = one.hands == other.hands && one.goal == other.goal;
-  return are_alike ? Settings::changed : Settings::hands_changed;
+  return are_alike ? Changed::settings : Changed::hands;
 }
 
 Result<void> check_frame(RecordedRun& source, int frame, const RunPlan& plan) {
@@ -204,7 +204,7 @@ Result<std::optional<RunStatistics>> branch(const fs::path& file, int frame,
   if (!*before) return std::nullopt;
   auto fastening = FasteningProcessor::restore(
       scene, source->rest_size(), reader.header().obstacle, (*before)->fastening().state(),
-      settings_of_take(source->scene, scene, (*before)->fastening().stage()));
+      changed_in_take(source->scene, scene, (*before)->fastening().stage()));
   if (!fastening) return tl::unexpected(fastening.error());
 
   auto target = begin_with_copies(take, header_of_take(reader, frame, take, scene), reader, copies,

@@ -98,7 +98,7 @@ struct FasteningProcessor::Parts {
   void employ_hands(const Scene& scene);
   void look_at_loose_ends();
   void go_on_with_other_steps(double other_step_s);
-  void visit_state(StateArchive& archive, Settings settings);
+  void visit_state(StateArchive& archive, Changed changed);
 
   double step_s;
   SpringNetwork springs;
@@ -326,13 +326,13 @@ double FasteningProcessor::held_strain() const {
 
 std::string FasteningProcessor::state() {
   StateArchive archive;
-  parts_->visit_state(archive, Settings::as_before);
+  parts_->visit_state(archive, Changed::nothing);
   return archive.bytes();
 }
 
 Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, const RestSize& size,
                                                        const std::optional<TriangleMesh>& obstacle,
-                                                       std::string_view state, Settings settings) {
+                                                       std::string_view state, Changed changed) {
   auto possible = check_width(as_read, size.grid);
   if (possible) possible = check_fabric(as_read, size);
   if (!possible) return tl::unexpected(possible.error());
@@ -352,12 +352,12 @@ Result<FasteningProcessor> FasteningProcessor::restore(const Scene& as_read, con
     return tl::unexpected(few.error());
   parts->employ_hands(scene);
   StateArchive archive(state);
-  parts->visit_state(archive, settings);
+  parts->visit_state(archive, changed);
   if (auto read = archive.finish(); !read) return refused(read.error());
   return FasteningProcessor(std::move(parts));
 }
 
-void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings settings) {
+void FasteningProcessor::Parts::visit_state(StateArchive& archive, Changed changed) {
   auto& [step_of_scene, springs_of_scene, steps_now, steps_then, then_s, cloth_now, bodies_now,
          time_step_of_scene, hands_now, staged_hands_now, fastened_as_of_scene, size_of_scene,
          distances_of_scene, start_then, gap_m, reach_then_m, rounding_of_scene] = *this;
@@ -373,15 +373,14 @@ void FasteningProcessor::Parts::visit_state(StateArchive& archive, Settings sett
   cloth_now.visit_state(archive);
   bodies_now.visit_state(archive);
   if (hands_now) hands_now->visit_state(archive);
-  if (settings == Settings::as_before) {
+  if (changed == Changed::nothing) {
     if (head.step_s != step_s) archive.refuse("it was made with another time.step");
     if (hands_now) hands_now->visit_memory(archive);
     return;
   }
   archive.ignore_rest();
   go_on_with_other_steps(head.step_s);
-  if (staged_hands_now && settings == Settings::hands_changed)
-    staged_hands_now->begin_anew(cloth_now);
+  if (staged_hands_now && changed == Changed::hands) staged_hands_now->begin_anew(cloth_now);
 }
 
 // The clock of the scene that comes takes over from the one whose steps took other_step_s.

@@ -21,9 +21,9 @@ namespace ribbon {
 struct RibbonMesh;
 struct Scene;
 
-// Is a run to go on exactly as it would have, or with other settings, or also with other hands in
-// the present stage?
-enum class Settings { as_before, changed, hands_changed };
+// What is other than before where a run goes on; `hands`: settings, and the hands of the present
+// stage as well.
+enum class Changed { nothing, settings, hands };
 
 // How tight the ribbon is now (paper, section 7).
 struct Tightness {
@@ -57,7 +57,7 @@ class FasteningProcessor {
   static Result<FasteningProcessor> restore(const Scene& as_read, const RestSize& size,
                                             const std::optional<TriangleMesh>& obstacle,
                                             std::string_view state,
-                                            Settings settings = Settings::as_before);
+                                            Changed changed = Changed::nothing);
 
   FasteningProcessor(FasteningProcessor&& other) noexcept;
   FasteningProcessor& operator=(FasteningProcessor&& other) noexcept;

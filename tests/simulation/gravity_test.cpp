@@ -212,7 +212,7 @@ TEST(Gravity, hands_pull_on_where_the_weight_is_too_much) {
 // Where the particles are a frame of two steps later, if the scene changes now.
 Matrix3Xd a_frame_later(FasteningProcessor& now, const Scene& changed, const RestSize& size) {
   auto later = FasteningProcessor::restore(changed, size, post(post_radius_m), now.state(),
-                                           Settings::changed)
+                                           Changed::settings)
                    .value();
   later.step();
   later.step();

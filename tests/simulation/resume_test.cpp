@@ -113,8 +113,8 @@ RestSize size_of(const Scene& scene) {
 }
 
 FasteningProcessor restored(const Case& run, const std::string& state,
-                            Settings settings = Settings::as_before) {
-  return FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state, settings)
+                            Changed changed = Changed::nothing) {
+  return FasteningProcessor::restore(run.scene, size_of(run.scene), run.obstacle, state, changed)
       .value();
 }
 
@@ -340,7 +340,7 @@ TEST(Resume, changed_settings_act_from_there_on) {
   FasteningProcessor before = begun(run, 20);
   const std::string state = before.state();
   const auto goes_on = [&](const Scene& scene) {
-    auto changed = restored({"", scene, run.obstacle}, state, Settings::changed);
+    auto changed = restored({"", scene, run.obstacle}, state, Changed::settings);
     EXPECT_EQ(changed.positions(), before.positions());
     EXPECT_EQ(changed.time_s(), before.time_s());
     for (int step = 0; step < 20; ++step) changed.step();
@@ -364,7 +364,7 @@ TEST(Resume, with_changed_settings_progress_counts_from_there) {
   Case run{"loop", scene_of_loop()};
   FasteningProcessor before = begun(run, 60);
   run.scene.springs.bend *= 1.01;
-  auto changed = restored(run, before.state(), Settings::changed);
+  auto changed = restored(run, before.state(), Changed::settings);
   EXPECT_EQ(changed.tightness()->progress, 1) << "nothing was commanded yet";
   for (int step = 0; step < 10; ++step) {
     before.step();
@@ -378,7 +378,7 @@ TEST(Resume, the_clock_goes_on_with_another_step) {
   Case run{"post", scene_of_loop(), post(post_radius_m)};
   FasteningProcessor before = begun(run, 20);
   run.scene.time.step_s = 0.004;
-  auto changed = restored(run, before.state(), Settings::changed);
+  auto changed = restored(run, before.state(), Changed::settings);
   EXPECT_DOUBLE_EQ(changed.time_s(), 0.2);
   EXPECT_EQ(changed.steps(), 20);
   EXPECT_EQ(changed.steps_at(0.2), 20);
