@@ -30,7 +30,8 @@ Exit codes: 0 done, 2 could not, 3 ended early (by Ctrl-C, a signal, or because 
 
 // The words of the command line that were used.
 struct Given {
-  bool input, output, resume, from, set, force, crossings, draw, statistics, of_runs;
+  bool input, output, resume, from, set, force, crossings, draw, statistics;
+  bool of_runs;  // any that only a run can follow
 };
 
 Result<void> refuse(const std::string& problem, const std::string& remedy) {
@@ -126,11 +127,17 @@ Result<std::optional<RecorderOptions>> parse_recorder_options(int argc, const ch
   const auto read = arguments.parse(argc, argv);
   if (!read) return tl::unexpected(read.error());
   if (!*read) return std::nullopt;
-  const bool is_of_runs =
-      until.is_given() || frames.is_given() || statistics.is_given() || profile.is_given();
-  const Given given{input.is_given(),      output.is_given(), resume.is_given(),    from.is_given(),
-                    set.is_given(),        force.is_given(),  crossings.is_given(), draw.is_given(),
-                    statistics.is_given(), is_of_runs};
+  const Given given{.input = input.is_given(),
+                    .output = output.is_given(),
+                    .resume = resume.is_given(),
+                    .from = from.is_given(),
+                    .set = set.is_given(),
+                    .force = force.is_given(),
+                    .crossings = crossings.is_given(),
+                    .draw = draw.is_given(),
+                    .statistics = statistics.is_given(),
+                    .of_runs = until.is_given() || frames.is_given() || statistics.is_given() ||
+                               profile.is_given()};
   options.progress = progress_style(progress, options.quiet);
   if (until.is_given()) options.limit.until_s = until_s;
   if (frames.is_given()) options.limit.frames = frame_count;
