@@ -6,15 +6,10 @@
 #include <numbers>
 
 #include "curve/over_under.h"
+#include "curve/trefoil_drawing.h"
 #include "result/refusal.h"
 
 namespace ribbon::crossings_test {
-
-// Two strands wound round each other from left to right; the first comes back below to become the
-// second. Seen on the screen the first goes down at (1, 0), the second up: over first makes it
-// right-handed.
-const Drawing trefoil = {{0, -1}, {2, 1}, {4, -1}, {6, 1}, {6, 4},
-                         {0, 4},  {0, 1}, {2, -1}, {4, 1}, {6, -1}};
 
 Result<std::vector<Crossing>> crossings_of(const Drawing& drawing, bool first_over) {
   return find_double_points(drawing).and_then(
@@ -39,7 +34,7 @@ void expect_crossing(const Crossing& crossing, double first, double second,
 }
 
 TEST(Crossings, trefoil_drawn_by_hand_is_right_handed_when_it_begins_over) {
-  const auto crossings = crossings_of(trefoil, true);
+  const auto crossings = crossings_of(trefoil_drawing, true);
   ASSERT_TRUE(crossings.has_value()) << crossings.error().sentence();
   ASSERT_EQ(crossings->size(), 3U);
   expect_crossing((*crossings)[0], 0.5, 6.5, {1, 0}, true, 1);
@@ -48,7 +43,7 @@ TEST(Crossings, trefoil_drawn_by_hand_is_right_handed_when_it_begins_over) {
 }
 
 TEST(Crossings, trefoil_that_begins_under_is_left_handed) {
-  const auto crossings = crossings_of(trefoil, false).value();
+  const auto crossings = crossings_of(trefoil_drawing, false).value();
   ASSERT_EQ(crossings.size(), 3U);
   for (const Crossing& crossing : crossings) EXPECT_EQ(crossing.sign, -1);
   EXPECT_FALSE(crossings[0].first_over);
@@ -56,7 +51,7 @@ TEST(Crossings, trefoil_that_begins_under_is_left_handed) {
 }
 
 TEST(Crossings, mirrored_drawing_has_the_other_sign) {
-  Drawing mirrored = trefoil;
+  Drawing mirrored = trefoil_drawing;
   for (auto& point : mirrored) point.x() = -point.x();
   const auto crossings = crossings_of(mirrored, true).value();
   ASSERT_EQ(crossings.size(), 3U);
@@ -64,7 +59,7 @@ TEST(Crossings, mirrored_drawing_has_the_other_sign) {
 }
 
 TEST(Crossings, walking_backwards_keeps_the_signs_of_the_same_knot) {
-  const Drawing backwards(trefoil.rbegin(), trefoil.rend());
+  const Drawing backwards(trefoil_drawing.rbegin(), trefoil_drawing.rend());
   // The last passage of the trefoil is under, so the same knot begins under when walked backwards.
   const auto crossings = crossings_of(backwards, false).value();
   ASSERT_EQ(crossings.size(), 3U);
@@ -154,7 +149,7 @@ TEST(Crossings, end_inside_a_loop_is_legal_with_a_list) {
 }
 
 TEST(Crossings, list_that_alternates_is_the_alternating_knot) {
-  const auto points = find_double_points(trefoil).value();
+  const auto points = find_double_points(trefoil_drawing).value();
   const auto listed = as_listed(points, {"UOUOUO"}).value();
   const auto by_turns = alternating(points, false).value();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -164,7 +159,7 @@ TEST(Crossings, list_that_alternates_is_the_alternating_knot) {
 }
 
 TEST(Crossings, list_tells_each_passage_and_with_it_each_sign) {
-  const auto crossings = as_listed(find_double_points(trefoil).value(), {"OOUUUO"}).value();
+  const auto crossings = as_listed(find_double_points(trefoil_drawing).value(), {"OOUUUO"}).value();
   EXPECT_TRUE(crossings[0].first_over);
   EXPECT_TRUE(crossings[1].first_over);
   EXPECT_FALSE(crossings[2].first_over);
@@ -177,7 +172,7 @@ TEST(Crossings, list_tells_each_passage_and_with_it_each_sign) {
 }
 
 TEST(Crossings, list_of_wrong_length_is_told_with_the_place_of_the_passage) {
-  const auto points = find_double_points(trefoil).value();
+  const auto points = find_double_points(trefoil_drawing).value();
   const auto complaint = [&](const std::string& letters) {
     return refusal_of(as_listed(points, {letters, "knot.toml:3:13"}));
   };
@@ -190,16 +185,17 @@ TEST(Crossings, list_of_wrong_length_is_told_with_the_place_of_the_passage) {
 }
 
 TEST(Crossings, list_with_one_letter_for_both_passages_of_a_crossing_is_told_with_its_place) {
-  EXPECT_THAT(refusal_of(as_listed(find_double_points(trefoil).value(), {"OUOUUU"})),
+  EXPECT_THAT(refusal_of(as_listed(find_double_points(trefoil_drawing).value(), {"OUOUUU"})),
               HasSubstr("passages 2 and 5 meet at (3, 0) of the drawing, and both say U"));
 }
 
 TEST(Crossings, crossings_survive_points_denser_than_the_tolerance) {
   Drawing dense;
   constexpr int pieces = 20000;
-  for (std::size_t i = 0; i + 1 < trefoil.size(); ++i)
+  for (std::size_t i = 0; i + 1 < trefoil_drawing.size(); ++i)
     for (int k = 0; k < pieces / 9; ++k)
-      dense.push_back(trefoil[i] + (trefoil[i + 1] - trefoil[i]) * (k / (pieces / 9.0)));
+      dense.push_back(trefoil_drawing[i] +
+                      (trefoil_drawing[i + 1] - trefoil_drawing[i]) * (k / (pieces / 9.0)));
   const auto crossings = crossings_of(dense, true);
   ASSERT_TRUE(crossings.has_value()) << crossings.error().sentence();
   ASSERT_EQ(crossings->size(), 3U);

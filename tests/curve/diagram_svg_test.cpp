@@ -5,19 +5,16 @@
 #include <cmath>
 
 #include "curve/joined_drawing.h"
+#include "curve/trefoil_drawing.h"
 #include "files/files.h"
 #include "files/temporary_folder.h"
 #include "result/refusal.h"
 
 namespace ribbon::diagram_svg_test {
 
-// As in crossings_test.cpp.
-const Drawing trefoil = {{0, -1}, {2, 1}, {4, -1}, {6, 1}, {6, 4},
-                         {0, 4},  {0, 1}, {2, -1}, {4, 1}, {6, -1}};
-
 std::string diagram_of(const std::string& letters) {
-  const auto crossings = as_listed(find_double_points(trefoil).value(), {letters}).value();
-  return diagram_svg(trefoil, passages_along(crossings), {});
+  const auto crossings = as_listed(find_double_points(trefoil_drawing).value(), {letters}).value();
+  return diagram_svg(trefoil_drawing, passages_along(crossings), {});
 }
 
 TEST(DiagramSvg, gaps_read_back_are_the_passages_under) {
@@ -42,15 +39,15 @@ TEST(DiagramSvg, strokes_before_and_behind_the_object_are_read_back) {
     return HeightRange{-1, 1};
   };
   CurveScene scene;
-  scene.drawing = DrawnPoints{trefoil};
+  scene.drawing = DrawnPoints{trefoil_drawing};
   scene.crossings = CrossingList{"OFUOBUBOU"};
-  const auto points = find_double_points(trefoil).value();
-  const JoinedDrawing as_points{trefoil, {}};
+  const auto points = find_double_points(trefoil_drawing).value();
+  const JoinedDrawing as_points{trefoil_drawing, {}};
   const auto objects = object_passages(points, as_points, scene, bar);
   ASSERT_TRUE(objects.has_value()) << objects.error().sentence();
   const auto crossings = over_and_under(points, as_points, scene).value();
   const auto file = temporary_file("diagram.svg");
-  const std::string svg = diagram_svg(trefoil, passages_along(crossings), *objects);
+  const std::string svg = diagram_svg(trefoil_drawing, passages_along(crossings), *objects);
   ASSERT_TRUE(write_file(file, svg).has_value());
   CurveScene drawn;
   drawn.drawing = DrawnSvg{{file}, "band"};

@@ -6,15 +6,12 @@
 #include <string>
 
 #include "curve/smooth_plan.h"
+#include "curve/trefoil_drawing.h"
 #include "result/refusal.h"
 
 namespace ribbon::space_curve_test {
 
 using Eigen::Vector3d;
-
-// As in crossings_test.cpp: along each strand the crossings are 2 sqrt(2) units apart.
-const std::vector<Eigen::Vector2d> trefoil = {{0, -1}, {2, 1}, {4, -1}, {6, 1}, {6, 4},
-                                              {0, 4},  {0, 1}, {2, -1}, {4, 1}, {6, -1}};
 
 CurveScene scene_of(const std::vector<Eigen::Vector2d>& points, double unit_m = 1) {
   CurveScene scene;
@@ -69,7 +66,7 @@ TEST(SpaceCurve, drawing_is_seen_from_the_positive_end_of_the_axis) {
 }
 
 TEST(SpaceCurve, passages_are_half_of_width_and_clearance_above_and_below) {
-  CurveScene scene = scene_of(trefoil, 0.1);
+  CurveScene scene = scene_of(trefoil_drawing, 0.1);
   for (const double over : {0.05, -0.05}) {
     scene.first_passage_over = over > 0;
     const SpaceCurve curve = curve_of(scene, 0.09, 8001);
@@ -86,7 +83,7 @@ TEST(SpaceCurve, passages_are_half_of_width_and_clearance_above_and_below) {
 }
 
 TEST(SpaceCurve, heights_point_along_the_axis_towards_the_viewer) {
-  CurveScene scene = scene_of(trefoil, 0.1);
+  CurveScene scene = scene_of(trefoil_drawing, 0.1);
   scene.axis = Axis::z;
   EXPECT_NEAR(curve_of(scene, 0.09, 8001).points.row(2).maxCoeff(), 0.05, 1e-6);
   scene.axis = Axis::x;
@@ -94,7 +91,7 @@ TEST(SpaceCurve, heights_point_along_the_axis_towards_the_viewer) {
 }
 
 TEST(SpaceCurve, ends_lie_in_the_plane_and_no_passage_is_overshot) {
-  const SpaceCurve curve = curve_of(scene_of(trefoil, 0.1), 0.09, 400);
+  const SpaceCurve curve = curve_of(scene_of(trefoil_drawing, 0.1), 0.09, 400);
   EXPECT_EQ(curve.points(1, 0), 0);
   EXPECT_EQ(curve.points(1, 399), 0);
   EXPECT_LE(curve.points.row(1).cwiseAbs().maxCoeff(), 0.05 + 1e-12);
@@ -103,7 +100,7 @@ TEST(SpaceCurve, ends_lie_in_the_plane_and_no_passage_is_overshot) {
 TEST(SpaceCurve, samples_are_even_along_the_curve) {
   constexpr int groups = 100;
   constexpr int per_group = 1000;
-  const SpaceCurve curve = curve_of(scene_of(trefoil, 0.1), 0.09, groups * per_group + 1);
+  const SpaceCurve curve = curve_of(scene_of(trefoil_drawing, 0.1), 0.09, groups * per_group + 1);
   for (int g = 0; g < groups; ++g) {
     double length = 0;
     for (int i = g * per_group; i < (g + 1) * per_group; ++i)
@@ -125,7 +122,7 @@ TEST(SpaceCurve, smoothing_keeps_the_drawn_points) {
 }
 
 TEST(SpaceCurve, passages_too_close_for_the_width_are_refused_with_a_width_that_fits) {
-  const CurveScene scene = scene_of(trefoil, 0.1);
+  const CurveScene scene = scene_of(trefoil_drawing, 0.1);
   const std::string problem = problem_of(scene, 0.5);
   EXPECT_THAT(problem, HasSubstr("drawing at ("));
   EXPECT_THAT(problem, HasSubstr("in metres ("));
@@ -140,7 +137,7 @@ TEST(SpaceCurve, passages_too_close_for_the_width_are_refused_with_a_width_that_
 }
 
 TEST(SpaceCurve, passages_too_close_are_squeezed_where_that_is_asked_for) {
-  CurveScene scene = scene_of(trefoil, 0.1);
+  CurveScene scene = scene_of(trefoil_drawing, 0.1);
   const auto squeezed =
       generate_space_curve(scene, {.width_m = 0.5, .along = 20001}, TightPassage::squeeze);
   ASSERT_TRUE(squeezed.has_value()) << squeezed.error().sentence();
@@ -172,7 +169,7 @@ TEST(SpaceCurve, strands_of_different_width_are_half_of_both_and_the_clearance_a
 }
 
 TEST(SpaceCurve, crossing_at_the_very_end_is_passed_near_the_plane) {
-  std::vector<Eigen::Vector2d> points = trefoil;
+  std::vector<Eigen::Vector2d> points = trefoil_drawing;
   points.front() = {0.9, -0.1};
   const auto heights = heights_at(curve_of(scene_of(points, 0.1), 0.09, 80001), 0.1, 0);
   ASSERT_EQ(heights.size(), 2U);
@@ -188,7 +185,7 @@ TEST(SpaceCurve, a_loop_too_small_for_the_width_is_told_by_its_passages) {
 }
 
 TEST(SpaceCurve, curve_is_level_between_passages_that_are_both_over) {
-  CurveScene scene = scene_of(trefoil, 0.1);
+  CurveScene scene = scene_of(trefoil_drawing, 0.1);
   scene.crossings = CrossingList{"OOOUUU"};
   const SpaceCurve curve = curve_of(scene, 0.09, 8001);
   int level = 0;
@@ -203,14 +200,14 @@ TEST(SpaceCurve, curve_is_level_between_passages_that_are_both_over) {
 }
 
 TEST(SpaceCurve, list_that_alternates_gives_the_bits_of_the_alternating_curve) {
-  CurveScene scene = scene_of(trefoil, 0.1);
+  CurveScene scene = scene_of(trefoil_drawing, 0.1);
   const SpaceCurve by_turns = curve_of(scene, 0.09, 400);
   scene.crossings = CrossingList{"OUOUOU"};
   EXPECT_EQ(curve_of(scene, 0.09, 400).points, by_turns.points);
 }
 
 TEST(SpaceCurve, equal_letters_let_strands_run_closer_than_letters_that_alternate) {
-  CurveScene scene = scene_of(trefoil, 0.1);
+  CurveScene scene = scene_of(trefoil_drawing, 0.1);
   EXPECT_NE(problem_of(scene, 0.3), "");
   scene.crossings = CrossingList{"OOOUUU"};
   EXPECT_EQ(problem_of(scene, 0.3), "");
