@@ -14,21 +14,22 @@
 #include "parallel/parallel.h"
 #include "text/number_text.h"
 
+namespace ribbon {
+
 namespace {
 
 std::string pinched_text(int most) {
   if (most == 0) return "";
-  return ribbon::filled_in(
+  return filled_in(
       ", but where it is crumpled: there front and back touch, at up to {} {} of a frame", most,
       most == 1 ? "particle" : "particles");
 }
 
 std::string left_out_text(int frames) {
-  return frames == 1 ? "single frames are"
-                     : ribbon::filled_in("up to {} frames in a row are", frames);
+  return frames == 1 ? "single frames are" : filled_in("up to {} frames in a row are", frames);
 }
 
-void print_summary(const ribbon::ConversionReport& report, double seconds) {
+void print_summary(const ConversionReport& report, double seconds) {
   const bool several = report.first_file != report.last_file;
   const int frames = report.frames_written + report.frames_repeated;
   if (frames > 0) std::printf("%d %s, ", frames, frames == 1 ? "frame" : "frames");
@@ -45,27 +46,27 @@ void print_summary(const ribbon::ConversionReport& report, double seconds) {
         left_out_text(report.left_out).c_str());
   if (report.least_thickness_m)
     std::printf("the ribbon is at least %s thick%s\n",
-                ribbon::metres(*report.least_thickness_m, ribbon::Rounding::down).c_str(),
+                metres(*report.least_thickness_m, Rounding::down).c_str(),
                 pinched_text(report.most_pinched).c_str());
 }
 
-void print_losses(const std::vector<ribbon::Damage>& damages, const std::vector<int>& missing) {
-  for (const ribbon::Damage& damage : damages)
+void print_losses(const std::vector<Damage>& damages, const std::vector<int>& missing) {
+  for (const Damage& damage : damages)
     std::fprintf(stderr, "ribbon-convert: damaged at byte %llu, %llu bytes skipped: %s\n",
                  static_cast<unsigned long long>(damage.byte),
                  static_cast<unsigned long long>(damage.length), damage.reason.c_str());
   if (!missing.empty())
     std::fprintf(stderr, "ribbon-convert: the recording has lost %zu of the frames: %s\n",
-                 missing.size(), ribbon::number_list(missing).c_str());
+                 missing.size(), number_list(missing).c_str());
 }
 
-void print_refused(const ribbon::ConversionReport& report) {
+void print_refused(const ConversionReport& report) {
   if (!report.refused.empty())
     std::fprintf(stderr, "ribbon-convert: %zu of the frames cannot be made a solid: %s\n",
-                 report.refused.size(), ribbon::number_list(report.refused).c_str());
+                 report.refused.size(), number_list(report.refused).c_str());
 }
 
-void tell(const ribbon::ConversionReport& report, double seconds, bool quiet) {
+void tell(const ConversionReport& report, double seconds, bool quiet) {
   if (!quiet) print_summary(report, seconds);
   for (const std::string& remark : report.remarks)
     std::fprintf(stderr, "ribbon-convert: %s\n", remark.c_str());
@@ -73,24 +74,24 @@ void tell(const ribbon::ConversionReport& report, double seconds, bool quiet) {
   print_refused(report);
 }
 
-ribbon::ExitCode exit_code(const ribbon::ConversionReport& report) {
+ExitCode exit_code(const ConversionReport& report) {
   const bool whole = report.missing.empty() && report.refused.empty() && report.damage.empty();
-  return whole ? ribbon::ExitCode::done : ribbon::ExitCode::answer_is_no;
+  return whole ? ExitCode::done : ExitCode::answer_is_no;
 }
 
-ribbon::Result<ribbon::ConversionReport> convert(const ribbon::CommandLine& line) {
+Result<ConversionReport> convert_and_tell(const CommandLine& line) {
   const auto start = std::chrono::steady_clock::now();
-  auto report = ribbon::convert(line.request);
+  auto report = convert(line.request);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (report) tell(*report, elapsed.count(), line.quiet);
   return report;
 }
 
 // Good news go where the summary goes.
-ribbon::Result<ribbon::VerificationReport> verify(const ribbon::CommandLine& line) {
-  auto report = ribbon::verify_output(line.request, line.tolerance_m);
+Result<VerificationReport> verify_and_tell(const CommandLine& line) {
+  auto report = verify_output(line.request, line.tolerance_m);
   if (!report) return report;
-  const std::string text = ribbon::verification_text(*report);
+  const std::string text = verification_text(*report);
   const bool good = report->deviations.good();
   if (!good) std::fprintf(stderr, "ribbon-convert: %s\n", text.c_str());
   if (good && !line.quiet) std::printf("%s\n", text.c_str());
@@ -98,52 +99,53 @@ ribbon::Result<ribbon::VerificationReport> verify(const ribbon::CommandLine& lin
 }
 
 // No conversion has told what the recording has lost.
-ribbon::Result<ribbon::ExitCode> verify_alone(const ribbon::CommandLine& line) {
-  return verify(line).map([](const ribbon::VerificationReport& report) {
+Result<ExitCode> verify_alone(const CommandLine& line) {
+  return verify_and_tell(line).map([](const VerificationReport& report) {
     const std::set<int>& missing = report.deviations.missing;
     print_losses(report.damage, {missing.begin(), missing.end()});
     const bool whole = missing.empty() && report.damage.empty();
-    return whole && report.deviations.good() ? ribbon::ExitCode::done
-                                             : ribbon::ExitCode::answer_is_no;
+    return whole && report.deviations.good() ? ExitCode::done : ExitCode::answer_is_no;
   });
 }
 
 // The recording may have grown in between: what is read back is what was written.
-ribbon::Result<ribbon::ExitCode> convert_and_verify(ribbon::CommandLine line) {
-  const auto report = convert(line);
+Result<ExitCode> convert_and_verify(CommandLine line) {
+  const auto report = convert_and_tell(line);
   if (!report) return tl::unexpected(report.error());
   line.request.frame_count = report->frame_count;
-  return verify(line).map([&](const ribbon::VerificationReport& verified) {
-    return verified.deviations.good() ? exit_code(*report) : ribbon::ExitCode::answer_is_no;
+  return verify_and_tell(line).map([&](const VerificationReport& verified) {
+    return verified.deviations.good() ? exit_code(*report) : ExitCode::answer_is_no;
   });
 }
 
-ribbon::Result<ribbon::ExitCode> plan(const ribbon::ConversionRequest& request) {
-  return ribbon::plan_conversion(request).map([](const ribbon::ConversionPlan& plan) {
-    std::printf("%s\n", ribbon::plan_text(plan).c_str());
-    return ribbon::ExitCode::done;
+Result<ExitCode> plan(const ConversionRequest& request) {
+  return plan_conversion(request).map([](const ConversionPlan& plan) {
+    std::printf("%s\n", plan_text(plan).c_str());
+    return ExitCode::done;
   });
 }
 
-ribbon::Result<ribbon::ExitCode> do_job(const ribbon::CommandLine& line) {
+Result<ExitCode> do_job(const CommandLine& line) {
   if (line.dry_run) return plan(line.request);
   if (line.verify_only) return verify_alone(line);
-  if (!line.verify) return convert(line).map(exit_code);
-  return ribbon::check_verifiable(line.request).and_then([&] { return convert_and_verify(line); });
+  if (!line.verify) return convert_and_tell(line).map(exit_code);
+  return check_verifiable(line.request).and_then([&] { return convert_and_verify(line); });
 }
 
-ribbon::Result<ribbon::ExitCode> run(int argc, const char* const* argv) {
-  auto line = ribbon::parse_command_line(argc, argv);
+Result<ExitCode> run(int argc, const char* const* argv) {
+  auto line = parse_command_line(argc, argv);
   if (!line) return tl::unexpected(line.error());
-  if (!*line) return ribbon::ExitCode::done;
-  ribbon::set_thread_limit((*line)->threads);
-  const ribbon::Interrupt interrupt;
+  if (!*line) return ExitCode::done;
+  set_thread_limit((*line)->threads);
+  const Interrupt interrupt;
   (*line)->request.interrupted = [&] { return interrupt.requested(); };
   return do_job(**line);
 }
 
 }  // namespace
 
+}  // namespace ribbon
+
 int main(int argc, char** argv) {
-  return ribbon::run_tool("ribbon-convert", [&] { return run(argc, argv); });
+  return ribbon::run_tool("ribbon-convert", [&] { return ribbon::run(argc, argv); });
 }
