@@ -12,6 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double restitution = 0.1;  // small, for stability
+
 // The vector from the contact point of the second feature to that of the first.
 Vector3d between_contact_points(const FeaturePair& pair, const Collision& collision,
                                 const VertexPositions& positions) {
@@ -43,8 +45,8 @@ double effective_inverse_mass(const FeaturePair& pair, const Collision& collisio
 }  // namespace
 
 void repel(const FeaturePair& pair, const Collision& collision, double activation_m,
-           const RepulsionSettings& settings, const VertexPositions& before,
-           const VertexPositions& now, Cloth& cloth) {
+           double friction, const VertexPositions& before, const VertexPositions& now,
+           Cloth& cloth) {
   const double inverse_mass = effective_inverse_mass(pair, collision, cloth);
   if (inverse_mass == 0) return;
   const Vector3d& normal = collision.normal;
@@ -53,13 +55,13 @@ void repel(const FeaturePair& pair, const Collision& collision, double activatio
   const double distance_m = dot(normal, apart);
   const double speed_m_s = dot(normal, velocity);  // positive: parting
   const double opened_m = std::max(0.0, activation_m - distance_m);
-  const double gained_m_s = speed_m_s < 0 ? -(1 + settings.restitution) * speed_m_s : 0;
+  const double gained_m_s = speed_m_s < 0 ? -(1 + restitution) * speed_m_s : 0;
   Vector3d moved = opened_m * normal;
   Vector3d accelerated = gained_m_s * normal;
-  if (settings.friction > 0) {
+  if (friction > 0) {
     const Vector3d slid = apart - between_contact_points(pair, collision, before);
-    moved += friction_impulse(slid, normal, settings.friction, opened_m);
-    accelerated += friction_impulse(velocity, normal, settings.friction, gained_m_s);
+    moved += friction_impulse(slid, normal, friction, opened_m);
+    accelerated += friction_impulse(velocity, normal, friction, gained_m_s);
   }
   for (int k = 0; k < 4; ++k) {
     const int vertex = pair.vertices[k];
@@ -70,9 +72,8 @@ void repel(const FeaturePair& pair, const Collision& collision, double activatio
   }
 }
 
-bool repel_once(std::span<const FeaturePair> pairs, const PairDistances& distances,
-                const RepulsionSettings& settings, const Bodies& bodies,
-                const Eigen::Matrix3Xd& before, Cloth& cloth) {
+bool repel_once(std::span<const FeaturePair> pairs, const PairDistances& distances, double friction,
+                const Bodies& bodies, const Eigen::Matrix3Xd& before, Cloth& cloth) {
   const VertexPositions start = bodies.vertices(before);
   const VertexPositions now = bodies.vertices(cloth.positions);
   bool any = false;
@@ -81,7 +82,7 @@ bool repel_once(std::span<const FeaturePair> pairs, const PairDistances& distanc
     const double activation_m = distances.activation_m(pair);
     const std::optional<Collision> collision = find_collision(pair, start, now, activation_m);
     if (!collision) continue;
-    repel(pair, *collision, activation_m, settings, start, now, cloth);
+    repel(pair, *collision, activation_m, friction, start, now, cloth);
     any = true;
   }
   return any;

@@ -53,7 +53,7 @@ std::vector<FeaturePair> PublishedStep::detect(const Matrix3Xd& before, Bodies& 
 bool PublishedStep::repel(const std::vector<FeaturePair>& pairs, const Matrix3Xd& before,
                           const Bodies& bodies, Cloth& cloth) {
   const PhaseTimer timer(clock_, StepPhase::repulsion);
-  return repel_once(pairs, distances_, {.friction = friction_}, bodies, before, cloth);
+  return repel_once(pairs, distances_, friction_, bodies, before, cloth);
 }
 
 // while ∃ over-stretched edge: apply post-step correction. What moves the particles also changes
