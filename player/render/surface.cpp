@@ -140,7 +140,8 @@ int particle_of(const RibbonGrid& grid, int vertex) {
   return grid.particle(beyond / 4, beyond % 4 < 2 ? 0 : grid.across - 1);
 }
 
-Surface creased_surface(const TriangleMesh& mesh, float crease_deg) {
+Surface creased_surface(const TriangleMesh& mesh) {
+  constexpr float crease_deg = 40;
   const std::vector<int> first = first_in_place(mesh.vertices);
   const auto around = triangles_round(mesh, first);
   const float smooth = std::cos(crease_deg * std::numbers::pi_v<float> / 180.0F);

@@ -34,9 +34,9 @@ void update_selvages(const RibbonGrid& grid, const std::vector<float>& half_thic
 // The particle that a vertex of a ribbon with selvages follows.
 int particle_of(const RibbonGrid& grid, int vertex);
 
-// Smooth where neighbouring triangles meet at less than `crease_deg`, sharp elsewhere: a cylinder's
+// Smooth where neighbouring triangles meet at less than 40 degrees, sharp elsewhere: a cylinder's
 // side is round and its rim is not. Corners are not shared between triangles.
-Surface creased_surface(const TriangleMesh& mesh, float crease_deg = 40);
+Surface creased_surface(const TriangleMesh& mesh);
 
 // The vertices and triangles of both, those of the first first.
 Surface joined(const Surface& first, const Surface& second);
