@@ -206,8 +206,9 @@ TEST(Crossings, crossings_survive_points_denser_than_the_tolerance) {
 TEST(Crossings, a_net_is_refused_before_all_its_meshes_are_counted) {
   Drawing star;
   constexpr int points = 2001;
+  constexpr int nearly_half = points / 2;
   for (int i = 0; i < points; ++i) {
-    const double angle = 2 * std::numbers::pi * i * (points / 2) / points;
+    const double angle = 2 * std::numbers::pi * i * nearly_half / points;
     star.emplace_back(std::cos(angle), std::sin(angle));
   }
   EXPECT_THAT(refusal_of(find_double_points(star)),
