@@ -11,6 +11,7 @@ namespace ribbon {
 
 namespace {
 
+// Not std::from_chars(), which not every standard library has for such numbers.
 double number_of(const std::string& text) {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
