@@ -49,9 +49,10 @@ Result<void> coarsen(RecordingHeader& header, double max_error_m, float reach_m)
                    "leave --max-error out, or choose more");
   const double change_m = largest_change_m(added_m);
   if (header.stated_gap_m > 0 && change_m >= header.stated_gap_m) {
+    constexpr double told = 1.01;  // of what is told in three digits
     const double most_m = error_m + header.stated_gap_m / largest_change_m(1);
     return failure("", "layers could meet that it keeps " + metres(header.stated_gap_m) + " apart",
-                   most_m > ConversionRequest::least_max_error_m
+                   most_m > told * std::max(error_m, ConversionRequest::least_max_error_m)
                        ? "choose less than " + metres(most_m, Rounding::down) + " for --max-error"
                        : "leave --max-error out");
   }

@@ -250,7 +250,7 @@ std::string verification_text(const VerificationReport& report) {
   const std::string place = found.frame > 0 ? filled_in("frame {}", found.frame) : "the obstacle";
   return head + (found.within ? "at most " : "") + metres(found.largest_m, Rounding::up) +
          " from the recording, in " + place + "; " + (found.within ? "up to " : "only ") +
-         metres(found.allowed_m) + " is allowed";
+         metres(found.allowed_m, Rounding::up) + " is allowed";
 }
 
 }  // namespace ribbon

@@ -45,8 +45,8 @@ struct CertifiedKnot {
   int uncertain_frames = 0;   // of these, where knot or twist could not be known
   int unexpected_frames = 0;  // of these, where it was another than the one expected
   std::vector<CertificateChange> changes;
-  // Where first an end may have turned the longer way between frames, so that the twist is not
-  // known.
+  // Where first an end may have turned the longer way between frames, or gone so far that it may
+  // have turned any way, so that the twist is not known.
   std::optional<CertificateChange> turned_too_far;
   std::optional<int> buried_since;         // the frame in which first an end is buried
   std::optional<FarMove> may_have_passed;  // the first since then

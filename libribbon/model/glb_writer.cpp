@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "files/pending_file.h"
+#include "geometry/single_precision.h"
 #include "model/glb_scene.h"
 #include "model/picture_file.h"
 #include "model/rate_warnings.h"
@@ -64,8 +65,11 @@ Result<void> append_picture(PendingFile& file, const Material& material) {
 
 class GlbWriter : public MotionWriter {
  public:
-  GlbWriter(PendingFile file, Model first, int frames)
-      : file_(std::move(file)), first_(std::move(first)), frames_missing_(frames) {
+  GlbWriter(std::string name, PendingFile file, Model first, int frames)
+      : name_(std::move(name)),
+        file_(std::move(file)),
+        first_(std::move(first)),
+        frames_missing_(frames) {
     bounds_.reserve(static_cast<std::size_t>(frames) - 1);
   }
 
@@ -127,16 +131,17 @@ class GlbWriter : public MotionWriter {
     const double factor = first_.placement.factor();
     const double reach = ribbon.positions.cwiseAbs().maxCoeff() + moved_.cwiseAbs().maxCoeff();
     const double rounding_m =
-        std::sqrt(3.0) * 1.01 * 0x1p-24 * reach / factor +
+        std::sqrt(3.0) * 1.01 * largest_rounding(reach) / factor +
         first_.placement.rounding_m(ribbon.positions / static_cast<float>(factor));
     if (first_.stated_gap_m == 0 || 2 * rounding_m < first_.stated_gap_m) return {};
-    return failure("",
-                   "displacements round coordinates by up to " + metres(rounding_m) +
+    return failure(name_,
+                   "displacements round coordinates by up to " + metres(rounding_m, Rounding::up) +
                        ", so that layers could meet that are " + metres(first_.stated_gap_m) +
                        " apart",
-                   "write .pc2 or .usda, which hold positions");
+                   "write a format that holds positions, as .obj");
   }
 
+  std::string name_;
   PendingFile file_;
   Model first_;
   std::vector<PointBounds> bounds_;  // of the displacements so far
@@ -168,7 +173,7 @@ Result<std::unique_ptr<MotionWriter>> new_glb_writer(const std::filesystem::path
     return tl::unexpected(checked.error());
   auto file = PendingFile::create(path);
   if (!file) return tl::unexpected(file.error());
-  auto writer = std::make_unique<GlbWriter>(std::move(*file), model, frames);
+  auto writer = std::make_unique<GlbWriter>(path.string(), std::move(*file), model, frames);
   if (auto begun = writer->begin(); !begun) return tl::unexpected(begun.error());
   return writer;
 }

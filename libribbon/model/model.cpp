@@ -122,9 +122,9 @@ Result<void> check_rounding(const Model& model, const Eigen::Matrix3Xf& recorded
   const double rounding_m = model.placement.rounding_m(recorded);
   if (model.stated_gap_m == 0 || 2 * rounding_m < model.stated_gap_m) return {};
   return failure("",
-                 "its unit or scale rounds coordinates by up to " + metres(rounding_m) +
-                     ", so that layers could meet that are " + metres(model.stated_gap_m) +
-                     " apart",
+                 "its unit or scale rounds coordinates by up to " +
+                     metres(rounding_m, Rounding::up) + ", so that layers could meet that are " +
+                     metres(model.stated_gap_m) + " apart",
                  "leave --unit and --scale out");
 }
 

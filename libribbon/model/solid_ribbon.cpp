@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "geometry/single_precision.h"
 #include "model/outward_direction.h"
 #include "model/ribbon_faces.h"
 #include "verification/intersecting_pairs.h"
@@ -162,7 +163,8 @@ std::optional<Eigen::Matrix3Xf> SolidRibbon::raise(const Eigen::Matrix3Xf& surfa
     }
     halve_where_they_meet(found.pairs, solid, heights);
   }
-  note_refused(surface);
+  if (intersecting_pairs(soup, BoxTree(soup, 0, soup.judged), surface_rest_, 1).pairs.empty())
+    note_refused(surface);
   return std::nullopt;
 }
 
@@ -181,9 +183,9 @@ void SolidRibbon::note_refused(const Eigen::Matrix3Xf& surface) const {
 }
 
 std::optional<double> SolidRibbon::told_thickness() const {
-  constexpr double spacings = 4;  // rounding brings both sides nearer by less than two
+  constexpr double roundings = 8;  // each side is moved by less than two
   const std::lock_guard lock(mutex_);
-  const double least = spacings * std::ldexp(refused_reach_, -23);
+  const double least = roundings * largest_rounding(refused_reach_);
   return least > thickness_ ? std::optional(least) : std::nullopt;
 }
 

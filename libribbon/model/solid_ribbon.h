@@ -55,7 +55,7 @@ class SolidRibbon {
   BoxTree solid_rest_;
   mutable std::mutex mutex_;
   mutable double least_thickness_;
-  mutable float refused_reach_ = 0;  // largest coordinate of what could not be raised
+  mutable float refused_reach_ = 0;  // largest coordinate of what was free and could not be raised
   mutable int most_pinched_ = 0;
 };
 

@@ -177,9 +177,9 @@ class Camera {
   pan(right, up) {
     this.is_moved = true;
     const axes = this.axes();
-    const metres = 2 * this.distance * lens_slope;
+    const height = 2 * this.distance * lens_slope;
     this.middle = this.middle.map(
-        (value, i) => value - metres * (right * axes.right[i] + up * axes.up[i]));
+        (value, i) => value - height * (right * axes.right[i] + up * axes.up[i]));
   }
 
   // Column by column, in an array that stays the same one.

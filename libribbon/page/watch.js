@@ -52,8 +52,10 @@ function tell_problem(sentence) {
   status_line.className = 'problem';
 }
 
-const percent = value =>
-    Math.abs(value) > 10 ? (value > 0 ? 'over 1000 %' : 'below -1000 %') : (100 * value).toFixed(1) + ' %';
+const percent = value => (100 * value).toFixed(1) + ' %';
+// Springs may settle any multiple of the way that hands command.
+const progress_percent = value =>
+    Math.abs(value) > 10 ? (value > 0 ? 'over 1000 %' : 'below -1000 %') : percent(value);
 const known = (value, written) => (Number.isNaN(value) ? '–' : written(value));
 
 // What stands beside the picture, by the id of its place.
@@ -65,7 +67,7 @@ function numbers_told(index) {
     time: timeline.time_s(index).toFixed(2) + ' s',
     strain: known(n('strain'), percent),
     penetrations: known(n('penetrations'), String),
-    progress: known(n('progress'), percent),
+    progress: known(n('progress'), progress_percent),
     pull: known(n('pull'), percent),
     contact: known(n('contact'), percent),
     stage_name: stage_name ?? '–',

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inspection/progress_text.h"
+#include "inspection/tightness_progress_text.h"
 #include "player/picture/legend.h"
 #include "player/picture/page_colors.h"
 #include "text/number_text.h"
@@ -27,9 +27,9 @@ std::string strain_line(const FrameNumbers& numbers) {
 }
 
 std::string tightness_line(const TightnessNumbers& tightness) {
-  return progress_text(tightness.progress) + filled_in(" · pull {:.1f} % · in contact {:.1f} %",
-                                                       100 * tightness.pull,
-                                                       100 * tightness.contact);
+  return tightness_progress_text(tightness.progress) +
+         filled_in(" · pull {:.1f} % · in contact {:.1f} %", 100 * tightness.pull,
+                   100 * tightness.contact);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class PreviewScene {
   static Result<PreviewScene> create(const Gl& gl, const RecordingHeader& header,
                                      const ClothColors& cloth);
 
-  // positions: 3 x particles, in metres.
+  // positions: 3 x particles, in metres of the model.
   void set_ribbon(const Eigen::Matrix3Xf& positions);
 
   // Into what is being drawn into, which is clear. What is drawn has its opacity, and its colours

@@ -22,7 +22,7 @@ struct PixelPlanes {
   Planes albedo;
   Planes sky;       // light of the sky that arrives, of white cloth
   Planes normal;    // of the smooth surface, mean
-  Planes position;  // mean, metres
+  Planes position;  // mean, metres of the model
   // Samples behind `sky`; 0 where they saw the backdrop or more than one body, so that there is no
   // surface to speak of.
   Plane evenness;

@@ -26,8 +26,8 @@ class RenderScene {
   // An endless floor at that height, which must be below everything.
   void set_ground(float height_m) { ground_m_ = height_m; }
 
-  // positions: 3 x particles, in metres. half_thickness_m: of the cloth at each particle; needed
-  // with selvages. Only a ribbon that has a tree can have it refitted.
+  // positions: 3 x particles, in metres of the model. half_thickness_m: of the cloth at each
+  // particle; needed with selvages. Only a ribbon that has a tree can have it refitted.
   void set_ribbon(const Eigen::Matrix3Xf& positions,
                   const std::vector<float>& half_thickness_m = {},
                   RibbonTree tree = RibbonTree::rebuilt);

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-#include "inspection/progress_text.h"
+#include "inspection/tightness_progress_text.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -36,7 +36,7 @@ std::string frame_line(int index, const FrameNumbers& numbers) {
   std::string text =
       filled_in("frame {}: {:.2f} s, strain {:.1f} %, penetrations {}", index + 1, numbers.time_s,
                 100 * numbers.worst_strain, numbers.penetrating_edges);
-  if (numbers.tightness) text += ", " + progress_text(numbers.tightness->progress);
+  if (numbers.tightness) text += ", " + tightness_progress_text(numbers.tightness->progress);
   return text;
 }
 

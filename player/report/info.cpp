@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "inspection/progress_text.h"
+#include "inspection/tightness_progress_text.h"
 #include "player/report/limited_edges_text.h"
 #include "player/report/report_line.h"
 #include "text/number_text.h"
@@ -161,7 +161,7 @@ std::string tightness_text(const RecordingInfo& info) {
   const auto tightness = info.last_tightness();
   if (!tightness) return "";
   return report_line("last frame",
-                     progress_text(tightness->progress) +
+                     tightness_progress_text(tightness->progress) +
                          filled_in(", pull {:.1f} %, truncated {:.1f} %", 100 * tightness->pull,
                                    100 * tightness->truncated)) +
          report_line("", filled_in("in contact {:.1f} %, rope length {:.1f} widths",

@@ -62,8 +62,8 @@ std::string intersections_text(const Verification& verification) {
 std::string stated_text(const Verification& verification) {
   const double stated_m = verification.header.stated_gap_m;
   if (stated_m == 0) return "none is stated";
-  return filled_in("{} the stated {:.6g} m",
-                   verification.keeps_stated_gap() ? "at least" : "LESS than", stated_m);
+  return filled_in("{} the stated {} m", verification.keeps_stated_gap() ? "at least" : "LESS than",
+                   short_number(stated_m, 6, Rounding::down));
 }
 
 std::string gap_text(const Verification& verification) {
@@ -76,8 +76,8 @@ std::string gap_text(const Verification& verification) {
 std::string strain_limit_text(const Verification& verification) {
   const double limit = verification.header.strain_limit;
   if (limit == 0) return "no limit is stated";
-  return filled_in("{} the stated {:.6g} %",
-                   verification.keeps_strain_limit() ? "within" : "BEYOND", 100 * limit);
+  return filled_in("{} the stated {} %", verification.keeps_strain_limit() ? "within" : "BEYOND",
+                   short_number(100 * limit, 6, Rounding::up));
 }
 
 std::string strain_text(const Verification& verification) {

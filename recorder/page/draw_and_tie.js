@@ -282,7 +282,7 @@ function show_grown() {
   if (!recording.strain_limit) show_strain();
   if (follows) timeline.move_to(frames - 1);
   const took_s = (performance.now() - begun_ms) / 1000;
-  const left = known(timeline.number('progress', frames - 1), value => `, ${percent(value)} to go`);
+  const left = known(timeline.number('progress', frames - 1), value => `, ${progress_percent(value)} to go`);
   element('tying').textContent =
       `frame ${frames} of at most ${most_frames}${left}, ${(frames / took_s).toFixed(0)} frames/s`;
 }

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "inspection/figures_json.h"
-#include "inspection/progress_text.h"
+#include "inspection/tightness_progress_text.h"
 #include "text/json.h"
 #include "text/number_text.h"
 
@@ -62,7 +62,7 @@ RunStatistics statistics_of(const RecordingReader& reader, int frames) {
 namespace {
 
 std::string tightness_text(const TightnessNumbers& tightness) {
-  return progress_text(tightness.progress) +
+  return tightness_progress_text(tightness.progress) +
          filled_in(", rope length {:.1f} widths", tightness.rope_length);
 }
 

@@ -165,6 +165,14 @@ TEST_F(Excerpts, a_coarsening_that_closes_the_gap_is_refused_with_the_limit) {
   EXPECT_TRUE(write("", 0.999 * limit_m));
   for (const double error_m : {before_m / 2, before_m})
     EXPECT_THAT(refusal_of(write("", error_m)), HasSubstr("leave --max-error out"));
+  RecordingReader source = RecordingReader::open(source_).value();
+  RecordingHeader header = source.header();
+  header.stated_gap_m = before_m / 1000;
+  const std::vector<Eigen::Matrix3Xd> frames{frame(source, 0).cast<double>()};
+  write_recording(source_, header, frames);
+  EXPECT_THAT(refusal_of(write("", 2 * before_m)),
+              AllOf(HasSubstr("layers could meet"), EndsWith("; leave --max-error out")))
+      << "what would do is told in too few digits";
 }
 
 TEST_F(Excerpts, of_a_recording_without_loss_are_as_far_off_as_single_precision_to_begin_with) {

@@ -290,8 +290,8 @@ TEST(GlbWriter, displacements_that_could_close_the_gap_are_refused) {
     EXPECT_EQ(appended.has_value(), gap_m != 1.9 * rounding_m);
     if (!appended) {
       EXPECT_THAT(refusal_of(appended),
-                  AllOf(StartsWith("displacements round coordinates by"),
-                        EndsWith("write .pc2 or .usda, which hold positions")));
+                  AllOf(HasSubstr("far.glb: displacements round coordinates by"),
+                        EndsWith("write a format that holds positions, as .obj")));
     }
   }
 }

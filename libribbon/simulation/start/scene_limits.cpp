@@ -57,8 +57,10 @@ struct CoordinateError {
   // Is there an error that a scene may ask for, finer than edges bear and no finer than that? With
   // room for the digits in which it is told.
   [[nodiscard]] bool can_serve() const {
-    return 1.01 * std::max(single_m(), least_position_error * length_m) <=
-           0.99 * std::min(borne_m, most_position_error * length_m);
+    return 1.01 * least_m() <= 0.99 * std::min(borne_m, most_position_error * length_m);
+  }
+  [[nodiscard]] double least_m() const {
+    return std::max(single_m(), least_position_error * length_m);
   }
 };
 
@@ -73,7 +75,7 @@ std::string move_nearer(const CoordinateError& error, double rounding_m) {
 std::string set_error(const CoordinateError& error) {
   if (!error.can_serve()) return "";
   return ", or set recording.max_position_error to " +
-         short_number(1.01 * error.single_m() / error.length_m, 3) + " or more";
+         short_number(1.01 * error.least_m() / error.length_m, 3) + " or more";
 }
 
 Result<void> recording_tells_positions(const Scene& scene, const CoordinateError& error) {
@@ -111,13 +113,14 @@ Result<void> recording_keeps_the_strain(const Scene& scene, const RestSize& size
                  remedy);
 }
 
-// As of a drawing that was taken for metres, or a width for millimetres: that tells more than what
-// no recording holds because of it.
-bool is_no_ribbon(const RestSize& size) {
+// As of a drawing that was taken for metres, or a width for millimetres, which no recording holds
+// even at the origin: that tells more than what is too coarse because of it.
+bool is_no_ribbon(const RestSize& size, CoordinateError error) {
   constexpr double most_widths_long = 1e4;
   constexpr double most_lengths_wide = 10;
-  return size.length_m > most_widths_long * size.width_m ||
-         size.width_m > most_lengths_wide * size.length_m;
+  error.farthest_m = std::min(error.farthest_m, size.length_m + size.width_m);
+  return !error.can_serve() && (size.length_m > most_widths_long * size.width_m ||
+                                size.width_m > most_lengths_wide * size.length_m);
 }
 
 tl::unexpected<Error> refused_size(const Scene& scene, const RestSize& size) {
@@ -173,7 +176,7 @@ Result<void> check_precision(const Scene& as_read, const RestSize& size,
       Eigen::Vector2d(error.farthest_m, error.obstacle_m).maxCoeff<Eigen::PropagateNaN>());
   if (kept && !is_lossless(as_read)) kept = recording_tells_positions(as_read, error);
   if (kept && has_gate) kept = recording_keeps_the_strain(as_read, size, error);
-  if (!kept && is_no_ribbon(size) && !error.can_serve()) return refused_size(as_read, size);
+  if (!kept && is_no_ribbon(size, error)) return refused_size(as_read, size);
   assert(!kept || !has_gate || recorded_gap_m(lengths) > 0);
   return kept;
 }

@@ -88,6 +88,14 @@ TEST(SceneLimits, a_length_and_a_width_that_do_not_fit_are_named) {
       EXPECT_THAT(refusal(scene, mesh_of_loop(scene)), EndsWith(remedy)) << width_m;
     }
   }
+  Scene long_and_far = scene_of_loop();
+  long_and_far.ribbon.width_m = 4.5e-4;
+  long_and_far.recording.max_position_error = 1e-7;
+  RibbonMesh mesh = mesh_of_loop(long_and_far, 2);
+  EXPECT_EQ(refusal(long_and_far, mesh), "");
+  mesh.positions.row(0).array() += 1000;
+  EXPECT_THAT(refusal(long_and_far, mesh), HasSubstr("; move it to within "))
+      << "it is the place that is wrong";
   Scene as_published = scene_of_loop();
   as_published.contact = ContactMethod::paper;
   EXPECT_THAT(refusal(as_published, mesh_of_loop(as_published, 1e-9)), EndsWith(remedy));

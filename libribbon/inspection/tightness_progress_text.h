@@ -8,6 +8,6 @@ namespace ribbon {
 // "progress 95.0 %", of TightnessNumbers::progress. What hands hardly pull and something else moves
 // goes any multiple of their way: beyond ten times it is "progress over 1000 %", or "below -1000
 // %".
-std::string progress_text(float progress);
+std::string tightness_progress_text(float progress);
 
 }  // namespace ribbon

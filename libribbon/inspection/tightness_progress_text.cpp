@@ -1,10 +1,10 @@
-#include "inspection/progress_text.h"
+#include "inspection/tightness_progress_text.h"
 
 #include "text/number_text.h"
 
 namespace ribbon {
 
-std::string progress_text(float progress) {
+std::string tightness_progress_text(float progress) {
   constexpr float most = 10;
   if (progress > most) return "progress over 1000 %";
   if (progress < -most) return "progress below -1000 %";
