@@ -150,4 +150,17 @@ for name in slow fast; do
   done
 done
 same frames-alone frames-sweep
+
+echo "== A sweep that is cancelled stays so"
+job=$("$root/samples/farm/sweep.sh" "$root/samples/overhand-cylinder-8x400.toml" "$here/sweep.txt" \
+  "$here/cancelled")
+wait_until 60 runs ribbon-record || fail "no task records"
+scancel "$job"
+wait_until 60 is_over "$job" || fail "what was cancelled is queued again"
+! grep --quiet "asks to be queued again" ribbon-"$job"_*.log || fail "a cancelled task asked to be queued again"
+
+echo "== A command that crashes is not queued again"
+job=$(sbatch --parsable --array=1-2 "$root/samples/farm/task.sh" bash -c 'kill -SEGV $$')
+wait_until 60 is_over "$job" || fail "what crashed is queued again"
+! grep --quiet "asks to be queued again" ribbon-"$job"_*.log || fail "what crashed asked to be queued again"
 echo "The array's pictures and recordings are those of one machine"
