@@ -9,8 +9,18 @@ read -r -a words <<<"$line"
 recording=$folder/${words[0]}.rbn
 settings=()
 for setting in "${words[@]:1}"; do settings+=(--set "$setting"); done
-# An empty file was killed before it held anything. All else is gone on with or refused, never replaced.
 if [[ -s $recording ]]; then
-  exec ribbon-record --resume "$recording" --progress json
+  told=$(ribbon-play --info "$recording")
+  # What was killed before its first checkpoint, or even before it held anything, is of no use yet. All else is
+  # gone on with or refused, never replaced.
+  if ! grep --quiet '^checkpoints *none$' <<<"$told" || ! grep --quiet '^frames *[01] ' <<<"$told"; then
+    # Behind those of the line it tells what its fabric amounts to, as "key = value".
+    recorded=$(sed --quiet --regexp-extended 's/^begun .*, with / /; T; s/ [^ ]+ = [^ ]+//g; s/^ //p' <<<"$told")
+    if [[ $recorded != "${words[*]:1}" ]]; then
+      echo "$recording: was recorded with '$recorded', not with '${words[*]:1}'; choose another name or folder" >&2
+      exit 2
+    fi
+    exec ribbon-record --resume "$recording" --progress json
+  fi
 fi
 exec ribbon-record "$scene" "${settings[@]}" -o "$recording" --force --progress json

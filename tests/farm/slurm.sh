@@ -163,4 +163,35 @@ echo "== A command that crashes is not queued again"
 job=$(sbatch --parsable --array=1-2 "$root/samples/farm/task.sh" bash -c 'kill -SEGV $$')
 wait_until 60 is_over "$job" || fail "what crashed is queued again"
 ! grep --quiet "asks to be queued again" ribbon-"$job"_*.log || fail "what crashed asked to be queued again"
+
+echo "== Each line records what it says"
+# refused WORD COMMAND...
+refused() {
+  local said
+  said=$("${@:2}" 2>&1) && fail "'${*:2}' was not refused"
+  [[ $said == *"$1"* ]] || fail "'${*:2}' says: $said"
+}
+sweep=("$root/samples/farm/sweep.sh" "$root/samples/overhand-cylinder-8x400.toml" "$here/wrong.txt" "$here/wrong")
+for wrong in 'twice a=1\ntwice a=2\n:comes twice' 'cut a = 1\n:is no setting' 'cut a=[1, 2]\n:is no setting' \
+  'dos a=1\r\n:as on Windows' '# nothing\n:no line with a name'; do
+  printf '%b' "${wrong%:*}" >wrong.txt
+  refused "${wrong##*:}" "${sweep[@]}"
+done
+record_line=("$root/samples/farm/record_line.sh" "$root/samples/overhand-cylinder-8x400.toml" "$here/lines.txt" lines)
+printf 'plain\none fastening.speed=0.5 time.duration=0.1\nsilk cloth.fabric="silk" time.duration=0.04\n' >lines.txt
+for line in 2 3 2 3; do # the second time there is nothing to add
+  "${record_line[@]}" "$line" 2>>lines.log || fail "line $line was not recorded"
+done
+# Killed before its first checkpoint, at the end of its first frame or of nothing, it is begun anew.
+whole=$(stat --format=%s lines/one.rbn)
+for size in 0 20000 60000; do
+  head --bytes="$size" lines/one.rbn >cut.rbn
+  mv cut.rbn lines/one.rbn
+  "${record_line[@]}" 2 2>>lines.log || fail "of $size bytes nothing was made"
+  [[ $(stat --format=%s lines/one.rbn) -eq $whole ]] || fail "of $size bytes something else was made"
+done
+sed -i 's/speed=0.5/speed=0.6/' lines.txt
+cp lines/one.rbn kept.rbn
+refused "was recorded with 'fastening.speed=0.5 time.duration=0.1', not with" "${record_line[@]}" 2
+cmp kept.rbn lines/one.rbn || fail "a recording with other settings was replaced"
 echo "The array's pictures and recordings are those of one machine"
