@@ -281,6 +281,9 @@ Result<void> check_recordable(const RecordingHeader& header) {
                        std::to_string(mesh->vertices.cols()) + " and " +
                        std::to_string(mesh->triangles.cols()),
                    "take a coarser mesh");
+  if (!is_valid(header))
+    return failure("", "no reader would take its header: a size, a rate or a bound is out of range",
+                   "ask for a smaller position error, and give sizes in metres");
   return {};
 }
 

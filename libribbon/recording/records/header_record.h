@@ -17,7 +17,7 @@ bool is_positive_or_zero(double number);
 bool is_recordable(const RibbonGrid& grid);
 
 // Fails, with the error's place still to be filled in, where the ribbon has more particles, or the
-// obstacle more vertices or triangles, than a recording holds.
+// obstacle more vertices or triangles, than a recording holds, and where no reader would accept it.
 Result<void> check_recordable(const RecordingHeader& header);
 
 // Of a header that is recordable.

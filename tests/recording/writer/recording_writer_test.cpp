@@ -174,6 +174,21 @@ TEST(RecordingWriter, a_grid_that_no_reader_would_take_is_refused) {
               HasSubstr("at most 2^20 columns, not 2 x 1048577"));
 }
 
+TEST(RecordingWriter, a_header_that_no_reader_would_take_is_refused) {
+  const auto path = temporary_file("knot.rbn");
+  ASSERT_TRUE(write_file(path, "an older one").has_value());
+  for (const auto& spoil : std::initializer_list<void (*)(RecordingHeader&)>{
+           [](RecordingHeader& header) { header.quantisation_step_m = 1e38; },
+           [](RecordingHeader& header) { header.ribbon_length_m = 0; },
+           [](RecordingHeader& header) { header.strain_limit = -1; }}) {
+    RecordingHeader header = sample_header();
+    spoil(header);
+    EXPECT_THAT(refusal_of(RecordingWriter::create(path, header)),
+                HasSubstr("knot.rbn: no reader would take its header"));
+    EXPECT_EQ(read_file(path).value(), "an older one");
+  }
+}
+
 TEST(RecordingWriter, an_obstacle_that_no_reader_would_take_is_refused) {
   const auto path = temporary_file("large.rbn");
   RecordingHeader header = sample_header();
