@@ -136,6 +136,10 @@ Result<RecordedRun> RecordedRun::open(const fs::path& file, std::optional<int> b
       if (!line.empty() && !(is_later && line == drawn_on)) settings.push_back(line);
   }
   const RecordingHeader& header = reader->header();
+  if (header.scene_text.empty())
+    return failure(file.string(),
+                   filled_in("it was written by {} and has no scene to go on with", header.writer),
+                   "go on with a recording of ribbon-record");
   auto scene = read_scene(file, header.scene_text, settings, header.scene_name);
   if (!scene) return tl::unexpected(scene.error());
   if (names_marks(*scene))

@@ -154,6 +154,19 @@ TEST_F(ResumeRun, of_a_converted_recording_is_refused_as_such) {
               testing::HasSubstr("go on with the program that recorded it, ribbon-record 0.1.0"));
 }
 
+// As the package for Python writes it.
+TEST_F(ResumeRun, of_a_recording_without_a_scene_is_refused_as_such) {
+  RecordingHeader header = RecordingReader::open(folder_ / "whole.rbn")->header();
+  header.scene_text.clear();
+  header.writer = "ribbon for Python 0.2.0";
+  auto writer = RecordingWriter::create(file_, header).value();
+  (void)writer.append(*whole_[0].numbers, whole_[0].positions.cast<double>());
+  ASSERT_TRUE(writer.finish().has_value());
+  EXPECT_EQ(refusal(), file_.string() +
+                           ": it was written by ribbon for Python 0.2.0 and has no scene to go on "
+                           "with; go on with a recording of ribbon-record");
+}
+
 // The writer alone, as if it had been killed before its first checkpoint.
 TEST_F(ResumeRun, without_a_checkpoint_it_begins_at_the_start_again) {
   const auto header = RecordingReader::open(folder_ / "whole.rbn")->header();
