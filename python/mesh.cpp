@@ -5,6 +5,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "python/arrays.h"
+#include "python/text.h"
 
 namespace py = pybind11;
 
@@ -26,6 +27,10 @@ TriangleMesh mesh_of(const Given<float>& vertices, const Given<int>& triangles, 
   return mesh;
 }
 
+py::str mesh_name(const TriangleMesh& mesh) {
+  return text_of(mesh.name);
+}
+
 py::array mesh_vertices(const py::object& self) {
   const auto& mesh = self.cast<const TriangleMesh&>();
   return view_of(mesh.vertices, {mesh.vertices.cols(), 3}, self);
@@ -42,7 +47,7 @@ void bind_mesh(py::module_& module) {
   py::class_<TriangleMesh>(module, "Mesh", "Triangles over vertices; an obstacle.")
       .def(py::init(&mesh_of), py::arg("vertices"), py::arg("triangles"),
            py::arg("name") = "obstacle")
-      .def_readonly("name", &TriangleMesh::name)
+      .def_property_readonly("name", &mesh_name)
       .def_property_readonly("vertices", &mesh_vertices, "V x 3, metres, y up.")
       .def_property_readonly("triangles", &mesh_triangles,
                              "T x 3 numbers of vertices, counter-clockwise.");

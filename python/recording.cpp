@@ -12,6 +12,7 @@
 
 #include "python/arrays.h"
 #include "python/errors.h"
+#include "python/text.h"
 
 namespace py = pybind11;
 
@@ -53,9 +54,9 @@ Eigen::VectorXd over_time(const RecordingReader& reader, const NumberOf& number)
 
 // (byte, length, reason) of each part of the file that cannot be read.
 auto damage_of(const Recording& recording) {
-  std::vector<std::tuple<std::uint64_t, std::uint64_t, std::string>> parts;
+  std::vector<std::tuple<std::uint64_t, std::uint64_t, py::str>> parts;
   for (const Damage& damage : recording.reader().damage())
-    parts.emplace_back(damage.byte, damage.length, damage.reason);
+    parts.emplace_back(damage.byte, damage.length, text_of(damage.reason));
   return parts;
 }
 
@@ -89,7 +90,7 @@ py::object obstacle(const py::object& self) {
 
 py::dict marks(const Recording& recording) {
   py::dict shares;
-  for (const RecordedMark& mark : recording.header().marks) shares[py::str(mark.name)] = mark.share;
+  for (const RecordedMark& mark : recording.header().marks) shares[text_of(mark.name)] = mark.share;
   return shares;
 }
 
@@ -97,6 +98,16 @@ py::dict marks(const Recording& recording) {
 template <class Value>
 auto of_header(Value RecordingHeader::*member) {
   return [member](const Recording& self) { return self.header().*member; };
+}
+
+auto text_of_header(std::string RecordingHeader::*member) {
+  return [member](const Recording& self) { return text_of(self.header().*member); };
+}
+
+py::list stages(const Recording& recording) {
+  py::list names;
+  for (const std::string& stage : recording.header().stages) names.append(text_of(stage));
+  return names;
 }
 
 // A property that the reader is asked for.
@@ -166,10 +177,11 @@ void bind_scene(py::class_<Recording>& recording) {
                              "No two features come nearer, metres; 0: nothing is stated.")
       .def_property_readonly("strain_limit", of_header(&RecordingHeader::strain_limit),
                              "No limited edge is strained further; 0: nothing is stated.")
-      .def_property_readonly("scene_name", of_header(&RecordingHeader::scene_name))
-      .def_property_readonly("scene_text", of_header(&RecordingHeader::scene_text), "TOML.")
-      .def_property_readonly("writer", of_header(&RecordingHeader::writer), "Program and version.")
-      .def_property_readonly("stages", of_header(&RecordingHeader::stages))
+      .def_property_readonly("scene_name", text_of_header(&RecordingHeader::scene_name))
+      .def_property_readonly("scene_text", text_of_header(&RecordingHeader::scene_text), "TOML.")
+      .def_property_readonly("writer", text_of_header(&RecordingHeader::writer),
+                             "Program and version.")
+      .def_property_readonly("stages", &stages)
       .def_property_readonly("marks", &marks,
                              "Name -> share of the length, of the drawing's marks.");
 }

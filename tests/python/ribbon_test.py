@@ -4,6 +4,7 @@ import ast
 import contextlib
 import inspect
 import io
+import os
 import pathlib
 import re
 import subprocess
@@ -185,6 +186,13 @@ class Reading(RibbonTest):
         self.assertIn("own.rbn", error.place)
         self.assertTrue(error.problem and error.remedy)
         self.assertEqual(str(error), f"{error.place}: {error.problem}; {error.remedy}")
+
+    def test_names_may_be_of_any_bytes(self):
+        with self.assertRaisesRegex(ribbon.Error, r"no\\xffwhere.rbn"):
+            ribbon.open(os.fsencode(self.path.with_name("no")) + b"\xffwhere.rbn")
+        self.path = pathlib.Path(os.fsdecode(os.fsencode(self.path.parent) + b"/\xff.rbn"))
+        self.assertEqual(self.written([flat()], name=b"\xff").scene_name, "\\xff")
+        self.assertEqual(ribbon.Mesh(STONE.vertices, STONE.triangles, b"st\xf6n").name, "st\\xf6n")
 
     def test_a_damaged_frame_is_an_error_and_the_others_are_read(self):
         self.written([flat(0.01 * i) for i in range(9)])
