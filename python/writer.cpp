@@ -90,6 +90,9 @@ class Writer {
   Writer(const std::filesystem::path& path, const OwnRibbon& own, bool force)
       : writer_(value_of(RecordingWriter::create(path, header_of(own),
                                                  force ? Overwrite::yes : Overwrite::no))) {}
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  ~Writer() { abandon(); }
 
   // Times follow one another at the rate of frames unless they are told.
   void append(const Given<double>& given, std::optional<double> time_s) {
@@ -113,8 +116,12 @@ class Writer {
     value_of(writer.finish());
   }
 
-  // The recording stays as it is, readable but not finished.
-  void abandon() { writer_.reset(); }
+  // The recording stays as it is, readable but not finished; without a frame it is of no use, and
+  // the name is free again.
+  void abandon() {
+    if (writer_ && writer_->frames_written() == 0) writer_->take_back();
+    writer_.reset();
+  }
 
  private:
   RecordingWriter& open_writer() {

@@ -104,6 +104,26 @@ class Writing(RibbonTest):
         recording = ribbon.open(self.path)
         self.assertEqual((len(recording), recording.finished), (1, False))
 
+    def test_what_has_no_frame_leaves_the_name_free(self):
+        for first in (flat() * numpy.nan, flat() + 1e9, numpy.full((ALONG, ACROSS, 3), "x"), flat()[..., :2]):
+            with self.assertRaises((ValueError, ribbon.Error)):
+                self.written([first])
+            self.assertFalse(self.path.exists())
+        writer = ribbon.Writer(self.path, **OWN)
+        self.assertTrue(self.path.exists())
+        del writer
+        self.assertEqual(len(self.written([flat()])), 1)
+        with self.assertRaises(ribbon.Error):
+            self.written([flat() + 1e9], force=True)
+        self.assertEqual(len(ribbon.open(self.path)), 1)
+
+    def test_what_no_reader_would_take_replaces_nothing(self):
+        self.written([flat()])
+        for wrong in ({"max_error": 1e39}, {"length": 1e40}):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(ribbon.Error, "no reader would take its header"):
+                ribbon.write(self.path, [flat()], **(SIZE | wrong), force=True)
+        self.assertEqual(len(ribbon.open(self.path)), 1)
+
     def test_what_makes_no_sense_is_refused(self):
         for wrong, word in (({"along": 1}, "2 x 2"), ({"along": 50000, "across": 50000}, "not 50000 x 50000"),
                             ({"across": 2**31 - 1}, r"at most 2\^20 columns"), ({"length": 0}, "length"),
