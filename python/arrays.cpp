@@ -1,6 +1,7 @@
 #include "python/arrays.h"
 
 #include <string>
+#include <string_view>
 
 #include "recording/records/header_record.h"
 
@@ -13,6 +14,16 @@ std::string shape_text(const Shape& shape) {
   for (std::size_t i = 0; i < shape.size(); ++i)
     text += (i > 0 ? ", " : "") + (shape[i] < 0 ? "any" : std::to_string(shape[i]));
   return text + ")";
+}
+
+// kinds: letters of NumPy.
+pybind11::array array_of(const char* what, const pybind11::object& given, std::string_view kinds,
+                         const char* wanted) {
+  auto array = pybind11::array::ensure(given);
+  if (array && kinds.find(array.dtype().kind()) != std::string_view::npos) return array;
+  const auto type = array ? pybind11::object(array.dtype()) : pybind11::type::of(given);
+  throw pybind11::value_error(std::string(what) + " must be " + wanted + ", not of the type " +
+                              std::string(pybind11::str(type)));
 }
 
 }  // namespace
@@ -40,7 +51,16 @@ void require_recordable(const RibbonGrid& grid) {
         std::to_string(grid.along) + " x " + std::to_string(grid.across));
 }
 
-Eigen::Matrix3Xd positions_of(const Given<double>& array, const RibbonGrid& grid) {
+pybind11::array numbers_of(const char* what, const pybind11::object& given) {
+  return array_of(what, given, "fiu", "numbers");
+}
+
+pybind11::array whole_numbers_of(const char* what, const pybind11::object& given) {
+  return array_of(what, given, "iu", "whole numbers");
+}
+
+Eigen::Matrix3Xd positions_of(const pybind11::object& given, const RibbonGrid& grid) {
+  const Given<double> array = numbers_of("positions", given);
   require_shape("positions", array, shape_of(grid, 3));
   return Eigen::Matrix3Xd::Map(array.data(), 3, grid.particle_count());
 }

@@ -15,7 +15,7 @@ namespace ribbon::python {
 
 using Shape = std::vector<pybind11::ssize_t>;
 
-// What the caller hands over; other kinds of numbers are converted, other orders copied.
+// Other kinds of numbers are converted, other orders copied.
 template <class Number>
 using Given = pybind11::array_t<Number, pybind11::array::c_style | pybind11::array::forcecast>;
 
@@ -51,7 +51,12 @@ void require_shape(const char* what, const pybind11::array& array, const Shape& 
 // ValueError unless a recording may have this grid: its particles can then be counted.
 void require_recordable(const RibbonGrid& grid);
 
+// What the caller hands over as an array of numbers, of whole ones; ValueError where it is none.
+// Nothing that only looks like numbers is taken: texts, or complex numbers, which lose a part.
+pybind11::array numbers_of(const char* what, const pybind11::object& given);
+pybind11::array whole_numbers_of(const char* what, const pybind11::object& given);
+
 // 3 x particles, of an array of along x across x 3; what is wrong with that is a ValueError.
-Eigen::Matrix3Xd positions_of(const Given<double>& array, const RibbonGrid& grid);
+Eigen::Matrix3Xd positions_of(const pybind11::object& given, const RibbonGrid& grid);
 
 }  // namespace ribbon::python

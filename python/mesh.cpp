@@ -1,5 +1,6 @@
 #include "python/mesh.h"
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -13,18 +14,21 @@ namespace ribbon::python {
 
 namespace {
 
-TriangleMesh mesh_of(const Given<float>& vertices, const Given<int>& triangles, std::string name) {
+using Corners = Eigen::Matrix<std::int64_t, 3, Eigen::Dynamic>;
+
+TriangleMesh mesh_of(const py::object& given_vertices, const py::object& given_triangles,
+                     std::string name) {
+  const Given<float> vertices = numbers_of("vertices", given_vertices);
+  const Given<std::int64_t> triangles = whole_numbers_of("triangles", given_triangles);
   require_shape("vertices", vertices, {-1, 3});
   require_shape("triangles", triangles, {-1, 3});
-  TriangleMesh mesh{std::move(name), Eigen::Matrix3Xf::Map(vertices.data(), 3, vertices.shape(0)),
-                    Eigen::Matrix3Xi::Map(triangles.data(), 3, triangles.shape(0))};
-  if (!mesh.vertices.allFinite()) throw py::value_error("vertices must be finite numbers");
-  const auto corners = mesh.triangles.array();
-  const auto count = static_cast<int>(mesh.vertices.cols());
-  if ((corners < 0).any() || (corners >= count).any())
+  const Eigen::Matrix3Xf places = Eigen::Matrix3Xf::Map(vertices.data(), 3, vertices.shape(0));
+  if (!places.allFinite()) throw py::value_error("vertices must be finite numbers");
+  const Eigen::Map<const Corners> corners(triangles.data(), 3, triangles.shape(0));
+  if ((corners.array() < 0).any() || (corners.array() >= places.cols()).any())
     throw py::value_error("triangles must be numbers of vertices, from 0 to " +
-                          std::to_string(count - 1));
-  return mesh;
+                          std::to_string(places.cols() - 1));
+  return {std::move(name), places, corners.cast<int>()};
 }
 
 py::str mesh_name(const TriangleMesh& mesh) {

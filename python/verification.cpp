@@ -11,6 +11,7 @@
 #include "python/arrays.h"
 #include "python/errors.h"
 #include "python/recording.h"
+#include "recording/records/header_record.h"
 #include "verification/frame_verifier.h"
 
 namespace py = pybind11;
@@ -26,7 +27,7 @@ class Verifier {
       : grid_(size.grid), verifier_(std::move(size), obstacle, limited) {}
 
   // Other threads of Python go on meanwhile.
-  [[nodiscard]] FrameVerdict verify(const Given<double>& positions) const {
+  [[nodiscard]] FrameVerdict verify(const py::object& positions) const {
     const Eigen::Matrix3Xf recorded = positions_of(positions, grid_).cast<float>();
     const py::gil_scoped_release others_run;
     return verifier_.verify(recorded);
@@ -45,7 +46,8 @@ Verifier verifier_of(const Recording& recording) {
 Verifier verifier_of_size(int along, int across, double length, double width,
                           const std::optional<TriangleMesh>& obstacle) {
   require_recordable({along, across});
-  if (!(length > 0) || !(width > 0)) throw py::value_error("length and width must be above 0");
+  if (!is_positive(length) || !is_positive(width))
+    throw py::value_error("length and width must be above 0, in metres");
   return {{{along, across}, length, width}, obstacle, all_edges};
 }
 

@@ -95,9 +95,12 @@ class Writer {
   ~Writer() { abandon(); }
 
   // Times follow one another at the rate of frames unless they are told.
-  void append(const Given<double>& given, std::optional<double> time_s) {
+  void append(const py::object& given, std::optional<double> time_s) {
     const RecordingHeader& header = open_writer().header();
     const Eigen::Matrix3Xd positions = positions_of(given, header.grid);
+    if (!positions.allFinite())
+      throw py::value_error("positions of frame " + std::to_string(writer_->frames_written() + 1) +
+                            " must be finite numbers");
     FrameNumbers numbers;
     numbers.time_s = time_s.value_or(writer_->frames_written() / header.frames_per_second);
     check_follows(numbers.time_s);

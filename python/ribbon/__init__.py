@@ -48,19 +48,12 @@ def follow(recording: Recording, every: float = 0.1) -> Iterator[NDArray[numpy.f
             time.sleep(every)
 
 
-def _numbers(positions: ArrayLike) -> NDArray[Any]:
-    array = numpy.asarray(positions)
-    if array.dtype.kind not in "fiu":
-        raise ValueError(f"positions must be numbers, not of the type {array.dtype}")
-    return array
-
-
 def write(path: str | os.PathLike[str], frames: Iterable[ArrayLike], *, length: float, width: float,
           **settings: Any) -> None:
     """Writes frames, each along x across x 3 in metres, as a recording; settings are those of Writer."""
-    frames = map(_numbers, frames)
-    first = next(frames, None)
-    if first is None or first.ndim != 3:
+    frames = iter(frames)
+    first = numpy.asarray(next(frames, None))
+    if first.ndim != 3:
         raise ValueError("frames must be at least one array of along x across x 3")
     along, across, _ = first.shape
     with Writer(path, along=along, across=across, length=length, width=width, **settings) as writer:

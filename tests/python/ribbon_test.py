@@ -136,6 +136,9 @@ class Writing(RibbonTest):
         for grid in ({"along": 1}, {"along": 50000, "across": 50000}):
             with self.subTest(grid=grid), self.assertRaisesRegex(ValueError, "a ribbon has at "):
                 ribbon.Verifier(**(OWN | grid))
+        for size in ({"length": numpy.inf}, {"width": numpy.nan}, {"width": 0}):
+            with self.subTest(size=size), self.assertRaisesRegex(ValueError, "length and width must be above 0"):
+                ribbon.Verifier(**(OWN | size))
         for wrong in (numpy.full((20, 4, 3), "x"), flat() + 1j, numpy.full((20, 4, 3), None)):
             with self.subTest(wrong=wrong.dtype), self.assertRaisesRegex(ValueError, "must be numbers"):
                 ribbon.write(self.path, [wrong], **SIZE)
@@ -146,8 +149,14 @@ class Writing(RibbonTest):
         with ribbon.Writer(self.path, **OWN) as writer:
             with self.assertRaisesRegex(ValueError, r"\(30, 5, 3\), not \(5, 30, 3\)"):
                 writer.append(flat().transpose(1, 0, 2))
-            with self.assertRaisesRegex(ribbon.Error, "frame 1"):
-                writer.append(numpy.full((ALONG, ACROSS, 3), numpy.nan))
+            for number in (numpy.nan, numpy.inf):
+                with self.assertRaisesRegex(ValueError, "positions of frame 1 must be finite"):
+                    writer.append(numpy.full((ALONG, ACROSS, 3), number))
+            with self.assertRaisesRegex(ribbon.Error, "frame 1: .* allow a larger position error"):
+                writer.append(flat() + 1e9)
+            for wrong in (flat().astype(str), flat() + 1j, None, [[1, 2], [3]]):
+                with self.assertRaisesRegex(ValueError, "positions must be numbers, not of the type"):
+                    writer.append(wrong)
             writer.append(flat())
         with self.assertRaisesRegex(ValueError, "closed"):
             writer.append(flat())
@@ -173,6 +182,12 @@ class Writing(RibbonTest):
             ribbon.Mesh(numpy.zeros((3, 3)), [[0, 1, 3]])
         with self.assertRaisesRegex(ValueError, r"vertices must have the shape \(any, 3\)"):
             ribbon.Mesh(numpy.zeros((3, 2)), [[0, 1, 2]])
+        with self.assertRaisesRegex(ValueError, "triangles must be whole numbers, not of the type float64"):
+            ribbon.Mesh(numpy.zeros((3, 3)), [[0, 1.9, 2.2]])
+        with self.assertRaisesRegex(ValueError, "from 0 to 2"):
+            ribbon.Mesh(numpy.zeros((3, 3)), [[0, 1, 2**32 + 2]])
+        with self.assertRaisesRegex(ValueError, "vertices must be numbers"):
+            ribbon.Mesh([["a", "b", "c"]] * 3, [[0, 1, 2]])
 
 
 class Reading(RibbonTest):

@@ -63,10 +63,11 @@ Result<QuantisedFrame> PositionEncoder::rounded(const Eigen::Matrix3Xd& position
   auto frame = rounded(positions, parameters_.step_m);
   if (!frame && parameters_.step_m > 0) frame = rounded(positions, 0);
   if (frame) return *std::move(frame);
-  return failure("",
-                 "positions as large as " + std::to_string(positions.cwiseAbs().maxCoeff()) +
-                     " m cannot be recorded in single precision within max_position_error",
-                 "allow a larger max_position_error or move the scene towards the origin");
+  return failure(
+      "",
+      "positions as large as " + std::to_string(positions.cwiseAbs().maxCoeff()) +
+          " m cannot be recorded in single precision within the position error asked for",
+      "allow a larger position error or move the scene towards the origin");
 }
 
 EncodedFrame PositionEncoder::encode_rounded(QuantisedFrame frame,

@@ -200,7 +200,8 @@ TEST(PositionCodec, what_single_precision_cannot_hold_is_refused) {
   PositionEncoder encoder(parameters(sample_grid, bound_m, 1), bound_m);
   Eigen::Matrix3Xd positions = sample_positions(0);
   positions.array() += 10'000;
-  EXPECT_THAT(refusal_of(encoder.encode(positions, nullptr)), HasSubstr("max_position_error"));
+  EXPECT_THAT(refusal_of(encoder.encode(positions, nullptr)),
+              HasSubstr("allow a larger position error"));
   positions.setConstant(1e300);
   EXPECT_FALSE(encoder.encode(positions, nullptr).has_value());
 }
