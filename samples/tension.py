@@ -15,31 +15,40 @@ import numpy
 
 import ribbon
 
+try:
+    from matplotlib import pyplot
+except ModuleNotFoundError:
+    pyplot = None
+
 if len(sys.argv) != 3:
     sys.exit(__doc__)
-recording = ribbon.open(sys.argv[1])
 picture = Path(sys.argv[2])
+formats = pyplot.figure().canvas.get_supported_filetypes() if pyplot else ["svg"]
+if picture.suffix.removeprefix(".") not in formats:
+    remedy = f"name one of {', '.join(formats)}" if pyplot else "name a .svg or install python3-matplotlib"
+    sys.exit(f"{picture}: a picture of this kind cannot be written; {remedy}")
+
 
 # %% The strain along the band: length of each edge from row to row over its length at rest, less 1. Across
 # the band the mean is taken: what is left is one number for each place along it, for each frame.
-rest = recording.length / (recording.along - 1)
-
-
 def strain_along(positions):
     return numpy.linalg.norm(numpy.diff(positions, axis=0), axis=2).mean(axis=1) / rest - 1
 
 
-strain = numpy.array([strain_along(positions) for positions in recording])
+try:
+    recording = ribbon.open(sys.argv[1])
+    rest = recording.length / (recording.along - 1)
+    strain = numpy.array([strain_along(positions) for positions in recording])
+except ribbon.Error as error:
+    sys.exit(str(error))
+if len(strain) == 0:
+    sys.exit(f"{sys.argv[1]}: the recording holds no frame yet; wait until one is recorded")
 time = recording.numbers()["time"]
 share = (numpy.arange(recording.along - 1) + 0.5) / (recording.along - 1)
 print(f"{len(strain)} frames, strain from {100 * strain.min():.2f} % to {100 * strain.max():.2f} %")
 
 # %% A picture of it: time downwards, the band from left to right.
 limit = max(abs(strain.min()), abs(strain.max()), 1e-9)
-try:
-    from matplotlib import pyplot
-except ModuleNotFoundError:
-    pyplot = None
 
 
 def plot_by_matplotlib():
@@ -73,9 +82,10 @@ def plot_as_svg():
     picture.write_text("\n".join(lines))
 
 
-if pyplot:
-    plot_by_matplotlib()
-elif picture.suffix == ".svg":
-    plot_as_svg()
-else:
-    sys.exit(f"{picture}: without matplotlib only .svg can be written; name a .svg or install python3-matplotlib")
+try:
+    if pyplot:
+        plot_by_matplotlib()
+    else:
+        plot_as_svg()
+except OSError as error:
+    sys.exit(f"{picture}: {error.strerror}; choose another place")

@@ -318,6 +318,15 @@ class Documents(RibbonTest):
         said = subprocess.run([sys.executable, sample, self.path, plot], check=True, capture_output=True, text=True)
         self.assertRegex(said.stdout, r"2 frames, strain from -?0.00 % to 2.00 %")
         self.assertIn("<svg", plot.read_text())
+        empty = self.path.with_name("empty.rbn")
+        ribbon.Writer(empty, **OWN).close()
+        for recording, picture, word in ((self.path.with_name("no.rbn"), plot, "no.rbn: cannot be opened"),
+                                         (empty, plot, "empty.rbn: the recording holds no frame"),
+                                         (self.path, plot.with_suffix(".what"), "what: "),
+                                         (self.path, self.path.parent / "no" / "where.svg", "where.svg: No such file")):
+            refused = subprocess.run([sys.executable, sample, recording, picture], capture_output=True, text=True)
+            self.assertIn(word, refused.stderr)
+            self.assertNotIn("Traceback", refused.stderr)
 
 
 class Hints(unittest.TestCase):
