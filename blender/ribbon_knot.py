@@ -414,13 +414,16 @@ class TieRibbon(bpy.types.Operator):
         """The ribbon as recorded, in the place of what an earlier time has brought."""
         self.recording.check()
         path = str(self.recording.path)
-        for thing in [thing for thing in context.scene.objects if thing.get("ribbon_recording") == path]:
-            bpy.data.objects.remove(thing)
+        older = [thing for thing in context.scene.objects if thing.get("ribbon_recording") == path]
         try:
-            return bpy.ops.import_scene.ribbon_recording(filepath=path, with_obstacle=False,
-                                                         first_frame=context.scene.frame_start)
+            ended = bpy.ops.import_scene.ribbon_recording(filepath=path, with_obstacle=False,
+                                                          first_frame=context.scene.frame_start)
         except RuntimeError as error:
             raise Trouble(str(error).removeprefix("Error: ").strip()) from error
+        if ended == {"FINISHED"}:
+            for thing in older:
+                bpy.data.objects.remove(thing)
+        return ended
 
     def refuse(self, trouble):
         self.report({"ERROR"}, str(trouble))

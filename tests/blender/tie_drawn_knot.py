@@ -160,6 +160,18 @@ ribbons = [thing for thing in bpy.context.scene.objects if "ribbon_recording" in
 check(len(ribbons) == 1 and ribbons[0] == bpy.context.active_object, f"there are {ribbons}")
 check(bpy.context.selected_objects == ribbons, "something else is chosen")
 
+# What cannot be read takes nobody's place.
+broken = folder / "broken-recorder"
+broken.write_text('#!/bin/sh\necho "no recording" > "$3"\n')
+broken.chmod(0o755)
+preferences.recorder = str(broken)
+choose(drawing, post)
+check_refused("my-knot.rbn")
+check(ribbons[0].name in bpy.context.scene.objects, "the ribbon before is gone")
+preferences.recorder = recorder
+choose(drawing, post)
+check(tie(width=0.01, duration=0.02) == {"FINISHED"}, "after that it was not tied")
+
 # The same drawing on other walls, and its mirror image: where it lies and what passes over is seen.
 for name, turn, height, expected in (("front", (math.pi / 2, 0, 0), 0.02, ('axis = "z"', "left-handed")),
                                      ("side", (0, math.pi / 2, 0), 0.02, ('axis = "x"', "left-handed")),
