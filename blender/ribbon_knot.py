@@ -105,10 +105,8 @@ def axis_seen_along(line):
     return "xyz"[int(numpy.argmin(numpy.ptp(line, axis=0)))]
 
 
-def plane_of(line, axis):
-    """The point of the axis beside the middle of the line: a band is laid as far above its plane as below."""
-    middle = 0.5 * (line.min(axis=0) + line.max(axis=0))
-    return middle * [letter == axis for letter in "xyz"]
+def middle_of(places):
+    return 0.5 * (places.min(axis=0) + places.max(axis=0))
 
 
 def crossings(seen):
@@ -229,18 +227,18 @@ def write_scene(drawing, obstacle, settings, context):
     name = re.sub(r"\W+", "-", drawing.name).strip("-") or "knot"
     line = drawn_line(drawing, context)
     axis = axis_seen_along(line)
-    # Whatever is drawn, ribbon-record lays the band in the plane through the origin.
-    origin = plane_of(line, axis)
+    letters = over_and_under(line @ VIEWS[axis].T)
+    # ribbon-record lays the band in the plane through the origin, as far above it as below; and texts have few digits.
+    origin = middle_of(line)
     line -= origin
-    seen = line @ VIEWS[axis].T
-    middle = 0.5 * (line.min(axis=0) + line.max(axis=0))
-    texts = {".svg": path_of(seen)}
+    middle = middle_of(line)
+    texts = {".svg": path_of(line @ VIEWS[axis].T)}
     if obstacle:
         vertices, triangles = triangles_of(obstacle, context)
         vertices -= origin
-        middle = 0.5 * (vertices.min(axis=0) + vertices.max(axis=0))
+        middle = middle_of(vertices)
         texts[".obj"] = obj_of(vertices, triangles)
-    texts[".toml"] = scene_of(name, line, axis, over_and_under(seen), settings, middle, bool(obstacle), origin)
+    texts[".toml"] = scene_of(name, line, axis, letters, settings, middle, bool(obstacle), origin)
     scene = folder / f"{name}.toml"
     try:
         folder.mkdir(parents=True, exist_ok=True)

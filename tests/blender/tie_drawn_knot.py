@@ -210,6 +210,15 @@ for name, turn, middle in (("above", (0, 0, 0), (0.3, 0.2, 1)),
               for a in shown.data.vertices)
     check(off < 1e-6, f"{name}: the post is shown {off} m off")
 
+# Far off, where Blender itself knows places to a quarter of a millimetre, it is no coarser.
+far = draw_curve(drawn_points(0.005), "far")
+far.location = (3000, -2000, 1000)
+bpy.context.view_layer.update()
+choose(far)
+check(tie(width=0.01, duration=0.02) == {"FINISHED"}, "far off nothing was tied")
+check_lies_on(far, ribbon.open(folder / "far.rbn"))
+check("left-handed" in str(ribbon.verify(ribbon.open(folder / "far.rbn")).knot), "far off it is another knot")
+
 # A mirrored object is no more inside out than Blender shows it; one of points alone is refused.
 post.scale.x = -1
 choose(drawing, post)
