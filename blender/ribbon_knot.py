@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import subprocess
+import zlib
 from pathlib import Path
 
 import bpy
@@ -26,8 +27,10 @@ bl_info = {
 
 FABRICS = ("silk", "satin", "cotton", "polyester", "wool", "denim", "obi brocade")
 
-# Stands at the beginning of every text that is written, so that no file of somebody else is replaced.
+# The first line of every text that is written says so in a comment, for whom, and with a checksum of what follows: no
+# file of somebody else is replaced, none of another drawing, and none that was edited.
 MARK = "written by the add-on Ribbon knot"
+COMMENTS = {".svg": ("<!-- ", " -->"), ".obj": ("# ", ""), ".toml": ("# ", "")}
 
 # Rows in the world's units (x right, y up, z towards the viewer, as in recordings) that make of a place what one sees
 # along each axis: right, down, and how near it is.
@@ -150,8 +153,7 @@ def path_of(seen):
     places = 1000 * seen[:, :2]
     low, size = places.min(axis=0) - 10, numpy.ptp(places, axis=0) + 20
     words = " L ".join(f"{x:.6g} {y:.6g}" for x, y in places)
-    return (f'<!-- {MARK} -->\n'
-            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{low[0]:.6g} {low[1]:.6g} {size[0]:.6g} {size[1]:.6g}">\n'
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{low[0]:.6g} {low[1]:.6g} {size[0]:.6g} {size[1]:.6g}">\n'
             f'  <path id="band" fill="none" stroke="black" stroke-width="2" d="M {words}"/>\n</svg>\n')
 
 
@@ -171,7 +173,7 @@ def triangles_of(thing, context):
 
 
 def obj_of(vertices, triangles):
-    return (f"# {MARK}\n" + "".join(f"v {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in vertices) +
+    return ("".join(f"v {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in vertices) +
             "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles))
 
 
@@ -193,7 +195,7 @@ def scene_of(name, line, axis, letters, settings, middle, has_obstacle, origin):
     ]
     # The add-on Ribbon recording looks for it.
     place = f"# In Blender the origin is at [{', '.join(f'{x:.9f}' for x in blender_axes(origin))}], in metres\n"
-    return f"# {MARK}\n{place}\n" + "\n".join(table for table in tables if table)
+    return f"{place}\n" + "\n".join(table for table in tables if table)
 
 
 def recorder():
@@ -206,22 +208,33 @@ def recorder():
     return found
 
 
-def is_marked(path):
-    with path.open("rb") as file:
-        return MARK.encode() in file.read(100)
+def owner_of(drawing):
+    """Whose files these are, as a part of a comment: other names may give the same name of a file."""
+    names = json.dumps([drawing.name, Path(bpy.data.filepath).name])
+    return names.replace("--", "-\\u002d")  # which would end a comment of SVG
 
 
-def check_replaceable(scene, paths):
+def mark_of(owner, text):
+    return f"{MARK} for {owner}, checksum {zlib.crc32(text):08x}".encode()
+
+
+def is_as_written(path, owner):
+    first, _, rest = path.read_bytes().partition(b"\n")
+    return mark_of(owner, rest) in first
+
+
+def check_replaceable(scene, endings, owner):
     """A recording is ours where its scene is."""
-    for path, marked in [(path, path) for path in paths] + [(scene.with_suffix(".rbn"), scene)]:
-        if path.exists() and not (marked.exists() and is_marked(marked)):
-            raise Trouble(f"{path}: exists already, and not from this add-on; rename the drawing, or choose another "
-                          "folder")
+    judged_by = [(ending, ending) for ending in endings] + [(".rbn", ".toml")]
+    for path, marked in [tuple(map(scene.with_suffix, pair)) for pair in judged_by]:
+        if path.exists() and not (marked.exists() and is_as_written(marked, owner)):
+            raise Trouble(f"{path}: exists already, and is not what this add-on wrote for this drawing of this .blend; "
+                          "rename the drawing, or choose another folder")
 
 
 def write_scene(drawing, obstacle, settings, context):
     """Writes scene, drawing and obstacle into the folder; the scene's path."""
-    folder = Path(bpy.path.abspath(settings.folder))
+    folder = Path(os.path.abspath(bpy.path.abspath(settings.folder)))
     if settings.folder.startswith("//") and not bpy.data.filepath:
         raise Trouble("the .blend has no folder yet for the recording to stay in; save it first, or choose a folder")
     name = re.sub(r"\W+", "-", drawing.name).strip("-") or "knot"
@@ -239,12 +252,15 @@ def write_scene(drawing, obstacle, settings, context):
         middle = middle_of(vertices)
         texts[".obj"] = obj_of(vertices, triangles)
     texts[".toml"] = scene_of(name, line, axis, letters, settings, middle, bool(obstacle), origin)
+    owner = owner_of(drawing)
     scene = folder / f"{name}.toml"
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        check_replaceable(scene, [scene.with_suffix(ending) for ending in texts])
+        check_replaceable(scene, texts, owner)
         for ending, text in texts.items():
-            scene.with_suffix(ending).write_text(text)
+            begin, end = map(str.encode, COMMENTS[ending])
+            rest = text.encode()
+            scene.with_suffix(ending).write_bytes(begin + mark_of(owner, rest) + end + b"\n" + rest)
     except OSError as error:
         raise Trouble(f"{error.filename}: {error.strerror}; choose another folder") from error
     return scene

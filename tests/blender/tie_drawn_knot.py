@@ -232,13 +232,34 @@ choose(drawing, points)
 check_refused("points: it has no faces")
 
 # What somebody else has made stays as it is, whichever of the files it is.
-choose(draw_curve(drawn_points(0.02), "logo"), post)
+logo = draw_curve(drawn_points(0.02), "logo")
+choose(logo, post)
 for ending in (".svg", ".obj", ".toml", ".rbn"):
     other = folder / f"logo{ending}"
     other.write_text("of somebody else")
-    check_refused("exists already, and not from this add-on", width=0.01, duration=0.02)
+    check_refused("exists already, and is not what this add-on wrote", width=0.01, duration=0.02)
     check(list(folder.glob("logo.*")) == [other] and other.read_text() == "of somebody else", f"{other} was replaced")
     other.unlink()
+
+# So does what was edited, and what belongs to another drawing whose files have the same names.
+check(tie(width=0.01, duration=0.02) == {"FINISHED"}, "the logo was not tied")
+choose(logo, post)
+for ending in (".svg", ".obj", ".toml"):
+    edited = folder / f"logo{ending}"
+    whole = edited.read_bytes()
+    edited.write_bytes(whole + b"\n")
+    check_refused(f"{edited}: exists already, and is not what this add-on wrote", width=0.01, duration=0.02)
+    check(edited.read_bytes() == whole + b"\n", f"{edited} was replaced")
+    edited.write_bytes(whole)
+check(tie(width=0.01, duration=0.02) == {"FINISHED"}, "the logo was not tied again")
+before = (folder / "logo.rbn").read_bytes()
+choose(draw_curve(drawn_points(0.02), "logo!--"), post)
+check_refused("rename the drawing", width=0.01, duration=0.02)
+check((folder / "logo.rbn").read_bytes() == before, "the recording of another drawing was replaced")
+bpy.context.active_object.name = "--> 'a\\b\"é"
+check(tie(width=0.01, duration=0.02) == {"FINISHED"} and (folder / "a-b-é.rbn").exists(), "signs in a name hinder it")
+choose(bpy.data.objects["--> 'a\\b\"é"], post)
+check(tie(width=0.01, duration=0.02) == {"FINISHED"}, "signs in a name hinder it the second time")
 
 # Without heights over and under alternate; with some it cannot be told.
 choose(draw_stroke([(x, y, 0) for x, y, _ in drawn_points(0)], "flat ink"))
