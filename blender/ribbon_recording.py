@@ -3,6 +3,7 @@
 Frames stay in the recording: each is read when Blender comes to it, also when it renders.
 """
 
+import os
 import re
 
 import bpy
@@ -34,6 +35,11 @@ UPRIGHT = (numpy.pi / 2, 0, 0)
 ORIGIN = re.compile(r"^# In Blender the origin is at \[(-?\d+\.\d+), (-?\d+\.\d+), (-?\d+\.\d+)\], in metres$", re.M)
 
 opened = {}
+
+
+def absolute(path):
+    """Of Blender or of a script, where another folder may be the one that it works in later."""
+    return os.path.abspath(bpy.path.abspath(path))
 
 
 def recording_at(path):
@@ -134,7 +140,10 @@ def show(thing, frame):
     if len(thing.data.vertices) != recording.along * recording.across:
         raise ribbon.Error(thing[PATH], f"{thing.name} has {len(thing.data.vertices)} vertices, and the recording "
                            f"{recording.along * recording.across} particles", "import it anew")
-    index = min(max(frame - thing[FIRST], 0), len(recording) - 1)
+    index = max(frame - thing[FIRST], 0)
+    if index >= len(recording):
+        recording.refresh()  # more may have been recorded
+    index = min(index, len(recording) - 1)
     thing.data.vertices.foreach_set("co", recording[index].ravel())
     thing.data.update()
 
@@ -158,16 +167,17 @@ class ImportRibbonRecording(bpy.types.Operator, ImportHelper):
     bl_options = {"UNDO"}
     filename_ext = ".rbn"
     filter_glob: StringProperty(default="*.rbn", options={"HIDDEN"})
-    first_frame: IntProperty(name="First frame", default=1, description="Of the scene, that shows the recording's first")
+    first_frame: IntProperty(name="First frame", default=1, min=0,
+                             description="Of the scene, that shows the recording's first")
     with_obstacle: BoolProperty(name="Obstacle", default=True, description="Import what the ribbon is fastened around")
     texture: StringProperty(name="Texture", subtype="FILE_PATH", description="A picture as high as the ribbon is wide")
 
     def execute(self, context):
-        path = bpy.path.abspath(self.filepath)
+        path = absolute(self.filepath)
         opened.pop(path, None)  # it may have been recorded anew
         try:
             recording = recording_at(path)
-            thing = add_ribbon(context, path, self.first_frame, bpy.path.abspath(self.texture))
+            thing = add_ribbon(context, path, self.first_frame, self.texture and absolute(self.texture))
         except (ribbon.Error, RuntimeError) as error:
             self.report({"ERROR"}, str(error).removeprefix("Error: ").strip())
             return {"CANCELLED"}

@@ -5,6 +5,7 @@ usage: import_recording.py PACKAGE ADD_ON FOLDER      PACKAGE: folder in which t
 
 import contextlib
 import io
+import os
 import sys
 from pathlib import Path
 
@@ -129,6 +130,32 @@ check((vertices_of(bpy.context.active_object) == ribbon.open(folder / "moving.rb
       "beside a recording without a frame nothing moves")
 begun.append(wave(5)[:, :2])
 check("no frame yet" not in printed_at(5), "its first frame is not seen")
+
+# What grows is followed.
+bpy.ops.import_scene.ribbon_recording(filepath=str(folder / "anew.rbn"))
+begun.append(wave(6)[:, :2])
+bpy.context.scene.frame_set(2)
+check((vertices_of(bpy.context.active_object) == ribbon.open(folder / "anew.rbn")[1].reshape(-1, 3)).all(),
+      "a frame that came later is not shown")
+
+# Names may be of any bytes: such a recording is imported, and when it is gone, the others move.
+odd = folder / os.fsdecode(b"\xff.rbn")
+ribbon.write(odd, [wave(0), wave(1)], length=0.4, width=0.04)
+bpy.ops.import_scene.ribbon_recording(filepath=str(odd))
+bpy.context.active_object.name = "A first one"
+odd.unlink()
+bpy.ops.import_scene.ribbon_recording(filepath=str(folder / "moving.rbn"))
+sys.modules["ribbon_recording"].opened.clear()
+check("cannot be opened" in printed_at(2), "nothing told of the one that is gone")
+check((vertices_of(bpy.context.active_object) == ribbon.open(folder / "moving.rbn")[1].reshape(-1, 3)).all(),
+      "beside one that is gone nothing moves")
+
+# A script's paths are those of its folder; no frame of a scene is below 0.
+os.chdir(folder)
+bpy.ops.import_scene.ribbon_recording(filepath="moving.rbn", first_frame=-5)
+os.chdir("/")
+check(bpy.context.active_object["ribbon_recording"] == str(folder / "moving.rbn"), "the path stays that of a script")
+check(bpy.context.active_object["ribbon_first_frame"] == bpy.context.scene.frame_start == 0, "the first frame is another")
 
 bpy.ops.preferences.addon_disable(module=Path(add_on).stem)
 print("Blender shows what was recorded.")
