@@ -180,10 +180,9 @@ TEST_F(Excerpts, of_a_recording_without_loss_are_as_far_off_as_single_precision_
   RecordingHeader header = recorded.header();
   header.max_position_error_m = 0;
   header.quantisation_step_m = 0;
-  std::vector<Eigen::Matrix3Xd> frames;
+  std::vector<Eigen::Matrix3Xd> frames(12);
   for (int index = 0; index < 12; ++index)
-    frames.push_back(frame(recorded, index).cast<double>() +
-                     Eigen::Matrix3Xd::Constant(3, header.grid.particle_count(), 3));
+    frames[index] = frame(recorded, index).cast<double>().array() + 3;
   std::filesystem::remove(source_);
   write_recording(source_, header, frames);
   // Half of what lies between the numbers from 2 to 4.

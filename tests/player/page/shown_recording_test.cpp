@@ -84,8 +84,8 @@ TEST_F(ShownRecordingTest, particles_of_a_tiny_scene_are_those_of_its_model) {
                          &header.max_position_error_m, &header.quantisation_step_m})
     *length *= times;
   header.obstacle->vertices *= static_cast<float>(times);
-  std::vector<Eigen::Matrix3Xd> frames;
-  for (int frame = 0; frame < 7; ++frame) frames.emplace_back(times * sample_positions(frame));
+  std::vector<Eigen::Matrix3Xd> frames(7);
+  for (int frame = 0; frame < 7; ++frame) frames[frame] = times * sample_positions(frame);
   std::filesystem::remove(file_);
   write_recording(file_, header, frames);
   auto tiny = ShownRecording::open(file_).value();
