@@ -128,12 +128,13 @@ class GlbWriter : public MotionWriter {
 
   // They are rounded, and so is what a viewer adds up; two layers may each move by that.
   [[nodiscard]] Result<void> displacements_keep_the_gap(const ModelObject& ribbon) const {
+    if (first_.stated_gap_m == 0) return {};
     const double factor = first_.placement.factor();
     const double reach = ribbon.positions.cwiseAbs().maxCoeff() + moved_.cwiseAbs().maxCoeff();
     const double rounding_m =
         std::sqrt(3.0) * 1.01 * largest_rounding(reach) / factor +
         first_.placement.rounding_m(ribbon.positions / static_cast<float>(factor));
-    if (first_.stated_gap_m == 0 || 2 * rounding_m < first_.stated_gap_m) return {};
+    if (2 * rounding_m < first_.stated_gap_m) return {};
     return failure(name_,
                    "displacements round coordinates by up to " + metres(rounding_m, Rounding::up) +
                        ", so that layers could meet that are " + metres(first_.stated_gap_m) +
