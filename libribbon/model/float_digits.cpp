@@ -8,10 +8,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <locale>
-#include <sstream>
 #include <string>
 
+#include "text/number_in.h"
 #include "text/number_text.h"
 
 namespace ribbon {
@@ -70,19 +69,12 @@ std::uint64_t eight_digits(std::uint32_t number) {
   return tens | (twos - 10 * tens) << 8U;
 }
 
-float read(const std::string& digits) {
-  std::istringstream text(digits);
-  text.imbue(std::locale::classic());
-  float number = 0;
-  text >> number;
-  return number;
-}
-
 // As few as read back as the same number.
 std::string fewest_digits(float number) {
   constexpr int always_enough = 9;
   int count = 1;
-  while (count < always_enough && read(short_number(number, count)) != number) ++count;
+  while (count < always_enough && number_told<float>(short_number(number, count)) != number)
+    ++count;
   return short_number(number, count);
 }
 

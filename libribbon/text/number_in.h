@@ -2,7 +2,10 @@
 #pragma once
 
 #include <charconv>
+#include <locale>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -17,6 +20,17 @@ std::optional<Number> number_in(std::string_view text) {
   const char* const end = text.data() + text.size();
   const auto [stop, problem] = std::from_chars(text.data(), end, number);
   return problem == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+}
+
+// What a text tells that short_number() wrote. By a stream: not every standard library has
+// std::from_chars() for numbers with decimals.
+template <class Number>
+Number number_told(const std::string& text) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  Number number = 0;
+  stream >> number;
+  return number;
 }
 
 }  // namespace ribbon

@@ -4,23 +4,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <locale>
-#include <sstream>
+
+#include "text/number_in.h"
 
 namespace ribbon {
-
-namespace {
-
-// Not std::from_chars(), which not every standard library has for such numbers.
-double number_of(const std::string& text) {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double number = 0;
-  stream >> number;
-  return number;
-}
-
-}  // namespace
 
 std::string decimals(double number, int digits) {
   return fmt::format("{:.{}f}", number, digits);
@@ -29,7 +16,7 @@ std::string decimals(double number, int digits) {
 std::string short_number(double number, int digits, Rounding rounding) {
   std::string text = fmt::format("{:.{}g}", number, digits);
   if (rounding == Rounding::to_nearest || !std::isfinite(number)) return text;
-  const double told = number_of(text);
+  const double told = number_told<double>(text);
   const double roundoff = 0x1p-50 * std::abs(number);  // 100 * 0.07 is 7
   const bool holds =
       rounding == Rounding::up ? told >= number - roundoff : told <= number + roundoff;
@@ -50,7 +37,7 @@ std::string metres(double length_m, Rounding rounding) {
 std::string length_text(double length_m, int digits, Rounding rounding) {
   const std::string text = short_number(1000 * length_m, digits, rounding);
   // What is rounded to 1000 mm is a metre.
-  if (length_m < 1 && number_of(text) < 1000) return text + " mm";
+  if (length_m < 1 && number_told<double>(text) < 1000) return text + " mm";
   return short_number(length_m, digits, rounding) + " m";
 }
 
